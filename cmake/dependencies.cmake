@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Everything comes from Debian 12 packages; cmake/packages.txt lists them.
+include(GNUInstallDirs)
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+# CGAL puts a FindOpenMesh of its own on the module path that fails on Debian: ask for OpenMesh's config.
+find_package(OpenMesh CONFIG REQUIRED)
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+find_package(CGAL 5.5 CONFIG REQUIRED)
+find_package(Eigen3 3.4 CONFIG REQUIRED)
+include(CGAL_Eigen3_support)
+find_package(Boost 1.74 REQUIRED)
+find_package(fmt CONFIG REQUIRED)
+find_package(nlohmann_json 3.11 CONFIG REQUIRED)
+find_package(CLI11 CONFIG REQUIRED)
+find_package(qpdf CONFIG REQUIRED)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo cairo-pdf cairo-png)
+if(RIDGECRAFT_TESTS)
+  find_package(Catch2 2.13 CONFIG REQUIRED)
+  find_package(pugixml CONFIG REQUIRED)
+endif()

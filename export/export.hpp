@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces become pages, pages become drawings, drawings become files. Read this header first.
+// The namespace is ridgecraft::paper, since `export` is a C++ keyword.
+//
+//   Nets --layout--> Pages --draw--> Drawings --write--> bytes of PDF, SVG, PNG;   Nets + Pages --> bytes of FOLD
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "export/drawing.hpp"
+#include "mesh/context.hpp"
+#include "mesh/mesh.hpp"
+#include "unfold/nets.hpp"
+
+namespace ridgecraft::paper {
+
+/// A sheet of paper, mm.
+struct Paper {
+  Vec2 size{210.0, 297.0};
+  double margin = 10.0;  ///< on all four sides
+  double gap = 2.0;      ///< between the outlines of neighbouring pieces, tabs included
+
+  [[nodiscard]] Vec2 printable() const { return {size.x - 2.0 * margin, size.y - 2.0 * margin}; }
+};
+
+/// "A4", "letter", "a3-landscape", "210x297mm", "8.5x11in"; throws Error(usage) with the nearest name known.
+[[nodiscard]] Paper parse_paper(std::string_view text);
+
+/// Where a piece lies: turned counterclockwise by the angle whose cosine and sine are given, then moved.
+struct Placement {
+  PageId page;
+  double cosine = 1.0;
+  double sine = 0.0;
+  Vec2 shift;
+
+  /// From the piece's plane to the page (origin: lower left corner of the sheet, y up).
+  [[nodiscard]] Vec2 operator()(Vec2 p) const {
+    return {cosine * p.x - sine * p.y + shift.x, sine * p.x + cosine * p.y + shift.y};
+  }
+};
+
+struct Pages {
+  Paper paper;
+  std::size_t count = 0;
+  IdVector<PieceId, Placement> placements;
+};
+
+/// The rectangle that a piece must fit, with its tabs: the printable area less the band for page furniture.
+[[nodiscard]] Vec2 piece_area(const Paper& paper);
+
+/// Packs the pieces by their true outlines, tabs included, with the gap between them, on as few pages as it can.
+/// Pieces of one part stay together where that costs no page. Deterministic. Throws Error(no_nets) naming a piece that
+/// fits no page.
+[[nodiscard]] Pages layout(const unfold::Nets& nets, const Paper& paper, const Context& context);
+
+struct Style {
+  double hidden_fold_angle = 3.0 * 3.14159265358979323846 / 180.0;  ///< smaller folds get no line, radians
+  double label_height = 2.5;           ///< mm
+  double smallest_label_height = 1.6;  ///< mm
+};
+
+/// What is drawn, beside the pages themselves.
+struct DrawReport {
+  std::size_t labels_left_out = 0;  ///< numbers that found no place even at the smallest height
+};
+
+/// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, legend, scale bar.
+[[nodiscard]] std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets, const Pages& pages,
+                                        const Style& style, DrawReport* report = nullptr);
+
+/// What every file says about itself.
+struct Mark {
+  std::string producer;  ///< program and version
+  std::string title;     ///< the model's name
+  std::string digest;    ///< mesh::Model::digest
+};
+
+/// Bytes of a PDF of all pages. Same input, same bytes.
+[[nodiscard]] std::string write_pdf(std::span<const Drawing> pages, const Mark& mark);
+/// Bytes of the SVG of one page, in true millimetres, a layer for each class of line.
+[[nodiscard]] std::string write_svg(const Drawing& page, const Mark& mark);
+/// Bytes of a PNG of one page.
+[[nodiscard]] std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch = 150.0);
+
+/// Options that shaped the result, for ridgecraft:settings; values are JSON texts (numbers, strings in quotes).
+using Settings = std::map<std::string, std::string>;
+
+/// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own and the file has no tabs.
+[[nodiscard]] std::string write_fold(const mesh::Prepared& model, const IdVector<FaceId, PartId>& part,
+                                     const unfold::Nets& nets, const Pages* pages, const Mark& mark,
+                                     const Settings& settings);
+
+/// The mark of a file that this program made (any of its formats), or nothing if another program did.
+[[nodiscard]] std::string read_mark_digest(std::string_view bytes);
+
+}  // namespace ridgecraft::paper

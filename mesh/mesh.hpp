@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a model is: reading, repair, size, panels, simplification. Read this header first.
+//
+//   file --read--> Model (repaired, in the file's unit) --prepare--> Prepared (in mm, foldable, with its panels)
+//
+// Errors are ridgecraft::Error of kinds unreadable_input, unusable_mesh, interrupted.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mesh/context.hpp"
+#include "mesh/model.hpp"
+#include "mesh/panels.hpp"
+
+namespace ridgecraft::mesh {
+
+/// What repair does where the jobs differ.
+struct ReadOptions {
+  /// Collapse faces without area. Paper can't hold them; segmentation keeps them, since dropping them opens closed
+  /// surfaces.
+  bool collapse_flat_faces = true;
+};
+
+/// Reads OBJ, STL, PLY or OFF (content decides, the suffix only helps) and repairs it: points joined, polygons
+/// triangulated, duplicates dropped, faces oriented, edges and vertices made manifold. Every change is counted in
+/// Model::repairs. Cost O(n log n). Throws unreadable_input or unusable_mesh with a sentence that names the file.
+[[nodiscard]] Model read(const std::filesystem::path& file, const ReadOptions& options, const Context& context);
+
+/// How large the model becomes.
+struct SizeOptions {
+  /// Largest extent in mm. Used when neither scale nor an axis is given.
+  double largest_extent_mm = 150.0;
+  /// Millimetres for one unit of the file; wins over largest_extent_mm.
+  std::optional<double> mm_per_unit;
+};
+
+/// How many faces it keeps.
+enum class Simplification { automatic, keep, count };
+
+struct SimplifyOptions {
+  Simplification mode = Simplification::automatic;
+  std::size_t faces = 0;  ///< for Simplification::count
+  /// automatic: a fold edge shorter than this is hard to fold ...
+  double short_edge_mm = 6.0;
+  /// ... and the model is simplified when more than this share of its fold edges are.
+  double short_edge_share = 0.1;
+  /// automatic: the surface may move by this share of the model's largest extent.
+  double largest_deviation = 0.02;
+};
+
+/// What simplification did, for the summary. Lengths in mm.
+struct SimplifyReport {
+  std::size_t faces_before = 0;
+  std::size_t faces_after = 0;
+  double deviation_mm = 0.0;       ///< greatest measured distance between the old and the new surface, both ways
+  double short_edges_before = 0.0; ///< share of the fold edges below short_edge_mm
+  double short_edges_after = 0.0;
+  bool still_too_fine = false;     ///< automatic couldn't reach its aim within the deviation allowed
+};
+
+/// A model ready for paper.
+struct Prepared {
+  Model model;           ///< in mm, centred on the origin; not turned, not mirrored
+  Panels panels;         ///< flat regions of model.surface
+  double mm_per_unit = 1.0;
+  SimplifyReport simplified;
+};
+
+/// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight sides that
+/// only two panels share. `largest_face_mm` = {width, height} of the printable area: a face that fits no page in any
+/// rotation is subdivided until it does. Cost O(n log n). Throws unusable_mesh where nothing foldable is left, no_nets
+/// where every face is too narrow to be cut (below 0.05 mm high).
+[[nodiscard]] Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& simplify,
+                               Vec2 largest_face_mm, const Context& context);
+
+}  // namespace ridgecraft::mesh

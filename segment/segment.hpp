@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CoRiSe: a surface becomes nearly convex parts. Read this header first; docs/segmentation.md has the method.
+//
+// Source: G. Liu, Z. Xi, J.-M. Lien, "Nearly convex segmentation of polyhedra through convex ridge separation",
+// Computer-Aided Design 78 (2016) 137-146.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/context.hpp"
+#include "mesh/id.hpp"
+#include "mesh/surface.hpp"
+
+namespace ridgecraft::segment {
+
+struct Options {
+  /// Largest concavity of a part, as a length in the scale where the model's smallest enclosing ball has radius 1.
+  /// Finite and above 0, else Error(usage).
+  double concavity = 0.1;
+};
+
+/// Why a part is a part of its own.
+enum class PartReason {
+  component,  ///< a whole connected component
+  ridge,      ///< a cut separated its convex ridge from others
+  split,      ///< the fallback split (no cut made two pieces)
+  merged,     ///< the merge pass joined several
+};
+
+struct Part {
+  std::vector<FaceId> faces;  ///< ascending
+  /// Largest concavity over the part's bridges, measured from scratch, in the scale of Options::concavity.
+  double concavity = 0.0;
+  std::vector<VertexId> hull_vertices;  ///< ascending
+  double hull_volume = 0.0;             ///< in the surface's own unit, cubed
+  PartReason reason = PartReason::component;
+};
+
+struct Segmentation {
+  IdVector<FaceId, PartId> part;       ///< of each face; numbered by their smallest face
+  IdVector<PartId, Part> parts;
+
+  /// Greatest concavity of a part; 0 when there is none.
+  [[nodiscard]] double max_concavity() const;
+};
+
+/// Segments each component of a surface by itself until every part's concavity is at most the tolerance.
+/// `polygon` gives each face the polygon that it belongs to (faces of one polygon stay in one part); empty when every
+/// face is its own. The result doesn't depend on the number of threads. Throws Error(usage) and Error(interrupted).
+[[nodiscard]] Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                                   const Options& options, const Context& context);
+
+}  // namespace ridgecraft::segment

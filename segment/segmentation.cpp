@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "segment/segment.hpp"
+
+namespace ridgecraft::segment {
+
+double Segmentation::max_concavity() const {
+  double greatest = 0.0;
+  for (const Part& p : parts) {
+    greatest = std::max(greatest, p.concavity);
+  }
+  return greatest;
+}
+
+}  // namespace ridgecraft::segment

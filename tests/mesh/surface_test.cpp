@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/surface.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "support/shapes.hpp"
+
+using namespace ridgecraft;
+using mesh::Surface;
+
+TEST_CASE("a cube has 12 faces, 18 edges and mountain folds of 90 degrees", "[surface]") {
+  const Surface cube = test::cube();
+  CHECK(cube.vertex_count() == 8);
+  CHECK(cube.face_count() == 12);
+  CHECK(cube.edge_count() == 18);
+  CHECK(cube.component_count() == 1);
+  int mountains = 0;
+  for (const EdgeId e : ids<EdgeId>(cube.edge_count())) {
+    CHECK_FALSE(cube.is_border(e));
+    const double degrees = cube.fold_angle(e) * 180.0 / std::numbers::pi;
+    if (std::abs(degrees) > 1.0) {
+      CHECK(degrees == Approx(-90.0));
+      ++mountains;
+    }
+  }
+  CHECK(mountains == 12);
+}
+
+TEST_CASE("the inner edge of an L is a valley", "[surface]") {
+  const Surface shape = test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}});
+  int valleys = 0;
+  for (const EdgeId e : ids<EdgeId>(shape.edge_count())) {
+    valleys += shape.fold_angle(e) > 1.0 ? 1 : 0;
+  }
+  CHECK(valleys == 1);
+}
+
+TEST_CASE("twins run along one edge in opposite directions", "[surface]") {
+  const Surface shape = test::sphere(16, 8);
+  CHECK(shape.face_count() == 16 * 14);
+  for (const CornerId c : ids<CornerId>(shape.corner_count())) {
+    const CornerId d = shape.twin(c);
+    REQUIRE(d.valid());
+    CHECK(shape.twin(d) == c);
+    CHECK(shape.edge(d) == shape.edge(c));
+    CHECK(shape.vertex(d) == shape.vertex(mesh::next(c)));
+    CHECK(shape.vertex(mesh::next(d)) == shape.vertex(c));
+  }
+}
+
+TEST_CASE("an open tube has two borders", "[surface]") {
+  const Surface tube = test::revolve({{1, 0}, {1, 1}}, 12);
+  std::size_t border = 0;
+  for (const EdgeId e : ids<EdgeId>(tube.edge_count())) {
+    border += tube.is_border(e) ? 1U : 0U;
+  }
+  CHECK(border == 24);
+}
+
+TEST_CASE("coordinates come through bit for bit", "[surface]") {
+  const Surface s({{0.1, 0.2, 0.3}, {1, 0, 0}, {0, 1, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  CHECK(s.point(VertexId(0)) == Vec3{0.1, 0.2, 0.3});
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every tolerance of unfold/, its unit and its reason.
+#pragma once
+
+namespace ridgecraft::unfold {
+
+/// Penetration depth of two faces in the finished nets, mm: a tenth of what verify/ and the contract allow.
+inline constexpr double overlap_tolerance_mm = 1e-4;
+
+/// Penetration depth during the search, as a share of the surface's largest extent. Rounding along the fold tree stays
+/// near 1e-15 of it, so there are eight decades of room on one side and print accuracy on the other.
+inline constexpr double search_tolerance = 1e-7;
+
+}  // namespace ridgecraft::unfold
