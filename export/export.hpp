@@ -13,23 +13,13 @@
 #include <vector>
 
 #include "export/drawing.hpp"
+#include "export/mark.hpp"
+#include "export/paper.hpp"
 #include "mesh/context.hpp"
 #include "mesh/mesh.hpp"
 #include "unfold/nets.hpp"
 
 namespace ridgecraft::paper {
-
-/// A sheet of paper, mm.
-struct Paper {
-  Vec2 size{210.0, 297.0};
-  double margin = 10.0;  ///< on all four sides
-  double gap = 2.0;      ///< between the outlines of neighbouring pieces, tabs included
-
-  [[nodiscard]] Vec2 printable() const { return {size.x - 2.0 * margin, size.y - 2.0 * margin}; }
-};
-
-/// "A4", "letter", "a3-landscape", "210x297mm", "8.5x11in"; throws Error(usage) with the nearest name known.
-[[nodiscard]] Paper parse_paper(std::string_view text);
 
 /// Where a piece lies: turned counterclockwise by the angle whose cosine and sine are given, then moved.
 struct Placement {
@@ -49,9 +39,6 @@ struct Pages {
   std::size_t count = 0;
   IdVector<PieceId, Placement> placements;
 };
-
-/// The rectangle that a piece must fit, with its tabs: the printable area less the band for page furniture.
-[[nodiscard]] Vec2 piece_area(const Paper& paper);
 
 /// Packs the pieces by their true outlines, tabs included, with the gap between them, on as few pages as it can.
 /// Pieces of one part stay together where that costs no page. Deterministic. Throws Error(no_nets) naming a piece that
@@ -73,13 +60,6 @@ struct DrawReport {
 [[nodiscard]] std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets, const Pages& pages,
                                         const Style& style, DrawReport* report = nullptr);
 
-/// What every file says about itself.
-struct Mark {
-  std::string producer;  ///< program and version
-  std::string title;     ///< the model's name
-  std::string digest;    ///< mesh::Model::digest
-};
-
 /// Bytes of a PDF of all pages. Same input, same bytes.
 [[nodiscard]] std::string write_pdf(std::span<const Drawing> pages, const Mark& mark);
 /// Bytes of the SVG of one page, in true millimetres, a layer for each class of line.
@@ -94,8 +74,5 @@ using Settings = std::map<std::string, std::string>;
 [[nodiscard]] std::string write_fold(const mesh::Prepared& model, const IdVector<FaceId, PartId>& part,
                                      const unfold::Nets& nets, const Pages* pages, const Mark& mark,
                                      const Settings& settings);
-
-/// The mark of a file that this program made (any of its formats), or nothing if another program did.
-[[nodiscard]] std::string read_mark_digest(std::string_view bytes);
 
 }  // namespace ridgecraft::paper

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The mark in every file that this program writes: by which program, and from which model. It decides whether
+// a later run may replace the file without being asked.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ridgecraft::paper {
+
+/// What every file says about itself.
+struct Mark {
+  std::string producer;  ///< program and version
+  std::string title;     ///< the model's name
+  std::string digest;    ///< mesh::Model::digest
+};
+
+/// The one word that carries the digest in PDF (Keywords of the Info dictionary, not compressed), SVG (text
+/// inside <metadata>) and PNG (text of a tEXt chunk before the pixels): "ridgecraft-model:" and the digest.
+/// FOLD has the digest as the value of the top-level key "ridgecraft:model_digest".
+[[nodiscard]] std::string mark_word(const Mark& mark);
+
+/// The mark of a file that this program made (any of its formats), or nothing if another program did. Reads
+/// any bytes. O(size).
+[[nodiscard]] std::string read_mark_digest(std::string_view bytes);
+
+}  // namespace ridgecraft::paper

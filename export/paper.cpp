@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/paper.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "mesh/error.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+constexpr double mm_per_inch = 25.4;
+
+struct NamedSize {
+  std::string_view name;
+  double width;   ///< mm, upright
+  double height;  ///< mm
+};
+
+/// ISO 216, JIS P 0138 (its B series is not ISO's), ANSI in exact inches, the mats of hobby cutters.
+constexpr std::array named_sizes{
+    NamedSize{"A0", 841, 1189},
+    NamedSize{"A1", 594, 841},
+    NamedSize{"A2", 420, 594},
+    NamedSize{"A3", 297, 420},
+    NamedSize{"A4", 210, 297},
+    NamedSize{"A5", 148, 210},
+    NamedSize{"A6", 105, 148},
+    NamedSize{"B4", 250, 353},
+    NamedSize{"B5", 176, 250},
+    NamedSize{"JIS-B4", 257, 364},
+    NamedSize{"JIS-B5", 182, 257},
+    NamedSize{"Letter", 8.5 * mm_per_inch, 11 * mm_per_inch},
+    NamedSize{"Legal", 8.5 * mm_per_inch, 14 * mm_per_inch},
+    NamedSize{"Tabloid", 11 * mm_per_inch, 17 * mm_per_inch},
+    NamedSize{"Mat-8x12", 8 * mm_per_inch, 12 * mm_per_inch},
+    NamedSize{"Mat-8.5x12", 8.5 * mm_per_inch, 12 * mm_per_inch},
+    NamedSize{"Mat-12x12", 12 * mm_per_inch, 12 * mm_per_inch},
+    NamedSize{"Mat-12x24", 12 * mm_per_inch, 24 * mm_per_inch},
+    NamedSize{"Mat-15x15", 15 * mm_per_inch, 15 * mm_per_inch},
+    NamedSize{"Mat-24x24", 24 * mm_per_inch, 24 * mm_per_inch},
+};
+
+/// Sides of a sheet beyond these are slips of the pen: a visiting card, and a roll for the widest plotters.
+constexpr double smallest_side_mm = 40.0;
+constexpr double largest_side_mm = 20000.0;
+/// Nothing that can be folded fits a smaller rectangle.
+constexpr double smallest_piece_area_mm = 20.0;
+/// Names further away (letters changed, added or dropped) are no near misses.
+constexpr std::size_t near_miss_distance = 2;
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), lower);
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Letters to change, add, drop or swap with their neighbour to make one word of the other (optimal string
+/// alignment).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        cost[i][j] = i + j;
+        continue;
+      }
+      cost[i][j] = std::min(
+          {cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return cost[a.size()][b.size()];
+}
+
+/// Takes a number and the unit behind it off the front of `text`.
+struct Length {
+  double value = 0.0;
+  double mm_per_unit = 0.0;  ///< 0: no unit given
+};
+std::optional<Length> take_length(std::string_view& text) {
+  text = trimmed(text);
+  Length length;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length.value);
+  if (error != std::errc{}) {
+    return std::nullopt;
+  }
+  text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  static constexpr std::array<std::pair<std::string_view, double>, 6> units{{{"mm", 1.0},
+                                                                             {"cm", 10.0},
+                                                                             {"inches", mm_per_inch},
+                                                                             {"inch", mm_per_inch},
+                                                                             {"in", mm_per_inch},
+                                                                             {"\"", mm_per_inch}}};
+  for (const auto& [unit, mm] : units) {
+    if (text.starts_with(unit)) {
+      length.mm_per_unit = mm;
+      text = trimmed(text.substr(unit.size()));
+      break;
+    }
+  }
+  return length;
+}
+
+/// "210x297mm": width, x (or the multiplication sign), height; a unit on the second number holds for both.
+std::optional<Vec2> parse_numbers(std::string_view text) {
+  const auto width = take_length(text);
+  if (!width) {
+    return std::nullopt;
+  }
+  constexpr std::string_view times = "\xC3\x97";
+  if (text.starts_with("x") || text.starts_with("*")) {
+    text.remove_prefix(1);
+  } else if (text.starts_with(times)) {
+    text.remove_prefix(times.size());
+  } else {
+    return std::nullopt;
+  }
+  const auto height = take_length(text);
+  if (!height || !text.empty()) {
+    return std::nullopt;
+  }
+  const double of_height = height->mm_per_unit > 0.0  ? height->mm_per_unit
+                           : width->mm_per_unit > 0.0 ? width->mm_per_unit
+                                                      : 1.0;
+  const double of_width = width->mm_per_unit > 0.0 ? width->mm_per_unit : of_height;
+  return Vec2{width->value * of_width, height->value * of_height};
+}
+
+void check_side(std::string_view text, double side) {
+  if (!(side > 0.0) || !std::isfinite(side)) {
+    throw Error(ErrorKind::usage, fmt::format("paper '{}' has a side of {} mm", text, side));
+  }
+  if (side < smallest_side_mm) {
+    throw Error(ErrorKind::usage,
+                fmt::format("paper '{}' is too small: one side has {} mm, at least {} mm are needed", text,
+                            side, smallest_side_mm));
+  }
+  if (side > largest_side_mm) {
+    throw Error(ErrorKind::usage,
+                fmt::format("paper '{}' is too large: one side has {} m, {} m are the limit", text,
+                            side / 1000.0, largest_side_mm / 1000.0));
+  }
+}
+
+[[noreturn]] void refuse_name(std::string_view text, std::string_view name) {
+  const NamedSize* nearest = nullptr;
+  std::size_t distance = near_miss_distance + 1;
+  for (const NamedSize& size : named_sizes) {
+    const std::size_t d = edit_distance(name, lowered(size.name));
+    // Half the word must be right: 'x' is no misspelling of A4.
+    if (d < distance && 2 * d <= size.name.size()) {
+      nearest = &size;
+      distance = d;
+    }
+  }
+  if (nearest != nullptr) {
+    throw Error(ErrorKind::usage, fmt::format("unknown paper '{}', did you mean '{}'?", text, nearest->name));
+  }
+  throw Error(
+      ErrorKind::usage,
+      fmt::format("unknown paper '{}': give a name such as A4 or Letter, or a size such as 210x297mm", text));
+}
+
+}  // namespace
+
+Paper parse_paper(std::string_view text) {
+  std::string name = lowered(trimmed(text));
+  std::replace(name.begin(), name.end(), '_', '-');
+  std::optional<bool> landscape;
+  for (const auto& [suffix, wide] :
+       {std::pair<std::string_view, bool>{"landscape", true}, {"portrait", false}}) {
+    if (name.size() > suffix.size() + 1 && name.ends_with(suffix) &&
+        (name[name.size() - suffix.size() - 1] == '-' || name[name.size() - suffix.size() - 1] == ' ')) {
+      name.resize(name.size() - suffix.size() - 1);
+      landscape = wide;
+    }
+  }
+  Paper paper;
+  const auto named = std::find_if(named_sizes.begin(), named_sizes.end(),
+                                  [&](const NamedSize& size) { return lowered(size.name) == name; });
+  if (named != named_sizes.end()) {
+    paper.size = {named->width, named->height};
+  } else if (const auto numbers = parse_numbers(name)) {
+    paper.size = *numbers;
+    check_side(text, paper.size.x);
+    check_side(text, paper.size.y);
+  } else {
+    refuse_name(text, name);
+  }
+  if (landscape && *landscape != (paper.size.x > paper.size.y)) {
+    std::swap(paper.size.x, paper.size.y);
+  }
+  return paper;
+}
+
+std::vector<std::string> paper_names() {
+  std::vector<std::string> names;
+  for (const NamedSize& size : named_sizes) {
+    names.emplace_back(size.name);
+  }
+  return names;
+}
+
+void check_paper(const Paper& paper) {
+  if (!(paper.margin >= 0.0) || !std::isfinite(paper.margin)) {
+    throw Error(ErrorKind::usage, fmt::format("the page margin can't be {} mm", paper.margin));
+  }
+  if (!(paper.gap >= 0.0) || !std::isfinite(paper.gap)) {
+    throw Error(ErrorKind::usage, fmt::format("the gap between pieces can't be {} mm", paper.gap));
+  }
+  const Vec2 area = piece_area(paper);
+  if (!(std::min(area.x, area.y) >= smallest_piece_area_mm) || !std::isfinite(area.x) ||
+      !std::isfinite(area.y)) {
+    throw Error(ErrorKind::usage,
+                fmt::format("paper of {:.4g} x {:.4g} mm with margins of {:.4g} mm leaves no room for pieces",
+                            paper.size.x, paper.size.y, paper.margin));
+  }
+}
+
+Box2 piece_box(const Paper& paper) {
+  Box2 box;
+  box.low = {paper.margin, paper.margin + furniture_height};
+  box.high = {paper.size.x - paper.margin, paper.size.y - paper.margin};
+  return box;
+}
+
+Vec2 piece_area(const Paper& paper) {
+  // Not Box2::size(), which is zero for a box turned inside out: check_paper wants to see that.
+  const Box2 box = piece_box(paper);
+  return box.high - box.low;
+}
+
+}  // namespace ridgecraft::paper

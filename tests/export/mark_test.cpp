@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/mark.hpp"
+
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "mesh/context.hpp"
+
+using namespace ridgecraft;
+using paper::read_mark_digest;
+using namespace std::string_literals;
+
+namespace {
+
+const std::string digest = "0123456789abcdef";
+const std::string word = paper::mark_word({"ridgecraft 1", "a whale", digest});
+
+std::string chunk(const std::string& type, const std::string& data) {
+  std::string bytes;
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) {
+    bytes += static_cast<char>((data.size() >> shift) & 0xffU);
+  }
+  return bytes + type + data + "crc!";
+}
+
+const std::string png = "\x89PNG\r\n\x1a\n" + chunk("IHDR", std::string(13, '\0')) +
+                        chunk("tEXt", "Comment\0"s + word) + chunk("IDAT", "pixels") + chunk("IEND", "");
+const std::string svg = "<?xml version='1.0'?>\n<svg><metadata>\n" + word + "</metadata><path/></svg>";
+const std::string pdf = "%PDF-1.5\n1 0 obj\n<< /Keywords (" + word + ") >>\nendobj\n";
+const std::string fold = "{\n\"file_spec\": 1.2, \"ridgecraft:model_digest\" : \"" + digest + "\"}";
+
+}  // namespace
+
+TEST_CASE("the mark is found in every format", "[mark]") {
+  CHECK(read_mark_digest(png) == digest);
+  CHECK(read_mark_digest(svg) == digest);
+  CHECK(read_mark_digest(pdf) == digest);
+  CHECK(read_mark_digest(fold) == digest);
+}
+
+TEST_CASE("a file of another program has no mark", "[mark]") {
+  CHECK(read_mark_digest("").empty());
+  CHECK(read_mark_digest(" \n").empty());
+  CHECK(read_mark_digest(word).empty());
+  CHECK(read_mark_digest("my notes: " + word).empty());
+  CHECK(read_mark_digest("<svg><text>" + word + "</text></svg>").empty());
+  CHECK(read_mark_digest("<svg><metadata>" + word).empty());
+  CHECK(read_mark_digest("{\"file_creator\": \"" + word + "\"}").empty());
+  CHECK(read_mark_digest("{\"ridgecraft:model_digest\": 12}").empty());
+  CHECK(read_mark_digest("{\"ridgecraft:model_digest\": \"12\\n\"}").empty());
+  CHECK(read_mark_digest("%PDF-1.4 nothing").empty());
+  // A tEXt chunk behind the pixels, or one that claims to be longer than the file, isn't ours.
+  CHECK(read_mark_digest("\x89PNG\r\n\x1a\n" + chunk("IDAT", "x") + chunk("tEXt", word)).empty());
+  CHECK(read_mark_digest("\x89PNG\r\n\x1a\n\xff\xff\xff\xfftEXt" + word).empty());
+}
+
+TEST_CASE("the mark survives no byte that is cut off, and any bytes are read", "[mark]") {
+  for (const std::string& whole : {png, svg, pdf, fold}) {
+    for (std::size_t size = 0; size <= whole.size(); ++size) {
+      const std::string found = read_mark_digest(std::string_view(whole).substr(0, size));
+      CHECK((found.empty() || digest.starts_with(found)));
+    }
+    Random random(7);
+    for (int round = 0; round < 2000; ++round) {
+      std::string bytes = whole;
+      for (int change = 0; change < 4; ++change) {
+        bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<char>(random.below(256));
+      }
+      CHECK(read_mark_digest(bytes).size() <= 64);
+    }
+  }
+}

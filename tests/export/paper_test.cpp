@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/paper.hpp"
+
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "mesh/error.hpp"
+
+using namespace ridgecraft;
+using paper::parse_paper;
+
+namespace {
+
+void check_size(const std::string& text, double width, double height) {
+  INFO(text);
+  const paper::Paper paper = parse_paper(text);
+  CHECK(paper.size.x == Approx(width).epsilon(1e-12));
+  CHECK(paper.size.y == Approx(height).epsilon(1e-12));
+  CHECK(paper.margin == 10.0);
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    static_cast<void>(parse_paper(text));
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::usage);
+    return error.what();
+  }
+  FAIL("accepted: " << text);
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("papers by name have their exact sizes", "[paper]") {
+  check_size("A4", 210, 297);
+  check_size("a4", 210, 297);
+  check_size(" a0 ", 841, 1189);
+  check_size("A6", 105, 148);
+  check_size("b4", 250, 353);
+  check_size("jis-b4", 257, 364);
+  check_size("JIS_B5", 182, 257);
+  check_size("letter", 215.9, 279.4);
+  check_size("Legal", 215.9, 355.6);
+  check_size("tabloid", 279.4, 431.8);
+  check_size("mat-12x24", 304.8, 609.6);
+  check_size("A3-landscape", 420, 297);
+  check_size("letter landscape", 279.4, 215.9);
+  check_size("A3-portrait", 297, 420);
+}
+
+TEST_CASE("every name that is listed is known, turned as well", "[paper]") {
+  for (const std::string& name : paper::paper_names()) {
+    const auto upright = parse_paper(name);
+    const auto lying = parse_paper(name + "-landscape");
+    CHECK(upright.size.x <= upright.size.y);
+    CHECK(lying.size.x == upright.size.y);
+    CHECK(lying.size.y == upright.size.x);
+    CHECK_NOTHROW(paper::check_paper(upright));
+  }
+}
+
+TEST_CASE("papers in numbers, in millimetres unless a unit is given", "[paper]") {
+  check_size("210x297", 210, 297);
+  check_size("210x297mm", 210, 297);
+  check_size("210mm x 297mm", 210, 297);
+  check_size("21X29.7cm", 210, 297);
+  check_size("8.5x11in", 215.9, 279.4);
+  check_size("8.5\"x11\"", 215.9, 279.4);
+  check_size("12x12 inches", 304.8, 304.8);
+  check_size("12in x 300mm", 304.8, 300);
+  check_size(
+      "300\xC3\x97"
+      "200",
+      300, 200);
+  check_size("300x200-portrait", 200, 300);
+}
+
+TEST_CASE("a near miss gets a proposal", "[paper]") {
+  CHECK(refusal("a44") == "unknown paper 'a44', did you mean 'A4'?");
+  CHECK(refusal("lettre") == "unknown paper 'lettre', did you mean 'Letter'?");
+  CHECK(refusal("tabliod") == "unknown paper 'tabliod', did you mean 'Tabloid'?");
+  CHECK(refusal("jisb5") == "unknown paper 'jisb5', did you mean 'JIS-B5'?");
+  CHECK(refusal("wallpaper").find("210x297mm") != std::string::npos);
+}
+
+TEST_CASE("sizes that can't be meant are refused", "[paper]") {
+  for (const char* text : {"",
+                           " ",
+                           "x",
+                           "210",
+                           "210x",
+                           "x297",
+                           "210x297x3",
+                           "210x297furlong",
+                           "0x100",
+                           "-210x297",
+                           "210x-1",
+                           "nanxnan",
+                           "infx100",
+                           "1e999x100",
+                           "10x10",
+                           "39.9x100",
+                           "1e9x100",
+                           "21x30m",
+                           "-landscape",
+                           "landscape",
+                           "A4-landscape-landscape-",
+                           "\xFF\xFE"}) {
+    INFO(text);
+    CHECK_FALSE(refusal(text).empty());
+  }
+}
+
+TEST_CASE("margins and furniture come off the sheet", "[paper]") {
+  const paper::Paper a4 = parse_paper("A4");
+  const Box2 box = paper::piece_box(a4);
+  CHECK(box.low == Vec2{10.0, 10.0 + paper::furniture_height});
+  CHECK(box.high == Vec2{200.0, 287.0});
+  CHECK(paper::piece_area(a4) == Vec2{190.0, 277.0 - paper::furniture_height});
+}
+
+TEST_CASE("margins that leave nothing are refused", "[paper]") {
+  paper::Paper a6 = parse_paper("A6");
+  CHECK_NOTHROW(paper::check_paper(a6));
+  a6.margin = 52.0;
+  CHECK_THROWS_AS(paper::check_paper(a6), Error);
+  a6.margin = -1.0;
+  CHECK_THROWS_AS(paper::check_paper(a6), Error);
+  a6.margin = NAN;
+  CHECK_THROWS_AS(paper::check_paper(a6), Error);
+  a6.margin = 5.0;
+  a6.gap = -0.1;
+  CHECK_THROWS_AS(paper::check_paper(a6), Error);
+}
