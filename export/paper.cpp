@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "mesh/error.hpp"
+#include "mesh/nearest_word.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -52,9 +53,6 @@ constexpr double smallest_side_mm = 40.0;
 constexpr double largest_side_mm = 20000.0;
 /// Nothing that can be folded fits a smaller rectangle.
 constexpr double smallest_piece_area_mm = 20.0;
-/// Names further away (letters changed, added or dropped) are no near misses.
-constexpr std::size_t near_miss_distance = 2;
-
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -71,26 +69,6 @@ std::string_view trimmed(std::string_view text) {
     return {};
   }
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// Letters to change, add, drop or swap with their neighbour to make one word of the other (optimal string
-/// alignment).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) {
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        cost[i][j] = i + j;
-        continue;
-      }
-      cost[i][j] = std::min(
-          {cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-        cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
-      }
-    }
-  }
-  return cost[a.size()][b.size()];
 }
 
 /// Takes a number and the unit behind it off the front of `text`.
@@ -164,18 +142,8 @@ void check_side(std::string_view text, double side) {
 }
 
 [[noreturn]] void refuse_name(std::string_view text, std::string_view name) {
-  const NamedSize* nearest = nullptr;
-  std::size_t distance = near_miss_distance + 1;
-  for (const NamedSize& size : named_sizes) {
-    const std::size_t d = edit_distance(name, lowered(size.name));
-    // Half the word must be right: 'x' is no misspelling of A4.
-    if (d < distance && 2 * d <= size.name.size()) {
-      nearest = &size;
-      distance = d;
-    }
-  }
-  if (nearest != nullptr) {
-    throw Error(ErrorKind::usage, fmt::format("unknown paper '{}', did you mean '{}'?", text, nearest->name));
+  if (const std::string nearest = nearest_word(name, paper_names()); !nearest.empty()) {
+    throw Error(ErrorKind::usage, fmt::format("unknown paper '{}', did you mean '{}'?", text, nearest));
   }
   throw Error(
       ErrorKind::usage,
