@@ -1,2 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The report as JSON, with the keys of the contract's section 5 in its order.
+#include <map>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
 #include "verify/verify.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// The value of a figure, or null where there are none.
+template <typename T>
+OrderedJson value(const std::optional<Figures>& figures, T Figures::*member) {
+  return figures ? OrderedJson((*figures).*member) : OrderedJson();
+}
+
+std::string plural(const std::string& name) {
+  return name == "vertex" ? "vertices" : name + "s";
+}
+
+/// An index stands under its name; several of one kind are a list under the plural.
+OrderedJson fault_json(const Fault& fault) {
+  OrderedJson json;
+  json["promise"] = static_cast<int>(fault.promise);
+  json["message"] = fault.message;
+  std::map<std::string, std::vector<long long>> by_name;
+  for (const auto& [name, index] : fault.indices) {
+    by_name[name].push_back(index);
+  }
+  for (const auto& [name, list] : by_name) {
+    if (list.size() == 1) {
+      json[name] = list.front();
+    } else {
+      json[plural(name)] = list;
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+  const std::optional<Figures>& figures = report.figures;
+  OrderedJson json;
+  json["faces"] = value(figures, &Figures::faces);
+  json["pieces"] = value(figures, &Figures::pieces);
+  json["pages"] = value(figures, &Figures::pages);
+  json["overlaps"] = value(figures, &Figures::overlaps);
+  json["tab_overlaps"] = value(figures, &Figures::tab_overlaps);
+  json["max_length_error_mm"] = value(figures, &Figures::max_length_error_mm);
+  json["max_penetration_mm"] = value(figures, &Figures::max_penetration_mm);
+  json["missing_faces"] = value(figures, &Figures::missing_faces);
+  json["double_faces"] = value(figures, &Figures::double_faces);
+  json["outside_page"] = value(figures, &Figures::outside_page);
+  json["bad_joins"] = value(figures, &Figures::bad_joins);
+  json["joins"] = value(figures, &Figures::joins);
+  json["joins_without_tab"] = value(figures, &Figures::joins_without_tab);
+  json["max_fold_error_deg"] = value(figures, &Figures::max_fold_error_deg);
+  json["max_refold_error_mm"] = value(figures, &Figures::max_refold_error_mm);
+  json["cut_mm"] = value(figures, &Figures::cut_mm);
+  json["fold_mm"] = value(figures, &Figures::fold_mm);
+  json["tabs"] = value(figures, &Figures::tabs);
+  json["faults"] = OrderedJson::array();
+  for (const Fault& fault : report.faults) {
+    json["faults"].push_back(fault_json(fault));
+  }
+  OrderedJson left;
+  for (std::size_t promise = 0; promise < 7; ++promise) {
+    if (report.faults_not_listed[promise] > 0) {
+      left[std::to_string(promise)] = report.faults_not_listed[promise];
+    }
+  }
+  if (!left.is_null()) {
+    json["faults_not_listed"] = left;
+  }
+  // Names of pieces come from the file and may hold anything.
+  return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+}  // namespace ridgecraft::verify

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A .fold file becomes figures and faults. Shares no algorithm with unfold/ or export/: a mistake there must not be
-// made again here. Read this header first; docs/formats.md has the contract.
+// A .fold file becomes figures and faults. Shares no algorithm with unfold/ or export/: a mistake there must
+// not be made again here. Read this header first; docs/formats.md has the contract.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mesh/context.hpp"
@@ -14,7 +15,15 @@
 namespace ridgecraft::verify {
 
 /// The contract's promises; form is promise 0.
-enum class Promise { form = 0, lengths = 1, no_overlap = 2, coverage = 3, page_bounds = 4, joins = 5, refolds = 6 };
+enum class Promise {
+  form = 0,
+  lengths = 1,
+  no_overlap = 2,
+  coverage = 3,
+  page_bounds = 4,
+  joins = 5,
+  refolds = 6
+};
 
 struct Fault {
   Promise promise = Promise::form;
@@ -47,12 +56,14 @@ struct Options {
   std::size_t max_faults = 1000;  ///< listed per promise; the figures count all
 };
 
-/// Checks the bytes of a .fold file against all six promises. Never throws for what the bytes hold: whatever isn't in
-/// the right form is one fault of Promise::form. Throws Error(interrupted). O(n log n) plus the pairs that come near
-/// each other.
+/// Checks the bytes of a .fold file against all six promises. Never throws for what the bytes hold: whatever
+/// isn't in the right form is one fault of Promise::form. Throws Error(interrupted). O(n log n) plus the
+/// pairs that come near each other.
 [[nodiscard]] Report verify(std::string_view bytes, const Options& options, const Context& context);
 
-/// One JSON object with the keys of the contract's section 5.
+/// One JSON object with the keys of the contract's section 5. A fault has its indices by name ("face": 3),
+/// several of one kind as a list ("faces": [3, 8]). "faults_not_listed" is there only when the list stopped
+/// early.
 [[nodiscard]] std::string to_json(const Report& report);
 
 }  // namespace ridgecraft::verify

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One thing broken at a time in a clean net of a cube: the promise that it breaks is named, and no other.
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "mesh/error.hpp"
+#include "verify/cube_file.hpp"
+
+using namespace ridgecraft;
+using test::broken;
+using test::cube_file;
+using test::verify_json;
+using Json = nlohmann::json;
+using Promises = std::vector<int>;
+
+namespace {
+
+/// Points of the plane, moved by `move`, tabs included.
+template <typename Move>
+void move_plane(Json& json, const Move& move) {
+  const auto apply = [&move](Json& p) {
+    const Vec2 moved = move(Vec2{p[0], p[1]});
+    p = {moved.x, moved.y};
+  };
+  for (Json& p : json["vertices_coords"]) {
+    apply(p);
+  }
+  for (Json& tab : json["ridgecraft:tabs"]) {
+    for (Json& p : tab["polygon"]) {
+      apply(p);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a clean cube has no faults and the figures that one counts by hand", "[verify]") {
+  const verify::Report report = verify_json(cube_file());
+  INFO((report.faults.empty() ? std::string() : report.faults.front().message));
+  REQUIRE(report.sound());
+  REQUIRE(report.figures.has_value());
+  const verify::Figures& figures = *report.figures;
+  CHECK(figures.faces == 6);
+  CHECK(figures.pieces == 1);
+  CHECK(figures.pages == 1);
+  CHECK(figures.joins == 7);
+  CHECK(figures.tabs == 7);
+  CHECK(figures.joins_without_tab == 0);
+  CHECK(figures.overlaps + figures.tab_overlaps + figures.bad_joins + figures.outside_page == 0);
+  CHECK(figures.max_refold_error_mm < 1e-9);
+  CHECK(figures.max_fold_error_deg < 1e-9);
+  // 14 cut edges; each tab replaces its base by three sides, 28 mm and two slants of 6 mm at 45 degrees.
+  CHECK(figures.cut_mm == Approx(7 * 40 + 7 * (28 + 12 * std::sqrt(2.0))));
+  CHECK(figures.fold_mm == Approx(5 * 40 + 7 * 40));
+}
+
+TEST_CASE("a turned and shifted net on a page without bounds stays clean", "[verify]") {
+  Json json = cube_file();
+  json["ridgecraft:pages"] = {{{"origin", {0, 0}}, {"size", nullptr}}};
+  const double angle = 0.7;
+  move_plane(json, [angle](Vec2 p) {
+    return Vec2{std::cos(angle) * p.x - std::sin(angle) * p.y + 300.0,
+                std::sin(angle) * p.x + std::cos(angle) * p.y};
+  });
+  const verify::Report report = verify_json(json);
+  INFO((report.faults.empty() ? std::string() : report.faults.front().message));
+  CHECK(report.sound());
+  CHECK(report.figures->max_penetration_mm < 1e-9);
+}
+
+TEST_CASE("promise 1: lengths", "[verify]") {
+  SECTION("a model that is a thousandth larger") {
+    Json json = cube_file();
+    for (Json& p : json["file_frames"][0]["vertices_coords"]) {
+      for (Json& x : p) {
+        x = 1.001 * x.get<double>();
+      }
+    }
+    CHECK(broken(json) == Promises{1, 6});
+    CHECK(verify_json(json).figures->max_length_error_mm == Approx(0.04 * std::sqrt(2.0)));
+  }
+  SECTION("a mirrored net") {
+    Json json = cube_file();
+    move_plane(json, [](Vec2 p) { return Vec2{200.0 - p.x, p.y}; });
+    const Promises got = broken(json);
+    CHECK(std::count(got.begin(), got.end(), 1) == 1);
+  }
+}
+
+TEST_CASE("promise 2: overlap", "[verify]") {
+  const std::vector<Vec2> triangle = {{0, 0}, {30, 0}, {0, 30}};
+  const auto shifted = [&triangle](Vec2 by) {
+    std::vector<Vec2> result = triangle;
+    for (Vec2& p : result) {
+      p += by;
+    }
+    return result;
+  };
+  SECTION("the tolerance is a thousandth of a millimetre") {
+    CHECK(broken(test::loose_file({triangle, shifted({30 - 0.0009, 0})})).empty());
+    const std::vector<Vec2> left = {{-30, 0}, {0, 0}, {0, 30}, {-30, 30}};
+    for (const double depth : {0.0, 0.0009, 0.0011, 0.5}) {
+      std::vector<Vec2> right = triangle;
+      for (Vec2& p : right) {
+        p.x -= depth;
+      }
+      const verify::Report report = verify_json(test::loose_file({left, right}));
+      CHECK(broken(report) == (depth > 0.001 ? Promises{2} : Promises{}));
+      CHECK(report.figures->max_penetration_mm == Approx(depth).margin(1e-12));
+    }
+  }
+  SECTION("every pair of a heap is counted, and listed up to the limit") {
+    const Json heap = test::loose_file(std::vector<std::vector<Vec2>>(100, triangle));
+    const verify::Report report = verify::verify(heap.dump(), {.max_faults = 10}, {});
+    CHECK(report.figures->overlaps == 4950);
+    CHECK(report.faults.size() == 10);
+    CHECK(report.faults_not_listed[2] == 4940);
+    CHECK(Json::parse(verify::to_json(report)).at("faults_not_listed") == Json{{"2", 4940}});
+  }
+  SECTION("a field of thousands of faces side by side is clean") {
+    std::vector<std::vector<Vec2>> field;
+    for (int i = 0; i < 100; ++i) {
+      for (int j = 0; j < 50; ++j) {
+        field.push_back(shifted({30.0 * i, 30.0 * j}));
+      }
+    }
+    const verify::Report report = verify_json(test::loose_file(field));
+    CHECK(report.sound());
+    CHECK(report.figures->faces == 5000);
+  }
+  SECTION("a tab over a face of its own piece") {
+    Json json = cube_file();
+    const Json face = json["faces_vertices"][0];
+    Json polygon = Json::array();
+    for (const Json& v : face) {
+      polygon.push_back(json["vertices_coords"][v.get<std::size_t>()]);
+    }
+    json["ridgecraft:tabs"][0]["polygon"] = polygon;
+    CHECK(broken(json) == Promises{2, 5});
+    CHECK(verify_json(json).figures->tab_overlaps >= 1);
+  }
+}
+
+TEST_CASE("promise 3: coverage", "[verify]") {
+  Json json = cube_file();
+  SECTION("a face is another one's model face") {
+    json["ridgecraft:faces_model"][3] = 1;
+    const Promises got = broken(json);
+    CHECK(std::count(got.begin(), got.end(), 3) == 1);
+    CHECK(verify_json(json).figures->missing_faces == 1);
+    CHECK(verify_json(json).figures->double_faces == 1);
+  }
+  SECTION("a piece without faces") {
+    Json piece = json["ridgecraft:pieces"][0];
+    piece["name"] = "B";
+    json["ridgecraft:pieces"].push_back(piece);
+    CHECK(broken(json) == Promises{3});
+  }
+  SECTION("wrong parts") {
+    json["ridgecraft:pieces"][0]["parts"] = {0, 0};
+    CHECK(broken(json) == Promises{3});
+  }
+  SECTION("a part where the piece spans two") {
+    json["file_frames"][0]["ridgecraft:faces_part"][2] = 7;
+    json["ridgecraft:pieces"][0]["parts"] = {7, 0};
+    CHECK(broken(json) == Promises{3});
+    json["ridgecraft:pieces"][0]["part"] = nullptr;
+    CHECK(broken(json).empty());
+  }
+}
+
+TEST_CASE("promise 4: pages", "[verify]") {
+  Json json = cube_file();
+  SECTION("out to the left by two thousandths, and by half of one") {
+    // The leftmost tab reaches 14 mm, so the margin there may be as large.
+    json["ridgecraft:pages"][0]["margins"] = {14.0005, 10, 10, 10};
+    const bool tab_on_the_left = verify_json(json).sound();
+    json["ridgecraft:pages"][0]["margins"] = {20.002, 10, 10, 10};
+    CHECK(tab_on_the_left);
+    CHECK(broken(json) == Promises{4});
+  }
+  SECTION("pages on each other") {
+    json["ridgecraft:pages"].push_back(
+        {{"origin", {209.99, 0}}, {"size", {210, 297}}, {"margins", {0, 0, 0, 0}}});
+    CHECK(broken(json) == Promises{4});
+    json["ridgecraft:pages"][1]["origin"] = {210, 0};
+    CHECK(broken(json).empty());
+  }
+}
+
+TEST_CASE("promise 5: folds, joins, tabs", "[verify]") {
+  Json json = cube_file();
+  const auto fold = static_cast<std::size_t>(
+      std::find(json["edges_assignment"].begin(), json["edges_assignment"].end(), "M") -
+      json["edges_assignment"].begin());
+  SECTION("an angle two hundredths of a degree off") {
+    json["edges_foldAngle"][fold] = -90.02;
+    CHECK(broken(json) == Promises{5, 6});
+    CHECK(verify_json(json).figures->max_fold_error_deg == Approx(0.02));
+  }
+  SECTION("a mountain called valley") {
+    json["edges_assignment"][fold] = "V";
+    CHECK(broken(json) == Promises{5});
+  }
+  SECTION("a cut with an angle") {
+    json["edges_assignment"][fold] = "B";
+    const Promises got = broken(json);
+    CHECK(std::count(got.begin(), got.end(), 5) == 1);
+  }
+  SECTION("a join is missing, and its tab goes with it") {
+    json["ridgecraft:joins"].erase(json["ridgecraft:joins"].size() - 1);
+    json["ridgecraft:tabs"].erase(json["ridgecraft:tabs"].size() - 1);
+    CHECK(broken(json) == Promises{5});
+    CHECK(verify_json(json).figures->bad_joins == 1);
+  }
+  SECTION("a join without tab has to say why") {
+    json["ridgecraft:joins"][6]["tab"] = nullptr;
+    json["ridgecraft:tabs"].erase(6);
+    CHECK(broken(json) == Promises{5});
+    json["ridgecraft:joins"][6]["why"] = "no room";
+    CHECK(broken(json).empty());
+    CHECK(verify_json(json).figures->joins_without_tab == 1);
+  }
+  SECTION("two joins exchange their partners") {
+    std::swap(json["ridgecraft:joins"][0]["edges"][1], json["ridgecraft:joins"][1]["edges"][1]);
+    CHECK(broken(json) == Promises{5});
+  }
+  SECTION("a tab with another number") {
+    json["ridgecraft:tabs"][2]["joins"] = {99};
+    CHECK(broken(json) == Promises{5});
+  }
+  SECTION("holes that aren't there") {
+    json["ridgecraft:pieces"][0]["holes"] = 1;
+    CHECK(broken(json) == Promises{5});
+  }
+}
+
+TEST_CASE("promise 6: small errors of angles add up", "[verify]") {
+  Json json = cube_file();
+  for (Json& angle : json["edges_foldAngle"]) {
+    if (angle != 0.0) {
+      angle = -90.009;
+    }
+  }
+  CHECK(broken(json) == Promises{6});
+}
+
+TEST_CASE("messages name the piece, and faults carry their indices", "[verify]") {
+  Json json = cube_file();
+  json["ridgecraft:pieces"][0]["name"] = "left \x1b[31m\"ear\"";
+  json["ridgecraft:pieces"][0]["holes"] = 3;
+  const verify::Report report = verify_json(json);
+  REQUIRE(report.faults.size() == 1);
+  CHECK(report.faults[0].message == "piece \"left ?[31m\"ear\"\" has 0 holes and states 3");
+  const Json written = Json::parse(verify::to_json(report));
+  CHECK(written.at("faults").at(0).at("piece") == 0);
+  CHECK(written.at("faults").at(0).at("promise") == 5);
+}
+
+TEST_CASE("a check that is stopped says so", "[verify]") {
+  std::stop_source source;
+  source.request_stop();
+  Context context;
+  context.stop = source.get_token();
+  CHECK_THROWS_AS(verify::verify(cube_file().dump(), {}, context), Error);
+}

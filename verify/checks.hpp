@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One function per subject of the contract's section 4; each adds its faults and sets its figures.
+#pragma once
+
+#include "mesh/context.hpp"
+#include "verify/file.hpp"
+#include "verify/findings.hpp"
+#include "verify/relations.hpp"
+
+namespace ridgecraft::verify {
+
+/// What every check is given.
+struct Case {
+  const File& file;
+  const Relations& relations;
+  const Context& context;
+};
+
+/// Promise 1. O(k²) for a face with k corners: all its diagonals.
+void check_lengths(const Case& given, Findings& findings);
+/// Promise 2.
+void check_overlap(const Case& given, Findings& findings);
+/// Promise 3.
+void check_coverage(const Case& given, Findings& findings);
+/// Promise 4.
+void check_bounds(const Case& given, Findings& findings);
+/// Promise 5: edges of the nets, and pieces as discs with holes.
+void check_patches(const Case& given, Findings& findings);
+/// Promise 5: folds, cuts and joins against the model.
+void check_joins(const Case& given, Findings& findings);
+/// Promise 5: tabs.
+void check_tabs(const Case& given, Findings& findings);
+/// Promise 6.
+void check_refold(const Case& given, Findings& findings);
+/// What the knife cuts and what is folded.
+void measure_cuts(const Case& given, Findings& findings);
+
+}  // namespace ridgecraft::verify

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the checks put what they find: figures count everything, the list of faults stops at the limit.
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+#include "verify/verify.hpp"
+
+namespace ridgecraft::verify {
+
+class Findings {
+ public:
+  explicit Findings(const Options& options) : limit_(std::max<std::size_t>(options.max_faults, 1)) {
+    report_.figures.emplace();
+  }
+
+  [[nodiscard]] Figures& figures() { return *report_.figures; }
+
+  /// Adds a fault; message() is only asked for when the fault is listed.
+  template <typename Message>
+  void add(Promise promise, std::initializer_list<std::pair<const char*, std::size_t>> indices,
+           const Message& message) {
+    const auto row = static_cast<std::size_t>(promise);
+    if (listed_[row] == limit_) {
+      ++report_.faults_not_listed[row];
+      return;
+    }
+    ++listed_[row];
+    Fault& fault = report_.faults.emplace_back();
+    fault.promise = promise;
+    fault.message = message();
+    for (const auto& [name, value] : indices) {
+      fault.indices.emplace_back(name, static_cast<long long>(value));
+    }
+  }
+
+  /// The faults in the order of the promises, and within one in the order in which they were found.
+  [[nodiscard]] Report take() {
+    std::stable_sort(report_.faults.begin(), report_.faults.end(),
+                     [](const Fault& a, const Fault& b) { return a.promise < b.promise; });
+    return std::move(report_);
+  }
+
+ private:
+  std::size_t limit_;
+  std::size_t listed_[7] = {};
+  Report report_;
+};
+
+}  // namespace ridgecraft::verify

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Polygons of the plane: orientation, whether they are simple, convex parts, and how deep two of them lie in
+// each other.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/context.hpp"
+#include "mesh/vector.hpp"
+
+namespace ridgecraft::verify {
+
+using Polygon = std::vector<Vec2>;
+
+[[nodiscard]] Box2 bounding_box(std::span<const Vec2> corners);
+
+/// Twice the signed area, positive when counterclockwise; measured from the first corner, so that a small
+/// polygon far from the origin keeps its digits.
+[[nodiscard]] double doubled_area(std::span<const Vec2> polygon);
+
+/// Turns left all the way round, once; corners may be straight within dent_tolerance_mm.
+[[nodiscard]] bool is_convex(std::span<const Vec2> polygon);
+
+/// No side crosses or touches another except its two neighbours in their common corners. A triangle is simple
+/// when it has an area. About O(n log n) for polygons whose sides are spread, O(n²) at worst.
+[[nodiscard]] bool is_simple(std::span<const Vec2> polygon, const Context& context);
+
+/// The polygon as convex, counterclockwise polygons without common area: ears are cut off, then every
+/// diagonal goes that two convex parts can do without (Hertel and Mehlhorn 1983). A polygon without area has
+/// no parts; of one that isn't simple the parts cover what they can. O(n r) with r concave corners, O(n² r)
+/// at worst.
+[[nodiscard]] std::vector<Polygon> convex_parts(std::span<const Vec2> polygon, const Context& context);
+
+/// Penetration depth of two convex counterclockwise polygons: the shortest translation that separates their
+/// interiors; 0 if they are apart or touch. It is the distance of the origin from the border of the Minkowski
+/// difference, whose sides have the normals of both polygons (de Berg et al., Computational Geometry,
+/// section 13.3). O(n m) for n and m corners.
+[[nodiscard]] double penetration(std::span<const Vec2> a, std::span<const Vec2> b);
+
+}  // namespace ridgecraft::verify
