@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shapes that a glue tab may have on one side of a cut, given what stands around it.
+//
+// Everything here is in the frame of the side: the base runs from (0, 0) to (length, 0), the tab grows
+// towards positive y, its own face lies below. The face that the tab is glued behind occupies, laid flat over
+// the edge, the same ground above the base; so "inside the target" is a matter of the same plane.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "unfold/convex_shape.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::unfold {
+
+/// A tab that is as high as this over half of its edge holds, mm (issue of users: lower ones tear off).
+inline constexpr double usable_height_mm = 3.0;
+
+/// Near a corner of its base a tab comes close to its neighbours inevitably: those that share the corner keep
+/// the clearance from this height upwards only, mm.
+inline constexpr double corner_zone_mm = 1.0;
+
+/// Something that a tab must not run into.
+struct Obstacle {
+  enum class Kind : std::uint8_t {
+    thing,          ///< a face or a tab: keep the clearance
+    at_base_left,   ///< the same, but it shares the base's corner at (0, 0): may be touched there
+    at_base_right,  ///< shares the corner at (length, 0)
+    at_both,        ///< shares both corners
+    target_edge,    ///< outline of the face that the tab is glued behind: may be touched
+  };
+  ConvexShape shape;
+  Kind kind = Kind::thing;
+};
+
+/// A tab's shape and how well it serves.
+struct TabShape {
+  ConvexShape outline;  ///< counterclockwise, first two corners on the base; empty: none
+  bool usable = false;  ///< at least usable_height_mm high along at least half of the edge
+  double cost = 0.0;    ///< 0 is as asked; see tab_costs
+};
+
+/// What a retreat from the tab that was asked for costs; only the order matters, and that a sum of small
+/// retreats doesn't outweigh the next larger kind.
+struct TabCosts {
+  double lower = 1.0;    ///< per step of height
+  double steeper = 4.0;  ///< per step of a side's angle
+  double trimmed = 30.0;
+  double other_side = 40.0;
+  double part_of_edge = 80.0;
+  double stacked = 6.0;  ///< two tabs behind one face that overlap there
+  double low = 300.0;    ///< lower or narrower than usable
+  double none = 1000.0;
+};
+inline constexpr TabCosts tab_costs;
+
+/// Trapezoid over the base from `left` to `right` with side angles given by their cotangents.
+[[nodiscard]] ConvexShape trapezoid(double left, double right, double height, double cot_left,
+                                    double cot_right);
+
+/// Does the tab keep clear of the obstacle as its kind asks?
+[[nodiscard]] bool clear_of(const ConvexShape& tab, const Obstacle& obstacle, double clearance_mm);
+
+/// The tab cut back by the straight line that keeps its base and the most of it, so that it is clear of the
+/// obstacle; empty when there is none. The result lies inside `tab`, so it stays clear of whatever `tab` was
+/// clear of.
+[[nodiscard]] ConvexShape trimmed(const ConvexShape& tab, const Obstacle& obstacle, double clearance_mm);
+
+/// The largest tab over the base from `left` to `right` among all obstacles: the steepest trapezoid, trimmed.
+/// Empty when nothing of the smallest size is left. O(obstacles).
+[[nodiscard]] ConvexShape largest_tab(double left, double right, const std::vector<Obstacle>& obstacles,
+                                      const TabOptions& options);
+
+/// Shapes inside `largest`, best first: trapezoids as asked, lower, steeper, then `largest` itself trimmed in
+/// the same manner. `length` is that of the whole edge. The usable ones; if there are none, one that isn't.
+[[nodiscard]] std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length,
+                                               const TabOptions& options);
+
+/// Shapes that cover only a part of the edge, at least half of it, best first; empty when none is usable and
+/// `usable_only`.
+[[nodiscard]] std::vector<TabShape> partial_tab_shapes(double length, const std::vector<Obstacle>& obstacles,
+                                                       const TabOptions& options, bool usable_only);
+
+/// Is the tab at least usable_height_mm high along at least half of an edge of this length?
+[[nodiscard]] bool is_usable(const ConvexShape& tab, double length, const TabOptions& options);
+
+/// Can an edge of this length carry any tab at all, with nothing around it?
+[[nodiscard]] bool long_enough(double length, const TabOptions& options);
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/tabs.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "unfold/tab_assignment.hpp"
+#include "unfold/tab_sites.hpp"
+
+namespace ridgecraft::unfold {
+
+namespace {
+
+/// Areas that differ by less than this share are equal: rounding of a symmetric model.
+constexpr double same_area = 1e-6;
+
+bool clearly_less(double a, double b) {
+  return a < b * (1.0 - same_area);
+}
+
+/// Which side of each join should give the tab: the smaller flat region; where they are equal, the piece that
+/// gives more of the seam already, so that the other piece has a clean edge there.
+std::vector<std::uint8_t> preferred_sides(const std::vector<TabSite>& sites, const Nets& nets) {
+  using Seam = std::pair<PieceId, PieceId>;
+  const auto seam_of = [&](std::size_t join) {
+    return Seam(std::minmax(sites[2 * join].piece, sites[2 * join + 1].piece));
+  };
+  std::map<Seam, double> gives_more;  // length given by the first piece minus that given by the second
+  std::vector<double> area(nets.pieces.size(), 0.0);
+  std::vector<std::uint8_t> preferred(sites.size() / 2, 0);
+  for (std::size_t join = 0; join < preferred.size(); ++join) {
+    const TabSite& a = sites[2 * join];
+    const TabSite& b = sites[2 * join + 1];
+    preferred[join] = clearly_less(b.area, a.area) ? 1 : 0;
+    if (clearly_less(a.area, b.area) || clearly_less(b.area, a.area)) {
+      const PieceId giver = preferred[join] == 0 ? a.piece : b.piece;
+      gives_more[seam_of(join)] += giver == seam_of(join).first ? a.length : -a.length;
+    }
+  }
+  for (std::size_t join = 0; join < preferred.size(); ++join) {
+    const TabSite& a = sites[2 * join];
+    const TabSite& b = sites[2 * join + 1];
+    if (!clearly_less(a.area, b.area) && !clearly_less(b.area, a.area) && a.piece != b.piece) {
+      const PieceId giver = gives_more[seam_of(join)] >= 0.0 ? seam_of(join).first : seam_of(join).second;
+      preferred[join] = a.piece == giver ? 0 : 1;
+    }
+  }
+  return preferred;
+}
+
+/// Why neither side of a join has room.
+NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& options) {
+  if (!long_enough(a.length, options)) {
+    return NoTab::edge_too_short;
+  }
+  for (const TabSite* site : {&a, &b}) {
+    std::vector<Obstacle> target;
+    std::copy_if(site->obstacles.begin(), site->obstacles.end(), std::back_inserter(target),
+                 [](const Obstacle& o) { return o.kind == Obstacle::Kind::target_edge; });
+    if (!largest_tab(0.0, site->length, target, options).empty() ||
+        !partial_tab_shapes(site->length, target, options, false).empty()) {
+      return NoTab::no_room;
+    }
+  }
+  return NoTab::target_too_small;
+}
+
+}  // namespace
+
+void place_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const TabOptions& options,
+                Nets& nets, const Context& context) {
+  nets.tabs = {};
+  for (Join& join : nets.joins) {
+    join.tab = TabId();
+    join.no_tab = NoTab::not_wanted;
+  }
+  if (!options.wanted) {
+    return;
+  }
+  const std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, options, context);
+  const auto chosen = assign_tabs(sites, preferred_sides(sites, nets), options, context);
+  for (const JoinId j : ids<JoinId>(nets.joins.size())) {
+    Join& join = nets.joins[j];
+    const auto& tab = chosen[j.value()];
+    if (!tab) {
+      join.no_tab = reason_for_none(sites[2 * j.value()], sites[2 * j.value() + 1], options);
+      continue;
+    }
+    const TabSite& site = sites[tab->site];
+    const ConvexShape placed = site.own.out(tab->shape.outline);
+    join.tab = nets.tabs.push_back({site.side, j, std::vector<Vec2>(placed.begin(), placed.end())});
+    join.no_tab = NoTab::has_tab;
+  }
+}
+
+std::size_t count_usable_tabs(const mesh::Surface& surface, const Nets& nets, const TabOptions& options) {
+  std::size_t count = 0;
+  for (const Tab& tab : nets.tabs) {
+    const ConvexShape shape = tab_frame(nets, tab.side).in(ConvexShape(std::span<const Vec2>(tab.polygon)));
+    count += is_usable(shape, surface.length(surface.edge(tab.side)), options) ? 1U : 0U;
+  }
+  return count;
+}
+
+}  // namespace ridgecraft::unfold

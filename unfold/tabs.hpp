@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Glue tabs on finished nets. docs/unfolding.md, section Tabs, has the method.
+#pragma once
+
+#include "mesh/context.hpp"
+#include "mesh/panels.hpp"
+#include "mesh/surface.hpp"
+#include "unfold/nets.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::unfold {
+
+/// Gives every join a tab where one fits, and the reason where none does; replaces all tabs that were there.
+/// A tab keeps options.clearance_mm from every face and tab of its piece (less only within corner_zone_mm of
+/// a corner that they share, see tab_shapes.hpp) and lies, folded over, inside the flat region that it is
+/// glued behind. It grows from the side with the smaller flat region, unless only the other one has room. In
+/// this order a tab is made lower, steeper, trimmed, moved to the other side, put on a part of the edge, made
+/// smaller than useful, left out. Deterministic, independent of how a piece lies in its plane up to rounding;
+/// about O(n log n). Throws Error(interrupted).
+void place_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const TabOptions& options,
+                Nets& nets, const Context& context);
+
+/// How many joins have a tab that holds: at least usable_height_mm (tab_shapes.hpp) high along at least half
+/// of the edge. O(tabs).
+[[nodiscard]] std::size_t count_usable_tabs(const mesh::Surface& surface, const Nets& nets,
+                                            const TabOptions& options);
+
+}  // namespace ridgecraft::unfold
