@@ -140,6 +140,11 @@ void remark_cuts(const TriangleList& before, const TriangleList& after, const st
 
 }  // namespace
 
+bool is_manifold(const TriangleList& list) {
+  const std::vector<EdgeUse> uses = edge_uses(list.triangles);
+  return edges_are_sound(uses) && vertices_are_sound(list, uses);
+}
+
 void make_manifold(TriangleList& list, RepairReport& report, const Context& context) {
   // One round is enough as far as is known; the others cost nothing where it was.
   constexpr int rounds = 4;

@@ -14,6 +14,9 @@ namespace ridgecraft::mesh {
 /// something is wrong. O(n log n).
 void make_manifold(TriangleList& list, RepairReport& report, const Context& context);
 
+/// Are the invariants of Surface true (points without triangles apart)? O(n log n).
+[[nodiscard]] bool is_manifold(const TriangleList& list);
+
 /// Turns each component of a manifold list outwards: closed ones by their signed volume, unless they are the
 /// cavity of another; open ones stay as most of their area was in the file (`turned[t]`: triangle t was
 /// turned around against it), and where copies of both directions were dropped the outside is where the

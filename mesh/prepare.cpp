@@ -4,6 +4,7 @@
 
 #include "mesh/error.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/remesh_panels.hpp"
 #include "mesh/size.hpp"
 
 namespace ridgecraft::mesh {
@@ -17,7 +18,7 @@ Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& si
   prepared.model = std::move(model);
   prepared.mm_per_unit = resize(prepared.model, size);
   prepared.simplified.faces_before = prepared.simplified.faces_after = prepared.model.surface.face_count();
-  context.check();
+  remesh_panels(prepared.model, context);
   prepared.panels = find_panels(prepared.model.surface);
   return prepared;
 }

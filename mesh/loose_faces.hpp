@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model's faces taken apart so that a step can change them, and put together again. Private to mesh/.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/model.hpp"
+
+namespace ridgecraft::mesh {
+
+/// Faces over shared points with what each face carries. material and texture are empty or as long as faces.
+struct LooseFaces {
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::uint32_t> polygon;
+  std::vector<std::uint32_t> material;
+  std::vector<std::array<Vec2, 3>> texture;
+
+  /// Appends a copy of `from`'s face i with other corners (and their places in the picture).
+  void add(const LooseFaces& from, std::size_t i, const std::array<std::uint32_t, 3>& corners,
+           const std::array<Vec2, 3>& places = {});
+};
+
+[[nodiscard]] LooseFaces take_apart(const Model& model);
+
+/// Do the faces fulfil the invariants of Surface (unused points apart)?
+[[nodiscard]] bool is_surface(const LooseFaces& loose);
+
+/// Replaces the model's surface; points that no face uses are left out. The invariants must hold.
+void put_together(Model& model, LooseFaces loose);
+
+}  // namespace ridgecraft::mesh
