@@ -83,11 +83,6 @@ std::optional<FileFormat> by_first_word(std::string_view text) {
   return std::nullopt;
 }
 
-FileFormat ply_kind(std::string_view bytes) {
-  const std::string_view start = bytes.substr(0, start_length);
-  return start.find("format ascii") != start.npos ? FileFormat::ply_ascii : FileFormat::ply_binary;
-}
-
 /// What the suffix says, for content that could be several things.
 FileFormat by_suffix(const Source& source, std::string_view file_name, bool text) {
   const std::string_view ending = suffix(file_name);
@@ -128,7 +123,7 @@ FileFormat detect_format(const Source& source, std::string_view file_name) {
   }
   if (bytes.size() > 4 && equal_ignoring_case(bytes.substr(0, 3), "ply") &&
       (is_line_end(bytes[3]) || is_blank(bytes[3]))) {
-    return ply_kind(bytes);
+    return FileFormat::ply_binary;
   }
   const bool text = looks_like_text(bytes);
   if (text && is_ascii_stl(bytes)) {

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "mesh/check_picture.hpp"
 #include "mesh/find_beside.hpp"
+#include "mesh/find_picture.hpp"
 #include "mesh/printable.hpp"
 #include "mesh/read_soup.hpp"
 #include "mesh/text_scanner.hpp"
@@ -101,7 +101,8 @@ void read_definitions(std::string_view bytes, const fs::path& folder, Definition
 /// Opens the files that an OBJ file names and remarks on those that are of no use.
 class MaterialFiles {
  public:
-  MaterialFiles(const Source& source, RepairReport& remarks) : source_(source), remarks_(remarks) {}
+  MaterialFiles(const Source& source, RepairReport& remarks)
+      : source_(source), remarks_(remarks), pictures_(source, remarks) {}
 
   void read_line(std::string_view names);
   void apply(std::string_view name, Material& material);
@@ -109,14 +110,12 @@ class MaterialFiles {
 
  private:
   bool read(const fs::path& file);
-  void use_texture(const Definition& definition, Material& material);
-  std::string texture_fault(const fs::path& file);
 
   const Source& source_;
   RepairReport& remarks_;
   Definitions definitions_;
   std::set<fs::path> read_files_;
-  std::map<fs::path, std::string> texture_faults_;
+  PictureFinder pictures_;
   bool any_missing_ = false;
 };
 
@@ -169,41 +168,7 @@ void MaterialFiles::apply(std::string_view name, Material& material) {
     remarks_.add(RepairKind::material_value_corrected, 1, in_quotes(name));
   }
   if (!found->second.texture.empty()) {
-    use_texture(found->second, material);
-  }
-}
-
-void MaterialFiles::use_texture(const Definition& definition, Material& material) {
-  auto file = find_beside(definition.folder, definition.texture);
-  if (!file) {
-    file = find_beside(source_.folder, definition.texture);
-  }
-  const auto known = file ? texture_faults_.find(*file) : texture_faults_.find(definition.texture);
-  std::string fault;
-  if (known != texture_faults_.end()) {
-    fault = known->second;
-  } else {
-    fault = file ? texture_fault(*file) : "was not found";
-    texture_faults_.emplace(file ? *file : fs::path(definition.texture), fault);
-    if (!fault.empty()) {
-      remarks_.add(RepairKind::texture_missing, 1,
-                   fmt::format("{} {}", in_quotes(definition.texture), fault));
-    }
-  }
-  if (fault.empty()) {
-    material.texture_file = file->lexically_relative(source_.folder).string();
-    if (material.texture_file.empty()) {  // one path is absolute, the other isn't
-      material.texture_file = fs::absolute(*file).string();
-    }
-  }
-}
-
-std::string MaterialFiles::texture_fault(const fs::path& file) {
-  source_.context.check();
-  try {
-    return picture_fault(read_file(file));
-  } catch (const Error&) {
-    return "can't be read";
+    material.texture_file = pictures_.find(found->second.folder, found->second.texture);
   }
 }
 

@@ -19,8 +19,6 @@ namespace {
 
 /// Lines between two questions whether to stop.
 constexpr std::size_t check_interval = 1U << 14U;
-/// A texture coordinate beyond this many repetitions of the picture is taken for a mistake.
-constexpr double largest_texture_coordinate = 1e4;
 
 class ObjReader {
  public:

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/face_paint.hpp"
 #include "mesh/printable.hpp"
 #include "mesh/source.hpp"
 #include "mesh/text_scanner.hpp"
@@ -22,7 +23,9 @@ constexpr std::int64_t face_line_size = 2;
 class OffReader {
  public:
   explicit OffReader(const Source& source)
-      : source_(source), text_(without_trailing_zeros(source.bytes, soup_.remarks)) {}
+      : source_(source), text_(without_trailing_zeros(source.bytes, soup_.remarks)) {
+    soup_.format = FileFormat::off;
+  }
 
   Soup read() {
     read_keyword();
@@ -37,6 +40,7 @@ class OffReader {
       start_line("faces", i, faces_);
       read_face();
     }
+    paint_.finish(soup_, {});
     text_.skip_space('#');
     if (!text_.done()) {
       soup_.remarks.add(RepairKind::trailing_data_ignored, text_.rest().size(),
@@ -50,6 +54,7 @@ class OffReader {
   void read_counts();
   void read_point(std::int64_t number);
   void read_face();
+  void read_colour();
   std::int64_t read_count(std::string_view what);
   /// To the next line that holds something; refuses a file that ends before.
   void start_line(std::string_view what, std::int64_t done, std::int64_t wanted) {
@@ -74,6 +79,7 @@ class OffReader {
   std::int64_t points_ = 0;
   std::int64_t faces_ = 0;
   std::size_t lines_ = 0;
+  FacePaint paint_;
 };
 
 void OffReader::read_keyword() {
@@ -163,7 +169,31 @@ void OffReader::read_face() {
   }
   check_corner_count(source_, soup_);
   soup_.first_corner.push_back(static_cast<std::uint32_t>(soup_.corner_point.size()));
-  text_.next_line();  // a colour may follow
+  read_colour();
+  text_.next_line();
+}
+
+/// Three or four numbers after a face are its colour: bytes where all are integers, else shares of 1. A
+/// single number is an index into a table that the file doesn't have.
+void OffReader::read_colour() {
+  Colour colour{};
+  bool bytes = true;
+  for (double& channel : colour) {
+    if (text_.line_is_over()) {
+      return;
+    }
+    const std::string_view word = text_.peek_word();
+    if (!text_.number(channel)) {
+      return;
+    }
+    bytes = bytes && word.find_first_of(".eEnN") == word.npos;
+  }
+  if (bytes) {
+    for (double& channel : colour) {
+      channel /= 255.0;
+    }
+  }
+  paint_.add(soup_, colour, Soup::none);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ Soup read_as(FileFormat format, const Source& source) {
       return read_stl_binary(source);
     case FileFormat::ply_ascii:
     case FileFormat::ply_binary:
-      source.refuse(ErrorKind::unreadable_input, "is a PLY file, which isn't supported yet");
+      return read_ply(source);
     case FileFormat::off:
       break;
   }
@@ -43,7 +43,6 @@ Soup parse_soup(std::string_view bytes, std::string_view file_name,
   try {
     const FileFormat format = detect_format(source, file_name);
     Soup soup = read_as(format, source);
-    soup.format = format;
     if (suffix_contradicts(file_name, format)) {
       soup.remarks.add(RepairKind::content_is_other_format, 1,
                        fmt::format("the content is {}", format_name(format)));

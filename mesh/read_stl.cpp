@@ -65,7 +65,9 @@ std::uint64_t facets_to_read(const Source& source, RepairReport& remarks) {
 class AsciiReader {
  public:
   explicit AsciiReader(const Source& source)
-      : source_(source), text_(without_trailing_zeros(source.bytes, soup_.remarks)) {}
+      : source_(source), text_(without_trailing_zeros(source.bytes, soup_.remarks)) {
+    soup_.format = FileFormat::stl_ascii;
+  }
 
   Soup read() {
     while (read_solid()) {
@@ -197,6 +199,7 @@ Soup read_stl_ascii(const Source& source) {
 
 Soup read_stl_binary(const Source& source) {
   Soup soup;
+  soup.format = FileFormat::stl_binary;
   const std::uint64_t facets = facets_to_read(source, soup.remarks);
   soup.points.reserve(3 * facets);
   soup.corner_point.reserve(3 * facets);
@@ -207,9 +210,8 @@ Soup read_stl_binary(const Source& source) {
       const char* const at = facet + 12 + 12 * corner;
       const Vec3 point{double{read_float(at)}, double{read_float(at + 4)}, double{read_float(at + 8)}};
       if (!finite(point)) {
-        source.refuse(ErrorKind::unusable_mesh,
-                      fmt::format("has a coordinate that is not finite: facet {}, byte {}", i + 1,
-                                  at - source.bytes.data()));
+        source.refuse_byte(ErrorKind::unusable_mesh, at,
+                           fmt::format("a coordinate of facet {} is not finite", i + 1));
       }
       add_corner(soup, point);
     }

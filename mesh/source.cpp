@@ -26,6 +26,10 @@ void Source::refuse_line(ErrorKind kind, const char* place, std::string_view rea
   throw Error(kind, fmt::format("{}, line {}: {}", file, line(place), reason));
 }
 
+void Source::refuse_byte(ErrorKind kind, const char* place, std::string_view reason) const {
+  throw Error(kind, fmt::format("{}, byte {}: {}", file, place - bytes.data(), reason));
+}
+
 void Tally::report(RepairKind kind, const Source& source, RepairReport& report) const {
   if (count > 0) {
     report.add(kind, count, fmt::format("{}line {}", count > 1 ? "first: " : "", source.line(first)));

@@ -13,6 +13,9 @@
 
 namespace ridgecraft::mesh {
 
+/// A texture coordinate beyond this many repetitions of the picture is taken for a mistake.
+inline constexpr double largest_texture_coordinate = 1e4;
+
 /// A file in memory.
 struct Source {
   std::string_view bytes;
@@ -24,6 +27,8 @@ struct Source {
   [[nodiscard]] std::size_t line(const char* place) const;
   /// Throws with "FILE REASON".
   [[noreturn]] void refuse(ErrorKind kind, std::string_view reason) const;
+  /// Throws with "FILE, byte N: REASON", for binary files.
+  [[noreturn]] void refuse_byte(ErrorKind kind, const char* place, std::string_view reason) const;
   /// Throws with "FILE, line N: REASON".
   [[noreturn]] void refuse_line(ErrorKind kind, const char* place, std::string_view reason) const;
 };
@@ -47,7 +52,7 @@ void check_corner_count(const Source& source, const Soup& soup);
 /// Zero bytes and DOS end marks after a text belong to no mesh: the text without them; they are remarked on.
 [[nodiscard]] std::string_view without_trailing_zeros(std::string_view text, RepairReport& remarks);
 
-// The formats. Each takes bytes that detect_format() found to be of it and fills everything but Soup::format.
+// The formats. Each takes bytes that detect_format() found to be of it and fills the whole soup.
 [[nodiscard]] Soup read_obj(const Source& source);
 [[nodiscard]] Soup read_stl_ascii(const Source& source);
 [[nodiscard]] Soup read_stl_binary(const Source& source);
