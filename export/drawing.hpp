@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page as a drawing: typed lines, areas and texts in millimetres. It knows nothing of any file format, and a format
-// knows nothing but this.
+// A page as a drawing: typed lines, areas and texts in millimetres. It knows nothing of any file format, and
+// a format knows nothing but this.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ namespace ridgecraft::paper {
 
 /// What a line, an area or a text is for. A format maps each to a layer, a colour, a style.
 enum class Layer {
-  tab_fill,    ///< area of a glue tab
-  cut,         ///< outline of a piece, its tabs included; holes
-  mountain,    ///< fold away from the printed side
-  valley,      ///< fold towards the printed side
-  tab_fold,    ///< base of a tab
-  label,       ///< join numbers
+  tab_fill,  ///< area of a glue tab
+  cut,       ///< outline of a piece, its tabs included; holes
+  mountain,  ///< fold away from the printed side
+  valley,    ///< fold towards the printed side
+  tab_fold,  ///< base of a tab
+  label,     ///< join numbers
   piece_name,
-  mark,        ///< page furniture: scale bar, legend, page number, title
+  mark,  ///< page furniture: scale bar, legend, page number, title
 };
 inline constexpr int layer_count = 8;
 /// Plain identifier, also usable as an XML id: "tab-fill", "cut", ...
@@ -28,10 +28,18 @@ inline constexpr int layer_count = 8;
 /// For people: "Tabs", "Cut", "Mountain folds", ...
 [[nodiscard]] std::string_view title(Layer layer);
 
+/// Which way the paper is folded at a line; decides its pattern.
+enum class Fold {
+  none,
+  mountain,  ///< away from the viewer
+  valley,    ///< towards the viewer
+};
+
 struct Line {
   Layer layer = Layer::cut;
   std::vector<Vec2> points;  ///< at least two
   bool closed = false;
+  Fold fold = Fold::none;  ///< of folds, bases of tabs and their samples in the legend
 };
 
 struct Area {
@@ -41,10 +49,11 @@ struct Area {
 
 struct Text {
   Layer layer = Layer::label;
-  std::string text;      ///< UTF-8
-  Vec2 centre;           ///< middle of the text's box
-  double height = 2.5;   ///< of capital letters and digits, mm
-  double angle = 0.0;    ///< of the baseline, radians, counterclockwise
+  std::string text;         ///< UTF-8
+  Vec2 centre;              ///< middle of the text's box
+  double height = 2.5;      ///< of capital letters and digits, mm
+  double angle = 0.0;       ///< of the baseline, radians, counterclockwise
+  bool underlined = false;  ///< a number that is another number upside down
 };
 
 /// All that belongs to one piece; formats keep it together.
@@ -57,9 +66,9 @@ struct Group {
 
 /// One page, millimetres, origin at the lower left corner of the sheet, y up.
 struct Drawing {
-  Vec2 size;
-  std::string title;    ///< the model's name
-  int page = 1;         ///< from 1
+  Vec2 size{210.0, 297.0};
+  std::string title;  ///< the model's name
+  int page = 1;       ///< from 1
   int page_count = 1;
   std::vector<Group> groups;
 };

@@ -54,6 +54,8 @@ struct Style {
 /// What is drawn, beside the pages themselves.
 struct DrawReport {
   std::size_t labels_left_out = 0;  ///< numbers that found no place even at the smallest height
+  std::size_t labels_outside = 0;   ///< numbers that stand beside their piece, with a leader
+  std::size_t names_left_out = 0;   ///< pieces whose name found no place
 };
 
 /// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, legend, scale bar.

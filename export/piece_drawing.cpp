@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/piece_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "export/fold_lines.hpp"
+#include "unfold/outline.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+class PieceDrawer {
+ public:
+  PieceDrawer(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
+              const Placement& placement, const Style& style)
+      : model_(model),
+        surface_(model.model.surface),
+        nets_(nets),
+        piece_(piece),
+        place_(placement),
+        style_(style) {}
+
+  PieceDrawing draw() {
+    result_.name = nets_.pieces[piece_].name;
+    result_.group.id = "piece-" + result_.name;
+    add_cuts();
+    add_folds();
+    add_tabs();
+    add_seams();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] Vec2 corner(CornerId c) const { return place_(nets_.flat[mesh::face_of(c)][c.value() % 3]); }
+  [[nodiscard]] Segment2 side(CornerId c) const { return {corner(c), corner(mesh::next(c))}; }
+  [[nodiscard]] Fold fold_of(EdgeId edge) const {
+    const double angle = surface_.fold_angle(edge);
+    if (std::abs(angle) < style_.hidden_fold_angle) {
+      return Fold::none;
+    }
+    return angle < 0.0 ? Fold::mountain : Fold::valley;
+  }
+  void add_line(Layer layer, std::vector<Vec2> points, bool closed, Fold fold = Fold::none) {
+    result_.group.lines.push_back({layer, std::move(points), closed, fold});
+  }
+
+  void add_cuts() {
+    unfold::CutLines cuts = unfold::cut_lines(surface_, nets_, piece_);
+    for (auto* lines : {&cuts.loops, &cuts.slits}) {
+      for (auto& line : *lines) {
+        std::ranges::transform(line, line.begin(), place_);
+      }
+    }
+    for (auto& outline : cuts.loops) {
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        drawn_.add({outline[i], outline[(i + 1) % outline.size()]});
+      }
+      add_line(Layer::cut, std::move(outline), true);
+    }
+    for (auto& slit : cuts.slits) {
+      for (std::size_t i = 1; i < slit.size(); ++i) {
+        drawn_.add({slit[i - 1], slit[i]});
+      }
+      add_line(Layer::cut, std::move(slit), false);
+    }
+  }
+
+  void add_folds() {
+    std::vector<FoldSegment> folds;
+    for (const FaceId face : nets_.pieces[piece_].faces) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const CornerId c = mesh::corner(face, k);
+        const EdgeId edge = surface_.edge(c);
+        if (nets_.use[edge] != unfold::EdgeUse::fold || surface_.sides(edge)[0] != c || within_panel(c)) {
+          continue;
+        }
+        if (const Fold fold = fold_of(edge); fold != Fold::none) {
+          folds.push_back({side(c), fold});
+        }
+      }
+    }
+    for (const FoldSegment& fold : join_straight(folds)) {
+      draw_once(fold, fold.fold == Fold::mountain ? Layer::mountain : Layer::valley);
+    }
+  }
+
+  [[nodiscard]] bool within_panel(CornerId c) const {
+    const auto& panel = model_.panels.panel;
+    return !panel.empty() && panel[mesh::face_of(c)] == panel[surface_.neighbor(c)];
+  }
+
+  void draw_once(const FoldSegment& fold, Layer layer) {
+    for (const Segment2& part : drawn_.free_parts(fold.line)) {
+      drawn_.add(part);
+      add_line(layer, {part.a, part.b}, false, fold.fold);
+    }
+  }
+
+  void add_tabs() {
+    std::vector<FoldSegment> bases;
+    for (const unfold::Tab& tab : nets_.tabs) {
+      if (nets_.piece[mesh::face_of(tab.side)] != piece_) {
+        continue;
+      }
+      std::vector<Vec2> area;
+      for (const Vec2 p : tab.polygon) {
+        area.push_back(place_(p));
+      }
+      bases.push_back({{area[0], area[1]}, fold_of(surface_.edge(tab.side))});
+      result_.group.areas.push_back({Layer::tab_fill, std::move(area)});
+    }
+    for (const FoldSegment& base : bases) {
+      draw_once(base, Layer::tab_fold);
+    }
+  }
+
+  void add_seams() {
+    for (const unfold::Join& join : nets_.joins) {
+      for (const CornerId c : surface_.sides(join.edge)) {
+        if (nets_.piece[mesh::face_of(c)] != piece_) {
+          continue;
+        }
+        Seam seam{join.number, side(c), {}};
+        if (join.tab.valid() && nets_.tabs[join.tab].side == c) {
+          for (const Vec2 p : nets_.tabs[join.tab].polygon) {
+            seam.tab.push_back(place_(p));
+          }
+        }
+        result_.seams.push_back(std::move(seam));
+      }
+    }
+    for (const FaceId face : nets_.pieces[piece_].faces) {
+      result_.faces.push_back(
+          {corner(mesh::corner(face, 0)), corner(mesh::corner(face, 1)), corner(mesh::corner(face, 2))});
+    }
+  }
+
+  const mesh::Prepared& model_;
+  const mesh::Surface& surface_;
+  const unfold::Nets& nets_;
+  PieceId piece_;
+  const Placement& place_;
+  const Style& style_;
+  DrawnLines drawn_;
+  PieceDrawing result_;
+};
+
+}  // namespace
+
+PieceDrawing piece_drawing(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
+                           const Placement& placement, const Style& style) {
+  return PieceDrawer(model, nets, piece, placement, style).draw();
+}
+
+}  // namespace ridgecraft::paper

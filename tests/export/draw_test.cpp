@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn on a page, by measures of its own: outlines, folds, texts clear of lines and of each other,
+// furniture.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "export/furniture.hpp"
+#include "export/stroke_font.hpp"
+#include "export/text_placement.hpp"
+#include "sample_pages.hpp"
+#include "support/shapes.hpp"
+
+namespace ridgecraft {
+namespace {
+
+using paper::Layer;
+
+struct Stroke {
+  Vec2 a;
+  Vec2 b;
+};
+
+/// Distance of two segments by sampling one of them densely: slow, and nobody's idea of a clever method.
+double distance(const Stroke& s, const Stroke& t) {
+  const auto to_segment = [](Vec2 p, const Stroke& line) {
+    const Vec2 d = line.b - line.a;
+    const double size = dot(d, d);
+    const double at = size > 0.0 ? std::clamp(dot(p - line.a, d) / size, 0.0, 1.0) : 0.0;
+    return length(p - line.a - at * d);
+  };
+  constexpr int steps = 12;
+  double nearest = INFINITY;
+  for (int i = 0; i <= steps; ++i) {
+    nearest = std::min(nearest, to_segment(s.a + (s.b - s.a) * (i / static_cast<double>(steps)), t));
+  }
+  return nearest;
+}
+
+std::vector<Stroke> strokes_of(const std::vector<std::vector<Vec2>>& lines) {
+  std::vector<Stroke> strokes;
+  for (const auto& line : lines) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      strokes.push_back({line[i - 1], line[i]});
+    }
+  }
+  return strokes;
+}
+
+std::vector<Stroke> strokes_of(const paper::Line& line) {
+  std::vector<Vec2> points = line.points;
+  if (line.closed) {
+    points.push_back(points.front());
+  }
+  return strokes_of(std::vector<std::vector<Vec2>>{points});
+}
+
+Box2 bounds(const std::vector<Stroke>& strokes) {
+  Box2 box;
+  for (const Stroke& s : strokes) {
+    box.add(s.a);
+    box.add(s.b);
+  }
+  return box;
+}
+
+bool far_apart(const Box2& a, const Box2& b) {
+  return a.low.x > b.high.x + 1.0 || b.low.x > a.high.x + 1.0 || a.low.y > b.high.y + 1.0 ||
+         b.low.y > a.high.y + 1.0;
+}
+
+double nearest(const std::vector<Stroke>& a, const std::vector<Stroke>& b) {
+  double best = INFINITY;
+  for (const Stroke& s : a) {
+    for (const Stroke& t : b) {
+      best = std::min(best, distance(s, t));
+    }
+  }
+  return best;
+}
+
+std::vector<test::SamplePages> samples(double turn) {
+  std::vector<test::SamplePages> all;
+  all.push_back(test::sample_pages(test::cube(), 40.0, 5.0, {}, "Cube", {}, turn));
+  const mesh::Surface ball = test::sphere(14, 8);
+  all.push_back(test::sample_pages(ball, 60.0, 4.0, test::all_edges(ball), "Ball", {}, turn));
+  all.push_back(test::sample_pages(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 2), 22.0, 4.0,
+                                   {}, "Corner", paper::parse_paper("A3"), turn));
+  return all;
+}
+
+TEST_CASE("texts keep clear of lines and of each other") {
+  for (const double turn : {0.0, 0.7, 2.5}) {
+    for (const auto& sample : samples(turn)) {
+      paper::DrawReport report;
+      for (const auto& page : paper::draw(sample.model, sample.nets, sample.pages, {}, &report)) {
+        std::vector<std::vector<Stroke>> texts;
+        std::vector<std::vector<Stroke>> lines;
+        for (const auto& group : page.groups) {
+          for (const auto& text : group.texts) {
+            if (group.id != "page") {
+              texts.push_back(strokes_of(paper::text_strokes(text)));
+            }
+          }
+          for (const auto& line : group.lines) {
+            if (group.id != "page" && line.layer != Layer::label) {
+              lines.push_back(strokes_of(line));
+            }
+          }
+        }
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+          const Box2 box = bounds(texts[i]);
+          for (std::size_t j = i + 1; j < texts.size(); ++j) {
+            if (!far_apart(box, bounds(texts[j]))) {
+              CHECK(nearest(texts[i], texts[j]) > 0.25);
+            }
+          }
+          for (const auto& line : lines) {
+            std::vector<Stroke> close;
+            std::ranges::copy_if(line, std::back_inserter(close),
+                                 [&](const Stroke& s) { return !far_apart(box, bounds({s})); });
+            if (!close.empty()) {
+              CHECK(nearest(texts[i], close) > 0.2);
+            }
+          }
+        }
+      }
+      CHECK(report.labels_left_out == 0);
+      CHECK(report.names_left_out == 0);
+    }
+  }
+}
+
+bool in_face(const test::SamplePages& sample, PieceId piece, Vec2 p) {
+  for (const FaceId f : sample.nets.pieces[piece].faces) {
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 a = sample.pages.placements[piece](sample.nets.flat[f][k]);
+      const Vec2 b = sample.pages.placements[piece](sample.nets.flat[f][(k + 1) % 3]);
+      inside = inside && cross(b - a, p - a) > -1e-9;
+    }
+    if (inside) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST_CASE("each cut edge has its number inside its piece, near it and along it") {
+  for (const auto& sample : samples(0.4)) {
+    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
+    const mesh::Surface& surface = sample.model.model.surface;
+    for (const auto& join : sample.nets.joins) {
+      for (const CornerId c : surface.sides(join.edge)) {
+        const PieceId piece = sample.nets.piece[mesh::face_of(c)];
+        const auto& place = sample.pages.placements[piece];
+        const Vec2 a = place(sample.nets.flat[mesh::face_of(c)][c.value() % 3]);
+        const Vec2 b = place(sample.nets.flat[mesh::face_of(c)][mesh::next(c).value() % 3]);
+        const Vec2 along = (b - a) / length(b - a);
+        bool found = false;
+        for (const auto& group : pages[place.page.value()].groups) {
+          for (const auto& text : group.texts) {
+            if (text.layer == Layer::label && group.id == "piece-" + sample.nets.pieces[piece].name &&
+                text.text == std::to_string(join.number) && in_face(sample, piece, text.centre)) {
+              const double off = cross(along, text.centre - a);
+              const double at = dot(along, text.centre - a);
+              found = found || (off > 0.0 && off < 6.0 && at > -1.0 && at < length(b - a) + 1.0);
+              CHECK(text.height >= 1.6);
+              CHECK(std::cos(text.angle) > -2e-3);  // never upside down
+            }
+          }
+        }
+        INFO(sample.model.model.name << " join " << join.number);
+        CHECK(found);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "a triangulated cube has five folds, an L one valley chain, and closed outlines count pieces and holes") {
+  const auto count = [](const std::vector<paper::Drawing>& pages, Layer layer, bool closed) {
+    std::size_t lines = 0;
+    for (const auto& page : pages) {
+      for (const auto& group : page.groups) {
+        lines += static_cast<std::size_t>(std::ranges::count_if(group.lines, [&](const paper::Line& line) {
+          return line.layer == layer && line.closed == closed;
+        }));
+      }
+    }
+    return lines;
+  };
+  const auto cube = test::sample_pages(test::cube(), 40.0, 0.0);
+  const auto pages = paper::draw(cube.model, cube.nets, cube.pages, {});
+  // The net of the triangulated cube may be cut through squares: then a square's halves hang on folds of
+  // their own.
+  std::size_t folds = 0;
+  for (const EdgeId e : ids<EdgeId>(cube.nets.use.size())) {
+    folds +=
+        cube.nets.use[e] == unfold::EdgeUse::fold && std::abs(cube.model.model.surface.fold_angle(e)) > 0.1
+            ? 1U
+            : 0U;
+  }
+  CHECK(count(pages, Layer::mountain, false) <= folds);
+  CHECK(count(pages, Layer::mountain, false) >= 5);
+  CHECK(count(pages, Layer::valley, false) == 0);
+  CHECK(count(pages, Layer::cut, true) == cube.nets.pieces.size());
+  CHECK(count(pages, Layer::cut, false) == 0);
+}
+
+double drawn(const std::vector<paper::Drawing>& pages, std::initializer_list<Layer> layers) {
+  double sum = 0.0;
+  for (const auto& page : pages) {
+    for (const auto& group : page.groups) {
+      for (const auto& line : group.lines) {
+        if (std::ranges::find(layers, line.layer) != layers.end()) {
+          for (const Stroke& s : strokes_of(line)) {
+            sum += length(s.b - s.a);
+          }
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+TEST_CASE("drawn lengths are those of the nets") {
+  for (const auto& sample : samples(0.2)) {
+    const mesh::Surface& surface = sample.model.model.surface;
+    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
+    double folds = 0.0;
+    double cuts = 0.0;
+    for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+      if (sample.nets.use[e] == unfold::EdgeUse::fold) {
+        folds += std::abs(surface.fold_angle(e)) > 0.06 ? surface.length(e) : 0.0;
+      } else {
+        cuts += (surface.is_border(e) ? 1.0 : 2.0) * surface.length(e);
+      }
+    }
+    for (const auto& tab : sample.nets.tabs) {
+      cuts -= length(tab.polygon[1] - tab.polygon[0]);
+      for (std::size_t i = 1; i < tab.polygon.size(); ++i) {
+        cuts += length(tab.polygon[(i + 1) % tab.polygon.size()] - tab.polygon[i]);
+      }
+    }
+    // The corner's faces lie on each other (nothing searched for a net without overlap), and so do some of its lines.
+    CHECK(drawn(pages, {Layer::mountain, Layer::valley}) <= folds + 1e-6);
+    if (sample.model.model.name != "Corner") {
+      CHECK(drawn(pages, {Layer::mountain, Layer::valley}) == Approx(folds).epsilon(1e-6));
+    }
+    // Slits are drawn once; these nets have none but where squares of one side were cut apart.
+    CHECK(drawn(pages, {Layer::cut}) <= cuts + 1e-6);
+    CHECK(drawn(pages, {Layer::cut}) > 0.8 * cuts);
+  }
+}
+
+TEST_CASE("furniture stays in its band on every paper") {
+  for (const std::string& name : paper::paper_names()) {
+    for (const std::string suffix : {"", "-landscape"}) {
+      const paper::Paper sheet = paper::parse_paper(name + suffix);
+      for (const std::string title : {"Fox", "A name that is longer than the page is wide, whatever the page",
+                                      "狐狐狐狐狐狐狐狐狐狐"}) {
+        const paper::Group group = paper::furniture(sheet, title, 12, 345);
+        Box2 box;
+        bool bar = false;
+        for (const auto& line : group.lines) {
+          for (const Vec2 p : line.points) {
+            box.add(p);
+          }
+          bar =
+              bar || (line.points.size() == 2 && std::abs(line.points[1].x - line.points[0].x - 50.0) < 1e-9);
+        }
+        std::vector<Box2> texts;
+        for (const auto& text : group.texts) {
+          const double half = 0.5 * paper::text_width(text.text, text.height);
+          Box2 own;
+          own.add(text.centre - Vec2{half, 0.5 * text.height});
+          own.add(text.centre + Vec2{half, 0.5 * text.height});
+          box.add(own.low);
+          box.add(own.high);
+          for (const Box2& other : texts) {
+            const bool apart = own.low.x > other.high.x || other.low.x > own.high.x ||
+                               own.low.y > other.high.y || other.low.y > own.high.y;
+            CHECK(apart);
+          }
+          texts.push_back(own);
+        }
+        INFO(name << suffix << " " << title);
+        CHECK(bar);
+        CHECK(box.low.x >= sheet.margin - 1e-9);
+        CHECK(box.high.x <= sheet.size.x - sheet.margin + 1e-9);
+        CHECK(box.low.y >= sheet.margin - 1e-9);
+        CHECK(box.high.y <= sheet.margin + paper::furniture_height - 1.0);
+        CHECK(texts.size() >= 6);
+      }
+    }
+  }
+}
+
+TEST_CASE("numbers that are others upside down are marked") {
+  for (const std::string marked : {"6", "9", "66", "68", "86", "89", "98", "99", "16", "91", "806"}) {
+    CHECK(paper::ambiguous_upside_down(marked));
+  }
+  for (const std::string plain : {"0", "1", "8", "11", "69", "96", "60", "26", "3", "88", "101", "10", ""}) {
+    CHECK_FALSE(paper::ambiguous_upside_down(plain));
+  }
+}
+
+TEST_CASE("the alphabet covers what is written on a page") {
+  for (const std::string text :
+       {"0123456789", "ABCDEFGHIJKLMNOPQRSTUVWXYZ", "abcdefghijklmnopqrstuvwxyz",
+        "print at 100 %, not fitted to the page", "Füchsin ßÄÖÜñéçøÅ", "page 1 / 2 …", ""}) {
+    CHECK(paper::stroke_font_covers(text));
+  }
+  CHECK_FALSE(paper::stroke_font_covers("狐"));
+  CHECK_FALSE(paper::stroke_font_covers("\xff"));
+  // Letters of one text don't run into each other, and the box is as said.
+  for (char c = '!'; c <= '~'; ++c) {
+    for (const char d : std::string("1Wgj.")) {
+      const paper::Text pair{Layer::label, {c, d}, {0.0, 0.0}, 10.0, 0.0, false};
+      const double half = 0.5 * paper::text_width(pair.text, 10.0);
+      for (const auto& stroke : paper::text_strokes(pair)) {
+        REQUIRE(stroke.size() >= 2);
+        for (const Vec2 p : stroke) {
+          CHECK(std::abs(p.x) <= half + 1e-9);
+          CHECK(std::abs(p.y) <= 9.0);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ridgecraft

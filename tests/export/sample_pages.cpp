@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample_pages.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/simple_nets.hpp"
+#include "unfold/outline.hpp"
+
+namespace ridgecraft::test {
+namespace {
+
+mesh::Surface scaled(const mesh::Surface& surface, double scale) {
+  std::vector<Vec3> points(surface.points().begin(), surface.points().end());
+  for (Vec3& p : points) {
+    p = scale * p;
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    faces.push_back(surface.vertices(f));
+  }
+  return {std::move(points), std::move(faces)};
+}
+
+/// Panels over edges that aren't folded: enough for shapes made of exact flat regions.
+mesh::Panels flat_panels(const mesh::Surface& surface) {
+  mesh::Panels panels;
+  panels.panel.resize(surface.face_count());
+  for (const FaceId seed : ids<FaceId>(surface.face_count())) {
+    if (panels.panel[seed].valid()) {
+      continue;
+    }
+    const PanelId panel = panels.faces.push_back({seed});
+    panels.panel[seed] = panel;
+    for (std::size_t i = 0; i < panels.faces[panel].size(); ++i) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const CornerId c = mesh::corner(panels.faces[panel][i], k);
+        const FaceId next = surface.neighbor(c);
+        if (next.valid() && !panels.panel[next].valid() &&
+            std::abs(surface.fold_angle(surface.edge(c))) < 1e-6) {
+          panels.panel[next] = panel;
+          panels.faces[panel].push_back(next);
+        }
+      }
+    }
+  }
+  return panels;
+}
+
+/// Convex polygons share more than a border (separating axes).
+bool overlap(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  for (const auto* one : {&a, &b}) {
+    for (std::size_t i = 0; i < one->size(); ++i) {
+      const Vec2 from = (*one)[i];
+      const Vec2 out = -perpendicular((*one)[(i + 1) % one->size()] - from);
+      const auto beyond = [&](Vec2 p) { return dot(p - from, out) >= -1e-6 * length(out); };
+      if (std::ranges::all_of(one == &a ? b : a, beyond)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void add_tabs(const mesh::Surface& surface, unfold::Nets& nets, double height) {
+  IdVector<PieceId, std::vector<std::vector<Vec2>>> taken(nets.pieces.size());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    taken[nets.piece[f]].emplace_back(nets.flat[f].begin(), nets.flat[f].end());
+  }
+  for (const JoinId j : ids<JoinId>(nets.joins.size())) {
+    for (const CornerId c : surface.sides(nets.joins[j].edge)) {
+      const FaceId f = mesh::face_of(c);
+      const Vec2 b = nets.flat[f][c.value() % 3];
+      const Vec2 a = nets.flat[f][mesh::next(c).value() % 3];
+      const double size = length(b - a);
+      const Vec2 u = (b - a) / size;
+      const Vec2 n = perpendicular(u);
+      const double h = std::min(height, size / 3.0);
+      const std::vector<Vec2> tab{a, b, b - h * u + h * n, a + h * u + h * n};
+      auto& others = taken[nets.piece[f]];
+      if (std::ranges::none_of(others, [&](const auto& other) { return overlap(tab, other); })) {
+        others.push_back(tab);
+        nets.joins[j].tab = nets.tabs.push_back({c, j, tab});
+        nets.joins[j].no_tab = unfold::NoTab::has_tab;
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<EdgeId> all_edges(const mesh::Surface& surface) {
+  std::vector<EdgeId> edges;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    if (!surface.is_border(e) && std::abs(surface.fold_angle(e)) > 1e-6) {
+      edges.push_back(e);
+    }
+  }
+  return edges;
+}
+
+SamplePages sample_pages(const mesh::Surface& surface, double scale, double tab_height,
+                         std::span<const EdgeId> cuts, const std::string& name, const paper::Paper& paper,
+                         double turn) {
+  SamplePages sample;
+  sample.model.model.surface = scaled(surface, scale);
+  sample.model.model.name = name;
+  sample.model.model.digest = "0123456789abcdef";
+  sample.model.panels = flat_panels(sample.model.model.surface);
+  const mesh::Surface& model = sample.model.model.surface;
+  sample.nets = simple_nets(model, cuts);
+  if (tab_height > 0.0) {
+    add_tabs(model, sample.nets, tab_height);
+  }
+  sample.pages.paper = paper;
+  const Box2 area = paper::piece_box(paper);
+  Vec2 at = area.low;
+  double row = 0.0;
+  sample.pages.count = 1;
+  for (const PieceId piece : ids<PieceId>(sample.nets.pieces.size())) {
+    Box2 box;
+    paper::Placement place{PageId(sample.pages.count - 1), std::cos(turn), std::sin(turn), {}};
+    for (const auto& outline : unfold::outline(model, sample.nets, piece)) {
+      for (const Vec2 p : outline) {
+        box.add(place(p));
+      }
+    }
+    if (at.x + box.size().x > area.high.x && at.x > area.low.x) {
+      at = {area.low.x, at.y + row + paper.gap};
+      row = 0.0;
+    }
+    if (at.y + box.size().y > area.high.y && at.y > area.low.y) {
+      at = area.low;
+      row = 0.0;
+      place.page = PageId(sample.pages.count++);
+    }
+    place.shift = at - box.low;
+    sample.pages.placements.push_back(place);
+    at.x += box.size().x + paper.gap;
+    row = std::max(row, box.size().y);
+  }
+  return sample;
+}
+
+}  // namespace ridgecraft::test

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pages of simple shapes for tests of what is drawn: nets without a search, tabs where they fit, pieces in
+// rows.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "export/export.hpp"
+
+namespace ridgecraft::test {
+
+struct SamplePages {
+  mesh::Prepared model;
+  unfold::Nets nets;
+  paper::Pages pages;
+};
+
+/// The surface times `scale`, unfolded, with tabs of `tab_height` mm where they lie over nothing (none if it
+/// is 0), placed in rows on sheets of the paper. Pieces are turned by `turn` radians first.
+[[nodiscard]] SamplePages sample_pages(const mesh::Surface& surface, double scale, double tab_height,
+                                       std::span<const EdgeId> cuts = {}, const std::string& name = "Sample",
+                                       const paper::Paper& paper = {}, double turn = 0.0);
+
+/// Every edge that is folded, as cuts for sample_pages: each panel becomes a piece.
+[[nodiscard]] std::vector<EdgeId> all_edges(const mesh::Surface& surface);
+
+}  // namespace ridgecraft::test

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SVG pages: read back as XML, held against the shared checker, against a golden file and against weird
+// names.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <catch2/catch.hpp>
+#include <pugixml.hpp>
+#include <unistd.h>
+
+#include "sample_pages.hpp"
+#include "support/shapes.hpp"
+
+namespace ridgecraft {
+namespace {
+
+const paper::Mark mark{"ridgecraft test", "Cube", "0123456789abcdef"};
+
+std::vector<paper::Drawing> drawings(const test::SamplePages& sample) {
+  return paper::draw(sample.model, sample.nets, sample.pages, {});
+}
+
+/// The shapes whose pages are looked at in several tests.
+std::vector<test::SamplePages> samples() {
+  std::vector<test::SamplePages> all;
+  all.push_back(test::sample_pages(test::cube(), 40.0, 5.0, {}, "Cube", {}, 0.3));
+  const mesh::Surface ball = test::sphere(12, 7);
+  const std::vector<EdgeId> cuts = test::all_edges(ball);
+  all.push_back(test::sample_pages(ball, 60.0, 5.0, cuts, "Ball", paper::parse_paper("letter")));
+  all.push_back(test::sample_pages(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), 25.0, 4.0, {},
+                                   "Corner", paper::parse_paper("A3-landscape"), 1.1));
+  all.push_back(test::sample_pages(test::revolve({{1, 0}, {0.7, 1}, {1.1, 2}}, 9), 22.0, 0.0, {}, "Vase"));
+  return all;
+}
+
+class Folder {
+ public:
+  Folder()
+      : path_(std::filesystem::temp_directory_path() / ("ridgecraft-svg-" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string content(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST_CASE("every page passes the shared checker") {
+  const std::string checker = std::string(RIDGECRAFT_SHARED_DIR) + "/check/check_svg.py";
+  if (!std::filesystem::exists(checker)) {
+    WARN("skipped: no " << checker);
+    return;
+  }
+  const Folder folder;
+  std::string files;
+  for (const auto& sample : samples()) {
+    for (const auto& page : drawings(sample)) {
+      const auto file = folder / (page.title + std::to_string(page.page) + ".svg");
+      std::ofstream(file, std::ios::binary) << paper::write_svg(page, mark);
+      files += " '" + file.string() + "'";
+    }
+  }
+  const auto report = folder / "report.json";
+  const std::string command = "/usr/bin/python3 '" + checker + "'" + files + " > '" + report.string() + "'";
+  const int status = std::system(command.c_str());
+  INFO(content(report));
+  CHECK(status == 0);
+}
+
+TEST_CASE("a page is true millimetres with one layer for each class of line") {
+  const auto page = drawings(samples()[0])[0];
+  pugi::xml_document document;
+  REQUIRE(document.load_string(paper::write_svg(page, mark).c_str()));
+  const auto root = document.child("svg");
+  CHECK(std::string(root.attribute("width").value()) == "210mm");
+  CHECK(std::string(root.attribute("height").value()) == "297mm");
+  CHECK(std::string(root.attribute("viewBox").value()) == "0 0 210 297");
+  CHECK_FALSE(root.attribute("transform"));
+  CHECK(std::string(root.child("metadata").child_value()).find("ridgecraft-model:0123456789abcdef") !=
+        std::string::npos);
+  std::set<std::string> ids;
+  std::size_t layers = 0;
+  for (const auto group : root.children("g")) {
+    CHECK(std::string(group.attribute("inkscape:groupmode").value()) == "layer");
+    CHECK_FALSE(std::string(group.attribute("inkscape:label").value()).empty());
+    ++layers;
+  }
+  CHECK(layers == static_cast<std::size_t>(paper::layer_count));
+  for (const auto& found : document.select_nodes("//*[@id]")) {
+    CHECK(ids.insert(found.node().attribute("id").value()).second);
+  }
+  for (const std::string id :
+       {"cut", "mountain", "valley", "tab-fill", "tab-fold", "label", "piece-name", "mark"}) {
+    CHECK(ids.contains(id));
+  }
+  const auto cuts = document.select_nodes("//g[@id='cut']/g[@id='cut-piece-A']/path");
+  REQUIRE(cuts.size() == 1);
+  const std::string d = cuts.first().node().attribute("d").value();
+  CHECK(d.starts_with("M"));
+  CHECK(d.ends_with(" Z"));
+  CHECK(document.select_nodes("//*[@style or @class or @transform]").empty());
+}
+
+TEST_CASE("each join's number can be found on both of its edges") {
+  for (const auto& sample : samples()) {
+    std::map<std::string, int> found;
+    for (const auto& page : drawings(sample)) {
+      pugi::xml_document document;
+      REQUIRE(document.load_string(paper::write_svg(page, mark).c_str()));
+      for (const auto& path : document.select_nodes("//g[@id='label']//path[@aria-label]")) {
+        ++found[path.node().attribute("aria-label").value()];
+      }
+    }
+    for (const auto& join : sample.nets.joins) {
+      const int expected = join.tab.valid() ? 3 : 2;
+      INFO(sample.model.model.name << " join " << join.number);
+      CHECK(found[std::to_string(join.number)] <= expected);
+      CHECK(found[std::to_string(join.number)] >= 2);
+    }
+  }
+}
+
+TEST_CASE("any name makes valid XML") {
+  for (const std::string name : {"Füchsin_狐", "a & b <c> \"d\" 'e'", "\xff\xfe broken \xc3",
+                                 "tab\tand\nline", "]]>", "", "🦊", "é", "\x01\x02",
+                                 "a name that is much longer than any page is wide, so that it has to be cut "
+                                 "off somewhere on the way, or not"}) {
+    auto sample = test::sample_pages(test::cube(), 30.0, 5.0, {}, name);
+    const std::string svg = paper::write_svg(drawings(sample)[0], mark);
+    pugi::xml_document document;
+    INFO(svg.substr(0, 400));
+    CHECK(document.load_string(svg.c_str()));
+    CHECK(
+        std::ranges::none_of(svg, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n'; }));
+  }
+}
+
+TEST_CASE("a page is the same in every run, and as it was") {
+  const auto sample = test::sample_pages(test::cube(), 40.0, 5.0, {}, "Cube", {}, 0.3);
+  const std::string svg = paper::write_svg(drawings(sample)[0], mark);
+  CHECK(svg == paper::write_svg(drawings(sample)[0], mark));
+  const std::filesystem::path golden = std::string(RIDGECRAFT_SOURCE_DIR) + "/tests/golden/cube.svg";
+  if (const char* update = std::getenv("RIDGECRAFT_UPDATE_GOLDEN"); update != nullptr && *update == '1') {
+    std::filesystem::create_directories(golden.parent_path());
+    std::ofstream(golden, std::ios::binary) << svg;
+  }
+  // Not CHECK(a == b): a page's text in the log helps nobody.
+  const bool same = content(golden) == svg;
+  INFO("compare with " << golden << "; RIDGECRAFT_UPDATE_GOLDEN=1 writes it anew");
+  CHECK(same);
+}
+
+}  // namespace
+}  // namespace ridgecraft
