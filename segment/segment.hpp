@@ -7,7 +7,7 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/context.hpp"
@@ -29,6 +29,9 @@ enum class PartReason {
   split,      ///< the fallback split (no cut made two pieces)
   merged,     ///< the merge pass joined several
 };
+
+/// One word for machines: "component", "ridge", ...
+[[nodiscard]] std::string_view name(PartReason reason);
 
 struct Part {
   std::vector<FaceId> faces;  ///< ascending

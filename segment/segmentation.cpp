@@ -5,6 +5,16 @@
 
 namespace ridgecraft::segment {
 
+std::string_view name(PartReason reason) {
+  switch (reason) {
+    case PartReason::component: return "component";
+    case PartReason::ridge: return "ridge";
+    case PartReason::split: return "split";
+    case PartReason::merged: return "merged";
+  }
+  return "";
+}
+
 double Segmentation::max_concavity() const {
   double greatest = 0.0;
   for (const Part& p : parts) {

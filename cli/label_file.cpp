@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/label_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+namespace ridgecraft::cli {
+namespace {
+
+/// Hue, saturation and value, each in [0, 1], as red, green and blue.
+mesh::Colour from_hsv(double hue, double saturation, double value) {
+  const auto channel = [&](double offset) {
+    const double k = std::fmod(offset + hue * 6.0, 6.0);
+    return value - value * saturation * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0);
+  };
+  return {channel(5.0), channel(3.0), channel(1.0)};
+}
+
+}  // namespace
+
+std::string label_text(const mesh::Model& model, const segment::Segmentation& segmentation) {
+  std::vector<long long> label(model.polygon_count, -1);
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    const std::uint32_t polygon = model.polygon[f];
+    if (polygon < label.size()) {
+      label[polygon] = segmentation.part[f].value();
+    }
+  }
+  std::string text;
+  text.reserve(4 * label.size());
+  for (const long long value : label) {
+    text += std::to_string(value);
+    text += '\n';
+  }
+  return text;
+}
+
+IdVector<FaceId, mesh::Colour> part_colours(const segment::Segmentation& segmentation) {
+  // Hues in golden-ratio steps: any few consecutive numbers lie far apart on the wheel.
+  constexpr double golden = 0.6180339887498949;
+  IdVector<FaceId, mesh::Colour> colours(segmentation.part.size());
+  for (const FaceId f : ids<FaceId>(segmentation.part.size())) {
+    const std::uint32_t number = segmentation.part[f].value();
+    const double hue = std::fmod(0.08 + golden * number, 1.0);
+    colours[f] = from_hsv(hue, number % 3 == 1 ? 0.45 : 0.7, number % 2 == 1 ? 0.8 : 0.95);
+  }
+  return colours;
+}
+
+bool is_label_file(const std::filesystem::path& file, std::size_t polygons) {
+  std::ifstream in(file);
+  std::string line;
+  std::size_t lines = 0;
+  while (std::getline(in, line)) {
+    long long value = 0;
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), value);
+    if (error != std::errc() || end != line.data() + line.size() || ++lines > polygons) {
+      return false;
+    }
+  }
+  return lines == polygons;
+}
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A segmentation as files: one part number per polygon, one colour per face.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mesh/model.hpp"
+#include "segment/segment.hpp"
+
+namespace ridgecraft::cli {
+
+/// One line per polygon of the input, in its order: its part's number, -1 for a polygon without a face.
+[[nodiscard]] std::string label_text(const mesh::Model& model, const segment::Segmentation& segmentation);
+
+/// A colour per face; neighbouring numbers get colours that are easy to tell apart.
+[[nodiscard]] IdVector<FaceId, mesh::Colour> part_colours(const segment::Segmentation& segmentation);
+
+/// True for a file that holds nothing but that many labels: it was made for the same model, or for one that
+/// can't be told from it.
+[[nodiscard]] bool is_label_file(const std::filesystem::path& file, std::size_t polygons);
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line as values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/manual.hpp"
+#include "export/export.hpp"
+#include "mesh/mesh.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::cli {
+
+/// What every verb takes.
+struct CommonOptions {
+  bool json = false;
+  bool quiet = false;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  std::optional<double> time_limit_s;
+};
+
+/// How a model is brought to paper size; the main job and `unfold` share it.
+struct SizeArguments {
+  mesh::SizeOptions size;
+  mesh::SimplifyOptions simplify;
+  std::string asked;  ///< how the size was asked for, for the summary: "--size 150mm"
+};
+
+/// ridgecraft MODEL
+struct PaperJob {
+  CommonOptions common;
+  std::string model;
+  std::vector<std::string> outputs;  ///< empty: all default formats in the current folder
+  bool overwrite = false;
+  SizeArguments size;
+  double concavity = 0.1;
+  std::string paper_name = "A4";
+  paper::Paper paper;
+  unfold::TabOptions tabs;
+  paper::Style style;
+};
+
+struct InfoJob {
+  CommonOptions common;
+  std::string model;
+};
+
+struct SegmentJob {
+  CommonOptions common;
+  std::string model;
+  double concavity = 0.1;
+  std::string labels;                ///< FILE.seg; empty: none
+  std::vector<std::string> outputs;  ///< coloured PLY or OFF
+  bool overwrite = false;
+};
+
+struct UnfoldJob {
+  CommonOptions common;
+  std::string model;
+  SizeArguments size;
+  double concavity = 0.1;
+  bool whole = false;  ///< no segmentation: each component is one part
+  std::string output;  ///< FILE.fold; empty: none
+  bool overwrite = false;
+};
+
+struct VerifyJob {
+  CommonOptions common;
+  std::string file;
+};
+
+struct FormatsJob {
+  CommonOptions common;
+};
+
+/// Text to print, and then the program ends: --help, --version, the man page.
+struct PrintJob {
+  std::string text;
+};
+
+using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, VerifyJob, FormatsJob, PrintJob>;
+
+/// Parses the arguments after the program's name. Throws Error(usage) with one sentence.
+[[nodiscard]] Job parse_arguments(const std::vector<std::string>& arguments);
+
+/// "ridgecraft 0.1.0"
+[[nodiscard]] std::string program_and_version();
+
+}  // namespace ridgecraft::cli

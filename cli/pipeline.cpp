@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/label_file.hpp"
+#include "cli/targets.hpp"
+#include "mesh/write.hpp"
+#include "unfold/panel_parts.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A face of this size fits every sheet; for jobs without pages.
+constexpr Vec2 boundless{1e9, 1e9};
+
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump();
+}
+std::string number(double value) {
+  return fmt::format("{}", value);
+}
+
+void add_size_settings(const SizeArguments& size, paper::Settings& settings) {
+  if (size.size.mm_per_unit) {
+    settings["mm_per_unit"] = number(*size.size.mm_per_unit);
+  } else {
+    settings["size_mm"] = number(size.size.largest_extent_mm);
+  }
+  settings["faces"] = size.simplify.mode == mesh::Simplification::automatic ? quoted("auto")
+                      : size.simplify.mode == mesh::Simplification::keep
+                          ? quoted("keep")
+                          : std::to_string(size.simplify.faces);
+}
+
+paper::Settings settings_of(const PaperJob& job) {
+  paper::Settings settings;
+  add_size_settings(job.size, settings);
+  settings["seed"] = std::to_string(job.common.seed);
+  settings["concavity"] = number(job.concavity);
+  settings["paper_mm"] = fmt::format("[{},{}]", job.paper.size.x, job.paper.size.y);
+  settings["margin_mm"] = number(job.paper.margin);
+  settings["gap_mm"] = number(job.paper.gap);
+  settings["tabs"] = job.tabs.wanted ? "true" : "false";
+  settings["tab_height_mm"] = number(job.tabs.height_mm);
+  settings["tab_angle_deg"] = number(job.tabs.angle * 180.0 / 3.14159265358979323846);
+  return settings;
+}
+
+paper::Settings settings_of(const UnfoldJob& job) {
+  paper::Settings settings;
+  add_size_settings(job.size, settings);
+  settings["seed"] = std::to_string(job.common.seed);
+  settings["concavity"] = number(job.concavity);
+  settings["whole"] = job.whole ? "true" : "false";
+  return settings;
+}
+
+/// Faces of one panel count as one polygon, so that parts end at the panels' borders.
+IdVector<FaceId, PartId> parts_for_paper(const mesh::Prepared& prepared, double concavity,
+                                         const Context& context) {
+  const segment::Segmentation found =
+      segment::segment(prepared.model.surface, {}, {.concavity = concavity}, context);
+  return unfold::parts_of_whole_panels(prepared.model.surface, prepared.panels, found.part);
+}
+
+IdVector<FaceId, PartId> one_part_per_component(const mesh::Surface& surface) {
+  IdVector<FaceId, PartId> part(surface.face_count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    part[f] = PartId(surface.component(f).value());
+  }
+  return part;
+}
+
+std::size_t count_parts(const IdVector<FaceId, PartId>& part) {
+  std::uint32_t count = 0;
+  for (const PartId p : part) {
+    count = std::max(count, p.value() + 1);
+  }
+  return count;
+}
+
+/// Nothing that fails its own check leaves the program.
+verify::Figures checked_figures(const std::string& fold, const std::string& model, const Context& context) {
+  const verify::Report report = verify::verify(fold, {.max_faults = 3}, context);
+  if (!report.sound() || !report.figures) {
+    throw Error(ErrorKind::internal,
+                "the nets made for " + model + " fail their check and weren't written (" +
+                    (report.faults.empty() ? "no figures" : report.faults.front().message) + ")");
+  }
+  return *report.figures;
+}
+
+void require_all_replaceable(const std::vector<Target>& targets, std::size_t pages, const std::string& digest,
+                             bool overwrite) {
+  for (const Target& target : targets) {
+    for (const fs::path& file : files_of(target, pages)) {
+      require_replaceable(file, digest, overwrite);
+    }
+  }
+}
+
+void create_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw Error(ErrorKind::cant_write, "can't create the folder " + folder.string() + ": " + error.message());
+  }
+}
+
+std::string printed(const fs::path& file) {
+  return file.lexically_normal().string();
+}
+
+/// Writes one target's files under their temporary names.
+void add_target(const Target& target, const std::vector<paper::Drawing>& drawings, const std::string& fold,
+                const paper::Mark& mark, PendingFiles& pending, std::vector<std::string>& written) {
+  create_folder(target.folder);
+  const std::vector<fs::path> files = files_of(target, drawings.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    switch (target.format) {
+      case Format::pdf:
+        pending.add(files[i], paper::write_pdf(drawings, mark));
+        break;
+      case Format::svg:
+        pending.add(files[i], paper::write_svg(drawings[i], mark));
+        break;
+      case Format::png:
+        pending.add(files[i], paper::write_png(drawings[i], mark));
+        break;
+      case Format::fold:
+        pending.add(files[i], fold);
+        break;
+    }
+    written.push_back(printed(files[i]));
+  }
+  for (const fs::path& leftover : leftovers_of(target, drawings.size(), mark.digest)) {
+    pending.remove_on_commit(leftover);
+  }
+}
+
+}  // namespace
+
+double StageClock::total() const {
+  double sum = 0.0;
+  for (const auto& [name, seconds] : seconds_) {
+    sum += seconds;
+  }
+  return sum;
+}
+
+PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending) {
+  const std::string stem = fs::path(job.model).stem().string();
+  const std::vector<Target> targets = plan_targets(job.outputs, stem);
+  PaperResult result;
+  StageClock& clock = result.clock;
+  mesh::Model model = clock("read", context, [&] { return mesh::read(job.model, {}, context); });
+  const paper::Mark mark{program_and_version(), model.name, model.digest};
+  // How many pages there will be isn't known yet; what is known is checked before the long work.
+  require_all_replaceable(targets, 1, mark.digest, job.overwrite);
+
+  result.polygons = model.polygon_count;
+  const Vec2 area = paper::piece_area(job.paper);
+  result.prepared = clock("prepare", context, [&] {
+    return mesh::prepare(std::move(model), job.size.size, job.size.simplify, area, context);
+  });
+  const mesh::Surface& surface = result.prepared.model.surface;
+  const auto part =
+      clock("segment", context, [&] { return parts_for_paper(result.prepared, job.concavity, context); });
+  result.parts = count_parts(part);
+  result.nets = clock("unfold", context, [&] {
+    const unfold::Options options{.sheet = unfold::Sheet{area.x, area.y}, .tabs = job.tabs};
+    return unfold::unfold(surface, result.prepared.panels, part, options, context);
+  });
+  result.pages =
+      clock("lay out", context, [&] { return paper::layout(surface, result.nets, job.paper, context); });
+  const auto drawings = clock("draw", context, [&] {
+    return paper::draw(result.prepared, result.nets, result.pages, job.style, &result.drawn);
+  });
+  const std::string fold = clock("write", context, [&] {
+    return paper::write_fold(result.prepared, part, result.nets, &result.pages, mark, settings_of(job));
+  });
+  result.figures = clock("verify", context, [&] { return checked_figures(fold, job.model, context); });
+
+  clock("write", context, [&] {
+    require_all_replaceable(targets, drawings.size(), mark.digest, job.overwrite);
+    for (const Target& target : targets) {
+      add_target(target, drawings, fold, mark, pending, result.files);
+    }
+    context.check();
+    pending.commit();
+    return true;
+  });
+  return result;
+}
+
+SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingFiles& pending) {
+  for (const std::string& output : job.outputs) {
+    const std::string suffix = suffix_of(output);
+    if (suffix != ".ply" && suffix != ".off") {
+      throw Error(ErrorKind::usage, "-o " + output + ": parts are written as .ply or .off");
+    }
+  }
+  std::vector<fs::path> files(job.outputs.begin(), job.outputs.end());
+  if (!job.labels.empty()) {
+    files.emplace_back(job.labels);
+  }
+  for (const fs::path& file : files) {
+    require_writable_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
+  }
+  SegmentResult result;
+  StageClock& clock = result.clock;
+  result.model =
+      clock("read", context, [&] { return mesh::read(job.model, {.collapse_flat_faces = false}, context); });
+  for (const fs::path& file : files) {
+    const bool same_labels = suffix_of(file) != ".ply" && suffix_of(file) != ".off" &&
+                             is_label_file(file, result.model.polygon_count);
+    require_replaceable(file, result.model.digest, job.overwrite || same_labels);
+  }
+  result.segmentation = clock("segment", context, [&] {
+    return segment::segment(result.model.surface, result.model.polygon.items(), {.concavity = job.concavity},
+                            context);
+  });
+  clock("write", context, [&] {
+    for (const std::string& output : job.outputs) {
+      const bool ply = suffix_of(output) == ".ply";
+      const auto colours = part_colours(result.segmentation);
+      const std::string comment = paper::mark_word(mark);
+      pending.add(output, ply ? mesh::write_ply(result.model.surface, colours, comment)
+                              : mesh::write_off(result.model.surface, colours, comment));
+      result.files.push_back(output);
+    }
+    if (!job.labels.empty()) {
+      pending.add(job.labels, label_text(result.model, result.segmentation));
+      result.files.push_back(job.labels);
+    }
+    context.check();
+    pending.commit();
+    return true;
+  });
+  return result;
+}
+
+UnfoldResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending) {
+  if (!job.output.empty()) {
+    if (suffix_of(job.output) != ".fold") {
+      throw Error(ErrorKind::usage, "-o " + job.output + ": nets without pages are written as .fold");
+    }
+    require_writable_folder(fs::path(job.output).has_parent_path() ? fs::path(job.output).parent_path()
+                                                                   : ".");
+  }
+  UnfoldResult result;
+  StageClock& clock = result.clock;
+  mesh::Model model = clock("read", context, [&] { return mesh::read(job.model, {}, context); });
+  const paper::Mark mark{program_and_version(), model.name, model.digest};
+  if (!job.output.empty()) {
+    require_replaceable(job.output, mark.digest, job.overwrite);
+  }
+  result.prepared = clock("prepare", context, [&] {
+    return mesh::prepare(std::move(model), job.size.size, job.size.simplify, boundless, context);
+  });
+  const mesh::Surface& surface = result.prepared.model.surface;
+  const auto part = clock("segment", context, [&] {
+    return job.whole ? one_part_per_component(surface)
+                     : parts_for_paper(result.prepared, job.concavity, context);
+  });
+  result.parts = count_parts(part);
+  result.nets = clock("unfold", context, [&] {
+    unfold::Options options;
+    options.tabs.wanted = false;
+    return unfold::unfold(surface, result.prepared.panels, part, options, context);
+  });
+  const std::string fold = clock("write", context, [&] {
+    return paper::write_fold(result.prepared, part, result.nets, nullptr, mark, settings_of(job));
+  });
+  result.figures = clock("verify", context, [&] { return checked_figures(fold, job.model, context); });
+  if (!job.output.empty()) {
+    pending.add(job.output, fold);
+    context.check();
+    pending.commit();
+    result.files.push_back(job.output);
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::cli

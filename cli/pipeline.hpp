@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The jobs: stages called in order, their results kept for the summary.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/options.hpp"
+#include "cli/pending_files.hpp"
+#include "mesh/mesh.hpp"
+#include "segment/segment.hpp"
+#include "unfold/nets.hpp"
+#include "verify/verify.hpp"
+
+namespace ridgecraft::cli {
+
+/// Wall seconds per stage, in the order in which they ran.
+class StageClock {
+ public:
+  /// Runs a stage, reports it as progress, and takes its time.
+  template <class Stage>
+  auto operator()(const char* name, const Context& context, const Stage& stage) {
+    context.check();
+    context.report(name, 0.0);
+    const auto start = std::chrono::steady_clock::now();
+    auto result = stage();
+    seconds_.emplace_back(name,
+                          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return result;
+  }
+  [[nodiscard]] const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
+  [[nodiscard]] double total() const;
+
+ private:
+  std::vector<std::pair<std::string, double>> seconds_;
+};
+
+/// What the main job made.
+struct PaperResult {
+  mesh::Prepared prepared;
+  std::size_t polygons = 0;  ///< in the file
+  std::size_t parts = 0;
+  unfold::Nets nets;
+  paper::Pages pages;
+  paper::DrawReport drawn;
+  verify::Figures figures;  ///< of the check of the finished nets
+  std::vector<std::string> files;
+  StageClock clock;
+};
+
+/// ridgecraft MODEL: reads, prepares, segments, unfolds, lays out, checks and writes. Files appear only when
+/// all of them are complete. Throws Error.
+[[nodiscard]] PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending);
+
+struct SegmentResult {
+  mesh::Model model;
+  segment::Segmentation segmentation;
+  std::vector<std::string> files;
+  StageClock clock;
+};
+
+[[nodiscard]] SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingFiles& pending);
+
+struct UnfoldResult {
+  mesh::Prepared prepared;
+  std::size_t parts = 0;
+  unfold::Nets nets;
+  verify::Figures figures;
+  std::vector<std::string> files;
+  StageClock clock;
+};
+
+[[nodiscard]] UnfoldResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending);
+
+}  // namespace ridgecraft::cli

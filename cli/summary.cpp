@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/summary.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace ridgecraft::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "1 part", "3 parts"
+std::string counted(std::size_t count, const std::string& word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+std::string metres(double mm) {
+  return mm < 1000.0 ? fmt::format("{:.0f} mm", mm) : fmt::format("{:.2f} m", mm / 1000.0);
+}
+
+/// Rounded to a thousandth, so that JSON shows no noise.
+double rounded(double value) {
+  return std::round(value * 1000.0) / 1000.0;
+}
+
+Json size_json(const mesh::Surface& surface) {
+  const Vec3 size = surface.bounds().size();
+  return Json::array({rounded(size.x), rounded(size.y), rounded(size.z)});
+}
+
+std::string size_text(const mesh::Surface& surface) {
+  const Vec3 size = surface.bounds().size();
+  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z);
+}
+
+Json repairs_json(const mesh::RepairReport& report) {
+  Json list = Json::array();
+  for (const mesh::Repair& repair : report.entries()) {
+    list.push_back({{"kind", mesh::name(repair.kind)}, {"count", repair.count}});
+  }
+  return list;
+}
+
+Json seconds_json(const StageClock& clock) {
+  Json seconds = Json::object();
+  for (const auto& [name, value] : clock.seconds()) {
+    const double before = seconds.contains(name) ? seconds[name].get<double>() : 0.0;
+    seconds[name] = std::round((before + value) * 1e6) / 1e6;
+  }
+  seconds["total"] = std::round(clock.total() * 1e6) / 1e6;
+  return seconds;
+}
+
+std::string seconds_text(const StageClock& clock) {
+  std::string text = fmt::format("{:.2f} s", clock.total());
+  const char* separator = " (";
+  const Json seconds = seconds_json(clock);
+  for (const auto& [name, value] : seconds.items()) {
+    if (name != "total" && value.get<double>() >= 0.005) {
+      text += fmt::format("{}{} {:.2f}", separator, name, value.get<double>());
+      separator = ", ";
+    }
+  }
+  return text + (*separator == ',' ? ")" : "");
+}
+
+std::string simplified_text(const mesh::SimplifyReport& report, const SizeArguments& size) {
+  std::string text;
+  if (report.faces_after < report.faces_before && report.deviation_mm > 0.0) {
+    text += fmt::format("  simplified  from {} to {} faces, the surface moved by at most {:.2f} mm\n",
+                        report.faces_before, report.faces_after, report.deviation_mm);
+  }
+  if (report.still_too_fine) {
+    text += fmt::format(
+        "  too fine    {:.0f} % of the folds are shorter than {:g} mm; a larger --size or --faces N helps\n",
+        100.0 * report.short_edges_after, size.simplify.short_edge_mm);
+  }
+  return text;
+}
+
+std::string written_text(const std::vector<std::string>& files) {
+  std::string text;
+  for (const std::string& file : files) {
+    text += "wrote " + file + "\n";
+  }
+  return text;
+}
+
+/// "3 too short, 1 no room": why joins have no tab.
+std::string without_tab_text(const unfold::Nets& nets) {
+  std::map<unfold::NoTab, std::size_t> reasons;
+  for (const unfold::Join& join : nets.joins) {
+    if (!join.tab.valid()) {
+      ++reasons[join.no_tab];
+    }
+  }
+  std::string text;
+  for (const auto& [reason, count] : reasons) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", count, unfold::sentence(reason));
+  }
+  return text;
+}
+
+std::size_t joins_without_tab(const unfold::Nets& nets) {
+  return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(),
+                                                [](const auto& join) { return !join.tab.valid(); }));
+}
+
+std::string notes_text(const unfold::Nets& nets) {
+  std::string text;
+  for (const std::string& note : nets.notes) {
+    text += "  note        " + note + "\n";
+  }
+  return text;
+}
+
+std::string reasons_text(const unfold::Nets& nets) {
+  std::map<std::string, std::size_t> reasons;
+  for (const unfold::Piece& piece : nets.pieces) {
+    if (piece.reason != unfold::PieceReason::part) {
+      ++reasons[std::string(unfold::name(piece.reason))];
+    }
+  }
+  std::string text;
+  for (const auto& [reason, count] : reasons) {
+    text += fmt::format("{}{} because of {}", text.empty() ? " (" : ", ", count, reason);
+  }
+  return text.empty() ? text : text + ")";
+}
+
+}  // namespace
+
+std::vector<std::string> repair_lines(const mesh::RepairReport& report) {
+  std::vector<std::string> lines;
+  for (const mesh::Repair& repair : report.entries()) {
+    std::string line = mesh::sentence(repair.kind, repair.count);
+    if (!repair.detail.empty()) {
+      line += " (" + repair.detail + ")";
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::string summary(const PaperJob& job, const PaperResult& result) {
+  const mesh::Model& model = result.prepared.model;
+  const unfold::Nets& nets = result.nets;
+  std::string text = fmt::format("{}: {}, {} on paper, {}\n", job.model, counted(result.polygons, "polygon"),
+                                 counted(model.surface.face_count(), "face"),
+                                 counted(model.surface.component_count(), "component"));
+  text += fmt::format("  size        {} ({})\n", size_text(model.surface), job.size.asked);
+  text += simplified_text(result.prepared.simplified, job.size);
+  text += fmt::format("  nets        {}, {}{} on {}, {}\n", counted(result.parts, "part"),
+                      counted(nets.pieces.size(), "piece"), reasons_text(nets),
+                      counted(result.pages.count, "page"), job.paper_name);
+  const std::size_t without = joins_without_tab(nets);
+  text += fmt::format("  tabs        {} for {}{}\n", nets.tabs.size(), counted(nets.joins.size(), "join"),
+                      without > 0 ? fmt::format("; {} without ({})", without, without_tab_text(nets)) : "");
+  text += fmt::format("  lines       {} to cut, {} to fold\n", metres(result.figures.cut_mm),
+                      metres(result.figures.fold_mm));
+  if (result.drawn.labels_left_out > 0) {
+    text += fmt::format("  numbers     {} found no place\n", result.drawn.labels_left_out);
+  }
+  text += notes_text(nets);
+  text += fmt::format("  time        {}\n", seconds_text(result.clock));
+  return text + written_text(result.files);
+}
+
+std::string summary_json(const PaperJob& job, const PaperResult& result) {
+  const mesh::Model& model = result.prepared.model;
+  const mesh::SimplifyReport& simplified = result.prepared.simplified;
+  Json json;
+  json["model"] = model.name;
+  json["faces"] = model.surface.face_count();
+  json["parts"] = result.parts;
+  json["pieces"] = result.nets.pieces.size();
+  json["pages"] = result.pages.count;
+  json["size_mm"] = size_json(model.surface);
+  json["tabs"] = result.nets.tabs.size();
+  json["joins"] = result.nets.joins.size();
+  json["joins_without_tab"] = joins_without_tab(result.nets);
+  json["cut_mm"] = rounded(result.figures.cut_mm);
+  json["fold_mm"] = rounded(result.figures.fold_mm);
+  json["labels_left_out"] = result.drawn.labels_left_out;
+  json["paper"] = job.paper_name;
+  json["simplified"] = {{"faces_before", simplified.faces_before},
+                        {"faces_after", simplified.faces_after},
+                        {"deviation_mm", rounded(simplified.deviation_mm)},
+                        {"short_edges_before", rounded(simplified.short_edges_before)},
+                        {"short_edges_after", rounded(simplified.short_edges_after)},
+                        {"still_too_fine", simplified.still_too_fine}};
+  json["seconds"] = seconds_json(result.clock);
+  json["repairs"] = repairs_json(model.repairs);
+  json["notes"] = result.nets.notes;
+  json["files"] = result.files;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary(const SegmentJob& job, const SegmentResult& result) {
+  std::string text = fmt::format("{}: {}, {}\n", job.model, counted(result.model.polygon_count, "polygon"),
+                                 counted(result.model.surface.component_count(), "component"));
+  text += fmt::format("  parts       {}, concavity at most {:.4f} (asked: {:g})\n",
+                      result.segmentation.parts.size(), result.segmentation.max_concavity(), job.concavity);
+  text += fmt::format("  time        {}\n", seconds_text(result.clock));
+  return text + written_text(result.files);
+}
+
+std::string summary_json(const SegmentJob& job, const SegmentResult& result) {
+  Json json;
+  json["model"] = result.model.name;
+  json["faces"] = result.model.polygon_count;
+  json["parts"] = result.segmentation.parts.size();
+  json["max_concavity"] = result.segmentation.max_concavity();
+  json["concavity"] = job.concavity;
+  json["part"] = Json::array();
+  for (const segment::Part& part : result.segmentation.parts) {
+    json["part"].push_back({{"faces", part.faces.size()},
+                            {"concavity", part.concavity},
+                            {"hull_volume", part.hull_volume},
+                            {"reason", segment::name(part.reason)}});
+  }
+  json["seconds"] = result.clock.total();
+  json["stages"] = seconds_json(result.clock);
+  json["repairs"] = repairs_json(result.model.repairs);
+  json["files"] = result.files;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary(const UnfoldJob& job, const UnfoldResult& result) {
+  std::string text =
+      fmt::format("{}: {}, {}\n", job.model, counted(result.prepared.model.surface.face_count(), "face"),
+                  counted(result.prepared.model.surface.component_count(), "component"));
+  text += simplified_text(result.prepared.simplified, job.size);
+  text += fmt::format("  nets        {}, {}{}, {} overlaps\n", counted(result.parts, "part"),
+                      counted(result.nets.pieces.size(), "piece"), reasons_text(result.nets),
+                      result.figures.overlaps);
+  text += notes_text(result.nets);
+  text += fmt::format("  time        {}\n", seconds_text(result.clock));
+  return text + written_text(result.files);
+}
+
+std::string summary_json(const UnfoldJob&, const UnfoldResult& result) {
+  const mesh::Model& model = result.prepared.model;
+  Json json;
+  json["model"] = model.name;
+  json["faces"] = model.surface.face_count();
+  json["parts"] = result.parts;
+  json["pieces"] = result.nets.pieces.size();
+  json["overlaps"] = result.figures.overlaps;
+  json["joins"] = result.nets.joins.size();
+  json["size_mm"] = size_json(model.surface);
+  json["cut_mm"] = rounded(result.figures.cut_mm);
+  json["fold_mm"] = rounded(result.figures.fold_mm);
+  json["reasons"] = Json::array();
+  for (const unfold::Piece& piece : result.nets.pieces) {
+    json["reasons"].push_back(unfold::name(piece.reason));
+  }
+  json["seconds"] = result.clock.total();
+  json["stages"] = seconds_json(result.clock);
+  json["repairs"] = repairs_json(model.repairs);
+  json["notes"] = result.nets.notes;
+  json["files"] = result.files;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary(const InfoJob& job, const mesh::Model& model, const mesh::Panels& panels) {
+  const mesh::Surface& surface = model.surface;
+  std::size_t border = 0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    border += surface.is_border(e) ? 1U : 0U;
+  }
+  const Vec3 size = model.file_scale * surface.bounds().size();
+  std::string text = fmt::format("{}: {}\n", job.model, counted(model.polygon_count, "polygon"));
+  text += fmt::format("  surface     {}, {}, {}, {}\n", counted(surface.face_count(), "triangle"),
+                      fmt::format("{} vertices", surface.vertex_count()), counted(panels.count(), "panel"),
+                      counted(surface.component_count(), "component"));
+  text += border == 0 ? std::string("  border      none: the surface is closed\n")
+                      : fmt::format("  border      {}\n", counted(border, "edge"));
+  text += fmt::format("  size        {:g} x {:g} x {:g} in the file's unit\n", size.x, size.y, size.z);
+  for (const std::string& line : repair_lines(model.repairs)) {
+    text += "  repair      " + line + "\n";
+  }
+  return text;
+}
+
+std::string summary_json(const InfoJob&, const mesh::Model& model, const mesh::Panels& panels) {
+  const mesh::Surface& surface = model.surface;
+  std::size_t border = 0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    border += surface.is_border(e) ? 1U : 0U;
+  }
+  const Vec3 size = model.file_scale * surface.bounds().size();
+  Json json;
+  json["model"] = model.name;
+  json["polygons"] = model.polygon_count;
+  json["faces"] = surface.face_count();
+  json["vertices"] = surface.vertex_count();
+  json["panels"] = panels.count();
+  json["components"] = surface.component_count();
+  json["border_edges"] = border;
+  json["size"] = Json::array({size.x, size.y, size.z});
+  json["materials"] = model.materials.size();
+  json["textured"] = !model.texture.empty();
+  json["repairs"] = repairs_json(model.repairs);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary(const VerifyJob& job, const verify::Report& report) {
+  std::string text;
+  if (report.figures) {
+    const verify::Figures& f = *report.figures;
+    text += fmt::format("{}: {}, {}, {}\n", job.file, counted(f.faces, "face"), counted(f.pieces, "piece"),
+                        counted(f.pages, "page"));
+    text += fmt::format("  lengths     largest error {:.3g} mm\n", f.max_length_error_mm);
+    text += fmt::format("  overlaps    {} of faces, {} of tabs, deepest {:.3g} mm\n", f.overlaps,
+                        f.tab_overlaps, f.max_penetration_mm);
+    text += fmt::format("  coverage    {} missing, {} double\n", f.missing_faces, f.double_faces);
+    text += fmt::format("  pages       {} outside\n", f.outside_page);
+    text += fmt::format("  joins       {}, {} bad, {} without tab, {}\n", f.joins, f.bad_joins,
+                        f.joins_without_tab, counted(f.tabs, "tab"));
+    text += fmt::format("  refolding   largest error {:.3g} mm, folds {:.3g} degrees\n",
+                        f.max_refold_error_mm, f.max_fold_error_deg);
+    text += fmt::format("  lines       {} to cut, {} to fold\n", metres(f.cut_mm), metres(f.fold_mm));
+  }
+  for (const verify::Fault& fault : report.faults) {
+    text += fmt::format("fault of promise {}: {}\n", static_cast<int>(fault.promise), fault.message);
+  }
+  if (report.sound()) {
+    text += "no faults\n";
+  }
+  return text;
+}
+
+namespace {
+
+struct FormatRow {
+  const char* suffix;
+  const char* what;
+};
+constexpr FormatRow read_formats[] = {{".obj", "Wavefront OBJ, with materials"},
+                                      {".stl", "STL, binary and ASCII"},
+                                      {".ply", "PLY, ASCII and binary of both byte orders"},
+                                      {".off", "OFF and its variants, ASCII"}};
+constexpr FormatRow written_formats[] = {{".pdf", "pages to print; default"},
+                                         {".svg", "pages with a layer for each class of line; default"},
+                                         {".fold", "FOLD 1.2: nets, joins, tabs and the model; default"},
+                                         {".png", "pages as pictures"},
+                                         {".ply", "parts in colour (segment)"},
+                                         {".off", "parts in colour (segment)"},
+                                         {".seg", "part numbers (segment --labels)"}};
+
+}  // namespace
+
+std::string formats_text() {
+  std::string text = "read:\n";
+  for (const FormatRow& row : read_formats) {
+    text += fmt::format("  {:<6} {}\n", row.suffix, row.what);
+  }
+  text += "written:\n";
+  for (const FormatRow& row : written_formats) {
+    text += fmt::format("  {:<6} {}\n", row.suffix, row.what);
+  }
+  return text;
+}
+
+std::string formats_json() {
+  Json json{{"read", Json::array()}, {"written", Json::array()}};
+  for (const FormatRow& row : read_formats) {
+    json["read"].push_back({{"suffix", row.suffix}, {"what", row.what}});
+  }
+  for (const FormatRow& row : written_formats) {
+    json["written"].push_back({{"suffix", row.suffix}, {"what", row.what}});
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace ridgecraft::cli

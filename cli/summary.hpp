@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a job did: a few lines for a person, or one JSON object for a machine.
+#pragma once
+
+#include <string>
+
+#include "cli/pipeline.hpp"
+
+namespace ridgecraft::cli {
+
+[[nodiscard]] std::string summary(const PaperJob& job, const PaperResult& result);
+[[nodiscard]] std::string summary_json(const PaperJob& job, const PaperResult& result);
+
+[[nodiscard]] std::string summary(const SegmentJob& job, const SegmentResult& result);
+[[nodiscard]] std::string summary_json(const SegmentJob& job, const SegmentResult& result);
+
+[[nodiscard]] std::string summary(const UnfoldJob& job, const UnfoldResult& result);
+[[nodiscard]] std::string summary_json(const UnfoldJob& job, const UnfoldResult& result);
+
+/// info MODEL
+[[nodiscard]] std::string summary(const InfoJob& job, const mesh::Model& model, const mesh::Panels& panels);
+[[nodiscard]] std::string summary_json(const InfoJob& job, const mesh::Model& model,
+                                       const mesh::Panels& panels);
+
+/// verify FILE
+[[nodiscard]] std::string summary(const VerifyJob& job, const verify::Report& report);
+
+/// formats
+[[nodiscard]] std::string formats_text();
+[[nodiscard]] std::string formats_json();
+
+/// One line per repair and note, for standard error: "24 points at equal places were joined".
+[[nodiscard]] std::vector<std::string> repair_lines(const mesh::RepairReport& report);
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/targets.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include <unistd.h>
+
+#include "export/export.hpp"
+#include "mesh/error.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<Format> format_of(const std::string& suffix) {
+  if (suffix == ".pdf") {
+    return Format::pdf;
+  }
+  if (suffix == ".svg") {
+    return Format::svg;
+  }
+  if (suffix == ".png") {
+    return Format::png;
+  }
+  if (suffix == ".fold") {
+    return Format::fold;
+  }
+  return std::nullopt;
+}
+
+const char* suffix(Format format) {
+  switch (format) {
+    case Format::pdf:
+      return ".pdf";
+    case Format::svg:
+      return ".svg";
+    case Format::png:
+      return ".png";
+    case Format::fold:
+      return ".fold";
+  }
+  return "";
+}
+
+bool is_folder(const std::string& text) {
+  std::error_code error;
+  return text.ends_with('/') || fs::is_directory(text, error) || fs::path(text).extension().empty();
+}
+
+/// Our files carry their mark near the beginning or the end; reading more of a huge foreign file would be in
+/// vain.
+std::string mark_digest_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  return in.bad() ? std::string() : paper::read_mark_digest(bytes);
+}
+
+/// n of "stem-n.svg", 0 for "stem.svg", nothing for another name.
+std::optional<std::size_t> page_number(const std::string& name, const std::string& stem, const char* ending) {
+  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() < stem.size() + std::strlen(ending)) {
+    return std::nullopt;
+  }
+  const std::string middle = name.substr(stem.size(), name.size() - stem.size() - std::strlen(ending));
+  if (middle.empty()) {
+    return 0;
+  }
+  if (middle.size() < 2 || middle.size() > 7 || middle[0] != '-' || middle[1] == '0' ||
+      !std::all_of(middle.begin() + 1, middle.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+    return std::nullopt;
+  }
+  return std::stoul(middle.substr(1));
+}
+
+}  // namespace
+
+std::string suffix_of(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return ending;
+}
+
+std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name) {
+  std::vector<Target> targets;
+  const auto add_folder = [&](const fs::path& folder) {
+    for (const Format format : {Format::pdf, Format::svg, Format::fold}) {
+      targets.push_back({format, folder, model_name});
+    }
+  };
+  if (outputs.empty()) {
+    add_folder(".");
+  }
+  for (const std::string& output : outputs) {
+    if (output.empty()) {
+      throw Error(ErrorKind::usage, "-o needs a folder or a file");
+    }
+    const fs::path path(output);
+    if (is_folder(output)) {
+      add_folder(path);
+    } else if (const auto format = format_of(suffix_of(path))) {
+      targets.push_back(
+          {*format, path.has_parent_path() ? path.parent_path() : fs::path("."), path.stem().string()});
+    } else {
+      throw Error(ErrorKind::usage, "-o " + output + ": '" + path.extension().string() +
+                                        "' is no format that can be written; .pdf, .svg, .png and .fold are");
+    }
+  }
+  for (const Target& target : targets) {
+    require_writable_folder(target.folder);
+  }
+  return targets;
+}
+
+std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
+  const bool one_per_page = target.format == Format::svg || target.format == Format::png;
+  if (!one_per_page || pages == 1) {
+    return {target.folder / (target.stem + suffix(target.format))};
+  }
+  std::vector<fs::path> files;
+  for (std::size_t page = 1; page <= pages; ++page) {
+    files.push_back(target.folder / (target.stem + "-" + std::to_string(page) + suffix(target.format)));
+  }
+  return files;
+}
+
+std::vector<fs::path> leftovers_of(const Target& target, std::size_t pages, const std::string& digest) {
+  std::vector<fs::path> leftovers;
+  if (target.format != Format::svg && target.format != Format::png) {
+    return leftovers;
+  }
+  const std::vector<fs::path> kept = files_of(target, pages);
+  std::error_code error;
+  for (fs::directory_iterator entry(target.folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path file = target.folder / entry->path().filename();
+    std::error_code ignored;
+    if (page_number(file.filename().string(), target.stem, suffix(target.format)) &&
+        std::find(kept.begin(), kept.end(), file) == kept.end() && entry->is_regular_file(ignored) &&
+        mark_digest_of(file) == digest) {
+      leftovers.push_back(file);
+    }
+  }
+  std::sort(leftovers.begin(), leftovers.end());
+  return leftovers;
+}
+
+void require_replaceable(const fs::path& file, const std::string& digest, bool overwrite) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) {
+    return;
+  }
+  if (!fs::is_regular_file(status)) {
+    throw Error(ErrorKind::cant_write, file.string() + " exists and is no regular file");
+  }
+  if (!overwrite && (digest.empty() || mark_digest_of(file) != digest)) {
+    throw Error(ErrorKind::cant_write,
+                file.string() + " exists and wasn't made from this model; --overwrite replaces it");
+  }
+}
+
+void require_writable_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::path existing = folder.empty() ? fs::path(".") : folder;
+  while (!fs::exists(existing, error) && existing.has_parent_path() && existing.parent_path() != existing) {
+    existing = existing.parent_path();
+  }
+  if (!fs::exists(existing, error)) {
+    existing = ".";
+  }
+  if (!fs::is_directory(existing, error)) {
+    throw Error(ErrorKind::cant_write, existing.string() + " is no folder");
+  }
+  if (::access(existing.c_str(), W_OK | X_OK) != 0) {
+    throw Error(ErrorKind::cant_write,
+                "can't write into the folder " + existing.string() + ": " + std::strerror(errno));
+  }
+}
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where results go: from what the user wrote after -o to the names of files, and whether they may be
+// replaced.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ridgecraft::cli {
+
+enum class Format { pdf, svg, png, fold };
+
+/// One format of one result. Formats with a file per page (SVG, PNG) number the files when there are several
+/// pages.
+struct Target {
+  Format format;
+  std::filesystem::path folder;
+  std::string stem;
+};
+
+/// What -o asks for; without any, all default formats (PDF, SVG, FOLD) in the current folder. Folders that
+/// are asked for and don't exist are created when files are written. Throws Error(usage) for a suffix that is
+/// no format, Error(cant_write) for a folder that can't be written to.
+[[nodiscard]] std::vector<Target> plan_targets(const std::vector<std::string>& outputs,
+                                               const std::string& model_name);
+
+/// The files of a target: one, or for SVG and PNG one per page.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const Target& target, std::size_t pages);
+
+/// Pages of an earlier run of the same model (digest) that this run, with that many pages, doesn't write
+/// again.
+[[nodiscard]] std::vector<std::filesystem::path> leftovers_of(const Target& target, std::size_t pages,
+                                                              const std::string& digest);
+
+/// Throws Error(cant_write) unless the file doesn't exist, or this program made it for the same model, or
+/// `overwrite` is set and it is a regular file.
+void require_replaceable(const std::filesystem::path& file, const std::string& digest, bool overwrite);
+
+/// Throws Error(cant_write) unless the file's folder exists (or can be created) and can be written to.
+void require_writable_folder(const std::filesystem::path& folder);
+
+/// The suffix in lower case, with its dot.
+[[nodiscard]] std::string suffix_of(const std::filesystem::path& file);
+
+}  // namespace ridgecraft::cli

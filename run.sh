@@ -1,0 +1,26 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds Ridgecraft when needed (installing what is missing with apt) and runs it: ./run.sh MODEL [options]
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+
+sh "$here/cmake/install-packages.sh" "$here/cmake/packages.txt"
+
+build="$here/build/release"
+log="$here/build/release.log"
+mkdir -p "$here/build"
+# Chatter goes to a log, so that standard output is the program's alone.
+quietly() {
+  if ! "$@" >"$log" 2>&1 </dev/null; then
+    cat "$log" >&2
+    echo "The build failed; the log is $log" >&2
+    exit 1
+  fi
+}
+if [ ! -f "$build/build.ninja" ]; then
+  echo "Building Ridgecraft; the first time takes a few minutes." >&2
+  quietly cmake -S "$here" --preset release
+fi
+quietly cmake --build "$build" --target ridgecraft
+
+exec "$build/ridgecraft" "$@"

@@ -1,0 +1,36 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds Ridgecraft with its tests (installing what is missing with apt) and runs them.
+#   ./test.sh [--asan | --tsan] [--update-golden] [ctest options]
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+preset=test
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --asan) preset=asan ;;
+    --tsan) preset=tsan ;;
+    # Golden files are written anew instead of compared; `git diff` is the review.
+    --update-golden) export RIDGECRAFT_UPDATE_GOLDEN=1 ;;
+    *) break ;;
+  esac
+  shift
+done
+
+sh "$here/cmake/install-packages.sh" "$here/cmake/packages.txt" "$here/tests/packages.txt"
+
+jobs=$(nproc)
+mkdir -p "$here/build"
+log="$here/build/$preset.log"
+quietly() {
+  if ! "$@" >"$log" 2>&1 </dev/null; then
+    cat "$log" >&2
+    echo "The build failed; the log is $log" >&2
+    exit 1
+  fi
+}
+quietly cmake -S "$here" --preset "$preset"
+echo "Building ($preset)" >&2
+quietly cmake --build "$here/build/$preset" -j "$jobs"
+
+cd "$here/build/$preset"
+exec ctest --output-on-failure -j "$jobs" "$@"

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/options.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "mesh/error.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::cli;
+
+namespace {
+
+std::string refusal(const std::vector<std::string>& arguments) {
+  try {
+    static_cast<void>(parse_arguments(arguments));
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::usage);
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a model alone gets the defaults that a maker would choose", "[options]") {
+  const Job job = parse_arguments({"whale.obj"});
+  const auto& paper = std::get<PaperJob>(job);
+  CHECK(paper.model == "whale.obj");
+  CHECK(paper.outputs.empty());
+  CHECK(paper.size.size.largest_extent_mm == 150.0);
+  CHECK(paper.size.simplify.mode == mesh::Simplification::automatic);
+  CHECK(paper.paper.size == Vec2{210.0, 297.0});
+  CHECK(paper.paper.margin == 10.0);
+  CHECK(paper.tabs.wanted);
+  CHECK(paper.tabs.height_mm == 5.0);
+  CHECK(paper.concavity == 0.1);
+  CHECK(paper.common.seed == 1);
+  CHECK(paper.common.threads >= 1);
+}
+
+TEST_CASE("-o is repeatable and options may stand anywhere", "[options]") {
+  const Job job =
+      parse_arguments({"-o", "a.pdf", "--size", "20cm", "whale.obj", "-o", "b.svg", "--paper=letter"});
+  const auto& paper = std::get<PaperJob>(job);
+  CHECK(paper.model == "whale.obj");
+  CHECK(paper.outputs == std::vector<std::string>{"a.pdf", "b.svg"});
+  CHECK(paper.size.size.largest_extent_mm == 200.0);
+  CHECK(paper.paper.size.x == Approx(215.9));
+}
+
+TEST_CASE("a scale says how large one unit becomes", "[options]") {
+  const Job job = parse_arguments({"house.obj", "--scale", "1:50", "--unit", "m"});
+  CHECK(*std::get<PaperJob>(job).size.size.mm_per_unit == Approx(20.0));
+}
+
+TEST_CASE("verbs get their jobs", "[options]") {
+  CHECK(std::get<InfoJob>(parse_arguments({"info", "a.obj"})).model == "a.obj");
+  CHECK(std::get<SegmentJob>(parse_arguments({"segment", "a.obj", "--labels", "a.seg"})).labels == "a.seg");
+  CHECK(std::get<UnfoldJob>(parse_arguments({"unfold", "a.obj", "--whole", "-o", "a.fold"})).whole);
+  CHECK(std::get<UnfoldJob>(parse_arguments({"unfold", "a.obj"})).size.simplify.mode ==
+        mesh::Simplification::keep);
+  CHECK(std::get<VerifyJob>(parse_arguments({"verify", "a.fold", "--json"})).common.json);
+  CHECK(std::holds_alternative<FormatsJob>(parse_arguments({"formats"})));
+}
+
+TEST_CASE("a model named like a verb is reached by its path", "[options]") {
+  CHECK(std::get<PaperJob>(parse_arguments({"./info"})).model == "./info");
+}
+
+TEST_CASE("help opens with examples and names every option", "[options]") {
+  const std::string help = std::get<PrintJob>(parse_arguments({"--help"})).text;
+  CHECK(help.find("Examples:") < help.find("Usage:"));
+  for (const char* word :
+       {"--size", "--faces", "--paper", "--margin", "--tab-height", "--concavity", "--json", "--seed",
+        "--threads", "--time-limit", "--overwrite", "-o", "verify FILE.fold", "130"}) {
+    CAPTURE(word);
+    CHECK(help.find(word) != std::string::npos);
+  }
+  CHECK(help.find("--man-page") == std::string::npos);
+  CHECK(std::get<PrintJob>(parse_arguments({"unfold", "--help"})).text.find("--whole") != std::string::npos);
+}
+
+TEST_CASE("the man page has the same texts as --help", "[options]") {
+  const std::string man = std::get<PrintJob>(parse_arguments({"--man-page"})).text;
+  CHECK(man.starts_with(".TH RIDGECRAFT 1"));
+  CHECK(man.find("simplifies a model whose edges would be too short to fold") != std::string::npos);
+  CHECK(man.find("\\-\\-whole") != std::string::npos);
+}
+
+TEST_CASE("wrong arguments are refused in one sentence", "[options]") {
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"--size", "150mm"},
+      {"a.obj", "b.obj"},
+      {"a.obj", "--size", "0"},
+      {"a.obj", "--size", "huge"},
+      {"a.obj", "--size"},
+      {"a.obj", "--size", "10cm", "--scale", "2"},
+      {"a.obj", "--unit", "m"},
+      {"a.obj", "--scale", "1:2", "--unit", "elephant"},
+      {"a.obj", "--faces", "3"},
+      {"a.obj", "--faces", "some"},
+      {"a.obj", "--paper", "a44"},
+      {"a.obj", "--margin", "200mm"},
+      {"a.obj", "--margin", "-1"},
+      {"a.obj", "--concavity", "0"},
+      {"a.obj", "--concavity", "nan"},
+      {"a.obj", "--seed", "-1"},
+      {"a.obj", "--seed", "x"},
+      {"a.obj", "--time-limit", "-3"},
+      {"a.obj", "--tab-height", "0"},
+      {"a.obj", "--frobnicate"},
+      {"segment"},
+      {"segment", "a.obj", "--concavity", "-1"},
+      {"unfold"},
+      {"verify"},
+      {"formats", "x"},
+  };
+  for (const auto& arguments : wrong) {
+    CAPTURE(arguments);
+    const std::string sentence = refusal(arguments);
+    CHECK_FALSE(sentence.empty());
+    CHECK(sentence.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("a near miss gets a suggestion", "[options]") {
+  CHECK(refusal({"a.obj", "--siez", "3cm"}).find("--size") != std::string::npos);
+  CHECK(refusal({"a.obj", "--paper", "a44"}).find("A4") != std::string::npos);
+}

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The finished program from outside: every exit code, what it writes, and what it never leaves behind.
+#include "support/program.hpp"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "support/temporary_folder.hpp"
+
+using namespace ridgecraft::test;
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr const char* house = R"(# a house, 4 x 5 x 6
+v 0 0 0
+v 4 0 0
+v 4 5 0
+v 0 5 0
+v 0 0 4
+v 4 0 4
+v 4 5 4
+v 0 5 4
+v 2 0 6
+v 2 5 6
+f 4 3 2 1
+f 1 2 6 9 5
+f 3 4 8 10 7
+f 2 3 7 6
+f 4 1 5 8
+f 6 7 10 9
+f 8 5 9 10
+)";
+
+RunOptions in(const TemporaryFolder& folder) {
+  RunOptions options;
+  options.folder = folder.path();
+  return options;
+}
+
+/// One sentence on standard error that names the file, nothing on standard output, nothing written.
+void check_refusal(const Outcome& outcome, int code, const std::string& word) {
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == code);
+  CHECK_FALSE(outcome.by_signal);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.starts_with("ridgecraft: "));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(outcome.err.find(word) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("a model becomes PDF, SVG and FOLD in the current folder", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const Outcome outcome = run_program({"house.obj"}, in(folder));
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold"});
+  CHECK(outcome.out.find("wrote house.pdf") != std::string::npos);
+  CHECK(read_bytes(folder / "house.pdf").starts_with("%PDF"));
+  CHECK(run_program({"verify", "house.fold"}, in(folder)).exit_code == 0);
+}
+
+TEST_CASE("--json prints one object with the names that machines know", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const Outcome outcome = run_program({"house.obj", "--json", "-o", "out"}, in(folder));
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  const Json json = Json::parse(outcome.out);
+  for (const char* key : {"faces", "parts", "pieces", "pages", "size_mm", "tabs", "joins",
+                          "joins_without_tab", "cut_mm", "fold_mm", "seconds", "repairs", "files"}) {
+    CAPTURE(key);
+    CHECK(json.contains(key));
+  }
+  CHECK(json["size_mm"].size() == 3);
+  CHECK(json["size_mm"][2].get<double>() == Approx(150.0));
+  CHECK(json["files"].size() == 3);
+  CHECK(fs::exists(folder / "out/house.fold"));
+
+  const Json verified = Json::parse(run_program({"verify", "out/house.fold", "--json"}, in(folder)).out);
+  CHECK(verified["faults"].empty());
+  CHECK(verified["faces"] == json["faces"]);
+  CHECK(verified["cut_mm"].get<double>() == Approx(json["cut_mm"].get<double>()));
+
+  const Json parts =
+      Json::parse(run_program({"segment", "house.obj", "--labels", "h.seg", "--json"}, in(folder)).out);
+  CHECK(parts["parts"] == 1);
+  CHECK(parts["max_concavity"].get<double>() <= 0.1);
+  CHECK(parts.contains("seconds"));
+  CHECK(read_bytes(folder / "h.seg") == "0\n0\n0\n0\n0\n0\n0\n");
+
+  const Json nets =
+      Json::parse(run_program({"unfold", "house.obj", "--whole", "-o", "h.fold", "--json"}, in(folder)).out);
+  CHECK(nets["pieces"] == 1);
+  CHECK(nets["overlaps"] == 0);
+  CHECK(nets.contains("seconds"));
+}
+
+TEST_CASE("two runs with one seed give the same bytes, with one thread and with two", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "-o", "a", "--threads", "1"}, in(folder)).exit_code == 0);
+  REQUIRE(run_program({"house.obj", "-o", "b", "--threads", "2"}, in(folder)).exit_code == 0);
+  for (const char* suffix : {"pdf", "svg", "fold"}) {
+    const std::string name = std::string("house.") + suffix;
+    CAPTURE(name);
+    CHECK(read_bytes(folder.path() / "a" / name) == read_bytes(folder.path() / "b" / name));
+  }
+}
+
+TEST_CASE("exit code 2: wrong arguments", "[program]") {
+  check_refusal(run_program({}), 2, "--help");
+  check_refusal(run_program({"house.obj", "--size", "huge"}), 2, "huge");
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  check_refusal(run_program({"house.obj", "-o", "house.docx"}, in(folder)), 2, "docx");
+}
+
+TEST_CASE("exit code 3: the input can't be read", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "empty.obj", "");
+  write_bytes(folder / "cut.off", "OFF\n8 6 12\n0 0 0\n");
+  fs::create_directory(folder / "folder.obj");
+  const auto before = folder.names();
+  check_refusal(run_program({"missing.obj"}, in(folder)), 3, "missing.obj");
+  check_refusal(run_program({"empty.obj"}, in(folder)), 3, "empty.obj");
+  check_refusal(run_program({"folder.obj"}, in(folder)), 3, "folder.obj");
+  check_refusal(run_program({"cut.off"}, in(folder)), 3, "cut.off");
+  check_refusal(run_program({"verify", "missing.fold"}, in(folder)), 3, "missing.fold");
+  check_refusal(run_program({"info", "/dev/zero"}, in(folder)), 3, "/dev/zero");
+  CHECK(folder.names() == before);
+}
+
+TEST_CASE("exit code 3: no right to read", "[program]") {
+  if (::geteuid() == 0 && !can_drop_rights()) {
+    WARN("skipped: root's rights can't be dropped here");
+    return;
+  }
+  const TemporaryFolder folder;
+  write_bytes(folder / "secret.obj", house);
+  fs::permissions(folder / "secret.obj", fs::perms::none);
+  fs::permissions(folder.path(), fs::perms::all);
+  RunOptions options = in(folder);
+  options.as_nobody = true;
+  check_refusal(run_program({"secret.obj"}, options), 3, "secret.obj");
+  CHECK(folder.names() == std::set<std::string>{"secret.obj"});
+}
+
+TEST_CASE("exit code 4: the mesh can't be used", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  write_bytes(folder / "line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  const auto before = folder.names();
+  check_refusal(run_program({"points.obj"}, in(folder)), 4, "points.obj");
+  check_refusal(run_program({"line.obj"}, in(folder)), 4, "line.obj");
+  CHECK(folder.names() == before);
+}
+
+TEST_CASE("exit code 5: nothing that can be cut", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "needle.obj",
+              "v 0 0 0\nv 1 0 0\nv 0.5 1e-7 0\nv 0.5 0 1e-7\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  check_refusal(run_program({"needle.obj"}, in(folder)), 5, "needle.obj");
+  CHECK(folder.names() == std::set<std::string>{"needle.obj"});
+}
+
+TEST_CASE("exit code 6: verify finds faults", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"unfold", "house.obj", "-o", "h.fold"}, in(folder)).exit_code == 0);
+  Json file = Json::parse(read_bytes(folder / "h.fold"));
+  file["vertices_coords"][0][0] = file["vertices_coords"][0][0].get<double>() + 1.0;
+  write_bytes(folder / "bad.fold", file.dump());
+  const Outcome outcome = run_program({"verify", "bad.fold", "--json"}, in(folder));
+  CHECK(outcome.exit_code == 6);
+  CHECK_FALSE(Json::parse(outcome.out)["faults"].empty());
+  write_bytes(folder / "no.fold", "this is no JSON");
+  CHECK(run_program({"verify", "no.fold"}, in(folder)).exit_code == 6);
+}
+
+TEST_CASE("exit code 7: the result can't be written", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  write_bytes(folder / "house.pdf", "somebody's own file");
+  SECTION("a file that wasn't made from this model") {
+    check_refusal(run_program({"house.obj"}, in(folder)), 7, "house.pdf");
+    CHECK(read_bytes(folder / "house.pdf") == "somebody's own file");
+    CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf"});
+    CHECK(run_program({"house.obj", "--overwrite"}, in(folder)).exit_code == 0);
+    CHECK(run_program({"house.obj"}, in(folder)).exit_code == 0);
+  }
+  SECTION("a full disk") {
+    RunOptions options = in(folder);
+    options.largest_file = 1000;
+    check_refusal(run_program({"house.obj", "-o", "new.pdf"}, options), 7, "new.pdf");
+    CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf"});
+  }
+  SECTION("standard output is full") {
+    if (!fs::exists("/dev/full")) {
+      WARN("skipped: no /dev/full here");
+      return;
+    }
+    RunOptions options = in(folder);
+    options.out_file = "/dev/full";
+    CHECK(run_program({"formats"}, options).exit_code == 7);
+  }
+}
+
+TEST_CASE("exit code 7: no right to write", "[program]") {
+  if (::geteuid() == 0 && !can_drop_rights()) {
+    WARN("skipped: root's rights can't be dropped here");
+    return;
+  }
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec | fs::perms::group_read |
+                                     fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec);
+  RunOptions options = in(folder);
+  options.as_nobody = true;
+  check_refusal(run_program({"house.obj"}, options), 7, "can't write");
+  fs::permissions(folder.path(), fs::perms::owner_all);
+  CHECK(folder.names() == std::set<std::string>{"house.obj"});
+}
+
+TEST_CASE("exit code 130: Ctrl-C leaves nothing behind", "[program]") {
+  const TemporaryFolder folder;
+  // A wavy sheet of 80 000 faces keeps the program busy for longer than it takes to interrupt it.
+  std::string sheet = "OFF\n40401 80000 0\n";
+  for (int i = 0; i <= 200; ++i) {
+    for (int j = 0; j <= 200; ++j) {
+      sheet +=
+          std::to_string(i) + " " + std::to_string(j) + " " + std::to_string((i * i + 3 * j * i) % 17) + "\n";
+    }
+  }
+  for (int i = 0; i < 200; ++i) {
+    for (int j = 0; j < 200; ++j) {
+      const int a = 201 * i + j;
+      const auto face = [&](int p, int q, int r) {
+        sheet += "3 " + std::to_string(p) + " " + std::to_string(q) + " " + std::to_string(r) + "\n";
+      };
+      face(a, a + 201, a + 202);
+      face(a, a + 202, a + 1);
+    }
+  }
+  write_bytes(folder / "sheet.off", sheet);
+  RunOptions options = in(folder);
+  options.interrupt_after_s = GENERATE(0.05, 0.3);
+  const Outcome outcome = run_program({"sheet.off", "--faces", "keep"}, options);
+  CHECK(outcome.exit_code == 130);
+  CHECK_FALSE(outcome.by_signal);
+  CHECK(outcome.err.find("nothing was written") != std::string::npos);
+  CHECK(outcome.seconds < *options.interrupt_after_s + 5.0);
+  CHECK(folder.names() == std::set<std::string>{"sheet.off"});
+}
+
+TEST_CASE("pages left over from an earlier run of the same model are removed", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  write_bytes(folder / "house-9.svg", "<svg>somebody's own</svg>");
+  REQUIRE(run_program({"house.obj", "--size", "60cm"}, in(folder)).exit_code == 0);
+  REQUIRE(fs::exists(folder / "house-2.svg"));
+  CHECK_FALSE(fs::exists(folder / "house.svg"));
+  REQUIRE(run_program({"house.obj", "--size", "8cm"}, in(folder)).exit_code == 0);
+  CHECK(folder.names() ==
+        std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold", "house-9.svg"});
+}
+
+TEST_CASE("names with spaces and letters of any script work", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "Füchsin 狐 & <co>.obj", house);
+  const Outcome outcome = run_program({"Füchsin 狐 & <co>.obj"}, in(folder));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(fs::exists(folder / "Füchsin 狐 & <co>.svg"));
+}

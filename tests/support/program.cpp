@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/program.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <stdexcept>
+#include <thread>
+
+#include <fcntl.h>
+#include <grp.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "support/temporary_folder.hpp"
+
+namespace ridgecraft::test {
+namespace {
+
+constexpr uid_t nobody = 65534;
+
+[[noreturn]] void become(const std::vector<std::string>& command, const RunOptions& options,
+                         const std::filesystem::path& out, const std::filesystem::path& err) {
+  const int out_file = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  const int err_file = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  const int in_file = ::open("/dev/null", O_RDONLY);
+  ::dup2(in_file, STDIN_FILENO);
+  ::dup2(out_file, STDOUT_FILENO);
+  ::dup2(err_file, STDERR_FILENO);
+  if (options.largest_file) {
+    const rlimit limit{*options.largest_file, *options.largest_file};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  if (options.as_nobody && ::geteuid() == 0) {
+    const bool dropped = ::setgroups(0, nullptr) == 0 && ::setgid(nobody) == 0 && ::setuid(nobody) == 0;
+    if (!dropped) {
+      ::_exit(126);
+    }
+  }
+  if (::chdir(options.folder.c_str()) != 0) {
+    ::_exit(126);
+  }
+  std::vector<char*> words;
+  for (const std::string& word : command) {
+    words.push_back(const_cast<char*>(word.c_str()));
+  }
+  words.push_back(nullptr);
+  ::execvp(words[0], words.data());
+  ::_exit(127);
+}
+
+}  // namespace
+
+Outcome run_command(const std::vector<std::string>& command, const RunOptions& options) {
+  const TemporaryFolder scratch;
+  const std::filesystem::path out = options.out_file ? *options.out_file : scratch / "out";
+  const std::filesystem::path err = scratch / "err";
+  const auto start = std::chrono::steady_clock::now();
+  const pid_t child = ::fork();
+  if (child < 0) {
+    throw std::runtime_error("can't start " + command.front());
+  }
+  if (child == 0) {
+    become(command, options, out, err);
+  }
+  if (options.interrupt_after_s) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(*options.interrupt_after_s));
+    ::kill(child, SIGINT);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Outcome outcome;
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  outcome.by_signal = WIFSIGNALED(status);
+  outcome.exit_code = outcome.by_signal ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  if (!options.out_file) {
+    outcome.out = read_bytes(out);
+  }
+  outcome.err = read_bytes(err);
+  return outcome;
+}
+
+Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options) {
+  std::vector<std::string> command{RIDGECRAFT_PROGRAM};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return run_command(command, options);
+}
+
+bool can_drop_rights() {
+  if (::geteuid() != 0) {
+    return false;
+  }
+  RunOptions options;
+  options.as_nobody = true;
+  options.folder = "/";
+  return run_program({"--version"}, options).exit_code == 0;
+}
+
+}  // namespace ridgecraft::test

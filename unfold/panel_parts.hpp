@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts that end at the borders of panels, so that no cut runs through a flat region.
+#pragma once
+
+#include "mesh/id.hpp"
+#include "mesh/panels.hpp"
+#include "mesh/surface.hpp"
+
+namespace ridgecraft::unfold {
+
+/// Gives each panel whole to the part that has most of its area (the smaller number where two have equally
+/// much). Parts that lose all their faces vanish; the others are numbered anew by their smallest face. O(n
+/// log n).
+[[nodiscard]] IdVector<FaceId, PartId> parts_of_whole_panels(const mesh::Surface& surface,
+                                                             const mesh::Panels& panels,
+                                                             const IdVector<FaceId, PartId>& part);
+
+}  // namespace ridgecraft::unfold
