@@ -7,8 +7,13 @@ namespace ridgecraft::unfold {
 /// Penetration depth of two faces in the finished nets, mm: a tenth of what verify/ and the contract allow.
 inline constexpr double overlap_tolerance_mm = 1e-4;
 
-/// Penetration depth during the search, as a share of the surface's largest extent. Rounding along the fold tree stays
-/// near 1e-15 of it, so there are eight decades of room on one side and print accuracy on the other.
+/// Penetration depth during the search, as a share of the surface's largest extent. Rounding along the fold
+/// tree stays near 1e-15 of it, so there are eight decades of room on one side and print accuracy on the
+/// other.
 inline constexpr double search_tolerance = 1e-7;
+
+/// Two copies of an edge that lie this near to each other, mm, are one: a tenth of what the contract allows a
+/// length to be off, a thousand times what rounding does.
+inline constexpr double closing_tolerance_mm = 1e-6;
 
 }  // namespace ridgecraft::unfold

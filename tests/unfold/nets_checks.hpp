@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What must hold of every result of unfold(), checked from the nets alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/panels.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::test {
+
+/// Sentences about what is wrong; empty when nothing is.
+[[nodiscard]] std::vector<std::string> faults_of(const mesh::Surface& surface, const unfold::Nets& nets,
+                                                 const unfold::Options& options);
+
+/// Every face in a panel of its own.
+[[nodiscard]] mesh::Panels no_panels(const mesh::Surface& surface);
+/// Panels by equal normals of neighbours (within 1e-9): enough for shapes made in code.
+[[nodiscard]] mesh::Panels flat_panels(const mesh::Surface& surface);
+/// All faces in part 0.
+[[nodiscard]] IdVector<FaceId, PartId> one_part(const mesh::Surface& surface);
+/// The triangles of an OFF file.
+[[nodiscard]] mesh::Surface read_off(const std::string& path);
+/// The models of ../shared/models/unfold, or none where the folder is missing.
+[[nodiscard]] std::vector<std::string> shared_models();
+
+}  // namespace ridgecraft::test

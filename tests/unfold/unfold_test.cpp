@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/unfold.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "mesh/error.hpp"
+#include "support/shapes.hpp"
+#include "unfold/nets_checks.hpp"
+
+using namespace ridgecraft;
+using test::faults_of;
+using unfold::Nets;
+using unfold::Options;
+using unfold::PieceReason;
+
+namespace {
+
+const std::vector<std::string> none;
+
+Options on_sheet(double width, double height) {
+  Options options;
+  options.sheet = unfold::Sheet{width, height};
+  return options;
+}
+
+mesh::Surface scaled(const mesh::Surface& s, double factor) {
+  std::vector<Vec3> points;
+  for (const Vec3 p : s.points()) {
+    points.push_back(factor * p);
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    faces.push_back(s.vertices(f));
+  }
+  return {std::move(points), std::move(faces)};
+}
+
+bool same(const Nets& a, const Nets& b) {
+  bool equal = a.use == b.use && a.piece == b.piece && a.flat == b.flat && a.notes == b.notes &&
+               a.pieces.size() == b.pieces.size() && a.joins.size() == b.joins.size();
+  for (std::size_t i = 0; equal && i < a.joins.size(); ++i) {
+    equal = a.joins[JoinId(i)].edge == b.joins[JoinId(i)].edge;
+  }
+  return equal;
+}
+
+}  // namespace
+
+TEST_CASE("a cube becomes one net of six squares", "[unfold]") {
+  const mesh::Surface cube = test::cube();
+  const Nets nets = unfold::unfold(cube, test::flat_panels(cube), test::one_part(cube), {}, {});
+  CHECK(faults_of(cube, nets, {}) == none);
+  REQUIRE(nets.pieces.size() == 1);
+  CHECK(nets.pieces[PieceId(0)].name == "A");
+  CHECK(nets.joins.size() == 7);
+}
+
+TEST_CASE("one face, two faces and an open strip are nets", "[unfold]") {
+  const mesh::Surface one({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  const Nets nets = unfold::unfold(one, test::no_panels(one), test::one_part(one), {}, {});
+  CHECK(faults_of(one, nets, {}) == none);
+  CHECK(nets.joins.empty());
+  const mesh::Surface two({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {3, 4, 5}},
+                          {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(2), VertexId(1), VertexId(3)}});
+  const Nets pair = unfold::unfold(two, test::no_panels(two), test::one_part(two), {}, {});
+  CHECK(faults_of(two, pair, {}) == none);
+  CHECK(pair.pieces.size() == 1);
+  CHECK(pair.joins.empty());
+}
+
+TEST_CASE("faces without area are laid flat like others", "[unfold]") {
+  // A square of two triangles with a collinear third between them.
+  const mesh::Surface s({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, -1, 0}, {1, 1, 1}},
+                        {{VertexId(0), VertexId(1), VertexId(4)},
+                         {VertexId(1), VertexId(0), VertexId(2)},
+                         {VertexId(0), VertexId(3), VertexId(2)},
+                         {VertexId(2), VertexId(3), VertexId(1)}});
+  const Nets nets = unfold::unfold(s, test::no_panels(s), test::one_part(s), {}, {});
+  CHECK(faults_of(s, nets, {}) == none);
+}
+
+TEST_CASE("nothing to unfold gives nothing", "[unfold]") {
+  const mesh::Surface empty;
+  const Nets nets = unfold::unfold(empty, {}, {}, {}, {});
+  CHECK(nets.pieces.empty());
+}
+
+TEST_CASE("a flat fan closes around its middle and a flat ring has a hole", "[unfold]") {
+  const mesh::Surface cube = test::voxels({{0, 0, 0}}, 3);
+  const Nets nets = unfold::unfold(cube, test::flat_panels(cube), test::one_part(cube), {}, {});
+  CHECK(faults_of(cube, nets, {}) == none);
+  CHECK(nets.pieces.size() == 1);
+  CHECK(nets.joins.size() == 7 * 3);
+
+  const mesh::Surface frame = test::voxels(
+      {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}});
+  const Nets ring = unfold::unfold(frame, test::flat_panels(frame), test::one_part(frame), {}, {});
+  CHECK(faults_of(frame, ring, {}) == none);
+  std::uint32_t holes = 0;
+  for (const auto& piece : ring.pieces) {
+    holes += piece.holes;
+  }
+  CHECK(holes == 2);
+}
+
+TEST_CASE("parts that aren't connected become pieces of their own", "[unfold]") {
+  const mesh::Surface s = test::voxels({{0, 0, 0}, {3, 0, 0}, {0, 3, 0}});
+  const Nets nets = unfold::unfold(s, test::flat_panels(s), test::one_part(s), {}, {});
+  CHECK(faults_of(s, nets, {}) == none);
+  REQUIRE(nets.pieces.size() == 3);
+  int components = 0;
+  for (const auto& piece : nets.pieces) {
+    components += piece.reason == PieceReason::component ? 1 : 0;
+  }
+  CHECK(components == 2);
+}
+
+TEST_CASE("a net larger than the sheet is split, as seldom as possible", "[unfold]") {
+  const mesh::Surface cube = scaled(test::cube(), 60.0);
+  Options options = on_sheet(200.0, 150.0);
+  const Nets nets = unfold::unfold(cube, test::flat_panels(cube), test::one_part(cube), options, {});
+  CHECK(faults_of(cube, nets, options) == none);
+  CHECK(nets.pieces.size() == 2);
+  int for_page = 0;
+  for (const auto& piece : nets.pieces) {
+    for_page += piece.reason == PieceReason::page ? 1 : 0;
+  }
+  CHECK(for_page == 1);
+}
+
+TEST_CASE("a face that no sheet holds is refused with its name", "[unfold]") {
+  const mesh::Surface cube = scaled(test::cube(), 60.0);
+  REQUIRE_THROWS_AS(
+      unfold::unfold(cube, test::flat_panels(cube), test::one_part(cube), on_sheet(30.0, 30.0), {}), Error);
+}
+
+TEST_CASE("a stop request interrupts", "[unfold]") {
+  const mesh::Surface s = test::sphere(16, 8);
+  std::stop_source source;
+  source.request_stop();
+  Context context;
+  context.stop = source.get_token();
+  REQUIRE_THROWS_AS(unfold::unfold(s, test::no_panels(s), test::one_part(s), {}, context), Error);
+}
+
+TEST_CASE("a deadline that has passed still gives clean nets", "[unfold]") {
+  const mesh::Surface s = scaled(test::sphere(20, 12), 75.0);
+  Context context;
+  context.deadline = std::chrono::steady_clock::now();
+  const Options options = on_sheet(190, 277);
+  const Nets nets = unfold::unfold(s, test::no_panels(s), test::one_part(s), options, context);
+  CHECK(faults_of(s, nets, options) == none);
+}
+
+TEST_CASE("shapes of many kinds unfold cleanly, whole and on a sheet", "[unfold]") {
+  const std::vector<mesh::Surface> shapes{
+      scaled(test::tetrahedron(), 50.0),
+      scaled(test::sphere(16, 8), 75.0),
+      scaled(test::revolve({{1, 0}, {1, 1}, {0.5, 2}}, 12), 40.0),                          // open tube
+      scaled(test::revolve({{2, -1}, {3, 0}, {2, 1}, {1, 0}, {2, -1}}, 10), 25.0),           // torus
+      scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, 1}}, 2), 40.0),
+      scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {-1, 0, 0}, {0, 0, -1}}, 1), 40.0),
+  };
+  for (const mesh::Surface& s : shapes) {
+    for (const bool sheet : {false, true}) {
+      for (const bool panels : {false, true}) {
+        const Options options = sheet ? on_sheet(190, 277) : Options{};
+        const Nets nets =
+            unfold::unfold(s, panels ? test::flat_panels(s) : test::no_panels(s), test::one_part(s), options, {});
+        CHECK(faults_of(s, nets, options) == none);
+        if (!sheet) {
+          CHECK(nets.pieces.size() == 1);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("threads change nothing", "[unfold]") {
+  const mesh::Surface s = scaled(test::sphere(24, 16), 75.0);
+  IdVector<FaceId, PartId> part(s.face_count());
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    part[f] = PartId(f.value() % 48 / 8);
+  }
+  Context one;
+  Context two;
+  two.threads = 2;
+  const Nets a = unfold::unfold(s, test::no_panels(s), part, on_sheet(190, 277), one);
+  const Nets b = unfold::unfold(s, test::no_panels(s), part, on_sheet(190, 277), two);
+  CHECK(faults_of(s, a, on_sheet(190, 277)) == none);
+  CHECK(same(a, b));
+}
+
+TEST_CASE("the shared models become one net each; the one without a net becomes few pieces", "[unfold][models]") {
+  const auto models = test::shared_models();
+  if (models.empty()) {
+    WARN("../shared/models/unfold is missing: skipped");
+    return;
+  }
+  for (const std::string& path : models) {
+    INFO(path);
+    const mesh::Surface s = test::read_off(path);
+    const Nets nets = unfold::unfold(s, test::flat_panels(s), test::one_part(s), {}, {});
+    CHECK(faults_of(s, nets, {}) == none);
+    const bool hopeless = path.find("ununfoldable") != std::string::npos;
+    CHECK(nets.pieces.size() >= (hopeless ? 2U : 1U));
+    CHECK(nets.pieces.size() <= (hopeless ? 3U : 1U));
+    CHECK(nets.notes.empty() == (!hopeless && path.find("frame_genus5") == std::string::npos));
+  }
+}

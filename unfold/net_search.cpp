@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/net_search.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "unfold/check.hpp"
+#include "unfold/layout.hpp"
+#include "unfold/tree_search.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+constexpr std::array kinds{StartTree::short_cuts, StartTree::depth_first, StartTree::breadth_first,
+                           StartTree::flat_folds};
+
+StartTree kind_of_start(StartTree first, int start) {
+  const auto at = static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), first) - kinds.begin());
+  return kinds[(at + static_cast<std::size_t>(start)) % kinds.size()];
+}
+
+}  // namespace
+
+std::uint64_t idle_iterations(std::uint32_t faces) {
+  return std::max<std::uint64_t>(4000, 4 * std::uint64_t{faces});
+}
+
+std::uint64_t iteration_budget(std::uint32_t faces) {
+  return 20'000 + 10 * std::uint64_t{faces};
+}
+
+NetFound find_net(const Patch& patch, const NetSearch& options, std::uint64_t seed, const Context& context) {
+  Random random(seed);
+  TreeSearch search(patch, options.tolerance, random.next());
+  NetFound found;
+  found.overlaps = std::numeric_limits<std::uint64_t>::max();
+  while (found.overlaps > 0 && found.starts < options.starts) {
+    if (found.starts > 0 && (search.iterations() >= options.iterations || context.out_of_time())) {
+      break;
+    }
+    search.set_tree(start_tree(patch, kind_of_start(options.start, found.starts), random));
+    ++found.starts;
+    search.run({options.iterations - std::min(options.iterations, search.iterations()),
+                idle_iterations(patch.size())},
+               context);
+    std::uint64_t overlaps = search.best_overlaps();
+    if (overlaps == 0) {
+      // The search counts by small steps; only a fresh layout and another routine may call a net clean.
+      overlaps = find_overlaps(lay_out(patch, search.best_folds()), options.tolerance).size();
+    }
+    if (overlaps < found.overlaps) {
+      found.overlaps = overlaps;
+      found.folds = search.best_folds();
+    }
+  }
+  found.iterations = search.iterations();
+  return found;
+}
+
+}  // namespace ridgecraft::unfold

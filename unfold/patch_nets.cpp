@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/patch_nets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "unfold/check.hpp"
+#include "unfold/layout.hpp"
+#include "unfold/merge_pieces.hpp"
+#include "unfold/net_search.hpp"
+#include "unfold/overlap_split.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Pairs of faces that one merge pass may compare: about 0.1 s.
+constexpr std::uint64_t merge_budget = 4'000'000;
+
+/// Start trees of the attempts: the compact kinds first.
+constexpr std::array attempt_kinds{
+    StartTree::short_cuts,  StartTree::breadth_first, StartTree::flat_folds,    StartTree::short_cuts,
+    StartTree::depth_first, StartTree::breadth_first, StartTree::breadth_first, StartTree::short_cuts};
+
+/// Attempts that are made although a net was found: to choose the best. Fewer where each takes long.
+std::size_t attempts_for(std::uint32_t faces) {
+  return faces <= 500 ? attempt_kinds.size() : faces <= 1500 ? 4 : faces <= 3000 ? 2 : 1;
+}
+
+/// A forest that could be the result.
+struct Proposal {
+  Folds folds;
+  SplitCost cost;
+  std::vector<std::uint32_t> net;  ///< per face: its net before any was split for the sheet
+};
+
+class PatchUnfolder {
+ public:
+  PatchUnfolder(const Patch& patch, const Room& room, double tolerance, std::uint64_t seed,
+                const Context& context)
+      : patch_(patch), loose_(patch), room_(room), tolerance_(tolerance), random_(seed), context_(context) {
+    std::fill(loose_.frozen.begin(), loose_.frozen.end(), std::uint8_t{0});
+    has_panels_ =
+        std::any_of(patch.frozen.begin(), patch.frozen.end(), [](std::uint8_t f) { return f != 0; });
+  }
+
+  PatchNets run() {
+    try_nets(patch_);
+    if (!best_ && has_panels_ && !context_.out_of_time()) {
+      try_nets(loose_);
+      if (best_) {
+        notes_.emplace_back("no single net with all flat regions whole was found, so some are cut");
+      }
+    }
+    if (!best_) {
+      cut_conflicts();
+    }
+    if (room_.sheet && best_->cost.pieces > 1) {
+      propose(merge_pieces(patch_, panel_folds(), room_, tolerance_, merge_budget, context_), best_->net);
+    }
+    insist_on_clean();
+    return {best_->folds, reasons(), std::move(notes_)};
+  }
+
+ private:
+  /// Single nets from several start trees; keeps the best. Gives up after one failure of the full budget.
+  void try_nets(const Patch& patch) {
+    for (std::size_t attempt = 0; attempt < attempts_for(patch.size()); ++attempt) {
+      if (attempt > 0 && context_.out_of_time()) {
+        return;
+      }
+      NetSearch options;
+      options.start = attempt_kinds[attempt];
+      options.tolerance = tolerance_;
+      options.iterations = iteration_budget(patch.size());
+      NetFound found = find_net(patch, options, random_.next(), context_);
+      if (found.overlaps > 0) {
+        failed_.push_back(std::move(found));
+        if (!best_) {
+          return;
+        }
+        continue;
+      }
+      propose(found.folds, std::vector<std::uint32_t>(patch.size(), 0));
+    }
+  }
+
+  /// Makes a clean forest fit the room and keeps it if it is better than the best so far.
+  void propose(const Folds& clean, std::vector<std::uint32_t> net) {
+    Folds folds = clean;
+    if (!all_fit(patch_, folds, room_)) {
+      folds = split_to_fit(patch_, folds, room_, random_, context_);
+      folds = merge_pieces(patch_, folds, room_, tolerance_, merge_budget, context_);
+    }
+    const SplitCost cost = cost_of(patch_, folds);
+    if (!best_ || cost < best_->cost) {
+      best_ = {std::move(folds), cost, std::move(net)};
+    }
+  }
+
+  /// What is returned has passed the check in a fresh layout, whatever the steps before believed.
+  void insist_on_clean() {
+    while (!find_overlaps(lay_out(patch_, best_->folds), 2.0 * tolerance_).empty()) {
+      best_->folds = split_overlaps(patch_, best_->folds, 2.0 * tolerance_);
+      best_->net = lay_out(patch_, best_->folds).piece;
+    }
+  }
+
+  /// No single net was found: the best trees are cut where they overlap and joined where that is possible.
+  void cut_conflicts() {
+    const Room anywhere;
+    std::optional<Folds> fewest;
+    for (const NetFound& found : failed_) {
+      Folds folds = split_overlaps(patch_, found.folds, tolerance_);
+      folds = merge_pieces(patch_, folds, anywhere, tolerance_, merge_budget, context_);
+      if (!fewest || cost_of(patch_, folds) < cost_of(patch_, *fewest)) {
+        fewest = std::move(folds);
+      }
+    }
+    out_of_time_ = context_.out_of_time();
+    const Layout layout = lay_out(patch_, *fewest);
+    notes_.push_back("no single net without overlap was found" +
+                     std::string(out_of_time_ ? " in the time given" : "") + ", so it is cut into " +
+                     std::to_string(layout.faces.size()));
+    propose(*fewest, layout.piece);
+  }
+
+  [[nodiscard]] Folds panel_folds() {
+    Random random(1);
+    Folds folds = start_tree(patch_, StartTree::short_cuts, random);
+    for (std::size_t side = 0; side < folds.size(); ++side) {
+      folds[side] = folds[side] != 0 && patch_.frozen[side] != 0 ? 1 : 0;
+    }
+    return folds;
+  }
+
+  /// The largest piece stands for the patch; the largest of each net that overlap forced apart is there for
+  /// that, any other is there for the page.
+  [[nodiscard]] std::vector<PieceReason> reasons() const {
+    const Layout layout = lay_out(patch_, best_->folds);
+    std::vector<PieceReason> reason(layout.faces.size(), PieceReason::page);
+    std::vector<std::uint32_t> by_size(layout.faces.size());
+    for (std::uint32_t i = 0; i < by_size.size(); ++i) {
+      by_size[i] = i;
+    }
+    std::stable_sort(by_size.begin(), by_size.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return layout.faces[a].size() > layout.faces[b].size();
+    });
+    std::vector<std::uint8_t> seen(patch_.size(), 0);
+    for (const std::uint32_t piece : by_size) {
+      const std::uint32_t net = best_->net[layout.faces[piece].front()];
+      if (seen[net] == 0) {
+        seen[net] = 1;
+        reason[piece] = out_of_time_ ? PieceReason::time : PieceReason::overlap;
+      }
+    }
+    reason[by_size.front()] = PieceReason::part;
+    return reason;
+  }
+
+  const Patch& patch_;
+  Patch loose_;  ///< the same with no side frozen
+  const Room& room_;
+  double tolerance_;
+  Random random_;
+  const Context& context_;
+  bool has_panels_ = false;
+  bool out_of_time_ = false;
+  std::optional<Proposal> best_;
+  std::vector<NetFound> failed_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+PatchNets unfold_patch(const Patch& patch, const Room& room, double tolerance, std::uint64_t seed,
+                       const Context& context) {
+  return PatchUnfolder(patch, room, tolerance, seed, context).run();
+}
+
+}  // namespace ridgecraft::unfold

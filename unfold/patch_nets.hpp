@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All that is done with one connected patch: its nets, clean and of a size to fit the sheet.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesh/context.hpp"
+#include "unfold/nets.hpp"
+#include "unfold/page_split.hpp"
+#include "unfold/patch.hpp"
+
+namespace ridgecraft::unfold {
+
+struct PatchNets {
+  Folds folds;  ///< a forest: each tree one piece without overlap
+  std::vector<PieceReason>
+      reason;  ///< per piece in the order of lay_out: why it isn't one with its neighbours
+  std::vector<std::string> notes;  ///< sentences about what didn't go the usual way; "it" is the patch
+};
+
+/// One net where one exists and fits, else as few as possible: (1) single nets from several start trees,
+/// panels whole; (2) if there is none, with cuts inside panels; (3) if there is none, the best tree cut at
+/// its conflicts and joined again where possible; (4) pieces that don't fit the room are split. The best of
+/// several attempts is kept.
+[[nodiscard]] PatchNets unfold_patch(const Patch& patch, const Room& room, double tolerance,
+                                     std::uint64_t seed, const Context& context);
+
+}  // namespace ridgecraft::unfold
