@@ -24,7 +24,8 @@ class Faults {
   std::vector<std::string> list;
 };
 
-/// Area of the intersection by clipping one triangle at the sides of the other (I. Sutherland, G. Hodgman 1974).
+/// Area of the intersection by clipping one triangle at the sides of the other (I. Sutherland, G. Hodgman
+/// 1974).
 double common_area(std::vector<Vec2> polygon, const std::array<Vec2, 3>& clip) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2 a = clip[k];
@@ -142,8 +143,8 @@ void check_patches(const mesh::Surface& surface, const Nets& nets, Faults& fault
     const bool second_side = nets.use[e] == EdgeUse::fold && surface.sides(e)[0] != c;
     if (!second_side) {
       --euler[p];
-      const auto pair =
-          std::minmax(root(vertex, c.value()), root(vertex, mesh::next(c).value()));
+      const std::pair<std::uint32_t, std::uint32_t> pair =
+          std::minmax({root(vertex, c.value()), root(vertex, mesh::next(c).value())});
       faults.expect(ends.insert(pair).second, "two edges with the same two ends");
     }
   }
@@ -202,7 +203,8 @@ void check_sheet(const Nets& nets, const unfold::Options& options, Faults& fault
 
 }  // namespace
 
-std::vector<std::string> faults_of(const mesh::Surface& surface, const Nets& nets, const unfold::Options& options) {
+std::vector<std::string> faults_of(const mesh::Surface& surface, const Nets& nets,
+                                   const unfold::Options& options) {
   Faults faults;
   check_faces(surface, nets, faults);
   check_edges(surface, nets, faults);
@@ -239,7 +241,8 @@ mesh::Panels flat_panels(const mesh::Surface& surface) {
     for (std::size_t i = 0; i < faces.size(); ++i) {
       for (unsigned k = 0; k < 3; ++k) {
         const FaceId g = surface.neighbor(mesh::corner(faces[i], k));
-        if (g.valid() && !panels.panel[g].valid() && length(surface.normal(g) - surface.normal(seed)) < 1e-9) {
+        if (g.valid() && !panels.panel[g].valid() &&
+            length(surface.normal(g) - surface.normal(seed)) < 1e-9) {
           panels.panel[g] = id;
           faces.push_back(g);
         }
