@@ -29,6 +29,7 @@ class Merger {
         points.insert(points.end(), flat_[f].begin(), flat_[f].end());
       }
       hulls_.push_back(convex_hull(std::move(points)));
+      panels_.push_back(panels_of(patch, folds, faces));
     }
   }
 
@@ -71,8 +72,9 @@ class Merger {
     for (const Vec2 p : hulls_[moves]) {
       points.push_back(motion(p));
     }
+    const std::size_t panels = panels_[stays] + panels_[moves] - patch_.frozen[side];
     std::vector<Vec2> hull = convex_hull(std::move(points));
-    if (!room_.holds(hull, faces_[stays].size() + faces_[moves].size()) || collides(stays, moves, motion)) {
+    if (!room_.holds(hull, panels) || collides(stays, moves, motion)) {
       return false;
     }
     for (const std::uint32_t f : faces_[moves]) {
@@ -85,6 +87,7 @@ class Merger {
     }
     faces_[moves].clear();
     hulls_[stays] = std::move(hull);
+    panels_[stays] = panels;
     set_fold(patch_, folds_, side, true);
     return true;
   }
@@ -137,6 +140,7 @@ class Merger {
   std::vector<std::uint32_t> piece_;
   std::vector<std::vector<std::uint32_t>> faces_;
   std::vector<std::vector<Vec2>> hulls_;
+  std::vector<std::size_t> panels_;
 };
 
 }  // namespace

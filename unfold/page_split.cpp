@@ -41,7 +41,7 @@ Hull hull_of(const Triangle& t) {
 void peel(const Patch& patch, const Layout& layout, const RootedTree& tree, const Room& room, Folds& folds) {
   struct Branch {
     Hull hull;
-    std::size_t faces = 0;
+    std::size_t panels = 0;
     double area = 0.0;
   };
   const std::size_t n = tree.order.size();
@@ -64,9 +64,10 @@ void peel(const Patch& patch, const Layout& layout, const RootedTree& tree, cons
     });
     for (const std::uint32_t child : below) {
       Hull hull = joined(own.hull, branch[child].hull);
-      if (room.holds(hull, own.faces + branch[child].faces)) {
+      const std::size_t panels = own.panels + branch[child].panels - patch.frozen[tree.up[child]];
+      if (room.holds(hull, panels)) {
         own.hull = std::move(hull);
-        own.faces += branch[child].faces;
+        own.panels = panels;
         own.area += branch[child].area;
       } else {
         set_fold(patch, folds, tree.up[child], false);
@@ -81,16 +82,16 @@ void peel(const Patch& patch, const Layout& layout, const RootedTree& tree, cons
 struct Sides {
   std::vector<Hull> below, above;  ///< per place in order; above[i] is the tree without the branch at i
   std::vector<double> area_below;
-  std::vector<std::size_t> faces_below;
+  std::vector<std::size_t> panels_below;
 };
 
-Sides measure_sides(const Layout& layout, const RootedTree& tree) {
+Sides measure_sides(const Patch& patch, const Layout& layout, const RootedTree& tree) {
   const std::size_t n = tree.order.size();
   Sides sides;
   sides.below.resize(n);
   sides.above.resize(n);
   sides.area_below.assign(n, 0.0);
-  sides.faces_below.assign(n, 1);
+  sides.panels_below.assign(n, 1);
   std::vector<std::vector<std::uint32_t>> children(n);
   for (std::size_t i = n; i-- > 0;) {
     const Triangle& flat = layout.flat[tree.order[i]];
@@ -103,7 +104,7 @@ Sides measure_sides(const Layout& layout, const RootedTree& tree) {
       const std::uint32_t p = tree.parent[i];
       children[p].push_back(static_cast<std::uint32_t>(i));
       sides.area_below[p] += sides.area_below[i];
-      sides.faces_below[p] += sides.faces_below[i];
+      sides.panels_below[p] += sides.panels_below[i] - patch.frozen[tree.up[i]];
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -146,13 +147,14 @@ bool move_cut(const Patch& patch, const Room& room, std::uint32_t side, Folds& f
       layout.flat[tree.order[i]][k] = at[i](patch.shape[tree.order[i]][k]);
     }
   }
-  const Sides sides = measure_sides(layout, tree);
+  const Sides sides = measure_sides(patch, layout, tree);
   const std::size_t n = tree.order.size();
   double least = INFINITY;
   std::uint32_t best = side;
   for (std::uint32_t i = 1; i < n; ++i) {
-    if (!room.holds(sides.below[i], sides.faces_below[i]) ||
-        !room.holds(sides.above[i], n - sides.faces_below[i])) {
+    if (!room.holds(sides.below[i], sides.panels_below[i]) ||
+        !room.holds(sides.above[i],
+                    sides.panels_below[0] - sides.panels_below[i] + patch.frozen[tree.up[i]])) {
       continue;
     }
     const double bad =
@@ -186,14 +188,14 @@ void balance(const Patch& patch, const Folds& before, const Room& room, Folds& f
 
 }  // namespace
 
-bool Room::holds(std::span<const Vec2> hull, std::size_t faces) const {
+bool Room::holds(std::span<const Vec2> hull, std::size_t panels) const {
   if (!sheet) {
     return true;
   }
   if (angle_to_fit(hull, {sheet->width - 2.0 * strip, sheet->height - 2.0 * strip})) {
     return true;
   }
-  return faces == 1 && angle_to_fit(hull, *sheet).has_value();
+  return panels == 1 && angle_to_fit(hull, *sheet).has_value();
 }
 
 SplitCost cost_of(const Patch& patch, const Folds& folds) {
@@ -216,6 +218,17 @@ SplitCost cost_of(const Patch& patch, const Folds& folds) {
   return cost;
 }
 
+/// Flat regions of one piece.
+std::size_t panels_of(const Patch& patch, const Folds& folds, const std::vector<std::uint32_t>& faces) {
+  std::size_t panels = 1;
+  for (const std::uint32_t f : faces) {
+    for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+      panels += folds[side] != 0 && patch.frozen[side] == 0 && side < patch.twin[side] ? 1U : 0U;
+    }
+  }
+  return panels;
+}
+
 bool all_fit(const Patch& patch, const Folds& folds, const Room& room) {
   if (!room.sheet) {
     return true;
@@ -226,7 +239,7 @@ bool all_fit(const Patch& patch, const Folds& folds, const Room& room) {
     for (const std::uint32_t f : faces) {
       points.insert(points.end(), layout.flat[f].begin(), layout.flat[f].end());
     }
-    return room.holds(convex_hull(std::move(points)), faces.size());
+    return room.holds(convex_hull(std::move(points)), panels_of(patch, folds, faces));
   });
 }
 
@@ -240,7 +253,7 @@ Folds split_to_fit(const Patch& patch, const Folds& folds, const Room& room, Ran
     for (const std::uint32_t f : faces) {
       points.insert(points.end(), layout.flat[f].begin(), layout.flat[f].end());
     }
-    if (room.holds(convex_hull(std::move(points)), faces.size())) {
+    if (room.holds(convex_hull(std::move(points)), panels_of(patch, folds, faces))) {
       continue;
     }
     std::optional<SplitCost> least;

@@ -11,12 +11,13 @@
 
 namespace ridgecraft::unfold {
 
-/// What a piece must fit: the sheet, with a strip for tabs all round. A single face may use the strip.
+/// What a piece must fit: the sheet, with a strip for tabs all round. A single panel may use the strip.
 struct Room {
   std::optional<Sheet> sheet;
   double strip = 0.0;  ///< mm
 
-  [[nodiscard]] bool holds(std::span<const Vec2> hull, std::size_t faces) const;
+  /// `panels`: how many flat regions the piece has.
+  [[nodiscard]] bool holds(std::span<const Vec2> hull, std::size_t panels) const;
 };
 
 /// What a forest costs: compared from the first figure to the last.
@@ -39,10 +40,14 @@ struct SplitCost {
 /// The cost of a forest: its cuts between faces of the patch.
 [[nodiscard]] SplitCost cost_of(const Patch& patch, const Folds& folds);
 
+/// How many flat regions the piece of these faces has.
+[[nodiscard]] std::size_t panels_of(const Patch& patch, const Folds& folds,
+                                    const std::vector<std::uint32_t>& faces);
+
 /// Whether each tree of the forest fits.
 [[nodiscard]] bool all_fit(const Patch& patch, const Folds& folds, const Room& room);
 
-/// Removes folds until every piece fits (or is a single face). From several roots, each tree is cut from its
+/// Removes folds until every piece fits. From several roots, each tree is cut from its
 /// leaves upwards only where a branch no longer fits; the forest with the fewest pieces is kept. Then, for
 /// neighbouring pieces, the cut between them is moved to where it is short, on a sharp or concave edge, and
 /// leaves balanced pieces. Panels are cut only where one alone doesn't fit. O(roots n h), h the corners of

@@ -15,6 +15,8 @@
 #include "unfold/layout.hpp"
 #include "unfold/patch_nets.hpp"
 #include "unfold/sheet.hpp"
+#include "unfold/tab_fit.hpp"
+#include "unfold/tabs.hpp"
 #include "unfold/tolerance.hpp"
 
 namespace ridgecraft::unfold {
@@ -218,6 +220,12 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   count_holes(surface, nets);
   insist_on_no_overlap(nets);
   number_joins(surface, nets);
+  if (options.tabs.wanted) {
+    place_tabs(surface, panels, options.tabs, nets, context);
+    if (options.sheet) {
+      drop_tabs_beyond_sheet(*options.sheet, nets);
+    }
+  }
   return nets;
 }
 

@@ -193,6 +193,13 @@ void check_sheet(const Nets& nets, const unfold::Options& options, Faults& fault
           box.add({dot(u, p), cross(u, p)});
         }
       }
+      for (const auto& tab : nets.tabs) {
+        if (nets.piece[mesh::face_of(tab.side)] == nets.piece[piece.faces.front()]) {
+          for (const Vec2 p : tab.polygon) {
+            box.add({dot(u, p), cross(u, p)});
+          }
+        }
+      }
       // Tried in steps of an eighth of a degree, hence the slack.
       const Vec2 size = box.size();
       fits = size.x <= 1.002 * options.sheet->width && size.y <= 1.002 * options.sheet->height;

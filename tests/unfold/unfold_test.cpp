@@ -213,3 +213,14 @@ TEST_CASE("the shared models become one net each; the one without a net becomes 
     CHECK(nets.notes.empty() == (!hopeless && path.find("frame_genus5") == std::string::npos));
   }
 }
+
+TEST_CASE("tabs that stick out of the sheet are dropped, with the reason", "[unfold]") {
+  const mesh::Surface cube = scaled(test::cube(), 60.0);
+  const Options options = on_sheet(61.0, 61.0);
+  const Nets nets = unfold::unfold(cube, test::flat_panels(cube), test::one_part(cube), options, {});
+  CHECK(faults_of(cube, nets, options) == none);
+  CHECK(nets.tabs.empty());
+  for (const auto& join : nets.joins) {
+    CHECK(join.no_tab == unfold::NoTab::no_room);
+  }
+}
