@@ -59,7 +59,9 @@ void check_pages_apart(const File& file, Findings& findings) {
 }  // namespace
 
 void check_bounds(const Case& given, Findings& findings) {
-  const auto& [file, relations, context] = given;
+  const File& file = given.file;
+  const Relations& relations = given.relations;
+  const Context& context = given.context;
   double by = 0.0;
   for (Index face = 0; face < file.faces.faces(); ++face) {
     const Index page = page_of_face(file, face);

@@ -31,7 +31,9 @@ Difference compare(std::span<const Vec2> net, std::span<const Vec3> model, const
 }
 
 void check_congruence(const Case& given, Index face, const Polygon& polygon, Findings& findings) {
-  const auto& [file, relations, context] = given;
+  const File& file = given.file;
+  const Relations& relations = given.relations;
+  const Context& context = given.context;
   const Index model_face = file.face_model[face];
   if (!relations.corners_match[face]) {
     findings.add(Promise::lengths, {{"face", face}, {"model_face", model_face}}, [&] {

@@ -34,7 +34,9 @@ void add_item(const Polygon& outline, Index page, const Context& context, Parts&
 }
 
 Parts collect(const Case& given) {
-  const auto& [file, relations, context] = given;
+  const File& file = given.file;
+  const Relations& relations = given.relations;
+  const Context& context = given.context;
   Parts parts;
   parts.first.push_back(0);
   for (Index face = 0; face < file.faces.faces(); ++face) {

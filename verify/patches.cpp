@@ -29,7 +29,8 @@ const char* words_for(EdgeFlaw flaw) {
 }
 
 void check_edges(const Case& given, Findings& findings) {
-  const auto& [file, relations, context] = given;
+  const File& file = given.file;
+  const Relations& relations = given.relations;
   for (Index e = 0; e < file.edges.size(); ++e) {
     if (relations.flaw[e] != EdgeFlaw::sound) {
       ++findings.figures().bad_joins;

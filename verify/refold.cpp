@@ -32,7 +32,9 @@ struct Folded {
 
 /// Folds everything that is connected with a face; faces that are done are marked.
 Folded fold_from(const Case& given, Index start, std::vector<bool>& done) {
-  const auto& [file, relations, context] = given;
+  const File& file = given.file;
+  const Relations& relations = given.relations;
+  const Context& context = given.context;
   Folded folded{{start}, {Motion{}}};
   done[start] = true;
   for (std::size_t at = 0; at < folded.faces.size(); ++at) {
@@ -61,7 +63,8 @@ struct Corners {
 };
 
 Corners corners_of(const Case& given, const Folded& folded) {
-  const auto& [file, relations, context] = given;
+  const File& file = given.file;
+  const Relations& relations = given.relations;
   Corners corners;
   for (std::size_t i = 0; i < folded.faces.size(); ++i) {
     const Index face = folded.faces[i];
