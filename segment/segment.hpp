@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CoRiSe: a surface becomes nearly convex parts. Read this header first; docs/segmentation.md has the method.
 //
-// Source: G. Liu, Z. Xi, J.-M. Lien, "Nearly convex segmentation of polyhedra through convex ridge separation",
-// Computer-Aided Design 78 (2016) 137-146.
+// Source: G. Liu, Z. Xi, J.-M. Lien, "Nearly convex segmentation of polyhedra through convex ridge
+// separation", Computer-Aided Design 78 (2016) 137-146.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 namespace ridgecraft::segment {
 
 struct Options {
-  /// Largest concavity of a part, as a length in the scale where the model's smallest enclosing ball has radius 1.
-  /// Finite and above 0, else Error(usage).
+  /// Largest concavity of a part, as a length in the scale where the model's smallest enclosing ball has
+  /// radius 1. Finite and above 0, else Error(usage).
   double concavity = 0.1;
 };
 
@@ -43,7 +43,7 @@ struct Part {
 };
 
 struct Segmentation {
-  IdVector<FaceId, PartId> part;       ///< of each face; numbered by their smallest face
+  IdVector<FaceId, PartId> part;  ///< of each face; numbered by their smallest face
   IdVector<PartId, Part> parts;
 
   /// Greatest concavity of a part; 0 when there is none.
@@ -51,8 +51,9 @@ struct Segmentation {
 };
 
 /// Segments each component of a surface by itself until every part's concavity is at most the tolerance.
-/// `polygon` gives each face the polygon that it belongs to (faces of one polygon stay in one part); empty when every
-/// face is its own. The result doesn't depend on the number of threads. Throws Error(usage) and Error(interrupted).
+/// `polygon` gives each face the polygon that it belongs to (faces of one polygon stay in one part); empty
+/// when every face is its own. The result doesn't depend on the number of threads. Throws Error(usage) and
+/// Error(interrupted).
 [[nodiscard]] Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
                                    const Options& options, const Context& context);
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cutting a part between its ridges (specification 10), and what is done when that cuts nothing (11.2, 11.3).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "segment/edge_weights.hpp"
+#include "segment/maximum_flow.hpp"
+#include "segment/measure.hpp"
+#include "segment/regions.hpp"
+
+namespace ridgecraft::segment {
+
+using Facets = std::vector<std::uint32_t>;
+
+/// Ridges of one round that are cut off at most, the last region counted in (16.2).
+inline constexpr std::size_t most_ridges = 64;
+
+class Cutter {
+ public:
+  Cutter(const ScaledSurface& surface, const EdgeWeights& weights);
+
+  /// Cuts the part that was just measured (it has a high bridge) along minimum cuts between its ridges'
+  /// regions. Children are connected, ascending by smallest facet, facets ascending; one child when nothing
+  /// was cut.
+  [[nodiscard]] std::vector<Facets> cut(Measurer& measurer, const Measurement& measurement);
+
+  /// Splits the part by which end of its deepest bridge facets are nearer to; `halves`: by the median of
+  /// that, so that each child has about half of the facets. Two children at least, unless all facets are of
+  /// one polygon.
+  [[nodiscard]] std::vector<Facets> split(Measurer& measurer, const Measurement& measurement, bool halves);
+
+  /// Connected components of a set of facets, ascending by smallest facet.
+  [[nodiscard]] std::vector<Facets> components(std::span<const std::uint32_t> facets);
+
+ private:
+  [[nodiscard]] std::vector<std::uint32_t> cut_order(std::span<const Ridge> ridges);
+  void cut_off(const PartGraph& part, std::uint32_t ridge);
+  void flood_fuzzy(const PartGraph& part, std::uint32_t ridge);
+  void build_flow(const PartGraph& part, std::uint32_t ridge);
+
+  const ScaledSurface* surface_;
+  const EdgeWeights* weights_;
+  Regions regions_;
+  MaximumFlow flow_;
+  std::vector<std::uint32_t> label_;  ///< per facet: ridge that it was cut off with, or none
+  std::vector<bool> cut_off_;         ///< per ridge
+  std::vector<std::uint32_t> node_;   ///< per facet: flow node when node_mark_ says so
+  std::vector<std::uint32_t> node_mark_;
+  std::uint32_t mark_ = 0;
+  std::vector<std::uint32_t> nodes_;  ///< facet of each flow node
+};
+
+}  // namespace ridgecraft::segment

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Maximum flow and smallest minimum cut on graphs whose nodes have at most three arcs, as facets have.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ridgecraft::segment {
+
+/// Y. Boykov, V. Kolmogorov, "An experimental comparison of min-cut/max-flow algorithms for energy
+/// minimization in vision", PAMI 26 (2004): two search trees that are kept between augmentations. Arcs are
+/// undirected: their capacity holds both ways. Integers, so that the cut doesn't depend on the order of the
+/// augmentations.
+class MaximumFlow {
+ public:
+  static constexpr std::uint32_t no_node = 0xffffffffU;
+  /// More than any sum of real capacities; residuals of it stay below 2^63.
+  static constexpr std::int64_t infinite_capacity = std::int64_t{1} << 61U;
+
+  /// Starts a graph of n nodes without arcs.
+  void reset(std::uint32_t n);
+  /// Arc at slot k (0..2) of a node; the other end must be told the same at one of its slots.
+  void set_arc(std::uint32_t node, unsigned k, std::uint32_t other, std::int64_t capacity);
+  void add_source(std::uint32_t node, std::int64_t capacity);
+  void add_sink(std::uint32_t node, std::int64_t capacity);
+  /// Returns the value of the flow.
+  std::int64_t run();
+  /// After run(): whether flow could still reach this node from the source. Those nodes are the smallest
+  /// source side of all minimum cuts.
+  [[nodiscard]] bool on_source_side(std::uint32_t node) const { return nodes_[node].tree == Tree::source; }
+
+ private:
+  enum class Tree : std::uint8_t { free, source, sink };
+  static constexpr std::uint8_t terminal = 3;
+  static constexpr std::uint8_t no_parent = 4;
+
+  struct Node {
+    std::array<std::int64_t, 3> residual{};  ///< of the arc that leaves at this slot
+    std::int64_t terminal_residual = 0;      ///< above 0 from the source, below 0 to the sink
+    std::array<std::uint32_t, 3> other{no_node, no_node, no_node};
+    std::uint32_t distance = 0;  ///< to the terminal, as known at `time`
+    std::uint32_t time = 0;
+    std::array<std::uint8_t, 3> back{};  ///< slot of the same arc at its other end
+    Tree tree = Tree::free;
+    std::uint8_t parent = no_parent;  ///< slot towards the root, terminal or no_parent
+    bool active = false;
+  };
+
+  void pair_slots();
+  void start_trees();
+  void activate(std::uint32_t node);
+  bool grow(std::uint32_t node);
+  void augment();
+  [[nodiscard]] std::int64_t bottleneck() const;
+  void push_flow(std::int64_t amount);
+  void make_orphan(std::uint32_t node);
+  void adopt_orphans();
+  void adopt(std::uint32_t node);
+  /// Residual in the direction from the root to the node over slot k of the node, for its tree.
+  [[nodiscard]] std::int64_t towards(std::uint32_t node, unsigned k, Tree tree) const;
+  std::uint32_t distance_to_terminal(std::uint32_t node);
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> queue_;
+  std::size_t queue_head_ = 0;
+  std::vector<std::uint32_t> orphans_;
+  std::uint32_t time_ = 0;
+  std::int64_t flow_ = 0;
+  std::uint32_t meeting_node_ =
+      no_node;  ///< of the source tree, whose arc meeting_slot_ leads into the sink tree
+  unsigned meeting_slot_ = 0;
+};
+
+}  // namespace ridgecraft::segment

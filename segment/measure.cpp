@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segment/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "segment/separators.hpp"
+#include "segment/valley_concavity.hpp"
+
+namespace ridgecraft::segment {
+namespace {
+
+/// A bridge is derived from a neighbour whose other end is at most this share of the tolerance away (3.6).
+constexpr double derivation_share = 0.5;
+/// The interval grows by this times the distance between the ends.
+constexpr double interval_growth = 2.0;
+/// Bridges between two questions whether the user wants to stop.
+constexpr std::size_t check_interval = 64;
+
+}  // namespace
+
+Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, double tolerance,
+                   const Context& context)
+    : surface_(&surface),
+      context_(&context),
+      tolerance_(tolerance),
+      part_(surface, graph),
+      search_(part_),
+      hulls_(surface.points),
+      depth_(surface) {}
+
+void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const std::uint32_t> hull_points,
+                       MeasureMode mode, Measurement& out) {
+  part_.select(facets);
+  hulls_.build(hull_points.empty() ? part_.vertices() : hull_points, out.hull);
+  depth_.select(out.hull);
+  out.bridges.assign(out.hull.edges.size(), Bridge{});
+  out.concavity = 0.0;
+  out.deepest = none;
+  out.stopped = false;
+  order_.resize(out.bridges.size());
+  std::iota(order_.begin(), order_.end(), 0U);
+  const auto& points = surface_->points;
+  for (std::size_t i = 0; i < out.bridges.size(); ++i) {
+    out.bridges[i].a = out.hull.edges[i][0];
+    out.bridges[i].b = out.hull.edges[i][1];
+    out.bridges[i].length = length(points[out.bridges[i].b] - points[out.bridges[i].a]);
+  }
+  if (mode == MeasureMode::test) {
+    std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return out.bridges[i].length > out.bridges[j].length;
+    });
+  }
+  std::size_t searched = 0;
+  for (const std::uint32_t i : order_) {
+    Bridge& bridge = out.bridges[i];
+    if (is_zero(bridge)) {
+      bridge.state = Bridge::State::low;
+      bridge.zero = true;
+      continue;
+    }
+    if (mode == MeasureMode::scratch || !derive(i, out)) {
+      if (searched++ % check_interval == 0) {
+        context_->check();
+      }
+      search(i, out, mode);
+    }
+    out.concavity = std::max(out.concavity, bridge.high);
+    if (mode == MeasureMode::test && bridge.state == Bridge::State::high) {
+      out.stopped = true;
+      return;
+    }
+  }
+}
+
+bool Measurer::is_zero(Bridge& bridge) const {
+  const std::uint32_t arc = part_.find_arc(bridge.a, bridge.b);
+  if (arc != none) {
+    bridge.length = static_cast<double>(part_.arc(arc).length);
+    return true;
+  }
+  return part_.jump_exists(bridge.a, bridge.b);
+}
+
+bool Measurer::derive(std::uint32_t index, Measurement& m) const {
+  const Hull& hull = m.hull;
+  Bridge& bridge = m.bridges[index];
+  std::array<std::uint32_t, 2> triangles = hull.edge_triangles[index];
+  if (triangles[0] == none) {
+    return false;
+  }
+  const auto apex = [&](std::uint32_t t) {
+    const auto& v = hull.triangles[t];
+    return v[0] != bridge.a && v[0] != bridge.b ? v[0] : (v[1] != bridge.a && v[1] != bridge.b ? v[1] : v[2]);
+  };
+  if (apex(triangles[1]) < apex(triangles[0])) {
+    std::swap(triangles[0], triangles[1]);
+  }
+  const auto& points = surface_->points;
+  for (const std::uint32_t t : triangles) {
+    const std::uint32_t c = apex(t);
+    for (const std::uint32_t kept : {bridge.a, bridge.b}) {
+      const std::uint32_t moved_end = kept == bridge.a ? bridge.b : bridge.a;
+      const double moved = length(points[moved_end] - points[c]);
+      if (moved > derivation_share * tolerance_) {
+        continue;
+      }
+      for (const std::uint32_t e : hull.triangle_edges[t]) {
+        const Bridge& source = m.bridges[e];
+        if (e != index && (source.a == kept || source.b == kept) && source.state != Bridge::State::open &&
+            !source.zero && derive_from(bridge, source, moved)) {
+          const Bridge& origin = m.bridges[source.source];
+          const double straight =
+              length(points[bridge.a] - points[origin.a]) + length(points[bridge.b] - points[origin.b]);
+          const double crossed =
+              length(points[bridge.a] - points[origin.b]) + length(points[bridge.b] - points[origin.a]);
+          bridge.reach_a = straight <= crossed ? origin.reach_a : origin.reach_b;
+          bridge.reach_b = straight <= crossed ? origin.reach_b : origin.reach_a;
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+bool Measurer::derive_from(Bridge& bridge, const Bridge& source, double moved) const {
+  const double low = source.low - interval_growth * moved;
+  const double high = source.high + interval_growth * moved;
+  if (low > tolerance_) {
+    bridge.state = Bridge::State::high;
+  } else if (high <= tolerance_) {
+    bridge.state = Bridge::State::low;
+  } else {
+    return false;
+  }
+  bridge.low = low;
+  bridge.high = high;
+  bridge.length = source.length + moved;
+  bridge.source = source.source;
+  return true;
+}
+
+bool Measurer::survives(const Valley& valley) const {
+  for (std::size_t i = 1; i < valley.steps.size(); ++i) {
+    const std::uint32_t from = valley.steps[i - 1].vertex;
+    const Step& step = valley.steps[i];
+    if (step.arc == jump_arc ? !part_.jump_exists(from, step.vertex) : !part_.arc_exists(from, step.arc)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Valley Measurer::find_valley(const Bridge& bridge, bool use_cache) {
+  Valley valley;
+  if (use_cache && cache_.find(bridge.a, bridge.b, valley) &&
+      !(valley.greatest > tolerance_ && part_.has_loops()) && survives(valley)) {
+    return valley;
+  }
+  valley = {};
+  valley.length = search_.find(bridge.a, bridge.b, steps_);
+  if (steps_.empty()) {
+    return valley;
+  }
+  valley_points_.clear();
+  for (const Step& s : steps_) {
+    valley_points_.push_back(surface_->points[s.vertex]);
+  }
+  project_valley(valley_points_, chain_);
+  chain_concavity(chain_, concavity_);
+  valley.steps = steps_;
+  valley.concavity = concavity_;
+  valley.greatest = *std::max_element(concavity_.begin(), concavity_.end());
+  if (use_cache) {
+    cache_.store(bridge.a, bridge.b, valley);
+  }
+  return valley;
+}
+
+double Measurer::cap(const Valley& valley) {
+  capped_.assign(valley.concavity.begin(), valley.concavity.end());
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < capped_.size(); ++i) {
+    if (capped_[i] > tolerance_) {
+      capped_[i] = std::min(capped_[i], depth_.at(valley.steps[i].vertex));
+    }
+    greatest = std::max(greatest, capped_[i]);
+  }
+  return greatest;
+}
+
+void Measurer::search(std::uint32_t index, Measurement& m, MeasureMode mode) {
+  Bridge& bridge = m.bridges[index];
+  const Valley valley = find_valley(bridge, mode != MeasureMode::scratch);
+  bridge.source = index;
+  if (valley.steps.empty()) {
+    bridge.low = bridge.high = INFINITY;
+  } else {
+    bridge.low = bridge.high = valley.greatest > tolerance_ ? cap(valley) : valley.greatest;
+    bridge.length = valley.length;
+  }
+  if (m.deepest == none || bridge.high > m.bridges[m.deepest].high) {
+    m.deepest = index;
+  }
+  bridge.state = bridge.high > tolerance_ ? Bridge::State::high : Bridge::State::low;
+  if (mode != MeasureMode::test && bridge.state == Bridge::State::high && valley.steps.size() > 2) {
+    find_reach(bridge, valley);
+  }
+}
+
+void Measurer::find_reach(Bridge& bridge, const Valley& valley) {
+  valley_points_.clear();
+  for (const Step& s : valley.steps) {
+    valley_points_.push_back(surface_->points[s.vertex]);
+  }
+  project_valley(valley_points_, chain_);
+  const Separators separators = find_separators(chain_, capped_, tolerance_);
+  double along = 0.0;
+  double at_last = 0.0;
+  for (std::size_t i = 1; i < valley.steps.size(); ++i) {
+    const Step& step = valley.steps[i];
+    along += step.arc == jump_arc ? length(valley_points_[i] - valley_points_[i - 1])
+                                  : static_cast<double>(part_.arc(step.arc).length);
+    if (i == separators.first) {
+      bridge.reach_a = along;
+    }
+    if (i == separators.last) {
+      at_last = along;
+    }
+  }
+  bridge.reach_b = along - at_last;
+}
+
+}  // namespace ridgecraft::segment
