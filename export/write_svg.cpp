@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SVG of one page: plain XML in true millimetres, y down, a layer for each class of line, presentation
 // attributes only (no CSS, no transforms, no reuse), since cutters' importers understand little more.
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -11,18 +10,13 @@
 #include <fmt/format.h>
 
 #include "export/export.hpp"
+#include "export/layer_order.hpp"
 #include "export/line_style.hpp"
 #include "export/stroke_font.hpp"
 #include "export/utf8.hpp"
 
 namespace ridgecraft::paper {
 namespace {
-
-/// Bottom to top: scores before inner cuts before outer cuts would be the order for a machine; on paper the
-/// fills lie lowest and the texts on top.
-constexpr std::array<Layer, layer_count> layer_order{Layer::tab_fill,   Layer::mountain, Layer::valley,
-                                                     Layer::tab_fold,   Layer::cut,      Layer::label,
-                                                     Layer::piece_name, Layer::mark};
 
 std::string escaped(std::string_view text) {
   std::string out;

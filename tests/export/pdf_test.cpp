@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PDF and PNG: held against programs that read them, and against themselves.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+#include "sample_pages.hpp"
+#include "support/shapes.hpp"
+
+namespace ridgecraft {
+namespace {
+
+/// A file that is gone when the test ends.
+class TemporaryFile {
+ public:
+  TemporaryFile(const std::string& bytes, const std::string& suffix)
+      : path_(std::filesystem::temp_directory_path() /
+              ("ridgecraft-page-" + std::to_string(::getpid()) + suffix)) {
+    std::ofstream(path_, std::ios::binary) << bytes;
+  }
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  [[nodiscard]] std::string name() const { return "'" + path_.string() + "'"; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct Outcome {
+  int status = -1;
+  std::string output;
+};
+
+Outcome run(const std::string& command) {
+  Outcome outcome;
+  FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  char buffer[4096];
+  while (const std::size_t size = std::fread(buffer, 1, sizeof buffer, pipe)) {
+    outcome.output.append(buffer, size);
+  }
+  outcome.status = ::pclose(pipe);
+  return outcome;
+}
+
+bool there_is(const std::string& program) {
+  if (std::system(("command -v " + program + " > /dev/null 2>&1").c_str()) == 0) {
+    return true;
+  }
+  WARN("skipped: no " << program);
+  return false;
+}
+
+struct Made {
+  std::vector<paper::Drawing> pages;
+  paper::Mark mark;
+};
+
+Made ball(const std::string& name, const std::string& paper_name) {
+  const mesh::Surface surface = test::sphere(12, 7);
+  const std::vector<EdgeId> cuts = test::all_edges(surface);
+  const auto sample = test::sample_pages(surface, 60.0, 5.0, cuts, name, paper::parse_paper(paper_name));
+  return {paper::draw(sample.model, sample.nets, sample.pages, {}),
+          {"ridgecraft test", name, "0123456789abcdef"}};
+}
+
+TEST_CASE("a PDF is clean, of the paper's size, and says what it is") {
+  const Made made = ball("Füchsin & Söhne", "letter");
+  const std::string bytes = paper::write_pdf(made.pages, made.mark);
+  CHECK(bytes.starts_with("%PDF-"));
+  CHECK(paper::read_mark_digest(bytes) == "0123456789abcdef");
+  CHECK(bytes == paper::write_pdf(made.pages, made.mark));
+  const TemporaryFile file(bytes, ".pdf");
+  if (there_is("qpdf")) {
+    const Outcome outcome = run("qpdf --check " + file.name());
+    INFO(outcome.output);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.output.find("WARNING") == std::string::npos);
+    const Outcome json = run("qpdf --json " + file.name());
+    CHECK(json.output.find("/PrintScaling") != std::string::npos);
+    CHECK(json.output.find("Mountain folds") != std::string::npos);
+  }
+  if (there_is("pdfinfo")) {
+    const Outcome outcome = run("pdfinfo -box " + file.name());
+    INFO(outcome.output);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.output.find("Füchsin & Söhne") != std::string::npos);
+    CHECK(outcome.output.find("612 x 792 pts") != std::string::npos);
+    CHECK(outcome.output.find("Pages:           " + std::to_string(made.pages.size())) != std::string::npos);
+    CHECK(outcome.output.find("TrimBox:             0.00     0.00   612.00   792.00") != std::string::npos);
+  }
+}
+
+/// A picture as pdftoppm and a PNG reader of the test's own would see it: rows of grey values.
+struct Picture {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::string grey;
+};
+
+Picture read_pgm(const std::string& bytes) {
+  Picture picture;
+  std::size_t at = 2;
+  const auto number = [&] {
+    while (std::isspace(static_cast<unsigned char>(bytes[at])) != 0) {
+      ++at;
+    }
+    std::size_t value = 0;
+    while (std::isdigit(static_cast<unsigned char>(bytes[at])) != 0) {
+      value = 10 * value + static_cast<std::size_t>(bytes[at++] - '0');
+    }
+    return value;
+  };
+  picture.width = number();
+  picture.height = number();
+  number();
+  picture.grey = bytes.substr(at + 1);
+  return picture;
+}
+
+TEST_CASE("the scale bar of a printed PDF is 50 mm long") {
+  if (!there_is("pdftoppm")) {
+    return;
+  }
+  const auto sample = test::sample_pages(test::cube(), 30.0, 5.0);
+  const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
+  const TemporaryFile file(paper::write_pdf(pages, {"ridgecraft test", "Cube", "0123456789abcdef"}),
+                           ".bar.pdf");
+  const Outcome outcome = run("pdftoppm -gray -r 600 " + file.name());
+  const Picture picture = read_pgm(outcome.output);
+  REQUIRE(picture.width == 4961);
+  REQUIRE(picture.grey.size() == picture.width * picture.height);
+  // The bar as the drawing has it, and the dark run of pixels there.
+  for (const auto& line : pages[0].groups.back().lines) {
+    if (line.points.size() == 2 && std::abs(line.points[1].x - line.points[0].x - 50.0) < 1e-9) {
+      const double pixels_per_mm = 600.0 / 25.4;
+      const auto row = static_cast<std::size_t>((297.0 - line.points[0].y) * pixels_per_mm);
+      const auto dark = [&](std::size_t column) {
+        return static_cast<unsigned char>(picture.grey[row * picture.width + column]) < 128;
+      };
+      auto first = static_cast<std::size_t>((line.points[0].x + 25.0) * pixels_per_mm);
+      auto last = first;
+      REQUIRE(dark(first));
+      while (dark(first - 1)) {
+        --first;
+      }
+      while (dark(last + 1)) {
+        ++last;
+      }
+      // The pen's round ends and the end ticks reach out by half a pen's width.
+      CHECK(static_cast<double>(last - first + 1) / pixels_per_mm == Approx(50.0 + 0.15).margin(0.06));
+      return;
+    }
+  }
+  FAIL("no scale bar");
+}
+
+TEST_CASE("a PNG has the page's pixels, its scale and its mark") {
+  const Made made = ball("Ball", "A5-landscape");
+  const std::string bytes = paper::write_png(made.pages[0], made.mark);
+  CHECK(bytes.starts_with("\x89PNG\r\n\x1a\n"));
+  CHECK(paper::read_mark_digest(bytes) == "0123456789abcdef");
+  CHECK(bytes == paper::write_png(made.pages[0], made.mark));
+  const auto at = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[i])); };
+  CHECK((at(18) << 8U | at(19)) == 1240);  // 210 mm at 150 dots per inch
+  CHECK((at(22) << 8U | at(23)) == 874);   // 148 mm
+  const auto scale = bytes.find("pHYs");
+  REQUIRE(scale != std::string::npos);
+  CHECK((at(scale + 6) << 8U | at(scale + 7)) == 5906);  // per metre
+  if (there_is("/usr/bin/python3")) {
+    // zlib of another program agrees with our checksums.
+    const TemporaryFile file(bytes, ".png");
+    const Outcome outcome =
+        run("/usr/bin/python3 -c \"import sys,zlib,struct\n"
+            "b=open(sys.argv[1],'rb').read();i=8\n"
+            "while i<len(b):\n"
+            " n,=struct.unpack('>I',b[i:i+4]);c,=struct.unpack('>I',b[i+8+n:i+12+n])\n"
+            " assert zlib.crc32(b[i+4:i+8+n])==c,b[i+4:i+8]\n"
+            " i+=12+n\" " +
+            file.name());
+    INFO(outcome.output);
+    CHECK(outcome.status == 0);
+  }
+}
+
+TEST_CASE("names in any script and broken ones make clean files") {
+  for (const std::string name : {"Füchsin_狐", "🦊 fox", "\xff\xfe", "(a) \\ <b>", ""}) {
+    const auto sample = test::sample_pages(test::cube(), 20.0, 4.0, {}, name, paper::parse_paper("A6"));
+    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
+    const paper::Mark mark{"ridgecraft test", name, "00000000000000aa"};
+    const std::string bytes = paper::write_pdf(pages, mark);
+    CHECK(paper::read_mark_digest(bytes) == "00000000000000aa");
+    CHECK(paper::read_mark_digest(paper::write_png(pages[0], mark)) == "00000000000000aa");
+    CHECK(paper::read_mark_digest(paper::write_svg(pages[0], mark)) == "00000000000000aa");
+    if (there_is("qpdf")) {
+      const TemporaryFile file(bytes, ".name.pdf");
+      const Outcome outcome = run("qpdf --check " + file.name());
+      INFO(outcome.output);
+      CHECK(outcome.status == 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ridgecraft
