@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a model is: reading, repair, size, panels, simplification. Read this header first.
 //
-//   file --read--> Model (repaired, in the file's unit) --prepare--> Prepared (in mm, foldable, with its panels)
+//   file --read--> Model (repaired, in the file's unit) --prepare--> Prepared (in mm, foldable, with its
+//   panels)
 //
 // Errors are ridgecraft::Error of kinds unreadable_input, unusable_mesh, interrupted.
 #pragma once
@@ -20,15 +21,17 @@ namespace ridgecraft::mesh {
 
 /// What repair does where the jobs differ.
 struct ReadOptions {
-  /// Collapse faces without area. Paper can't hold them; segmentation keeps them, since dropping them opens closed
-  /// surfaces.
+  /// Collapse faces without area. Paper can't hold them; segmentation keeps them, since dropping them opens
+  /// closed surfaces.
   bool collapse_flat_faces = true;
 };
 
-/// Reads OBJ, STL, PLY or OFF (content decides, the suffix only helps) and repairs it: points joined, polygons
-/// triangulated, duplicates dropped, faces oriented, edges and vertices made manifold. Every change is counted in
-/// Model::repairs. Cost O(n log n). Throws unreadable_input or unusable_mesh with a sentence that names the file.
-[[nodiscard]] Model read(const std::filesystem::path& file, const ReadOptions& options, const Context& context);
+/// Reads OBJ, STL, PLY or OFF (content decides, the suffix only helps) and repairs it: points joined,
+/// polygons triangulated, duplicates dropped, faces oriented, edges and vertices made manifold. Every change
+/// is counted in Model::repairs. Cost O(n log n). Throws unreadable_input or unusable_mesh with a sentence
+/// that names the file.
+[[nodiscard]] Model read(const std::filesystem::path& file, const ReadOptions& options,
+                         const Context& context);
 
 /// How large the model becomes.
 struct SizeOptions {
@@ -56,24 +59,25 @@ struct SimplifyOptions {
 struct SimplifyReport {
   std::size_t faces_before = 0;
   std::size_t faces_after = 0;
-  double deviation_mm = 0.0;       ///< greatest measured distance between the old and the new surface, both ways
-  double short_edges_before = 0.0; ///< share of the fold edges below short_edge_mm
+  std::size_t specks_dropped = 0;  ///< automatic: components too small to be held, left out
+  double deviation_mm = 0.0;  ///< greatest measured distance between the old and the new surface, both ways
+  double short_edges_before = 0.0;  ///< share of the fold edges below short_edge_mm
   double short_edges_after = 0.0;
-  bool still_too_fine = false;     ///< automatic couldn't reach its aim within the deviation allowed
+  bool still_too_fine = false;  ///< automatic couldn't reach its aim within the deviation allowed
 };
 
 /// A model ready for paper.
 struct Prepared {
-  Model model;           ///< in mm, centred on the origin; not turned, not mirrored
-  Panels panels;         ///< flat regions of model.surface
+  Model model;    ///< in mm, centred on the origin; not turned, not mirrored
+  Panels panels;  ///< flat regions of model.surface
   double mm_per_unit = 1.0;
   SimplifyReport simplified;
 };
 
-/// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight sides that
-/// only two panels share. `largest_face_mm` = {width, height} of the printable area: a face that fits no page in any
-/// rotation is subdivided until it does. Cost O(n log n). Throws unusable_mesh where nothing foldable is left, no_nets
-/// where every face is too narrow to be cut (below 0.05 mm high).
+/// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight
+/// sides that only two panels share. `largest_face_mm` = {width, height} of the printable area: a face that
+/// fits no page in any rotation is subdivided until it does. Cost O(n log n). Throws unusable_mesh where
+/// nothing foldable is left, no_nets where every face is too narrow to be cut (below 0.05 mm high).
 [[nodiscard]] Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                                Vec2 largest_face_mm, const Context& context);
 
