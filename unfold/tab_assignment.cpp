@@ -18,6 +18,11 @@ constexpr double covers_corner_mm = 1e-6;
 /// Tabs behind one face that overlap by more than this lie on each other, mm: a paper's thickness.
 constexpr double stacked_mm = 0.2;
 
+/// Tabs that one may push to other places.
+constexpr std::size_t most_moved = 2;
+/// Cheaper by less than this isn't worth a change: rounding.
+constexpr double least_gain = 1e-9;
+
 using Neighbors = std::vector<std::vector<std::uint32_t>>;
 
 /// Is the corner of the edge with this net vertex also a corner of the tab's base?
@@ -79,19 +84,23 @@ class Assignment {
     for (const TabSite& site : sites) {
       widest_.push_back(widest_tab(site.length, options));
       largest_.push_back(widest_.back().empty() ? ConvexShape()
-                                                : largest_tab(0.0, site.length, site.obstacles, options));
-      shapes_.push_back(shapes_of(site, largest_.back()));
+                                                : largest_tab({0.0, site.length, site.length}, site.obstacles,
+                                                              options, TabNeed::usable));
+      shapes_.push_back(tab_shapes(largest_.back(), site.length, options));
+      if (shapes_.back().empty() && target_allows_usable(site)) {
+        shapes_.back() = partial_tab_shapes(site.length, site.obstacles, options);
+      }
     }
     collisions_ = find_neighbors(
         sites, [&](std::uint32_t s) { return sites[s].piece.value(); },
-        [&](std::uint32_t s) { return shapes_[s].empty() ? ConvexShape() : sites[s].own.out(widest_[s]); },
+        [&](std::uint32_t s) { return sites[s].own.out(widest_[s]); },
         [&](std::uint32_t a, std::uint32_t b) {
           return !tabs_clear(sites[a], widest_[a], sites[b], widest_[b], options.clearance_mm);
         },
         options.clearance_mm);
     stacks_ = find_neighbors(
         sites, [&](std::uint32_t s) { return sites[s].target_piece.value(); },
-        [&](std::uint32_t s) { return shapes_[s].empty() ? ConvexShape() : sites[s].target.out(widest_[s]); },
+        [&](std::uint32_t s) { return sites[s].target.out(widest_[s]); },
         [&](std::uint32_t a, std::uint32_t b) {
           return sites[a].target_region == sites[b].target_region && stacked(a, widest_[a], b, widest_[b]);
         },
@@ -102,7 +111,7 @@ class Assignment {
     const std::vector<std::uint32_t> order = most_constrained_first();
     for (const std::uint32_t join : order) {
       check(context);
-      chosen_[join] = best_free(join, true);
+      chosen_[join] = best_free(join);
     }
     for (int pass = 0; pass < 3; ++pass) {
       bool changed = false;
@@ -120,7 +129,8 @@ class Assignment {
     }
     for (const std::uint32_t join : order) {
       if (!chosen_[join]) {
-        chosen_[join] = best_free(join, false);
+        check(context);
+        chosen_[join] = best_low(join);
       }
     }
     return std::move(chosen_);
@@ -133,16 +143,15 @@ class Assignment {
     }
   }
 
-  std::vector<TabShape> shapes_of(const TabSite& site, const ConvexShape& largest) const {
-    std::vector<TabShape> shapes = tab_shapes(largest, site.length, options_);
-    if (shapes.empty() || !shapes.front().usable) {
-      std::vector<TabShape> partial =
-          partial_tab_shapes(site.length, site.obstacles, options_, !shapes.empty());
-      if (!partial.empty()) {
-        return partial;
+  /// A part of the edge can't have a usable tab where the target has no room for one over the whole edge.
+  bool target_allows_usable(const TabSite& site) const {
+    std::vector<Obstacle> target;
+    for (const Obstacle& obstacle : site.obstacles) {
+      if (obstacle.kind == Obstacle::Kind::target_edge) {
+        target.push_back(obstacle);
       }
     }
-    return shapes;
+    return !largest_tab({0.0, site.length, site.length}, target, options_, TabNeed::usable).empty();
   }
 
   /// Cost of using the site instead of the preferred one.
@@ -159,14 +168,14 @@ class Assignment {
     return chosen && chosen->site == site ? &chosen->shape.outline : nullptr;
   }
 
-  /// Joins whose chosen tab collides with this one, at most two of them.
+  /// Joins whose chosen tab collides with this one, at most one more than may be moved.
   std::vector<std::uint32_t> collisions(std::uint32_t site, const ConvexShape& tab) const {
     std::vector<std::uint32_t> joins;
     for (const std::uint32_t other : collisions_[site]) {
       const ConvexShape* there = chosen_on(other);
       if (there != nullptr && !tabs_clear(sites_[site], tab, sites_[other], *there, options_.clearance_mm)) {
         joins.push_back(other / 2);
-        if (joins.size() == 2) {
+        if (joins.size() > most_moved) {
           break;
         }
       }
@@ -183,18 +192,17 @@ class Assignment {
     return cost;
   }
 
-  /// The cheapest tab of a join that collides with none; usable ones only if asked.
-  std::optional<ChosenTab> best_free(std::uint32_t join, bool usable_only) const {
+  /// The cheapest usable tab of a join that collides with none and costs less than `limit`.
+  std::optional<ChosenTab> best_free(std::uint32_t join, double limit = INFINITY) const {
     std::optional<ChosenTab> best;
-    double lowest = INFINITY;
     const auto offer = [&](std::uint32_t site, const TabShape& shape, double extra) {
       const double cost = shape.cost + side_cost(site) + extra;
-      if ((usable_only && !shape.usable) || cost >= lowest) {
+      if (cost >= limit) {
         return;
       }
       const double total = cost + stacking_cost(site, shape.outline);
-      if (total < lowest && collisions(site, shape.outline).empty()) {
-        lowest = total;
+      if (total < limit && collisions(site, shape.outline).empty()) {
+        limit = total;
         best = ChosenTab{site, {shape.outline, shape.usable, total}};
       }
     };
@@ -205,40 +213,63 @@ class Assignment {
     }
     if (!best) {
       for (const std::uint32_t site : {2 * join, 2 * join + 1}) {
-        for (const TabShape& shape : shapes_among_tabs(site, usable_only)) {
-          offer(site, shape, tab_costs.trimmed);
+        if (!shapes_[site].empty() && tab_costs.trimmed + side_cost(site) < limit) {
+          for (const TabShape& shape : shapes_among_tabs(site)) {
+            offer(site, shape, tab_costs.trimmed);
+          }
         }
       }
     }
     return best;
   }
 
-  /// Shapes that are cut back for the tabs chosen so far.
-  std::vector<TabShape> shapes_among_tabs(std::uint32_t site, bool usable_only) const {
-    if (shapes_[site].empty() || (usable_only && !shapes_[site].front().usable)) {
-      return {};
-    }
-    std::vector<Obstacle> obstacles = sites_[site].obstacles;
-    const std::size_t faces = obstacles.size();
+  /// The obstacles of a site and the tabs chosen so far that it might collide with; none of these: nothing.
+  std::vector<Obstacle> obstacles_and_tabs(std::uint32_t site) const {
+    std::vector<Obstacle> obstacles;
     for (const std::uint32_t other : collisions_[site]) {
       if (const ConvexShape* there = chosen_on(other)) {
+        if (obstacles.empty()) {
+          obstacles = sites_[site].obstacles;
+        }
         obstacles.push_back(as_obstacle(site, other, *there));
       }
     }
-    if (obstacles.size() == faces) {
+    return obstacles;
+  }
+
+  /// Usable shapes that are cut back for the tabs chosen so far.
+  std::vector<TabShape> shapes_among_tabs(std::uint32_t site) const {
+    const std::vector<Obstacle> obstacles = obstacles_and_tabs(site);
+    if (obstacles.empty()) {
       return {};
     }
     ConvexShape largest = largest_[site];
-    for (std::size_t i = faces; i < obstacles.size(); ++i) {
+    for (std::size_t i = sites_[site].obstacles.size(); i < obstacles.size() && !largest.empty(); ++i) {
       largest = trimmed(largest, obstacles[i], options_.clearance_mm);
     }
     std::vector<TabShape> shapes = tab_shapes(largest, sites_[site].length, options_);
-    if (shapes.empty() || !shapes.front().usable) {
-      std::vector<TabShape> partial =
-          partial_tab_shapes(sites_[site].length, obstacles, options_, usable_only || !shapes.empty());
-      shapes.insert(shapes.end(), partial.begin(), partial.end());
+    if (shapes.empty()) {
+      shapes = partial_tab_shapes(sites_[site].length, obstacles, options_);
     }
     return shapes;
+  }
+
+  /// The better tab of those that are less than usable.
+  std::optional<ChosenTab> best_low(std::uint32_t join) const {
+    std::optional<ChosenTab> best;
+    for (const std::uint32_t site : {2 * join, 2 * join + 1}) {
+      std::vector<Obstacle> obstacles = obstacles_and_tabs(site);
+      if (obstacles.empty()) {
+        obstacles = sites_[site].obstacles;
+      }
+      TabShape shape = low_tab_shape(sites_[site].length, obstacles, options_);
+      shape.cost += side_cost(site);
+      if (!shape.outline.empty() && (!best || shape.cost < best->shape.cost) &&
+          collisions(site, shape.outline).empty()) {
+        best = ChosenTab{site, shape};
+      }
+    }
+    return best;
   }
 
   Obstacle as_obstacle(std::uint32_t site, std::uint32_t other, const ConvexShape& tab) const {
@@ -253,25 +284,30 @@ class Assignment {
     return obstacle;
   }
 
-  /// Gives a join a place by moving one other tab.
+  /// Gives a join a place by moving one other tab, or two.
   bool exchange(std::uint32_t join) {
     for (const std::uint32_t site : {2 * join, 2 * join + 1}) {
       for (const TabShape& shape : shapes_[site]) {
-        if (!shape.usable) {
-          continue;
-        }
         const std::vector<std::uint32_t> in_the_way = collisions(site, shape.outline);
-        if (in_the_way.size() != 1) {
+        if (in_the_way.size() > most_moved) {
           continue;
         }
-        const std::optional<ChosenTab> old = std::exchange(chosen_[in_the_way[0]], std::nullopt);
+        std::vector<std::optional<ChosenTab>> old;
+        for (const std::uint32_t other : in_the_way) {
+          old.push_back(std::exchange(chosen_[other], std::nullopt));
+        }
         chosen_[join] = ChosenTab{site, {shape.outline, true, shape.cost + side_cost(site)}};
-        chosen_[in_the_way[0]] = best_free(in_the_way[0], true);
-        if (chosen_[in_the_way[0]]) {
+        const bool all_moved = std::all_of(in_the_way.begin(), in_the_way.end(), [this](std::uint32_t other) {
+          chosen_[other] = best_free(other);
+          return chosen_[other].has_value();
+        });
+        if (all_moved) {
           return true;
         }
         chosen_[join].reset();
-        chosen_[in_the_way[0]] = old;
+        for (std::size_t i = 0; i < old.size(); ++i) {
+          chosen_[in_the_way[i]] = old[i];
+        }
       }
     }
     return false;
@@ -279,16 +315,14 @@ class Assignment {
 
   /// Looks for a cheaper tab with all others as they are.
   bool improve(std::uint32_t join) {
-    if (!chosen_[join]) {
+    if (!chosen_[join] || chosen_[join]->shape.cost <= 0.0) {
       return false;
     }
     const ChosenTab old = *chosen_[join];
-    const double before = old.shape.cost;
     chosen_[join].reset();
-    std::optional<ChosenTab> better = best_free(join, true);
-    const bool gain = better && better->shape.cost < before - 1e-9;
-    chosen_[join] = gain ? better : old;
-    return gain;
+    const std::optional<ChosenTab> better = best_free(join, old.shape.cost - least_gain);
+    chosen_[join] = better ? better : old;
+    return better.has_value();
   }
 
   std::vector<std::uint32_t> most_constrained_first() const {
@@ -299,10 +333,9 @@ class Assignment {
     };
     std::vector<Key> keys(chosen_.size());
     for (std::uint32_t s = 0; s < sites_.size(); ++s) {
-      const bool usable = !shapes_[s].empty() && shapes_[s].front().usable;
       Key& key = keys[s / 2];
-      key.sides += usable ? 1 : 0;
-      key.shapes += usable ? shapes_[s].size() : 0;
+      key.sides += shapes_[s].empty() ? 0 : 1;
+      key.shapes += shapes_[s].size();
       key.length = sites_[s].length;
     }
     std::vector<std::uint32_t> order(chosen_.size());

@@ -178,6 +178,29 @@ ConvexShape finished(const ConvexShape& tab, const TabOptions& options) {
   return shape.size() >= 4 && top_of(shape) >= options.smallest_height_mm ? shape : ConvexShape();
 }
 
+/// Shares of the edge where a tab on a part of it begins and ends, the longest first.
+constexpr std::array<std::array<double, 2>, 9> parts_of_edge{{{0.15, 1.0},
+                                                              {0.0, 0.85},
+                                                              {0.3, 1.0},
+                                                              {0.0, 0.7},
+                                                              {0.15, 0.85},
+                                                              {0.5, 1.0},
+                                                              {0.0, 0.5},
+                                                              {0.25, 0.75},
+                                                              {0.3, 0.8}}};
+
+/// A base that doesn't reach a corner of the edge has no corner to share there.
+Obstacle without_corners_off_base(const Obstacle& obstacle, const TabBase& base) {
+  Obstacle result = obstacle;
+  if (shares_corner(obstacle.kind)) {
+    const bool left = shares_left(obstacle.kind) && base.left <= same_place_mm;
+    const bool right = shares_right(obstacle.kind) && base.right >= base.edge - same_place_mm;
+    result.kind =
+        left ? (right ? Kind::at_both : Kind::at_base_left) : (right ? Kind::at_base_right : Kind::thing);
+  }
+  return result;
+}
+
 struct Family {
   std::array<double, 3> cotangents;  // as asked, between, steepest
   std::array<double, 3> heights;     // as asked, between, usable
@@ -286,22 +309,25 @@ ConvexShape trimmed(const ConvexShape& tab, const Obstacle& obstacle, double cle
   return best;
 }
 
-ConvexShape largest_tab(double left, double right, const std::vector<Obstacle>& obstacles,
-                        const TabOptions& options) {
+ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstacles,
+                        const TabOptions& options, TabNeed need) {
   const double cot = 1.0 / std::tan(options.steepest_angle);
-  const double top = (right - left - options.smallest_top_mm) / (2.0 * cot);
+  const double top = (base.right - base.left - options.smallest_top_mm) / (2.0 * cot);
   const double height = std::fmin(options.height_mm, top);
   if (height < options.smallest_height_mm) {
     return {};
   }
-  ConvexShape tab = trapezoid(left, right, height, cot, cot);
+  const auto enough = [&](const ConvexShape& tab) {
+    return need == TabNeed::usable ? is_usable(tab, base.edge, options) : !tab.empty();
+  };
+  ConvexShape tab = trapezoid(base.left, base.right, height, cot, cot);
   for (const Obstacle& obstacle : obstacles) {
-    tab = trimmed(tab, obstacle, options.clearance_mm);
-    if (tab.empty()) {
+    if (!enough(tab)) {
       return {};
     }
+    tab = trimmed(tab, without_corners_off_base(obstacle, base), options.clearance_mm);
   }
-  return finished(tab, options).empty() ? ConvexShape() : tab;
+  return enough(tab) && !finished(tab, options).empty() ? tab : ConvexShape();
 }
 
 bool is_usable(const ConvexShape& tab, double length, const TabOptions& options) {
@@ -316,57 +342,71 @@ bool long_enough(double length, const TabOptions& options) {
   return length - 2.0 * cot * options.smallest_height_mm >= options.smallest_top_mm;
 }
 
+bool long_enough_for_usable(double length, const TabOptions& options) {
+  const double cot = 1.0 / std::tan(options.steepest_angle);
+  return length - 2.0 * cot * usable_height(options) >= std::fmax(0.5 * length, options.smallest_top_mm);
+}
+
 std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length, const TabOptions& options) {
   std::vector<TabShape> shapes;
-  if (largest.empty()) {
+  if (!is_usable(largest, length, options)) {
     return shapes;
   }
   add_trapezoids(largest, length, options, shapes);
-  const Family all = family(options);
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const double height = std::fmin(options.height_mm, std::fmax(0.5 * length, usable_height(options)));
-    const ConvexShape shape =
-        finished(within(largest, height, all.cotangents[i], all.cotangents[i]), options);
+  const auto add = [&](double height, double cot_left, double cot_right, double cost) {
+    const ConvexShape shape = finished(within(largest, height, cot_left, cot_right), options);
     if (is_usable(shape, length, options)) {
-      shapes.push_back({shape, true, tab_costs.trimmed + tab_costs.lower * i});
+      shapes.push_back({shape, true, cost});
     }
+  };
+  const Family all = family(options);
+  const double height = std::fmin(options.height_mm, std::fmax(0.5 * length, usable_height(options)));
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    add(height, all.cotangents[i], all.cotangents[i], tab_costs.trimmed + tab_costs.lower * i);
   }
-  if (shapes.empty()) {
-    const ConvexShape shape = finished(largest, options);
-    if (!shape.empty()) {
-      shapes.push_back({shape, false, tab_costs.low});
-    }
-  }
+  // As slanted as a usable tab may be, at one end or at both.
+  const double low = usable_height(options);
+  const double steep = all.cotangents[2];
+  const double spare = (largest[1].x - largest[0].x - 0.5 * length) / low;
+  add(low, 0.5 * spare, 0.5 * spare, tab_costs.leaning);
+  add(low, spare - steep, steep, tab_costs.leaning);
+  add(low, steep, spare - steep, tab_costs.leaning);
   return shapes;
 }
 
 std::vector<TabShape> partial_tab_shapes(double length, const std::vector<Obstacle>& obstacles,
-                                         const TabOptions& options, bool usable_only) {
-  // Shares of the edge where the tab begins and ends, the longest first.
-  constexpr std::array<std::array<double, 2>, 9> parts{{{0.15, 1.0},
-                                                        {0.0, 0.85},
-                                                        {0.3, 1.0},
-                                                        {0.0, 0.7},
-                                                        {0.15, 0.85},
-                                                        {0.5, 1.0},
-                                                        {0.0, 0.5},
-                                                        {0.25, 0.75},
-                                                        {0.3, 0.8}}};
+                                         const TabOptions& options) {
   std::vector<TabShape> shapes;
-  std::vector<TabShape> low;
-  for (const auto& [from, to] : parts) {
-    const ConvexShape largest = largest_tab(from * length, to * length, obstacles, options);
+  for (const auto& [from, to] : parts_of_edge) {
+    const ConvexShape largest =
+        largest_tab({from * length, to * length, length}, obstacles, options, TabNeed::usable);
     for (TabShape& shape : tab_shapes(largest, length, options)) {
       shape.cost += tab_costs.part_of_edge + 100.0 * (1.0 - (to - from));
-      (shape.usable ? shapes : low).push_back(shape);
+      shapes.push_back(shape);
     }
-  }
-  if (shapes.empty() && !usable_only && !low.empty()) {
-    shapes.push_back(low.front());
   }
   std::stable_sort(shapes.begin(), shapes.end(),
                    [](const TabShape& a, const TabShape& b) { return a.cost < b.cost; });
   return shapes;
+}
+
+TabShape low_tab_shape(double length, const std::vector<Obstacle>& obstacles, const TabOptions& options) {
+  TabShape best;
+  const auto offer = [&](double from, double to) {
+    const ConvexShape shape = finished(
+        largest_tab({from * length, to * length, length}, obstacles, options, TabNeed::anything), options);
+    if (!shape.empty() && (best.outline.empty() || shape.area() > 1.5 * best.outline.area())) {
+      best = {shape, is_usable(shape, length, options), tab_costs.low + 100.0 * (1.0 - (to - from))};
+    }
+  };
+  offer(0.0, 1.0);
+  for (const auto& [from, to] : parts_of_edge) {
+    if (!best.outline.empty()) {
+      break;
+    }
+    offer(from, to);
+  }
+  return best;
 }
 
 }  // namespace ridgecraft::unfold

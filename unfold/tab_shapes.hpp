@@ -47,6 +47,7 @@ struct TabCosts {
   double lower = 1.0;    ///< per step of height
   double steeper = 4.0;  ///< per step of a side's angle
   double trimmed = 30.0;
+  double leaning = 36.0;  ///< trimmed to the least that is usable
   double other_side = 40.0;
   double part_of_edge = 80.0;
   double stacked = 6.0;  ///< two tabs behind one face that overlap there
@@ -87,5 +88,7 @@ inline constexpr TabCosts tab_costs;
 
 /// Can an edge of this length carry any tab at all, with nothing around it?
 [[nodiscard]] bool long_enough(double length, const TabOptions& options);
+/// The same for a usable tab.
+[[nodiscard]] bool long_enough_for_usable(double length, const TabOptions& options);
 
 }  // namespace ridgecraft::unfold

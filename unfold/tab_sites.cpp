@@ -207,7 +207,7 @@ Frame glued_frame(const Nets& nets, CornerId twin) {
 }
 
 ConvexShape widest_tab(double length, const TabOptions& options) {
-  return largest_tab(0.0, length, {}, options);
+  return largest_tab({0.0, length, length}, {}, options, TabNeed::anything);
 }
 
 std::vector<TabSite> find_tab_sites(const mesh::Surface& surface, const mesh::Panels& panels,

@@ -58,8 +58,7 @@ NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& opti
     std::vector<Obstacle> target;
     std::copy_if(site->obstacles.begin(), site->obstacles.end(), std::back_inserter(target),
                  [](const Obstacle& o) { return o.kind == Obstacle::Kind::target_edge; });
-    if (!largest_tab(0.0, site->length, target, options).empty() ||
-        !partial_tab_shapes(site->length, target, options, false).empty()) {
+    if (!low_tab_shape(site->length, target, options).outline.empty()) {
       return NoTab::no_room;
     }
   }
