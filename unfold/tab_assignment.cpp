@@ -334,7 +334,7 @@ class Assignment {
     std::vector<Key> keys(chosen_.size());
     for (std::uint32_t s = 0; s < sites_.size(); ++s) {
       Key& key = keys[s / 2];
-      key.sides += shapes_[s].empty() ? 0 : 1;
+      key.sides += shapes_[s].empty() ? 0U : 1U;
       key.shapes += shapes_[s].size();
       key.length = sites_[s].length;
     }

@@ -68,20 +68,38 @@ inline constexpr TabCosts tab_costs;
 /// clear of.
 [[nodiscard]] ConvexShape trimmed(const ConvexShape& tab, const Obstacle& obstacle, double clearance_mm);
 
-/// The largest tab over the base from `left` to `right` among all obstacles: the steepest trapezoid, trimmed.
-/// Empty when nothing of the smallest size is left. O(obstacles).
-[[nodiscard]] ConvexShape largest_tab(double left, double right, const std::vector<Obstacle>& obstacles,
-                                      const TabOptions& options);
+/// The part of an edge that a tab grows from, mm from the left end.
+struct TabBase {
+  double left = 0.0;
+  double right = 0.0;
+  double edge = 0.0;  ///< length of the whole edge
+};
 
-/// Shapes inside `largest`, best first: trapezoids as asked, lower, steeper, then `largest` itself trimmed in
-/// the same manner. `length` is that of the whole edge. The usable ones; if there are none, one that isn't.
+/// What is asked of a tab.
+enum class TabNeed : std::uint8_t {
+  usable,    ///< see is_usable
+  anything,  ///< of the smallest size
+};
+
+/// The largest tab over the base among all obstacles: the steepest trapezoid, trimmed. Empty as soon as it is
+/// less than needed. O(obstacles).
+[[nodiscard]] ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstacles,
+                                      const TabOptions& options, TabNeed need);
+
+/// Usable shapes inside `largest`, best first: trapezoids as asked, lower, steeper, then `largest` trimmed in
+/// the same manner, and some that lean away from one end of the base so that a neighbour finds room there.
+/// `length` is that of the whole edge. O(1).
 [[nodiscard]] std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length,
                                                const TabOptions& options);
 
-/// Shapes that cover only a part of the edge, at least half of it, best first; empty when none is usable and
-/// `usable_only`.
+/// Usable shapes that cover only a part of the edge, at least half of it, best first.
 [[nodiscard]] std::vector<TabShape> partial_tab_shapes(double length, const std::vector<Obstacle>& obstacles,
-                                                       const TabOptions& options, bool usable_only);
+                                                       const TabOptions& options);
+
+/// The best shape where no usable one is to be had, of the whole base or of a part; its outline is empty if
+/// there is none.
+[[nodiscard]] TabShape low_tab_shape(double length, const std::vector<Obstacle>& obstacles,
+                                     const TabOptions& options);
 
 /// Is the tab at least usable_height_mm high along at least half of an edge of this length?
 [[nodiscard]] bool is_usable(const ConvexShape& tab, double length, const TabOptions& options);
