@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces onto pages: shapes for the packer, its answer as placements, and an exact check of it.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "export/clearance.hpp"
+#include "export/export.hpp"
+#include "export/packing.hpp"
+#include "mesh/error.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+using unfold::Nets;
+
+/// Rounding in the distances that the check measures, mm.
+constexpr double gap_rounding_mm = 1e-6;
+
+std::vector<PackingShape> shapes_of(const Nets& nets) {
+  std::vector<std::vector<std::vector<Vec2>>> convex(nets.pieces.size());
+  for (const FaceId f : ids<FaceId>(nets.piece.size())) {
+    const auto& corners = nets.flat[f];
+    convex[nets.piece[f].value()].emplace_back(corners.begin(), corners.end());
+  }
+  for (const unfold::Tab& tab : nets.tabs) {
+    convex[nets.piece[mesh::face_of(tab.side)].value()].push_back(tab.polygon);
+  }
+  std::vector<PackingShape> shapes;
+  for (auto& polygons : convex) {
+    shapes.push_back(packing_shape(std::move(polygons)));
+  }
+  return shapes;
+}
+
+/// The smallest rectangle around the hull: one side of it lies along a side of the hull (Freeman and Shapira
+/// 1975).
+Vec2 smallest_rectangle(const std::vector<Vec2>& hull) {
+  Vec2 smallest = extent(hull, {});
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
+    const double size = length(side);
+    const Vec2 box = extent(hull, {side.x / size, -side.y / size});
+    if (box.x * box.y < smallest.x * smallest.y) {
+      smallest = box;
+    }
+  }
+  return smallest;
+}
+
+void check_fit(const Nets& nets, const std::vector<PackingShape>& shapes, const Paper& paper, Vec2 area) {
+  for (const PieceId p : ids<PieceId>(shapes.size())) {
+    const auto& hull = shapes[p.value()].hull;
+    if (promising_turns(hull, area, 1).empty()) {
+      const Vec2 size = smallest_rectangle(hull);
+      throw Error(
+          ErrorKind::no_nets,
+          fmt::format("piece {} of {:.1f} x {:.1f} mm doesn't fit the {:.1f} x {:.1f} mm that paper of "
+                      "{:.1f} x {:.1f} mm leaves for pieces",
+                      nets.pieces[p].name, size.x, size.y, area.x, area.y, paper.size.x, paper.size.y));
+    }
+  }
+}
+
+std::vector<std::vector<Vec2>> placed(const PackingShape& shape, const Placement& placement) {
+  std::vector<std::vector<Vec2>> polygons = shape.convex;
+  for (auto& polygon : polygons) {
+    for (Vec2& corner : polygon) {
+      corner = placement(corner);
+    }
+  }
+  return polygons;
+}
+
+/// The packer keeps its promise by construction; should it ever not, the offending piece gets a page of its
+/// own.
+void separate_collisions(const std::vector<PackingShape>& shapes, Pages& pages) {
+  std::vector<std::vector<OwnedPolygon>> on_page(pages.count);
+  for (const PieceId p : ids<PieceId>(shapes.size())) {
+    const Placement& placement = pages.placements[p];
+    for (auto& polygon : placed(shapes[p.value()], placement)) {
+      on_page[placement.page.value()].push_back({p.value(), std::move(polygon)});
+    }
+  }
+  std::vector<bool> moved(shapes.size());
+  for (auto& polygons : on_page) {
+    const auto pairs = too_near(std::move(polygons), pages.paper.gap - gap_rounding_mm);
+    RIDGECRAFT_ASSERT(pairs.empty());
+    for (const auto& [first, second] : pairs) {
+      if (!moved[first] && !moved[second]) {
+        pages.placements[PieceId(second)].page = PageId(pages.count++);
+        moved[second] = true;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Pages layout(const Nets& nets, const Paper& paper, const Context& context) {
+  check_paper(paper);
+  PackingTask task;
+  task.shapes = shapes_of(nets);
+  task.area = piece_area(paper);
+  task.gap = paper.gap;
+  check_fit(nets, task.shapes, paper, task.area);
+  for (const unfold::Piece& piece : nets.pieces) {
+    task.group.push_back(piece.parts.empty() ? 0 : piece.parts.front().value());
+  }
+  Pages pages;
+  pages.paper = paper;
+  const Vec2 corner = piece_box(paper).low;
+  for (const Packed& packed : pack(task, context)) {
+    Placement placement;
+    placement.page = PageId(packed.page);
+    placement.cosine = packed.turn.cosine;
+    placement.sine = packed.turn.sine;
+    placement.shift = packed.shift + corner;
+    pages.placements.push_back(placement);
+    pages.count = std::max<std::size_t>(pages.count, packed.page + 1);
+  }
+  separate_collisions(task.shapes, pages);
+  return pages;
+}
+
+}  // namespace ridgecraft::paper

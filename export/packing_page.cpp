@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/packing_page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace ridgecraft::paper {
+namespace {
+
+/// Grids have at most this many columns (PackingGrid makes cells larger on larger sheets).
+constexpr std::size_t most_words = 16;
+
+/// A row of the grid. The number of words is fixed at compile time: shifting is all that the search does.
+template <std::size_t N>
+using Words = std::array<std::uint64_t, N>;
+
+/// The bits moved down by so many places; above them 0.
+template <std::size_t N>
+Words<N> shifted_down(const Words<N>& bits, std::uint32_t by) {
+  std::array<std::uint64_t, 2 * N + 1> wide{};
+  std::copy_n(bits.begin(), N, wide.begin());
+  const std::uint64_t* from = wide.data() + std::min<std::size_t>(by / 64, N);
+  const std::uint32_t rest = by % 64;
+  Words<N> result;
+  for (std::size_t i = 0; i < N; ++i) {
+    // Two steps, since a shift by 64 isn't defined.
+    result[i] = (from[i] >> rest) | ((from[i + 1] << 1U) << (63U - rest));
+  }
+  return result;
+}
+
+/// Columns at which a run of `count` cells, moved right by `begin`, meets a taken cell of the row.
+template <std::size_t N>
+Words<N> meets(const std::uint64_t* row, std::uint32_t begin, std::uint32_t count) {
+  Words<N> bits;
+  std::copy_n(row, N, bits.begin());
+  const auto widen = [&bits](std::uint32_t by) {
+    const Words<N> moved = shifted_down<N>(bits, by);
+    for (std::size_t i = 0; i < N; ++i) {
+      bits[i] |= moved[i];
+    }
+  };
+  // Powers of two: after each step a bit stands for twice as many cells.
+  std::uint32_t covered = 1;
+  for (; 2 * covered <= count; covered *= 2) {
+    widen(covered);
+  }
+  if (covered < count) {
+    widen(count - covered);
+  }
+  return begin == 0 ? bits : shifted_down<N>(bits, begin);
+}
+
+/// How many whole cells the piece can be moved along a side.
+std::int32_t room(double side, double size, double cell) {
+  return static_cast<std::int32_t>(std::floor(std::max(0.0, side - size) / cell + 1e-9));
+}
+
+/// The first or the last column that isn't blocked; there is one.
+template <std::size_t N>
+std::int32_t free_column(const Words<N>& blocked, bool leftmost) {
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::size_t word = leftmost ? i : N - 1 - i;
+    if (const std::uint64_t free = ~blocked[word]; free != 0) {
+      return static_cast<std::int32_t>(64 * word) +
+             (leftmost ? std::countr_zero(free) : 63 - std::countl_zero(free));
+    }
+  }
+  return 0;
+}
+
+/// Columns beyond `last`, where the piece would stick out.
+template <std::size_t N>
+Words<N> columns_beyond(std::int32_t last) {
+  Words<N> outside;
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::int32_t inside = std::clamp(last + 1 - static_cast<std::int32_t>(64 * i), 0, 64);
+    outside[i] = inside == 64 ? 0 : ~std::uint64_t{0} << static_cast<unsigned>(inside);
+  }
+  return outside;
+}
+
+/// Adds the columns that are blocked in one row of the page; true when none is left.
+template <std::size_t N>
+bool block(Words<N>& blocked, const std::uint64_t* row, const Raster::Run& run) {
+  const Words<N> met =
+      meets<N>(row, static_cast<std::uint32_t>(run.begin), static_cast<std::uint32_t>(run.end - run.begin));
+  std::uint64_t all = ~std::uint64_t{0};
+  for (std::size_t i = 0; i < N; ++i) {
+    blocked[i] |= met[i];
+    all &= blocked[i];
+  }
+  return all == ~std::uint64_t{0};
+}
+
+template <std::size_t N>
+std::optional<Spot> lowest_spot(const PackingGrid& grid, const std::vector<std::uint64_t>& taken,
+                                const Raster& raster, std::int32_t up, bool leftmost, std::uint64_t& work) {
+  const Words<N> outside = columns_beyond<N>(room(grid.area.x, raster.size.x, grid.cell));
+  for (std::int32_t y = 0; y <= up; ++y) {
+    Words<N> blocked = outside;
+    bool full = false;
+    for (const Raster::Run& run : raster.solid) {
+      const std::int32_t row = run.row + y;
+      if (row >= grid.rows) {
+        continue;  // rounding: the last cell may be touched by less than the fit tolerance
+      }
+      work += N;
+      full = block<N>(blocked, taken.data() + static_cast<std::size_t>(row) * N, run);
+      if (full) {
+        break;
+      }
+    }
+    if (!full) {
+      return Spot{free_column<N>(blocked, leftmost), y};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Fewest words of those compiled that hold so many columns.
+std::size_t words_for(std::int32_t columns) {
+  const std::size_t needed = (static_cast<std::size_t>(columns) + 63) / 64;
+  return needed <= 6 ? needed : needed <= 8 ? 8 : most_words;
+}
+
+}  // namespace
+
+PackingGrid::PackingGrid(Vec2 area_mm, double cell_mm)
+    : area(area_mm), cell(std::max(cell_mm, area_mm.x / (64.0 * most_words - 2.0))) {
+  columns = static_cast<std::int32_t>(std::ceil(area.x / cell)) + 1;
+  rows = static_cast<std::int32_t>(std::ceil(area.y / cell)) + 1;
+  words = words_for(columns);
+}
+
+std::optional<Spot> PackingPage::find(const Raster& raster, double limit, bool leftmost,
+                                      std::uint64_t& work) const {
+  if (raster.size.y > limit) {
+    return std::nullopt;
+  }
+  const std::int32_t up = room(std::min(limit, grid_->area.y), raster.size.y, grid_->cell);
+  const auto search = [&]<std::size_t N>() {
+    return lowest_spot<N>(*grid_, taken_, raster, up, leftmost, work);
+  };
+  switch (grid_->words) {
+    case 1:
+      return search.operator()<1>();
+    case 2:
+      return search.operator()<2>();
+    case 3:
+      return search.operator()<3>();
+    case 4:
+      return search.operator()<4>();
+    case 5:
+      return search.operator()<5>();
+    case 6:
+      return search.operator()<6>();
+    case 8:
+      return search.operator()<8>();
+    default:
+      return search.operator()<most_words>();
+  }
+}
+
+void PackingPage::take(const Raster& raster, Spot spot) {
+  for (const Raster::Run& run : raster.padded) {
+    const std::int32_t y = run.row + spot.row;
+    if (y < 0 || y >= grid_->rows) {
+      continue;
+    }
+    std::uint64_t* bits = taken_.data() + static_cast<std::size_t>(y) * grid_->words;
+    const std::int32_t begin = std::max(0, run.begin + spot.column);
+    const std::int32_t end = std::min(grid_->columns, run.end + spot.column);
+    for (std::int32_t x = begin; x < end;) {
+      const std::int32_t stop = std::min(end, (x / 64 + 1) * 64);
+      const std::uint64_t ones =
+          stop - x == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << static_cast<unsigned>(stop - x)) - 1;
+      bits[x / 64] |= ones << static_cast<unsigned>(x % 64);
+      x = stop;
+    }
+  }
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One page of the packer: a bitmap of what is taken, and the search for the lowest free place.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "export/packing_shape.hpp"
+
+namespace ridgecraft::paper {
+
+/// Size of the area in mm and in cells.
+struct PackingGrid {
+  Vec2 area;
+  double cell = 1.0;
+  std::int32_t columns = 0;
+  std::int32_t rows = 0;
+  std::size_t words = 0;  ///< 64 columns each, for a row
+
+  PackingGrid(Vec2 area_mm, double cell_mm);
+};
+
+/// A place for a raster: the cell in which its lower left corner comes to lie.
+struct Spot {
+  std::int32_t column = 0;
+  std::int32_t row = 0;
+};
+
+class PackingPage {
+ public:
+  explicit PackingPage(const PackingGrid& grid)
+      : grid_(&grid), taken_(grid.words * static_cast<std::size_t>(grid.rows)) {}
+
+  /// The lowest free place (the leftmost or rightmost of these) whose upper edge lies below `limit` mm.
+  /// `work` is raised by the number of words read, which is how the packer measures time.
+  [[nodiscard]] std::optional<Spot> find(const Raster& raster, double limit, bool leftmost,
+                                         std::uint64_t& work) const;
+  void take(const Raster& raster, Spot spot);
+
+ private:
+  const PackingGrid* grid_;
+  std::vector<std::uint64_t> taken_;
+};
+
+}  // namespace ridgecraft::paper
