@@ -6,7 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -72,11 +72,46 @@ class IdVector {
   std::vector<T> items_;
 };
 
+/// The range that ids() gives: forward only, each id made as it is asked for. Written out, since clang 14
+/// can't compile the views of this standard library.
+template <class I>
+class IdRange {
+ public:
+  class Iterator {
+   public:
+    using value_type = I;
+    using difference_type = std::ptrdiff_t;
+    using reference = I;
+    using pointer = const I*;
+    using iterator_category = std::forward_iterator_tag;
+
+    constexpr Iterator() = default;
+    constexpr explicit Iterator(std::uint32_t value) : value_(value) {}
+    constexpr I operator*() const { return I(value_); }
+    constexpr Iterator& operator++() {
+      ++value_;
+      return *this;
+    }
+    constexpr Iterator operator++(int) { return Iterator(value_++); }
+    friend constexpr bool operator==(Iterator, Iterator) = default;
+
+   private:
+    std::uint32_t value_ = 0;
+  };
+
+  constexpr explicit IdRange(std::size_t count) : count_(static_cast<std::uint32_t>(count)) {}
+  [[nodiscard]] constexpr Iterator begin() const { return Iterator(0); }
+  [[nodiscard]] constexpr Iterator end() const { return Iterator(count_); }
+  [[nodiscard]] constexpr std::size_t size() const { return count_; }
+
+ private:
+  std::uint32_t count_;
+};
+
 /// The ids 0 .. count-1, for range-based loops: for (FaceId f : ids<FaceId>(surface.face_count())).
 template <class I>
-[[nodiscard]] auto ids(std::size_t count) {
-  return std::views::iota(std::uint32_t{0}, static_cast<std::uint32_t>(count)) |
-         std::views::transform([](std::uint32_t value) { return I(value); });
+[[nodiscard]] constexpr IdRange<I> ids(std::size_t count) {
+  return IdRange<I>(count);
 }
 
 }  // namespace ridgecraft

@@ -49,8 +49,9 @@ std::int64_t PlyValues::list_length(const PlyProperty& property) {
   }
   if (length > room) {
     refuse(ErrorKind::unreadable_input,
-           fmt::format("a list has {} entries, more than the {} bytes that follow can hold", length,
-                       rest().size()));
+           fmt::format(
+               "a list has {} entries, more than the {} bytes that follow can hold; the file may be cut off",
+               length, rest().size()));
   }
   return length;
 }

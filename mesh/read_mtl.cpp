@@ -76,16 +76,19 @@ std::string_view skip_map_options(TextScanner& line) {
   return line.rest_of_line();
 }
 
-void read_definitions(std::string_view bytes, const fs::path& folder, Definitions& definitions) {
+/// False where nothing is defined.
+bool read_definitions(std::string_view bytes, const fs::path& folder, Definitions& definitions) {
   if (bytes.starts_with("\xef\xbb\xbf")) {
     bytes.remove_prefix(3);
   }
   TextScanner text(bytes);
   Definition* material = nullptr;
+  bool any = false;
   for (; !text.done(); text.next_line()) {
     const std::string_view keyword = text.line_is_over() ? std::string_view() : text.word();
     if (equal_ignoring_case(keyword, "newmtl")) {
       const auto [found, fresh] = definitions.try_emplace(std::string(text.rest_of_line()));
+      any = true;
       material = fresh ? &found->second : nullptr;  // the first definition of a name counts
       if (fresh) {
         found->second.folder = folder;
@@ -96,6 +99,7 @@ void read_definitions(std::string_view bytes, const fs::path& folder, Definition
       material->texture = skip_map_options(text);
     }
   }
+  return any;
 }
 
 /// Opens the files that an OBJ file names and remarks on those that are of no use.
@@ -114,7 +118,7 @@ class MaterialFiles {
   const Source& source_;
   RepairReport& remarks_;
   Definitions definitions_;
-  std::set<fs::path> read_files_;
+  std::map<fs::path, bool> read_files_;  ///< whether they are of use
   PictureFinder pictures_;
   bool any_missing_ = false;
 };
@@ -142,17 +146,17 @@ void MaterialFiles::read_line(std::string_view names) {
 /// False for a file that defines nothing or can't be opened.
 bool MaterialFiles::read(const fs::path& file) {
   source_.context.check();
-  if (!read_files_.insert(file.lexically_normal()).second) {
-    return true;
+  const auto [entry, fresh] = read_files_.try_emplace(file.lexically_normal(), false);
+  if (!fresh) {
+    return entry->second;
   }
   try {
-    const std::size_t before = definitions_.size();
     const std::string bytes = read_file(file);
-    read_definitions(bytes, file.parent_path(), definitions_);
-    return definitions_.size() > before || bytes.find("newmtl") != bytes.npos;
+    entry->second = read_definitions(bytes, file.parent_path(), definitions_);
   } catch (const Error&) {
-    return false;
+    // Remarked on by the caller, like a file that isn't there.
   }
+  return entry->second;
 }
 
 void MaterialFiles::apply(std::string_view name, Material& material) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a surface to the bytes of a mesh file, with a colour for each face.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "mesh/id.hpp"
+#include "mesh/surface.hpp"
+
+namespace ridgecraft::mesh {
+
+/// Red, green, blue.
+using ByteColour = std::array<std::uint8_t, 3>;
+/// A colour for each face of a surface, or empty for none.
+using FaceColours = IdVector<FaceId, ByteColour>;
+
+enum class PlyKind { ascii, binary };
+
+// Points keep their numbers and every bit of their coordinates; faces keep theirs and start at the same
+// corner. Linear.
+
+/// PLY; binary is little-endian. Coordinates are of type double, colours are properties red, green, blue of
+/// faces.
+[[nodiscard]] std::string write_ply(const Surface& surface, const FaceColours& colours, PlyKind kind);
+
+/// OFF; colours stand after the corners of a face as numbers 0 to 255.
+[[nodiscard]] std::string write_off(const Surface& surface, const FaceColours& colours);
+
+/// OBJ; colours are materials named by their hexadecimal digits. With colours, `material_file` is the name of
+/// the file that write_mtl() is written to.
+[[nodiscard]] std::string write_obj(const Surface& surface, const FaceColours& colours,
+                                    std::string_view material_file);
+
+/// The material file of write_obj(): each colour once, in the order of their first faces.
+[[nodiscard]] std::string write_mtl(const FaceColours& colours);
+
+}  // namespace ridgecraft::mesh

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <clocale>
+#include <stop_token>
+
+#include <catch2/catch.hpp>
+
+#include "reading.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::test;
+using mesh::RepairKind;
+using mesh::Soup;
+
+namespace {
+
+constexpr std::string_view three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+std::vector<std::uint32_t> corners(const Soup& soup, std::size_t polygon) {
+  const auto found = soup.polygon(polygon);
+  return {found.begin(), found.end()};
+}
+
+}  // namespace
+
+TEST_CASE("OBJ: points and polygons keep numbers and order") {
+  const Soup soup = parsed("v 0.1 -2e-3 +4.\nv .5 1 1\nv 1 1 0\nv 3 3 3\nf 1 2 3 4\nf 4 3 1\n", "obj");
+  REQUIRE(soup.points.size() == 4);
+  CHECK(soup.points[0] == Vec3{0.1, -2e-3, 4.0});
+  CHECK(corners(soup, 0) == std::vector<std::uint32_t>{0, 1, 2, 3});
+  CHECK(corners(soup, 1) == std::vector<std::uint32_t>{3, 2, 0});
+  CHECK(soup.corner_texture.empty());
+  CHECK(soup.polygon_material.empty());
+  CHECK(soup.remarks.entries().empty());
+}
+
+TEST_CASE("OBJ: line ends, tabs, comments and continued lines are white space") {
+  const std::string points(three_points);
+  for (const std::string face : {"f 1 2 3", "f\t1\t2\t3\t", "  f 1 2 3  # end", "f 1 \\\n2 3\n",
+                                 "f 1 \\\r\n 2 3\r\n", "f 1 2 3\\\n", "f 1 2\\\n 3"}) {
+    INFO(face);
+    CHECK(corners(parsed(points + face, "obj"), 0) == std::vector<std::uint32_t>{0, 1, 2});
+  }
+  // A backslash at the end of a comment joins nothing.
+  CHECK(parsed("# C:\\models\\\n" + points + "f 1 2 3", "obj").points.size() == 3);
+  CHECK(parsed("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", "obj").points.size() == 3);
+  CHECK(parsed("\xef\xbb\xbf" + points + "f 1 2 3", "obj").points.size() == 3);
+}
+
+TEST_CASE("OBJ: relative numbers count back from their line, others over the whole file") {
+  const Soup soup = parsed("f 1 2 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 1\nf -1 -2 -3", "obj");
+  CHECK(corners(soup, 0) == std::vector<std::uint32_t>{0, 1, 3});
+  CHECK(corners(soup, 1) == std::vector<std::uint32_t>{0, 1, 2});
+  CHECK(corners(soup, 2) == std::vector<std::uint32_t>{3, 2, 1});
+}
+
+TEST_CASE("OBJ: polygons with few corners are kept for repair to judge") {
+  const Soup soup = parsed(std::string(three_points) + "f\nf 1\nf 1 2\nf 1 2 3\n", "obj");
+  REQUIRE(soup.polygon_count() == 4);
+  CHECK(soup.polygon(0).empty());
+  CHECK(soup.polygon(2).size() == 2);
+}
+
+TEST_CASE("OBJ: refusals name the line and the reason") {
+  const std::string points(three_points);
+  const auto refused = [&](const std::string& more) { return refusal(points + more, "obj"); };
+  CHECK(refused("f 1 2 0") == "3 model.obj, line 4: a face names point 0, but points are numbered from 1");
+  CHECK(refused("f 1 2 3\n\nf 1 2 4\n") ==
+        "3 model.obj, line 6: a face names point 4, but the file has only 3 points");
+  CHECK(refused("f 1 2 -4\n").find("line 4: a face names point \"-4\"") != std::string::npos);
+  CHECK(refused("f 1 2 18446744073709551617\n").find("more than any file has") != std::string::npos);
+  CHECK(refused("f 1 2 4294967297\n").starts_with("3 model.obj, line 4: "));
+  CHECK(refused("f 1 2 3.5\n") == "3 model.obj, line 4: \"3.5\" is no corner of a face");
+  CHECK(refused("f 1/a 2 3\n") == "3 model.obj, line 4: \"1/a\" is no corner of a face");
+  CHECK(refused("v 0,5 1,5 2,5\n").find("decimal point") != std::string::npos);
+  CHECK(refused("v 1 2\nv 3 0 0\n") == "3 model.obj, line 4: point 4 has fewer than three coordinates");
+  CHECK(refused("v 1 2 #3\n").find("fewer than three") != std::string::npos);
+  CHECK(refused("v 0x10 2 3\n") == "3 model.obj, line 4: \"0x10\" is no number");
+  CHECK(refused("v +-1 2 3\n") == "3 model.obj, line 4: \"+-1\" is no number");
+  CHECK(refused("v 1 \xff\n\n2\n").find("\"\xef\xbf\xbd\" is no number") != std::string::npos);
+  CHECK(refused("v " + std::string(100000, 'x') + " 2 3\n").size() < 120);
+}
+
+TEST_CASE("OBJ: coordinates out of range are not finite, small ones are zero") {
+  const std::string rest = " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const std::string number : {"1e400", "-1e309", "nan", "-inf", "Infinity", "1e99999999999999999999",
+                                   "1000000e399", "0.0001e320"}) {
+    INFO(number);
+    CHECK(refusal("v " + number + rest, "obj") ==
+          "4 model.obj, line 1: a coordinate of point 1 is not finite");
+  }
+  for (const std::string number :
+       {"1e-400", "0e999", "-1e-99999999999999999999", "0.0000001e-320", "0.0e400"}) {
+    INFO(number);
+    CHECK(parsed("v " + number + rest, "obj").points[0].x == 0.0);
+  }
+  CHECK(refusal("v " + std::string(1000, '9') + rest, "obj").starts_with("4 "));
+  CHECK(parsed("v 0." + std::string(1000, '0') + "1" + rest, "obj").points[0].x == 0.0);
+  CHECK(parsed("v 5e-324" + rest, "obj").points[0].x == 5e-324);
+}
+
+TEST_CASE("OBJ: texture coordinates are kept where a face has them at all corners") {
+  const std::string start = std::string(three_points) + "vt 0 0\nvt 1 0 0\nvt 0.5\nvt nan 0\nvt 1e9 0\n";
+  const Soup soup = parsed(start + "f 1/1 2/2 3/3\nf 1 2 3\nf 1/1 2//1 3/3\nf 1/1/1 2/2/1 3/-3/1\n", "obj");
+  const std::uint32_t none = Soup::none;
+  CHECK(soup.corner_texture ==
+        std::vector<std::uint32_t>{0, 1, 2, none, none, none, none, none, none, 0, 1, 2});
+  CHECK(soup.texture_points[2] == Vec2{0.5, 0.0});
+  CHECK(soup.remarks.entries().empty());
+  for (const std::string bad :
+       {"4", "5", "6", "0", "-6", "99999999999999999999", "4294967295", "4294967296"}) {
+    INFO(bad);
+    const Soup spoilt = parsed(start + "f 1/1 2/2 3/" + bad + "\n", "obj");
+    CHECK(spoilt.corner_texture.empty());
+    CHECK(spoilt.remarks.count(RepairKind::texture_point_dropped) == 1);
+  }
+}
+
+TEST_CASE("OBJ: materials are those that faces use, in the order of their use") {
+  const Soup soup =
+      parsed(std::string(three_points) +
+                 "f 1 2 3\nusemtl unused\nusemtl dark red \nf 1 2 3\nusemtl b\nf 1 2 3\nf 3 2 1\n"
+                 "usemtl dark red\nf 1 2 3\nusemtl\nf 1 2 3\n",
+             "obj");
+  REQUIRE(soup.materials.size() == 2);
+  CHECK(soup.materials[0].name == "dark red");
+  CHECK(soup.materials[1].name == "b");
+  CHECK(soup.polygon_material == std::vector<std::uint32_t>{Soup::none, 0, 1, 1, 0, Soup::none});
+}
+
+TEST_CASE("OBJ: what is no face is counted, what is no OBJ refused") {
+  const Soup soup =
+      parsed(std::string(three_points) + "o a\ng b\ns 1\nl 1 2\np 1\ncurv 0 1 1 2\nf 1 2 3\n", "obj");
+  CHECK(soup.remarks.count(RepairKind::element_ignored) == 3);
+  CHECK(soup.remarks.entries()[0].detail == "first: line 7");
+  CHECK(refusal("to whom it may concern\n", "obj").starts_with("3 model.obj, line 1: "));
+  CHECK(refusal("# nothing\n", "obj") == "4 model.obj has no faces");
+  CHECK(refusal(three_points, "obj").starts_with("4 "));
+}
+
+TEST_CASE("OBJ: zero bytes after the text are remarked on") {
+  const std::string text = std::string(three_points) + "f 1 2 3\n";
+  CHECK(parsed(text + std::string(512, '\0'), "obj").remarks.count(RepairKind::trailing_data_ignored) == 512);
+  CHECK(parsed(text + '\x1a', "obj").remarks.entries().empty());
+  // In the middle they are damage.
+  CHECK(refusal(text + std::string(3, '\0') + "f 1 2 3\n", "obj").starts_with("3 "));
+}
+
+TEST_CASE("OBJ: numbers don't depend on the locale") {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) {
+    if (std::setlocale(LC_ALL, name) != nullptr) {
+      CHECK(parsed("v 0.5 1.5 2.5\nv 1 0 0\nv 0 1 0\nf 1 2 3", "obj").points[0] == Vec3{0.5, 1.5, 2.5});
+    }
+  }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST_CASE("Reading stops when it is asked to") {
+  std::stop_source stop;
+  stop.request_stop();
+  Context context;
+  context.stop = stop.get_token();
+  std::string text(three_points);
+  for (int i = 0; i < 100000; ++i) {
+    text += "f 1 2 3\n";
+  }
+  try {
+    (void)mesh::parse_soup(text, "model.obj", {}, context);
+    FAIL("wasn't stopped");
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::interrupted);
+  }
+}

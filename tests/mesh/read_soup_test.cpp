@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which files are read at all, and as what.
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <catch2/catch.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "mesh/printable.hpp"
+#include "reading.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::test;
+using namespace std::string_literals;
+using mesh::RepairKind;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string refusal_of_file(const fs::path& path) {
+  try {
+    (void)mesh::read_soup(path, {});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("The suffix decides only where the content could be several") {
+  const std::string obj = "# c\n\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string suffix : {"obj", "OBJ", "stl", "ply", "off", "txt", ""}) {
+    INFO(suffix);
+    const bool other = suffix == "stl" || suffix == "ply";
+    CHECK(parsed(obj, suffix).remarks.count(RepairKind::content_is_other_format) ==
+          (other || suffix == "off" ? 1 : 0));
+    CHECK(parsed(off, suffix).format == mesh::FileFormat::off);
+  }
+  CHECK(refusal("# nothing\n", "obj").starts_with("4 "));
+  CHECK(refusal("# nothing\n", "txt").starts_with("3 "));
+  CHECK(refusal("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "").empty());
+}
+
+TEST_CASE("Files that are something else are named for it") {
+  const auto says = [](std::string_view bytes, const std::string& word) {
+    const std::string sentence = refusal(bytes, "stl");
+    INFO(sentence);
+    CHECK(sentence.starts_with("3 model.stl is "));
+    CHECK(sentence.find(word) != std::string::npos);
+  };
+  says("\x1f\x8b\x08\0\0"s, "gzip");
+  says("PK\x03\x04\0\0\0\0"s, "ZIP");
+  says("PK\x03\x04\0\0\0\0[Content_Types].xml"s, "3MF");
+  says("\x89PNG\r\n\x1a\n\0\0"s, "PNG");
+  says("\xff\xd8\xff\xe0JFIF"s, "JPEG");
+  says("glTF\2\0\0\0"s, "glTF");
+  says("{\n \"asset\": {\"version\": \"2.0\"}}", "glTF");
+  says("{\"a\": 1}", "JSON");
+  says("Kaydara FBX Binary  \0"s, "FBX");
+  says("; FBX 7.3.0 project file\n", "FBX");
+  says("BLENDER-v293", "Blender");
+  says("ISO-10303-21;\nHEADER;", "STEP");
+  says("%PDF-1.7", "PDF");
+  says("\xff\xfev\0 \0"s, "UTF-16");
+  says("<!DOCTYPE html><html>404", "HTML");
+  says("<?xml version=\"1.0\"?>\n<COLLADA xmlns", "COLLADA");
+  says("<?xml version=\"1.0\"?>\n<thing>", "XML");
+  says("#VRML V2.0 utf8", "VRML");
+  says("# vtk DataFile Version 3.0", "VTK");
+  says(std::string(1000, '\0'), "zero bytes");
+  says("version https://git-lfs.github.com/spec/v1\noid", "Git LFS");
+}
+
+TEST_CASE("Only regular files are read, and a refusal names the file") {
+  const fs::path folder = fs::temp_directory_path() / ("ridgecraft_read_" + std::to_string(::getpid()));
+  fs::create_directories(folder / "folder.obj");
+  REQUIRE(::mkfifo((folder / "pipe.obj").c_str(), 0600) == 0);
+  std::ofstream(folder / "closed.obj") << "v 0 0 0\n";
+  fs::permissions(folder / "closed.obj", fs::perms::none);
+  std::ofstream(folder / "empty.obj").flush();
+  fs::create_symlink("loop.obj", folder / "loop.obj");
+  const std::string at = folder.string();
+  CHECK(refusal_of_file(folder / "none.obj") == at + "/none.obj doesn't exist");
+  CHECK(refusal_of_file(folder / "empty.obj" / "x.obj") == at + "/empty.obj/x.obj doesn't exist");
+  CHECK(refusal_of_file(folder / "folder.obj") == at + "/folder.obj is a folder, not a file");
+  CHECK(refusal_of_file(folder / "pipe.obj").find("is a pipe or device") != std::string::npos);
+  CHECK(refusal_of_file("/dev/zero").find("is a pipe or device") != std::string::npos);
+  CHECK(refusal_of_file(folder / "empty.obj") == at + "/empty.obj is empty");
+  CHECK(refusal_of_file(folder / "loop.obj").find("can't be read") != std::string::npos);
+  CHECK(refusal_of_file("").find("doesn't exist") != std::string::npos);
+  if (::geteuid() != 0) {  // root may read everything
+    CHECK(refusal_of_file(folder / "closed.obj").find("no permission") != std::string::npos);
+  }
+  // A file of holes takes no room, but would take all memory.
+  std::ofstream(folder / "huge.obj").flush();
+  std::error_code too_large;
+  fs::resize_file(folder / "huge.obj", (std::uintmax_t{1} << 32U) + 1, too_large);
+  if (!too_large) {
+    CHECK(refusal_of_file(folder / "huge.obj").find("is too large") != std::string::npos);
+  }
+  fs::remove_all(folder);
+}
+
+TEST_CASE("Messages are one line of valid UTF-8") {
+  CHECK(mesh::printable("a\n\x1b[0m") == "a\xef\xbf\xbd\xef\xbf\xbd[0m");
+  CHECK(mesh::printable("F\xc3\xbc"s + "chsin \xe7\x8b\x90 \xf0\x9f\xa6\x8a") ==
+        "F\xc3\xbc"s + "chsin \xe7\x8b\x90 \xf0\x9f\xa6\x8a");
+  CHECK(mesh::printable("\xc3") == "\xef\xbf\xbd");
+  CHECK(mesh::printable("\xed\xa0\x80") == "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");  // a surrogate
+  CHECK(mesh::printable("\xc0\x80").size() == 6);                                    // an overlong zero
+  CHECK(mesh::printable("\xc2\x85") == "\xef\xbf\xbd");                              // next line
+  CHECK(mesh::in_quotes(std::string(39, 'a') + "\xc3\xbc" + "b") == '"' + std::string(39, 'a') + "...\"");
+}
+
+TEST_CASE("Digests are fixed and tell bytes apart") {
+  // These values are written into files that people keep: they must not change.
+  CHECK(mesh::digest("") == mesh::digest(""));
+  CHECK(mesh::digest("").size() == 16);
+  std::set<std::string> seen;
+  std::string bytes;
+  for (int i = 0; i < 300; ++i) {
+    CHECK(seen.insert(mesh::digest(bytes)).second);
+    bytes += '\0';
+  }
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      std::string other = bytes;
+      other[i] = static_cast<char>(1U << bit);
+      CHECK(seen.insert(mesh::digest(other)).second);
+    }
+  }
+}
+
+TEST_CASE("Every kind of repair has a word and sentences for one and for many") {
+  std::set<std::string_view> names;
+  for (int i = 0; i <= static_cast<int>(RepairKind::narrow_faces); ++i) {
+    const auto kind = static_cast<RepairKind>(i);
+    CHECK(names.insert(mesh::name(kind)).second);
+    CHECK(mesh::name(kind).find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string_view::npos);
+    CHECK(mesh::sentence(kind, 1) != mesh::sentence(kind, 2));
+    CHECK(mesh::sentence(kind, 24).find("24") != std::string::npos);
+    CHECK(mesh::sentence(kind, 1).find('{') == std::string::npos);
+    CHECK(!mesh::sentence(kind, 1).ends_with('.'));
+  }
+  CHECK(mesh::sentence(RepairKind::points_joined, 24) == "24 points at equal places were joined");
+  mesh::RepairReport report;
+  report.add(RepairKind::cut_open, 0, "none");
+  report.add(RepairKind::faces_turned, 2);
+  report.add(RepairKind::cut_open, 1, "first");
+  report.add(RepairKind::faces_turned, 3, "second");
+  report.add(report);
+  REQUIRE(report.entries().size() == 2);
+  CHECK(report.count(RepairKind::faces_turned) == 10);
+  CHECK(report.entries()[0].detail == "second");
+  CHECK(report.entries()[1].detail == "first");
+  CHECK(!mesh::is_change(RepairKind::open_border));
+  CHECK(mesh::is_change(RepairKind::texture_missing));
+}

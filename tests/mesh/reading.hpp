@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Short words for tests of the readers: text in, soup or refusal out.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mesh/error.hpp"
+#include "mesh/read_soup.hpp"
+
+namespace ridgecraft::test {
+
+/// The soup in a text that is called "model" with this suffix.
+[[nodiscard]] inline mesh::Soup parsed(std::string_view text, const std::string& suffix) {
+  return mesh::parse_soup(text, "model." + suffix, {}, {});
+}
+
+/// How a text is refused: "3 SENTENCE" for unreadable_input, "4 SENTENCE" for unusable_mesh; empty where it
+/// is read.
+[[nodiscard]] inline std::string refusal(std::string_view text, const std::string& suffix) {
+  try {
+    (void)parsed(text, suffix);
+  } catch (const Error& error) {
+    return (error.kind() == ErrorKind::unreadable_input ? "3 "
+            : error.kind() == ErrorKind::unusable_mesh  ? "4 "
+                                                        : "? ") +
+           std::string(error.what());
+  }
+  return {};
+}
+
+}  // namespace ridgecraft::test
