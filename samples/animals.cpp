@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Animals that are a body lofted along its spine, one half of it and its mirror image.
+#include <cmath>
+#include <numbers>
+
+#include "samples/models.hpp"
+
+namespace ridgecraft::samples {
+namespace {
+
+/// A cross-section of a body: half of it, from the belly up to the back.
+struct Section {
+  double y;  ///< along the body
+  double half_width;
+  double bottom, top;  ///< heights of belly and back
+  double widest;       ///< height of the widest point
+};
+
+Ring half_ring(const Section& s) {
+  const double low = 0.45 * s.widest + 0.55 * s.bottom;
+  const double high = 0.4 * s.widest + 0.6 * s.top;
+  return {{0, s.y, s.bottom},
+          {0.72 * s.half_width, s.y, low},
+          {s.half_width, s.y, s.widest},
+          {0.7 * s.half_width, s.y, high},
+          {0, s.y, s.top}};
+}
+
+void paint(Shape& shape, const Grid& grid, std::size_t rows_begin, std::size_t rows_end, std::size_t column,
+           Index material) {
+  for (std::size_t i = rows_begin; i < rows_end; ++i) {
+    shape.set_material(grid.face(i, column), material);
+  }
+}
+
+}  // namespace
+
+Shape whale() {
+  Shape shape;
+  const Index back = shape.material("back", {0.25, 0.52, 0.74});
+  const Index belly = shape.material("belly", {0.93, 0.96, 0.97});
+  const Index eye = shape.material("eye", {0.08, 0.09, 0.12});
+  std::vector<Ring> rings = {Ring(5, {0, -52, 6})};
+  for (const Section& s :
+       {Section{-48, 14, -9, 18, 4}, Section{-35, 23, -17, 26, 0}, Section{-14, 25, -20, 28, -3},
+        Section{6, 21, -16, 23, -1}, Section{22, 13.5, -8, 18, 4}, Section{34, 8, 3, 17, 10}}) {
+    rings.push_back(half_ring(s));
+  }
+  // The tail bends up; its rings lean back.
+  rings.push_back({{0, 46, 15}, {3.6, 45, 17}, {5, 43, 20}, {3.6, 41, 23}, {0, 40, 24.5}});
+  // The fluke: a wide flat ring, then its trailing edge, where below and above meet.
+  rings.push_back({{0, 53, 27}, {14, 54, 31}, {33, 60, 43}, {14, 51, 34.5}, {0, 48, 32}});
+  rings.push_back({{0, 57, 34}, {16, 61, 39}, {33, 60, 43}, {16, 61, 39}, {0, 57, 34}});
+  const Grid body = loft(shape, rings, false, back);
+  paint(shape, body, 0, 6, 0, belly);
+  paint(shape, body, 0, 3, 1, belly);
+  const Index head = body.face(2, 2);
+  shape.raise(head, patch(shape.ring(head), {0.0, 0.1}, {0.26, 0.42}), back);
+  shape.set_material(head, eye);
+  const Index flank = body.face(3, 1);
+  shape.raise(flank, patch(shape.ring(flank), {0.04, 0.12}, {0.7, 0.62}), back);
+  shape.raise(flank, {{27, -4, -18}, {28, 8, -19}, {32, 9, -14}, {30, -4, -12}}, back);
+  shape.raise_to_point(flank, {46, 17, -19}, back);
+  shape.mirror_x();
+  shape.finish();
+  return shape;
+}
+
+Shape fish() {
+  Shape shape;
+  const Index orange = shape.material("orange", {0.95, 0.45, 0.1});
+  const Index white = shape.material("white", {0.97, 0.97, 0.95});
+  const Index fin = shape.material("fin", {0.8, 0.28, 0.08});
+  const Index eye = shape.material("eye", {0.07, 0.07, 0.1});
+  struct Slice {
+    Section section;
+    double dorsal, anal;  ///< heights of the fins on back and belly
+  };
+  std::vector<Ring> rings = {Ring(7, {0, -50, 0})};
+  for (const Slice& s : {Slice{{-42, 7, -9, 9, -1}, 0, 0}, Slice{{-27, 12, -18, 20, 0}, 0, 0},
+                         Slice{{-14, 14, -22, 25, 0}, 11, 0}, Slice{{4, 13, -22, 25, 0}, 13, 0},
+                         Slice{{17, 9.5, -17, 19, 0}, 10, 11}, Slice{{30, 5.5, -9, 10, 0}, 4, 4},
+                         Slice{{38, 3.5, -6, 6, 0}, 0, 0}}) {
+    const Ring half = half_ring(s.section);
+    const double y = s.section.y;
+    const double base = s.dorsal > 0 ? 2.5 : 0.0;
+    const double anal_base = s.anal > 0 ? 2.5 : 0.0;
+    rings.push_back({{0, y + 0.7 * s.anal, s.section.bottom - s.anal},
+                     {anal_base, y, s.section.bottom},
+                     half[1],
+                     half[2],
+                     half[3],
+                     {base, y, s.section.top},
+                     {0, y + 0.7 * s.dorsal, s.section.top + s.dorsal}});
+  }
+  // Behind the last ring the tail fin: flat, so that both halves meet in it.
+  rings.push_back(
+      {{0, 58, -22}, {0, 58, -22}, {0, 52, -10}, {0, 47, 0}, {0, 52, 10}, {0, 58, 22}, {0, 58, 22}});
+  const Grid body = loft(shape, rings, false, orange);
+  for (std::size_t row = 0; row + 1 < rings.size(); ++row) {
+    paint(shape, body, row, row + 1, 0, fin);
+    paint(shape, body, row, row + 1, 5, fin);
+    for (std::size_t column = 1; column < 5; ++column) {
+      const bool stripe = row == 2 || row == 4 || row == 6;
+      shape.set_material(body.face(row, column), row == 7 ? fin : stripe ? white : orange);
+    }
+  }
+  const Index cheek = body.face(1, 3);
+  shape.raise(cheek, patch(shape.ring(cheek), {0.3, 0.18}, {0.68, 0.62}), orange);
+  shape.set_material(cheek, eye);
+  const Index flank = body.face(3, 2);
+  shape.raise(flank, patch(shape.ring(flank), {0.1, 0.35}, {0.55, 0.85}), orange);
+  shape.raise_to_point(flank, {29, 10, -8}, fin);
+  shape.mirror_x();
+  shape.finish();
+  return shape;
+}
+
+Shape dinosaur() {
+  Shape shape;
+  const Index skin = shape.material("skin", {0.42, 0.66, 0.36});
+  const Index back = shape.material("back", {0.25, 0.48, 0.3});
+  const Index belly = shape.material("belly", {0.86, 0.85, 0.62});
+  const Index eye = shape.material("eye", {0.08, 0.09, 0.08});
+  struct Knot {
+    double y, z, half_width, half_height;
+  };
+  const std::vector<Knot> spine = {
+      {-60, 69, 0, 0},     {-57, 70, 7.5, 6.5}, {-47, 74, 10.5, 10}, {-36, 72, 9, 10}, {-33, 60, 8, 8.5},
+      {-29, 48, 9.5, 9.5}, {-20, 39, 14, 14},   {-4, 35, 19, 19},    {13, 34, 19, 19}, {28, 30, 14, 14.5},
+      {42, 24, 9, 9.5},    {56, 19, 6.5, 6.5},  {79, 18, 0, 0}};
+  std::vector<Ring> rings;
+  for (std::size_t i = 0; i < spine.size(); ++i) {
+    const Knot& before = spine[i > 0 ? i - 1 : 0];
+    const Knot& after = spine[i + 1 < spine.size() ? i + 1 : i];
+    const Vec3 along = normalized(Vec3{0, after.y - before.y, after.z - before.z});
+    const Vec3 up{0, -along.z, along.y};
+    Ring& ring = rings.emplace_back();
+    for (const double degrees : {-90.0, -52.0, 2.0, 50.0, 90.0}) {
+      const double angle = degrees * std::numbers::pi / 180.0;
+      const double x = degrees == 90.0 || degrees == -90.0 ? 0.0 : spine[i].half_width * std::cos(angle);
+      ring.push_back(Vec3{x, spine[i].y, spine[i].z} + spine[i].half_height * std::sin(angle) * up);
+    }
+  }
+  const Grid body = loft(shape, rings, false, skin);
+  paint(shape, body, 3, 10, 0, belly);
+  paint(shape, body, 2, 12, 3, back);
+  const Index cheek = body.face(1, 2);
+  shape.raise(cheek, patch(shape.ring(cheek), {0.35, 0.2}, {0.9, 0.85}), skin);
+  shape.set_material(cheek, eye);
+  const auto leg = [&](Index face, double x, double y) {
+    shape.raise(face, patch(shape.ring(face), {0.08, 0.1}, {0.92, 0.9}), skin);
+    constexpr double half = 5.5;
+    const Ring knee = {{x - half, y - half, 11},
+                       {x - half, y + half, 11},
+                       {x + half, y + half, 11},
+                       {x + half, y - half, 11}};
+    shape.raise(face, knee, skin);
+    shape.raise(face, scaled(knee, mean(knee), 1.25, {0, -1.5, -11}), back);
+  };
+  leg(body.face(6, 1), 14, -13);
+  leg(body.face(8, 1), 14, 21);
+  shape.mirror_x();
+  shape.finish();
+  return shape;
+}
+
+}  // namespace ridgecraft::samples

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sample models: the files in the repository are those that the generator writes, and every one is what a
+// maker may expect of a sample.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "mesh/mesh.hpp"
+#include "samples/models.hpp"
+#include "samples/write_model.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ridgecraft;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path folder = fs::path(RIDGECRAFT_SOURCE_DIR) / "samples";
+
+/// Share of the edges that are folded or glued and shorter than 6 mm when the model is 150 mm large.
+double short_share(const mesh::Surface& surface) {
+  const Vec3 size = surface.bounds().size();
+  const double scale = 150.0 / std::max({size.x, size.y, size.z});
+  double edges = 0.0;
+  double short_edges = 0.0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    // Three degrees: below that nothing is drawn.
+    if (std::abs(surface.fold_angle(e)) > 0.052) {
+      edges += 1.0;
+      short_edges += surface.length(e) * scale < 6.0 ? 1.0 : 0.0;
+    }
+  }
+  return short_edges / edges;
+}
+
+double volume(const mesh::Surface& surface) {
+  double six = 0.0;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const auto [a, b, c] = surface.vertices(f);
+    six += dot(surface.point(a), cross(surface.point(b), surface.point(c)));
+  }
+  return six / 6.0;
+}
+
+}  // namespace
+
+TEST_CASE("the samples in the repository are what the generator writes", "[samples]") {
+  const test::TemporaryFolder fresh;
+  for (const samples::Sample& sample : samples::all()) {
+    samples::write_model(sample.make(), fresh / sample.file);
+  }
+  CHECK(samples::all().size() >= 12);
+  for (const std::string& name : fresh.names()) {
+    INFO(name);
+    REQUIRE(fs::exists(folder / name));
+    CHECK(test::read_bytes(folder / name) == test::read_bytes(fresh / name));
+  }
+  // Nothing else lies there that looks like a model.
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string suffix = entry.path().extension().string();
+    if (std::set<std::string>{".obj", ".mtl", ".stl", ".ply", ".off"}.contains(suffix)) {
+      CHECK(fresh.names().contains(entry.path().filename().string()));
+    }
+  }
+}
+
+TEST_CASE("every sample is a sound surface that can be folded", "[samples]") {
+  for (const samples::Sample& sample : samples::all()) {
+    INFO(sample.file);
+    const mesh::Model model = mesh::read(folder / sample.file, {}, {});
+    const mesh::Surface& surface = model.surface;
+    for (const mesh::Repair& repair : model.repairs.entries()) {
+      // An STL has no shared points, and a border is said to be there; nothing else is worth a remark.
+      const bool expected = repair.kind == mesh::RepairKind::points_joined ||
+                            (repair.kind == mesh::RepairKind::open_border && !sample.closed);
+      INFO(mesh::sentence(repair.kind, repair.count));
+      CHECK(expected);
+    }
+    CHECK((model.repairs.count(mesh::RepairKind::open_border) == 0) == sample.closed);
+    CHECK(surface.component_count() == 1);
+    CHECK(surface.face_count() >= 50);
+    CHECK(surface.face_count() <= 3000);
+    CHECK(short_share(surface) <= 0.1);
+    if (sample.closed) {
+      CHECK(volume(surface) > 0.0);
+    }
+  }
+}
+
+TEST_CASE("what has a mirror plane is its own mirror image", "[samples]") {
+  for (const samples::Sample& sample : samples::all()) {
+    const std::string_view name = sample.file;
+    if (name != "whale.obj" && name != "fox_head.obj" && name != "dinosaur.obj" && name != "fish.obj") {
+      continue;
+    }
+    INFO(name);
+    const samples::Shape shape = sample.make();
+    const auto key = [](Vec3 p) { return std::array<double, 3>{p.x, p.y, p.z}; };
+    std::set<std::array<double, 3>> points;
+    for (const Vec3 p : shape.points()) {
+      points.insert(key(p));
+    }
+    for (const Vec3 p : shape.points()) {
+      CHECK(points.contains(key({p.x == 0.0 ? 0.0 : -p.x, p.y, p.z})));
+    }
+  }
+}
+
+TEST_CASE("a mug and a torus have one handle, the other closed samples none", "[samples]") {
+  for (const samples::Sample& sample : samples::all()) {
+    if (!sample.closed) {
+      continue;
+    }
+    INFO(sample.file);
+    const mesh::Surface surface = mesh::read(folder / sample.file, {}, {}).surface;
+    const auto euler = static_cast<long>(surface.vertex_count()) - static_cast<long>(surface.edge_count()) +
+                       static_cast<long>(surface.face_count());
+    const std::string_view name = sample.file;
+    CHECK(euler == (name == "mug.obj" || name == "torus.off" ? 0 : 2));
+  }
+}
