@@ -31,28 +31,6 @@ Words<N> shifted_down(const Words<N>& bits, std::uint32_t by) {
   return result;
 }
 
-/// Columns at which a run of `count` cells, moved right by `begin`, meets a taken cell of the row.
-template <std::size_t N>
-Words<N> meets(const std::uint64_t* row, std::uint32_t begin, std::uint32_t count) {
-  Words<N> bits;
-  std::copy_n(row, N, bits.begin());
-  const auto widen = [&bits](std::uint32_t by) {
-    const Words<N> moved = shifted_down<N>(bits, by);
-    for (std::size_t i = 0; i < N; ++i) {
-      bits[i] |= moved[i];
-    }
-  };
-  // Powers of two: after each step a bit stands for twice as many cells.
-  std::uint32_t covered = 1;
-  for (; 2 * covered <= count; covered *= 2) {
-    widen(covered);
-  }
-  if (covered < count) {
-    widen(count - covered);
-  }
-  return begin == 0 ? bits : shifted_down<N>(bits, begin);
-}
-
 /// How many whole cells the piece can be moved along a side.
 std::int32_t room(double side, double size, double cell) {
   return static_cast<std::int32_t>(std::floor(std::max(0.0, side - size) / cell + 1e-9));
@@ -82,22 +60,33 @@ Words<N> columns_beyond(std::int32_t last) {
   return outside;
 }
 
-/// Adds the columns that are blocked in one row of the page; true when none is left.
+/// The rows of one page with their levels; a row's levels are behind each other.
+struct RowTable {
+  const std::uint64_t* bits;
+  std::size_t levels;
+};
+
+/// Adds the columns at which the run meets a taken cell of the row; true when none is left.
 template <std::size_t N>
-bool block(Words<N>& blocked, const std::uint64_t* row, const Raster::Run& run) {
-  const Words<N> met =
-      meets<N>(row, static_cast<std::uint32_t>(run.begin), static_cast<std::uint32_t>(run.end - run.begin));
+bool block(Words<N>& blocked, const RowTable& table, std::int32_t row, const Raster::Run& run) {
+  const auto count = static_cast<std::uint32_t>(run.end - run.begin);
+  const auto level = static_cast<std::size_t>(std::bit_width(count)) - 1;
+  Words<N> bits;
+  std::copy_n(table.bits + (static_cast<std::size_t>(row) * table.levels + level) * N, N, bits.begin());
+  const auto begin = static_cast<std::uint32_t>(run.begin);
+  const Words<N> front = shifted_down<N>(bits, begin);
+  const Words<N> back = shifted_down<N>(bits, begin + count - (1U << level));
   std::uint64_t all = ~std::uint64_t{0};
   for (std::size_t i = 0; i < N; ++i) {
-    blocked[i] |= met[i];
+    blocked[i] |= front[i] | back[i];
     all &= blocked[i];
   }
   return all == ~std::uint64_t{0};
 }
 
 template <std::size_t N>
-std::optional<Spot> lowest_spot(const PackingGrid& grid, const std::vector<std::uint64_t>& taken,
-                                const Raster& raster, std::int32_t up, bool leftmost, std::uint64_t& work) {
+std::optional<Spot> lowest_spot(const PackingGrid& grid, const RowTable& table, const Raster& raster,
+                                std::int32_t up, bool leftmost, std::uint64_t& work) {
   const Words<N> outside = columns_beyond<N>(room(grid.area.x, raster.size.x, grid.cell));
   for (std::int32_t y = 0; y <= up; ++y) {
     Words<N> blocked = outside;
@@ -108,7 +97,7 @@ std::optional<Spot> lowest_spot(const PackingGrid& grid, const std::vector<std::
         continue;  // rounding: the last cell may be touched by less than the fit tolerance
       }
       work += N;
-      full = block<N>(blocked, taken.data() + static_cast<std::size_t>(row) * N, run);
+      full = block<N>(blocked, table, row, run);
       if (full) {
         break;
       }
@@ -118,6 +107,42 @@ std::optional<Spot> lowest_spot(const PackingGrid& grid, const std::vector<std::
     }
   }
   return std::nullopt;
+}
+
+/// Sets the levels of a row from its first.
+template <std::size_t N>
+void update_row(std::uint64_t* bits, std::size_t levels) {
+  for (std::size_t level = 1; level < levels; ++level, bits += N) {
+    Words<N> half;
+    std::copy_n(bits, N, half.begin());
+    const Words<N> moved = shifted_down<N>(half, 1U << (level - 1));
+    for (std::size_t i = 0; i < N; ++i) {
+      bits[N + i] = half[i] | moved[i];
+    }
+  }
+}
+
+/// Calls `work` with the number of words of a row as a compile-time constant.
+template <class Work>
+auto with_words(std::size_t words, Work work) {
+  switch (words) {
+    case 1:
+      return work.template operator()<1>();
+    case 2:
+      return work.template operator()<2>();
+    case 3:
+      return work.template operator()<3>();
+    case 4:
+      return work.template operator()<4>();
+    case 5:
+      return work.template operator()<5>();
+    case 6:
+      return work.template operator()<6>();
+    case 8:
+      return work.template operator()<8>();
+    default:
+      return work.template operator()<most_words>();
+  }
 }
 
 /// Fewest words of those compiled that hold so many columns.
@@ -135,33 +160,20 @@ PackingGrid::PackingGrid(Vec2 area_mm, double cell_mm)
   words = words_for(columns);
 }
 
+PackingPage::PackingPage(const PackingGrid& grid)
+    : grid_(&grid),
+      levels_(static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(grid.columns)))),
+      meets_(grid.words * levels_ * static_cast<std::size_t>(grid.rows)) {}
+
 std::optional<Spot> PackingPage::find(const Raster& raster, double limit, bool leftmost,
                                       std::uint64_t& work) const {
   if (raster.size.y > limit) {
     return std::nullopt;
   }
   const std::int32_t up = room(std::min(limit, grid_->area.y), raster.size.y, grid_->cell);
-  const auto search = [&]<std::size_t N>() {
-    return lowest_spot<N>(*grid_, taken_, raster, up, leftmost, work);
-  };
-  switch (grid_->words) {
-    case 1:
-      return search.operator()<1>();
-    case 2:
-      return search.operator()<2>();
-    case 3:
-      return search.operator()<3>();
-    case 4:
-      return search.operator()<4>();
-    case 5:
-      return search.operator()<5>();
-    case 6:
-      return search.operator()<6>();
-    case 8:
-      return search.operator()<8>();
-    default:
-      return search.operator()<most_words>();
-  }
+  return with_words(grid_->words, [&]<std::size_t N>() {
+    return lowest_spot<N>(*grid_, {meets_.data(), levels_}, raster, up, leftmost, work);
+  });
 }
 
 void PackingPage::take(const Raster& raster, Spot spot) {
@@ -170,7 +182,7 @@ void PackingPage::take(const Raster& raster, Spot spot) {
     if (y < 0 || y >= grid_->rows) {
       continue;
     }
-    std::uint64_t* bits = taken_.data() + static_cast<std::size_t>(y) * grid_->words;
+    std::uint64_t* bits = meets_.data() + static_cast<std::size_t>(y) * levels_ * grid_->words;
     const std::int32_t begin = std::max(0, run.begin + spot.column);
     const std::int32_t end = std::min(grid_->columns, run.end + spot.column);
     for (std::int32_t x = begin; x < end;) {
@@ -180,6 +192,7 @@ void PackingPage::take(const Raster& raster, Spot spot) {
       bits[x / 64] |= ones << static_cast<unsigned>(x % 64);
       x = stop;
     }
+    with_words(grid_->words, [&]<std::size_t N>() { update_row<N>(bits, levels_); });
   }
 }
 

@@ -29,8 +29,7 @@ struct Spot {
 
 class PackingPage {
  public:
-  explicit PackingPage(const PackingGrid& grid)
-      : grid_(&grid), taken_(grid.words * static_cast<std::size_t>(grid.rows)) {}
+  explicit PackingPage(const PackingGrid& grid);
 
   /// The lowest free place (the leftmost or rightmost of these) whose upper edge lies below `limit` mm.
   /// `work` is raised by the number of words read, which is how the packer measures time.
@@ -40,7 +39,11 @@ class PackingPage {
 
  private:
   const PackingGrid* grid_;
-  std::vector<std::uint64_t> taken_;
+  /// For each row and k below `levels`: where a run of 2^k cells that begins at a column meets a taken cell.
+  /// Any run is two of these that overlap, so asking for a run costs the same whatever its length (a sparse
+  /// table, row by row).
+  std::size_t levels_;
+  std::vector<std::uint64_t> meets_;
 };
 
 }  // namespace ridgecraft::paper

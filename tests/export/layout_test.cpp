@@ -209,14 +209,33 @@ TEST_CASE("random blobs keep the gap, stay inside and beat shelves", "[layout]")
     }
     const auto pages = paper::layout(pieces.nets(), {}, {});
     check_promises(pieces.nets(), pages);
-    const std::size_t shelves = shelf_pages(pieces.nets(), {});
-    CHECK(pages.count <= shelves);
-    const Vec2 area = paper::piece_area({});
-    CAPTURE(seed, count, pages.count, shelves,
-            area_of(pieces.nets()) / (static_cast<double>(pages.count) * area.x * area.y));
-    WARN(seed << " " << count << " pieces, " << pages.count << " pages, shelves " << shelves << ", fill "
-              << area_of(pieces.nets()) / (static_cast<double>(pages.count) * area.x * area.y));
+    CHECK(pages.count <= shelf_pages(pieces.nets(), {}));
   }
+}
+
+TEST_CASE("several pages are filled by half and more", "[layout]") {
+  // Stars with hollows, 2 mm apart: Blender's add-on fills 23 % with nets, shelves of boxes about 40 %.
+  double filled = 0.0;
+  double whole = 0.0;
+  std::size_t shelves = 0;
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Random random(seed);
+    Pieces pieces;
+    for (std::uint32_t i = 0; i < 60; ++i) {
+      pieces.add_fan(blob(random, 10.0 + 50.0 * random.unit()), i / 4);
+    }
+    const auto pages = paper::layout(pieces.nets(), {}, {});
+    check_promises(pieces.nets(), pages);
+    const Vec2 area = paper::piece_area({});
+    filled += area_of(pieces.nets());
+    whole += static_cast<double>(pages.count) * area.x * area.y;
+    count += pages.count;
+    shelves += shelf_pages(pieces.nets(), {});
+  }
+  CAPTURE(filled / whole, count, shelves);
+  CHECK(filled / whole > 0.5);
+  CHECK(count < shelves);
 }
 
 TEST_CASE("combs interlock on one page", "[layout]") {
