@@ -55,7 +55,7 @@ Shape whale() {
   paint(shape, body, 0, 6, 0, belly);
   paint(shape, body, 0, 3, 1, belly);
   const Index head = body.face(2, 2);
-  shape.raise(head, patch(shape.ring(head), {0.0, 0.1}, {0.26, 0.42}), back);
+  shape.raise(head, patch(shape.ring(head), {0.07, 0.12}, {0.33, 0.44}), back);
   shape.set_material(head, eye);
   const Index flank = body.face(3, 1);
   shape.raise(flank, patch(shape.ring(flank), {0.04, 0.12}, {0.7, 0.62}), back);

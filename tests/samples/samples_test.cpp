@@ -46,6 +46,45 @@ double volume(const mesh::Surface& surface) {
   return six / 6.0;
 }
 
+/// Six times the signed volume of a tetrahedron.
+double orient(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  return dot(cross(b - a, c - a), d - a);
+}
+
+/// Edges that run through a face with which they share no vertex: all pairs, without any search structure.
+std::size_t crossings(const mesh::Surface& surface) {
+  std::size_t count = 0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    const CornerId side = surface.sides(e)[0];
+    const VertexId from = surface.vertex(side);
+    const VertexId to = surface.vertex(mesh::next(side));
+    const Vec3 p = surface.point(from);
+    const Vec3 q = surface.point(to);
+    for (const FaceId f : ids<FaceId>(surface.face_count())) {
+      const auto vertices = surface.vertices(f);
+      if (std::count(vertices.begin(), vertices.end(), from) +
+              std::count(vertices.begin(), vertices.end(), to) >
+          0) {
+        continue;
+      }
+      const Vec3 a = surface.point(vertices[0]);
+      const Vec3 b = surface.point(vertices[1]);
+      const Vec3 c = surface.point(vertices[2]);
+      // Files have four digits: what is nearer to the face's plane than that may lie in it.
+      const double p_height = dot(surface.normal(f), p - a);
+      const double q_height = dot(surface.normal(f), q - a);
+      const bool other_sides = std::min(p_height, q_height) < -3e-4 && std::max(p_height, q_height) > 3e-4;
+      const bool first = orient(p, q, a, b) > 0.0;
+      if (other_sides && (orient(p, q, b, c) > 0.0) == first && (orient(p, q, c, a) > 0.0) == first) {
+        ++count;
+        UNSCOPED_INFO("edge near " << p.x << " " << p.y << " " << p.z << " / " << q.x << " " << q.y << " "
+                                   << q.z << " face near " << a.x << " " << a.y << " " << a.z);
+      }
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 TEST_CASE("the samples in the repository are what the generator writes", "[samples]") {
@@ -85,6 +124,7 @@ TEST_CASE("every sample is a sound surface that can be folded", "[samples]") {
     CHECK(surface.face_count() >= 50);
     CHECK(surface.face_count() <= 3000);
     CHECK(short_share(surface) <= 0.1);
+    CHECK(crossings(surface) == 0);
     if (sample.closed) {
       CHECK(volume(surface) > 0.0);
     }
