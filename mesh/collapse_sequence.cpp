@@ -48,28 +48,47 @@ double shape(Vec3 a, Vec3 b, Vec3 c, double doubled) {
   return longest > 0.0 ? doubled / longest : 0.0;
 }
 
-/// CGAL's placement, refused where it would spoil the surface.
+/// CGAL's placement, or the middle of the edge where that is far off: so it is where the surface is nearly
+/// flat.
+class NearPlacement {
+ public:
+  explicit NearPlacement(const Policies& policies) : policies_(&policies) {}
+  template <class Profile>
+  boost::optional<Place> operator()(const Profile& profile) const {
+    const auto best = policies_->get_placement()(profile);
+    const Place middle = CGAL::midpoint(profile.p0(), profile.p1());
+    const double reach = CGAL::squared_distance(profile.p0(), profile.p1());
+    return best && CGAL::squared_distance(*best, middle) <= reach ? *best : middle;
+  }
+
+ private:
+  const Policies* policies_;
+};
+
+/// A placement that doesn't spoil the surface.
 class GuardedPlacement {
  public:
   /// `drift` is per vertex a bound of how far the original surface around it is from the present one.
   GuardedPlacement(const Policies& policies, const CollapseRules& rules, const std::vector<double>& drift)
-      : policies_(&policies), rules_(rules), drift_(&drift) {}
+      : near_(policies), rules_(rules), drift_(&drift) {}
 
+  /// As a placement: the best place, or another one on the edge where that would spoil something.
   template <class Profile>
   boost::optional<Place> operator()(const Profile& profile) const {
-    const auto best = policies_->get_placement()(profile);
-    // Where the surface is nearly flat the best place may be far off.
-    const double reach = CGAL::squared_distance(profile.p0(), profile.p1());
-    const Place middle = CGAL::midpoint(profile.p0(), profile.p1());
-    if (best && CGAL::squared_distance(*best, middle) <= reach && fits(profile, *best)) {
-      return best;
-    }
-    for (const Place& place : {middle, profile.p0(), profile.p1()}) {
+    const Place best = *near_(profile);
+    for (const Place& place :
+         {best, CGAL::midpoint(profile.p0(), profile.p1()), profile.p0(), profile.p1()}) {
       if (fits(profile, place)) {
         return place;
       }
     }
     return boost::none;
+  }
+
+  /// As a filter of what another placement says.
+  template <class Profile>
+  boost::optional<Place> operator()(const Profile& profile, const boost::optional<Place>& place) const {
+    return place && fits(profile, *place) ? place : boost::none;
   }
 
  private:
@@ -79,21 +98,19 @@ class GuardedPlacement {
     const EditMesh& mesh = profile.surface_mesh();
     std::vector<Rim> rim;
     return harmless(mesh, profile.v0(), profile.v1(), place, rim) &&
-           (rules_.original == nullptr || near_original(mesh, profile.v0(), profile.v1(), place, rim));
+           (rules_.field == nullptr || near_original(mesh, profile.v0(), profile.v1(), place, rim));
   }
 
   bool near_original(const EditMesh& mesh, EditMesh::VertexHandle v0, EditMesh::VertexHandle v1, Vec3 place,
                      const std::vector<Rim>& rim) const {
-    const double limit = rules_.largest_deviation;
-    if (drift_after(mesh, v0, v1, place, rim, *drift_) > limit ||
-        rules_.original->distance(place, limit) > limit) {
+    if (drift_after(mesh, v0, v1, place, rim, *drift_) > rules_.largest_deviation ||
+        !rules_.field->contains(place)) {
       return false;
     }
     return std::all_of(rim.begin(), rim.end(), [&](const Rim& f) {
       const Vec3 a = vector(mesh.point(f.from));
       const Vec3 b = vector(mesh.point(f.to));
-      return rules_.original->distance((place + a + b) / 3.0, limit) <= limit &&
-             rules_.original->distance(0.5 * (place + a), limit) <= limit;
+      return rules_.field->contains((place + a + b) / 3.0) && rules_.field->contains(0.5 * (place + a));
     });
   }
 
@@ -182,7 +199,7 @@ class GuardedPlacement {
     return after < fold_cosine && after < before;
   }
 
-  const Policies* policies_;
+  NearPlacement near_;
   CollapseRules rules_;
   const std::vector<double>* drift_;
 };
@@ -283,10 +300,19 @@ std::vector<Collapse> collapse_sequence(const LooseFaces& loose, std::size_t fac
   EditMesh mesh = edit_mesh(loose);
   const Policies policies(mesh);
   std::vector<double> drift(loose.points.size(), 0.0);
-  sms::edge_collapse(mesh, StopAt{&collapses, faces},
-                     CGAL::parameters::get_cost(WeightedCost(policies, rules))
-                         .get_placement(GuardedPlacement(policies, rules, drift))
-                         .visitor(Recorder(collapses, drift, loose.faces.size(), context)));
+  const StopAt stop{&collapses, faces};
+  const WeightedCost cost(policies, rules);
+  const GuardedPlacement guard(policies, rules, drift);
+  const Recorder recorder(collapses, drift, loose.faces.size(), context);
+  namespace parameters = CGAL::parameters;
+  if (rules.field != nullptr) {
+    sms::edge_collapse(mesh, stop, parameters::get_cost(cost).get_placement(guard).visitor(recorder));
+  } else {
+    // Far from any limit it's enough, and much faster, to look at a collapse only when its turn has come.
+    sms::edge_collapse(
+        mesh, stop,
+        parameters::get_cost(cost).get_placement(NearPlacement(policies)).filter(guard).visitor(recorder));
+  }
   return collapses;
 }
 

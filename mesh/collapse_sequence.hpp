@@ -26,9 +26,9 @@ struct CollapseRules {
   /// The error is multiplied by (length / short_edge)^power: with a power above 0 short edges go first.
   double short_edge = 1.0;
   double power = 0.0;
-  /// Where given, no collapse may take the surface farther than largest_deviation from this one, nor this one
-  /// from it.
-  const SurfaceTree* original = nullptr;
+  /// Where given, the surface may not leave this field around the original one, nor move farther from any
+  /// part of the original than largest_deviation.
+  NearField* field = nullptr;
   double largest_deviation = 0.0;
 };
 

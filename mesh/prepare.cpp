@@ -7,12 +7,12 @@
 #include "mesh/remesh_panels.hpp"
 #include "mesh/simplify.hpp"
 #include "mesh/size.hpp"
+#include "mesh/subdivide.hpp"
 
 namespace ridgecraft::mesh {
 
 Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& simplify, Vec2 largest_face_mm,
                  const Context& context) {
-  static_cast<void>(largest_face_mm);
   context.report("preparing", 0.0);
   Prepared prepared;
   prepared.model = std::move(model);
@@ -20,7 +20,13 @@ Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& si
   prepared.simplified.faces_before = prepared.simplified.faces_after = prepared.model.surface.face_count();
   remesh_panels(prepared.model, context);
   prepared.simplified = mesh::simplify(prepared.model, simplify, context);
+  subdivide(prepared.model, largest_face_mm, context);
   prepared.panels = find_panels(prepared.model.surface);
+  const std::size_t narrow = count_narrow_faces(prepared.model.surface, prepared.panels);
+  if (narrow == prepared.model.surface.face_count()) {
+    throw Error(ErrorKind::no_nets, "every face is too narrow to be cut from paper at this size");
+  }
+  prepared.model.repairs.add(RepairKind::narrow_faces, narrow);
   return prepared;
 }
 

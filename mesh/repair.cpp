@@ -8,8 +8,11 @@
 
 #include "mesh/clean_polygons.hpp"
 #include "mesh/error.hpp"
+#include "mesh/flat_faces.hpp"
 #include "mesh/orient.hpp"
 #include "mesh/polygon_list.hpp"
+#include "mesh/self_intersections.hpp"
+#include "mesh/t_junctions.hpp"
 #include "mesh/triangulate.hpp"
 #include "mesh/weld.hpp"
 
@@ -85,7 +88,7 @@ bool any_area(const TriangleList& list, double diagonal) {
     const Vec3 b = list.points[t.points[1]];
     const Vec3 c = list.points[t.points[2]];
     const double longest = std::max({length(b - a), length(c - b), length(a - c)});
-    return length(cross(b - a, c - a)) > std::max(1e-9 * longest, nothing * diagonal) * longest;
+    return !is_flat(a, b, c) && length(cross(b - a, c - a)) > nothing * diagonal * longest;
   });
 }
 
@@ -135,7 +138,6 @@ void note_borders(Model& model) {
 }  // namespace
 
 Model repair(Soup soup, const ReadOptions& options, const Context& context) {
-  static_cast<void>(options);
   RepairReport report = std::move(soup.remarks);
   PolygonList polygons = polygons_of(soup);
   const std::vector<bool> used = used_points(polygons);
@@ -148,6 +150,7 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   // In an STL file every facet has its own points: joining them is reading, not repair.
   report.add(RepairKind::points_joined, is_stl(soup.format) ? 0 : joined);
   drop_repeated_corners(polygons, report);
+  report.add(RepairKind::border_points_joined, join_border_points(polygons, near * diagonal, context));
   drop_duplicates(polygons, report);
   context.check();
   TriangleList triangles = triangulate(std::move(polygons), flat * diagonal, report, context);
@@ -156,12 +159,19 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
     throw Error(ErrorKind::unusable_mesh,
                 soup.polygon_count() == 0 ? "there are no faces" : "no face has an area");
   }
+  if (options.collapse_flat_faces) {
+    report.add(RepairKind::flat_faces_collapsed, collapse_flat_triangles(triangles, context));
+    drop_duplicates(triangles, report);
+  }
+  report.add(RepairKind::t_junctions_joined, join_t_junctions(triangles, near * diagonal, context));
   make_manifold(triangles, report, context);
   turn_outwards(triangles, report, context);
   Model model = build(soup, std::move(triangles));
   model.file_scale = file_scale;
   model.repairs = std::move(report);
   note_borders(model);
+  context.check();
+  model.repairs.add(RepairKind::self_intersections, count_self_intersections(model.surface));
   return model;
 }
 

@@ -253,9 +253,10 @@ void simplify_to_fold(Model& model, const SimplifyOptions& options, SimplifyRepo
     const Sequence first(std::move(start), far, {}, context);
     start = first.faces(first.all());
   }
+  NearField field(original, bound * largest_mm);
   std::optional<Candidate> best;
   for (const double power : powers) {
-    const CollapseRules rules{options.short_edge_mm, power, &original, bound * largest_mm};
+    const CollapseRules rules{options.short_edge_mm, power, &field, bound * largest_mm};
     const Sequence sequence(start, fewest_faces, rules, context);
     if (sequence.all() > 0) {
       Candidate candidate = Search(sequence, original, options, spacing, largest_mm, context).best();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ridgecraft::mesh {
 namespace {
@@ -17,9 +18,11 @@ double square(double x) {
 }
 
 double squared_distance(const Box3& box, Vec3 p) {
-  return square(std::max({box.low.x - p.x, 0.0, p.x - box.high.x})) +
-         square(std::max({box.low.y - p.y, 0.0, p.y - box.high.y})) +
-         square(std::max({box.low.z - p.z, 0.0, p.z - box.high.z}));
+  const auto outside = [](double low, double x, double high) {
+    return x < low ? low - x : x > high ? x - high : 0.0;
+  };
+  return square(outside(box.low.x, p.x, box.high.x)) + square(outside(box.low.y, p.y, box.high.y)) +
+         square(outside(box.low.z, p.z, box.high.z));
 }
 
 /// Rows across the longest side, from it to the corner opposite.
@@ -159,6 +162,34 @@ double SurfaceTree::distance(Vec3 p, double enough) const {
     stack[size++] = one_first ? one : two;
   }
   return std::sqrt(best);
+}
+
+NearField::NearField(const SurfaceTree& tree, double distance)
+    : tree_(tree), distance_(distance), cell_(0.25 * distance) {}
+
+bool NearField::contains(Vec3 p) {
+  // No point of a cell is farther from its middle than this.
+  const double half_diagonal = 0.5 * std::numbers::sqrt3 * cell_;
+  // Larger numbers don't fit into the key.
+  constexpr double range = 1 << 20;
+  const Vec3 number{std::floor(p.x / cell_), std::floor(p.y / cell_), std::floor(p.z / cell_)};
+  if (std::abs(number.x) >= range || std::abs(number.y) >= range || std::abs(number.z) >= range) {
+    return tree_.distance(p, distance_) <= distance_;
+  }
+  const auto part = [](double x) { return static_cast<std::uint64_t>(x + range); };
+  const std::uint64_t key = (part(number.x) << 42U) | (part(number.y) << 21U) | part(number.z);
+  const auto [entry, is_new] = middles_.try_emplace(key, 0.0);
+  if (is_new) {
+    const Vec3 middle = cell_ * (number + Vec3{0.5, 0.5, 0.5});
+    entry->second = tree_.distance(middle, distance_ - half_diagonal);
+  }
+  if (entry->second <= distance_ - half_diagonal) {
+    return true;
+  }
+  if (entry->second > distance_ + half_diagonal) {
+    return false;
+  }
+  return tree_.distance(p, distance_) <= distance_;
 }
 
 double greatest_distance(const SurfaceTree& a, const SurfaceTree& b, const Context& context) {

@@ -2,6 +2,8 @@
 // How far one surface is from another. Private to mesh/.
 #pragma once
 
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "mesh/context.hpp"
@@ -36,6 +38,21 @@ class SurfaceTree {
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
   std::vector<Vec3> samples_;
+};
+
+/// Answers very often whether points are within one distance of a surface: remembers how far the middles of
+/// small cells are, which decides most questions. Answers are those of the tree.
+class NearField {
+ public:
+  /// The tree must outlive it.
+  NearField(const SurfaceTree& tree, double distance);
+  [[nodiscard]] bool contains(Vec3 p);
+
+ private:
+  const SurfaceTree& tree_;
+  double distance_;
+  double cell_;
+  std::unordered_map<std::uint64_t, double> middles_;  ///< asked by key only
 };
 
 /// Greatest distance between samples of each surface and the other surface, both ways.

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces that run through each other. Private to mesh/.
+#pragma once
+
+#include "mesh/surface.hpp"
+
+namespace ridgecraft::mesh {
+
+/// More faces are not looked at: it would take longer than everything else.
+inline constexpr std::size_t most_faces_for_self_intersections = 20000;
+
+/// Number of pairs of faces that meet anywhere but at shared corners and sides (CGAL, exact). 0 for surfaces
+/// with more faces than the limit.
+[[nodiscard]] std::size_t count_self_intersections(const Surface& surface);
+
+}  // namespace ridgecraft::mesh

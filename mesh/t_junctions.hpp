@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Corners that lie on a neighbour's side. Private to mesh/.
+#pragma once
+
+#include "mesh/context.hpp"
+#include "mesh/polygon_list.hpp"
+
+namespace ridgecraft::mesh {
+
+/// Where border points lie within `distance` of a border edge, and another triangle's border edge runs along
+/// a part of it, the edge's triangle is divided at them, so that the seam closes. Returns how many points
+/// were set into edges. O(n log n) where border edges are of similar length.
+std::size_t join_t_junctions(TriangleList& list, double distance, const Context& context);
+
+}  // namespace ridgecraft::mesh
