@@ -95,8 +95,13 @@ class EarClipper {
   }
 
   void keep(const Triangle& t) {
-    if (turn(at_[t[0]], at_[t[1]], at_[t[2]]) > 0.0) {
+    const double area = turn(at_[t[0]], at_[t[1]], at_[t[2]]);
+    if (area > 0.0) {
       triangles_.push_back(t);
+    } else if (area < 0.0) {
+      // Only polygons that cross themselves have these. Signed triangles add up to the winding number, so
+      // nothing that the outline goes round is left out when they count, too.
+      triangles_.push_back({t[0], t[2], t[1]});
     }
   }
 

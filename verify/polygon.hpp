@@ -28,8 +28,8 @@ using Polygon = std::vector<Vec2>;
 
 /// The polygon as convex, counterclockwise polygons without common area: ears are cut off, then every
 /// diagonal goes that two convex parts can do without (Hertel and Mehlhorn 1983). A polygon without area has
-/// no parts; of one that isn't simple the parts cover what they can. O(n r) with r concave corners, O(n² r)
-/// at worst.
+/// no parts; of one that isn't simple the parts cover all that it goes round, perhaps more. O(n r) with r
+/// concave corners, O(n² r) at worst.
 [[nodiscard]] std::vector<Polygon> convex_parts(std::span<const Vec2> polygon, const Context& context);
 
 /// Penetration depth of two convex counterclockwise polygons: the shortest translation that separates their

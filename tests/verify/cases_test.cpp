@@ -5,14 +5,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <random>
 #include <set>
-#include <sstream>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "support/temporary_folder.hpp"
 #include "verify/cube_file.hpp"
 
 using namespace ridgecraft;
@@ -20,25 +18,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 namespace {
-
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-/// A folder that goes when the test ends.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("ridgecraft-verify-" + std::to_string(std::random_device{}()));
-  Folder() { fs::create_directories(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-};
 
 const fs::path checkers = fs::path(RIDGECRAFT_SHARED_DIR) / "check";
 
@@ -99,13 +78,13 @@ TEST_CASE("every case of the independent checker is judged as it says", "[verify
     WARN("the independent checker is not here: " << checkers);
     return;
   }
-  const Folder folder;
-  REQUIRE(run_python((checkers / "make_cases.py").string() + " " + folder.path.string()));
-  const Json index = Json::parse(read(folder.path / "index.json"));
+  const test::TemporaryFolder folder;
+  REQUIRE(run_python((checkers / "make_cases.py").string() + " " + folder.path().string()));
+  const Json index = Json::parse(test::read_bytes(folder / "index.json"));
   REQUIRE(index.size() > 300);
   std::set<std::string> clean;
   for (const auto& [name, expected] : index.items()) {
-    const verify::Report report = verify::verify(read(folder.path / name), {}, {});
+    const verify::Report report = verify::verify(test::read_bytes(folder / name), {}, {});
     const std::vector<int> must = expected.at("faults");
     const std::vector<int> may = expected.at("also");
     const std::vector<int> got = test::broken(report);
@@ -126,12 +105,11 @@ TEST_CASE("every case of the independent checker is judged as it says", "[verify
   }
   CHECK(clean.size() >= 40);
 
-  std::ofstream(folder.path / "ask.py") << ask;
-  REQUIRE(
-      run_python((folder.path / "ask.py").string() + " " + checkers.string() + " " + folder.path.string()));
-  const Json reports = Json::parse(read(folder.path / "reports.json"));
+  test::write_bytes(folder / "ask.py", ask);
+  REQUIRE(run_python((folder / "ask.py").string() + " " + checkers.string() + " " + folder.path().string()));
+  const Json reports = Json::parse(test::read_bytes(folder / "reports.json"));
   for (const auto& [name, theirs] : reports.items()) {
-    const Json ours = Json::parse(verify::to_json(verify::verify(read(folder.path / name), {}, {})));
+    const Json ours = Json::parse(verify::to_json(verify::verify(test::read_bytes(folder / name), {}, {})));
     compare_figures(name, ours, theirs, clean.contains(name));
   }
 }
