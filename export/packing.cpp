@@ -122,17 +122,23 @@ void Packer::offer(const Arrangement& candidate) {
 void Packer::start() {
   int tried = 0;
   for (const Order& order : simple_orders()) {
-    Recipe recipe{order, std::vector<std::uint32_t>(order.size(), Recipe::any_turn), false, false};
-    const Arrangement plain = fill_.fill(fill_.nothing(), recipe);
-    if (best_.empty() || plain.packs_better(best_)) {
-      recipe_ = recipe;
+    Recipe recipe{order, std::vector<std::uint32_t>(order.size(), Recipe::any_turn), false, false, false};
+    for (const auto& [narrow, together] :
+         {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
+      recipe.narrow = narrow;
+      recipe.together = together;
+      const Arrangement next = fill_.fill(fill_.nothing(), recipe);
+      if (best_.empty() || next.packs_better(best_)) {
+        recipe_ = recipe;
+      }
+      offer(next);
+      if (next.used.size() == 1) {
+        return;  // nothing to gain
+      }
+      if (fill_.work() > work_limit && tried > 0) {
+        break;
+      }
     }
-    offer(plain);
-    if (plain.used.size() == 1) {
-      return;  // nothing to gain
-    }
-    recipe.together = true;
-    offer(fill_.fill(fill_.nothing(), recipe));
     if (++tried >= 2 && fill_.work() > work_limit) {
       return;
     }
@@ -160,6 +166,7 @@ Recipe Packer::changed(Recipe recipe, const Arrangement& at) {
   }
   recipe.together = random_.below(4) == 0;
   recipe.leftmost = random_.below(2) == 0;
+  recipe.narrow = random_.below(2) == 0;
   return recipe;
 }
 
@@ -182,6 +189,7 @@ Arrangement Packer::refilled(const Arrangement& at) {
   std::stable_sort(recipe.order.begin(), recipe.order.end(), [&](auto a, auto b) { return key[a] > key[b]; });
   recipe.together = random_.below(4) == 0;
   recipe.leftmost = random_.below(2) == 0;
+  recipe.narrow = random_.below(2) == 0;
   Arrangement result = fill_.fill(std::move(rest), recipe);
   for (std::uint32_t page = count; page-- > 0;) {
     if (result.used[page] == 0.0) {

@@ -13,6 +13,10 @@ namespace {
 /// No packing of odd shapes fills more of a page than this, gaps included.
 constexpr double densest_packing = 0.92;
 
+/// Widths that differ by less are one: rounding between a turn and the same half a turn later, mm. The next
+/// larger difference that counts is a cell.
+constexpr double same_width_mm = 1e-6;
+
 /// Cells of the grid, mm: fine enough that rounding costs less than the gap, coarser where many shapes take
 /// long.
 double cell_size(Vec2 area, std::size_t shapes) {
@@ -50,19 +54,30 @@ PackingFill::PackingFill(const PackingTask& task, const Context& context)
       rasters.push_back(rasterize(shape, turn, grid_.cell, task.gap));
     }
     RIDGECRAFT_ASSERT(!rasters.empty());
+    std::vector<std::uint32_t> turns(rasters.size());
+    std::iota(turns.begin(), turns.end(), 0U);
+    std::stable_sort(turns.begin(), turns.end(),
+                     [&](auto a, auto b) { return rasters[a].size.x < rasters[b].size.x - same_width_mm; });
+    by_width_.push_back(std::move(turns));
     rasters_.push_back(std::move(rasters));
     context.check();
   }
 }
 
-std::optional<Place> PackingFill::fit(const PackingPage& page, std::uint32_t shape, std::uint32_t only,
-                                      bool leftmost) {
+std::optional<Place> PackingFill::fit(const PackingPage& page, std::uint32_t shape, const Recipe& recipe) {
+  if (const std::uint32_t turn = recipe.turn[shape]; turn != Recipe::any_turn) {
+    if (const auto spot =
+            page.find(rasters_[shape][turn], task_->area.y + fit_tolerance_mm, recipe.leftmost, work_)) {
+      return Place{0, turn, *spot};
+    }
+  }
+  return recipe.narrow ? narrowest(page, shape, recipe.leftmost) : lowest(page, shape, recipe.leftmost);
+}
+
+std::optional<Place> PackingFill::lowest(const PackingPage& page, std::uint32_t shape, bool leftmost) {
   std::optional<Place> best;
   double limit = task_->area.y + fit_tolerance_mm;
   for (std::uint32_t turn = 0; turn < rasters_[shape].size(); ++turn) {
-    if (only != Recipe::any_turn && turn != only) {
-      continue;
-    }
     const Raster& raster = rasters_[shape][turn];
     if (const auto spot = page.find(raster, limit, leftmost, work_)) {
       best = Place{0, turn, *spot};
@@ -70,7 +85,17 @@ std::optional<Place> PackingFill::fit(const PackingPage& page, std::uint32_t sha
       limit = spot->row * grid_.cell + raster.size.y - grid_.cell;
     }
   }
-  return best || only == Recipe::any_turn ? best : fit(page, shape, Recipe::any_turn, leftmost);
+  return best;
+}
+
+std::optional<Place> PackingFill::narrowest(const PackingPage& page, std::uint32_t shape, bool leftmost) {
+  for (const std::uint32_t turn : by_width_[shape]) {
+    if (const auto spot =
+            page.find(rasters_[shape][turn], task_->area.y + fit_tolerance_mm, leftmost, work_)) {
+      return Place{0, turn, *spot};
+    }
+  }
+  return std::nullopt;
 }
 
 void PackingFill::put(Arrangement& a, std::uint32_t shape, Place place) const {
@@ -115,7 +140,7 @@ Arrangement PackingFill::fill(Arrangement base, const Recipe& recipe) {
       if (!is_new && base.used[page] + task_->shapes[shape].area > page_area()) {
         continue;
       }
-      auto place = fit(is_new ? fresh : base.pages[page], shape, recipe.turn[shape], recipe.leftmost);
+      auto place = fit(is_new ? fresh : base.pages[page], shape, recipe);
       RIDGECRAFT_ASSERT(place || !is_new);
       if (place) {
         place->page = page;
@@ -146,7 +171,7 @@ Arrangement PackingFill::without(const Arrangement& a, const std::vector<std::ui
 }
 
 bool PackingFill::move(Arrangement& a, std::uint32_t shape, std::uint32_t page) {
-  auto place = fit(a.pages[page], shape, Recipe::any_turn, false);
+  auto place = lowest(a.pages[page], shape, false);
   if (!place) {
     return false;
   }

@@ -19,6 +19,7 @@ struct Recipe {
   std::vector<std::uint32_t> turn;  ///< of each shape: tried alone before all others are; any_turn for none
   bool together = false;            ///< on pages with shapes of its group first
   bool leftmost = false;            ///< fills rows from the left
+  bool narrow = false;              ///< takes the narrowest turn that fits, not the one that lies lowest
 };
 
 struct Place {
@@ -66,14 +67,16 @@ class PackingFill {
   [[nodiscard]] std::size_t fewest_pages() const;
 
  private:
-  [[nodiscard]] std::optional<Place> fit(const PackingPage& page, std::uint32_t shape, std::uint32_t only,
-                                         bool leftmost);
+  [[nodiscard]] std::optional<Place> fit(const PackingPage& page, std::uint32_t shape, const Recipe& recipe);
+  [[nodiscard]] std::optional<Place> lowest(const PackingPage& page, std::uint32_t shape, bool leftmost);
+  [[nodiscard]] std::optional<Place> narrowest(const PackingPage& page, std::uint32_t shape, bool leftmost);
   void put(Arrangement& a, std::uint32_t shape, Place place) const;
 
   const PackingTask* task_;
   const Context* context_;
   PackingGrid grid_;
   std::vector<std::vector<Raster>> rasters_;
+  std::vector<std::vector<std::uint32_t>> by_width_;  ///< turns of each shape, the narrowest first
   std::uint64_t work_ = 0;
 };
 
