@@ -59,10 +59,11 @@ void paint_real_text(cairo_t* cairo, const Text& text) {
   cairo_text_extents_t extents;
   cairo_text_extents(cairo, words.c_str(), &extents);
   const double room = text_width(text.text, text.height);
+  cairo_translate(cairo, -0.5 * room, 0.0);
   if (extents.x_advance > room && room > 0.0) {
     cairo_scale(cairo, room / extents.x_advance, 1.0);
   }
-  cairo_move_to(cairo, -0.5 * extents.x_advance, 0.5 * text.height);
+  cairo_move_to(cairo, 0.0, 0.5 * text.height);
   cairo_show_text(cairo, words.c_str());
   cairo_restore(cairo);
 }

@@ -55,7 +55,8 @@ struct Frame {
 constexpr std::array<double, 7> along_shares{0.0, 0.12, -0.12, 0.25, -0.25, 0.37, -0.37};
 constexpr std::array<double, 3> near_offsets{0.0, 0.5, 1.1};
 constexpr double deepest_offset = 9.0;   ///< a number further inside than this needs a leader, mm
-constexpr double longest_leader = 22.0;  ///< mm, from the edge to the number's centre
+constexpr double longest_leader = 16.0;  ///< mm, from the edge to the number's centre
+constexpr std::size_t leader_turns = 9;  ///< directions that a leader may take
 /// A sight line begins this far beside its edge, so as not to touch it, mm.
 constexpr double off_the_line = 0.03;
 
@@ -117,14 +118,20 @@ class NumberPlacer {
   bool place_with_leader(const Wanted& wanted, double side) {
     const Frame frame(wanted.seam->edge);
     const Vec2 out = side * frame.inward;
-    for (const double height : heights_) {
-      for (double reach = 2.0; reach < longest_leader; reach += 0.8) {
-        for (int i = 0; i < 13; ++i) {
+    for (const double height : {heights_[1], heights_.back()}) {
+      std::array<bool, leader_turns> blocked{};
+      for (double reach = 2.2; reach < longest_leader; reach += 1.3) {
+        for (std::size_t i = 0; i < leader_turns; ++i) {
           // Straight ahead first, then to both sides in turn.
-          const double turn = (i % 2 == 0 ? 1.0 : -1.0) * ((i + 1) / 2) * 0.23;
+          const double turn = (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>((i + 1) / 2) * 0.3;
           Text text = number(*wanted.seam, height, frame.angle);
           text.centre = frame.middle + reach * (std::cos(turn) * out + std::sin(turn) * frame.along);
-          if (try_leader(wanted, text, frame.middle, out)) {
+          if (blocked[i]) {
+            continue;
+          }
+          const Segment2 leader = leader_to(text, frame.middle, out);
+          blocked[i] = !obstacles_.is_free(leader, false);  // a longer one would be, too
+          if (!blocked[i] && put_with_leader(wanted, text, leader, frame.middle)) {
             return true;
           }
         }
@@ -211,20 +218,23 @@ class NumberPlacer {
     return false;
   }
 
-  bool try_leader(const Wanted& wanted, const Text& text, Vec2 edge, Vec2 out) {
+  /// From the edge to the nearest point of the text's box.
+  static Segment2 leader_to(const Text& text, Vec2 edge, Vec2 out) {
     const TurnedBox box = box_of(text).grown(0.35);
     const Vec2 up = perpendicular(box.along);
     const Vec2 from_centre = edge - box.centre;
-    const Vec2 tip = box.centre +
-                     std::clamp(dot(from_centre, box.along), -box.half_width, box.half_width) * box.along +
-                     std::clamp(dot(from_centre, up), -box.half_height, box.half_height) * up;
-    const Segment2 leader{edge + off_the_line * out, tip};
-    if (length(leader.b - leader.a) < 0.8 || !on_area(box) || !obstacles_.is_free(leader, false) ||
-        !put(*wanted.piece, text)) {
+    return {edge + off_the_line * out,
+            box.centre +
+                std::clamp(dot(from_centre, box.along), -box.half_width, box.half_width) * box.along +
+                std::clamp(dot(from_centre, up), -box.half_height, box.half_height) * up};
+  }
+
+  bool put_with_leader(const Wanted& wanted, const Text& text, const Segment2& leader, Vec2 edge) {
+    if (length(leader.b - leader.a) < 0.8 || !put(*wanted.piece, text)) {
       return false;
     }
     obstacles_.add(leader, Obstacles::Kind::cut);
-    wanted.piece->group.lines.push_back({Layer::label, {edge, tip}, false, Fold::none});
+    wanted.piece->group.lines.push_back({Layer::label, {edge, leader.b}, false, Fold::none});
     return true;
   }
 

@@ -178,13 +178,15 @@ class SvgWriter {
 
   void write_real_text(const Text& text) {
     const Vec2 down{std::sin(text.angle), -std::cos(text.angle)};
-    const Vec2 baseline = text.centre + 0.5 * text.height * down;
+    // From the left end of its estimated box: only titles can be such texts.
+    const double half = 0.5 * text_width(text.text, text.height);
+    const Vec2 baseline = text.centre + 0.5 * text.height * down + half * perpendicular(-down);
     put("      <text x=\"{}\" y=\"{}\"", x(baseline), y(baseline));
     if (std::abs(text.angle) > 0.0) {
       put(" transform=\"rotate({} {} {})\"", number(-text.angle * 180.0 / 3.14159265358979323846),
           x(baseline), y(baseline));
     }
-    put(" font-family=\"sans-serif\" font-size=\"{}\" text-anchor=\"middle\" fill=\"{}\" "
+    put(" font-family=\"sans-serif\" font-size=\"{}\" fill=\"{}\" "
         "stroke=\"none\">{}</text>\n",
         number(text.height * font_size_per_height), color(color_of(text)), escaped(text.text));
   }
