@@ -41,20 +41,6 @@ bool looks_like_text(std::string_view bytes) {
                       });
 }
 
-/// "OFF", with the prefixes of the format's description (Geomview): [ST][C][N][4][n]OFF.
-bool is_off_keyword(std::string_view word) {
-  if (!word.ends_with("OFF")) {
-    return false;
-  }
-  std::string_view prefix = word.substr(0, word.size() - 3);
-  for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
-    if (prefix.starts_with(part)) {
-      prefix.remove_prefix(part.size());
-    }
-  }
-  return prefix.empty();
-}
-
 /// A text in which "facet" or "endsolid" follows the line that begins with "solid".
 bool is_ascii_stl(std::string_view text) {
   TextScanner scanner(text);
@@ -108,6 +94,19 @@ FileFormat by_suffix(const Source& source, std::string_view file_name, bool text
 }
 
 }  // namespace
+
+bool is_off_keyword(std::string_view word) {
+  if (!word.ends_with("OFF")) {
+    return false;
+  }
+  std::string_view prefix = word.substr(0, word.size() - 3);
+  for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
+    if (prefix.starts_with(part)) {
+      prefix.remove_prefix(part.size());
+    }
+  }
+  return prefix.empty();
+}
 
 FileFormat detect_format(const Source& source, std::string_view file_name) {
   const std::string_view bytes = source.bytes;

@@ -13,6 +13,9 @@ namespace ridgecraft::mesh {
 /// instead, where that can be seen. Reads a few lines at the start, and comments before them.
 [[nodiscard]] FileFormat detect_format(const Source& source, std::string_view file_name);
 
+/// "OFF", with the prefixes of the format's description (Geomview): [ST][C][N][4][n]OFF.
+[[nodiscard]] bool is_off_keyword(std::string_view word);
+
 /// "OBJ", "STL", "PLY" or "OFF".
 [[nodiscard]] std::string_view format_name(FileFormat format);
 

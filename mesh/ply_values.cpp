@@ -121,7 +121,7 @@ std::int64_t PlyValues::take_integer(PlyType type) {
 }
 
 void PlyValues::refuse(ErrorKind kind, std::string_view reason) const {
-  const std::string of = fmt::format("{} {} of {}", printable(element_->name), number_ + 1, element_->count);
+  const std::string of = fmt::format("{} {} of {}", shortened(element_->name), number_ + 1, element_->count);
   if (encoding_ == PlyEncoding::ascii) {
     source_.refuse_line(kind, text_.place(), fmt::format("{}: {}", of, reason));
   }

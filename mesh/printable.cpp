@@ -60,7 +60,7 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-std::string in_quotes(std::string_view text) {
+std::string shortened(std::string_view text) {
   std::size_t length = text.size();
   if (length > longest_quotation) {
     length = longest_quotation;
@@ -68,7 +68,11 @@ std::string in_quotes(std::string_view text) {
       --length;  // not in the middle of a character
     }
   }
-  return '"' + printable(text.substr(0, length)) + (length < text.size() ? "...\"" : "\"");
+  return printable(text.substr(0, length)) + (length < text.size() ? "..." : "");
+}
+
+std::string in_quotes(std::string_view text) {
+  return '"' + shortened(text) + '"';
 }
 
 }  // namespace ridgecraft::mesh

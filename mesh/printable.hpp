@@ -12,7 +12,10 @@ namespace ridgecraft::mesh {
 /// each control character becomes U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The same, in quotation marks and cut after about 40 characters.
+/// The same, cut after about 40 characters.
+[[nodiscard]] std::string shortened(std::string_view text);
+
+/// The same, in quotation marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace ridgecraft::mesh

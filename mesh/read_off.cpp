@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/detect_format.hpp"
 #include "mesh/face_paint.hpp"
 #include "mesh/printable.hpp"
 #include "mesh/source.hpp"
@@ -86,7 +87,7 @@ void OffReader::read_keyword() {
   text_.skip_space('#');
   std::string_view word = text_.peek_word();
   word = word.substr(0, word.find('#'));
-  if (!word.ends_with("OFF")) {
+  if (!is_off_keyword(word)) {
     return;  // the keyword may be left out
   }
   if (word.find('4') != word.npos || word.find('n') != word.npos) {

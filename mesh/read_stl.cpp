@@ -67,6 +67,9 @@ class AsciiReader {
   explicit AsciiReader(const Source& source)
       : source_(source), text_(without_trailing_zeros(source.bytes, soup_.remarks)) {
     soup_.format = FileFormat::stl_ascii;
+    // A facet takes 130 bytes or more; memory that isn't needed is never touched.
+    soup_.points.reserve(source.bytes.size() / 44);
+    soup_.corner_point.reserve(source.bytes.size() / 44);
   }
 
   Soup read() {

@@ -25,6 +25,7 @@ TEST_CASE("OFF: all forms of the header") {
     CHECK(soup.corner_point == std::vector<std::uint32_t>{0, 1, 2});
   }
   CHECK(refusal("4OFF\n" + std::string(body), "off").starts_with("3 model.off is a 4OFF file"));
+  CHECK(refusal("SCOFF\n" + std::string(body), "off").starts_with("3 model.off, line 1: "));
   CHECK(refusal("OFF BINARY\n\0\0\0", "off").find("binary") != std::string::npos);
 }
 

@@ -89,6 +89,14 @@ TEST_CASE("PLY: colours and texture coordinates of faces") {
   CHECK(bad.remarks.count(RepairKind::texture_point_dropped) == 1);
 }
 
+TEST_CASE("PLY: a name of any length makes no long message") {
+  const std::string name(1000, 'x');
+  CHECK(refusal(ascii("element " + name + " 1\nproperty float " + name + "\nproperty list int int " + name + "\n",
+                      "1 x 1"),
+                "ply")
+            .size() < 200);
+}
+
 TEST_CASE("PLY: refusals") {
   const auto refused = [](const std::string& header, const std::string& body) {
     return refusal(ascii(header, body), "ply");
