@@ -40,6 +40,14 @@ std::vector<Point> hull_of(std::array<Point, 9> points) {
   return hull;
 }
 
+/// Whether the line between the triangles' middles tells that they are apart: most pairs whose boxes meet.
+bool plainly_apart(const Triangle& a, const Triangle& b) {
+  const Vec2 way = (b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]);
+  const double a_far = std::max({dot(way, a[0]), dot(way, a[1]), dot(way, a[2])});
+  const double b_near = std::min({dot(way, b[0]), dot(way, b[1]), dot(way, b[2])});
+  return a_far <= b_near;
+}
+
 struct Boxed {
   double low_x, high_x, low_y, high_y;
   std::uint32_t index;
@@ -88,6 +96,9 @@ std::vector<OverlapFound> find_overlaps(std::span<const Triangle> triangles, dou
         continue;
       }
       const auto [first, second] = std::minmax(boxes[i].index, boxes[j].index);
+      if (plainly_apart(triangles[first], triangles[second])) {
+        continue;
+      }
       const double depth = depth_by_difference(triangles[first], triangles[second]);
       if (depth > tolerance) {
         found.push_back({first, second, depth});

@@ -28,10 +28,14 @@ void TreeSearch::find_all_pairs() {
       if (node < tree_.first_leaf()) {
         sides_.push_back(2 * node);
         sides_.push_back(2 * node + 1);
-      } else if (node - tree_.first_leaf() > position) {
-        const std::uint32_t g = order_[node - tree_.first_leaf()];
-        if (overlap(flat_[f], flat_[g], tolerance_)) {
-          add_pair(f, g);
+        continue;
+      }
+      const std::uint32_t block = node - tree_.first_leaf();
+      for (std::uint32_t bits = tree_.meeting(block, circle_[f]); bits != 0; bits &= bits - 1) {
+        const std::uint32_t other =
+            CircleTree::block_size * block + static_cast<std::uint32_t>(std::countr_zero(bits));
+        if (other > position && overlap(flat_[f], flat_[order_[other]], tolerance_)) {
+          add_pair(f, order_[other]);
         }
       }
     }
@@ -65,67 +69,168 @@ void TreeSearch::remove_pair_of(std::uint32_t f, std::uint32_t g) {
   }
 }
 
-/// Pairs that the move would make, counted up to the limit; collected in found_ on request.
-///
-/// Descends the circle tree twice at once: the circles of the moved side, carried along by the motion,
-/// against those of the side that stays (Gottschalk, Lin, Manocha 1996, with circles for boxes since they
-/// needn't be turned).
-std::uint32_t TreeSearch::new_pairs(const Move& move, std::uint32_t limit, bool collect) {
-  const Rigid motion = this->motion(move);
-  const Span moved = moved_span(move.below);
-  const std::uint32_t leaf = tree_.first_leaf();
-  const std::uint32_t end = moved.first + moved.count;
-  const bool wraps = end > n_;
-  const auto height = static_cast<std::uint32_t>(std::bit_width(leaf));
-  // Positions below a node that all belong to the moved side can't be met.
-  const auto all_moved = [&](std::uint32_t node) {
-    const std::uint32_t shift = height - static_cast<std::uint32_t>(std::bit_width(node));
-    const std::uint32_t low = (node << shift) - leaf;
-    const std::uint32_t high = std::min(low + (1U << shift), n_);
-    return wraps ? low >= moved.first || high <= end - n_ : low >= moved.first && high <= end;
-  };
-  const auto carried = [&](std::uint32_t node) {
-    return Circle{motion(tree_[node].centre), tree_[node].radius};
-  };
-  ++evaluation_;
-  found_.clear();
-  stack_.clear();
-  std::uint32_t count = 0;
-  const auto test = [&](std::uint32_t f, std::uint32_t g) {
-    if (moved_in_[f] != evaluation_) {
-      moved_in_[f] = evaluation_;
-      moved_[f] = {motion(flat_[f][0]), motion(flat_[f][1]), motion(flat_[f][2])};
+namespace {
+
+/// Bits of a block's positions that lie in first .. last-1.
+std::uint32_t bits_within(std::uint32_t block, std::uint32_t first, std::uint32_t last) {
+  constexpr std::uint32_t size = CircleTree::block_size;
+  const std::uint32_t begin = block * size;
+  const std::uint32_t low = std::clamp(first, begin, begin + size) - begin;
+  const std::uint32_t high = std::clamp(last, begin, begin + size) - begin;
+  return (1U << high) - (1U << low);
+}
+
+}  // namespace
+
+/// The question what a move would meet, asked of the circle tree twice at once: circles of the side that
+/// moves, carried along, against those of the side that stays (Gottschalk, Lin, Manocha 1996, with circles
+/// for boxes since they needn't be turned).
+class TreeSearch::Descent {
+ public:
+  Descent(TreeSearch& search, const Rigid& motion, const Span& moved, std::uint32_t limit)
+      : s_(search),
+        tree_(search.tree_),
+        motion_(motion),
+        first_(moved.first),
+        last_(std::min(moved.first + moved.count, search.n_)),
+        wrapped_(moved.first + moved.count - last_),
+        leaf_(tree_.first_leaf()),
+        height_(static_cast<std::uint32_t>(std::bit_width(leaf_))),
+        limit_(limit) {}
+
+  /// The number of pairs, or the limit when it is reached.
+  std::uint32_t run() {
+    interval(first_, last_);
+    interval(0, wrapped_);
+    s_.meetings_.clear();
+    return count_;
+  }
+
+ private:
+  static constexpr std::uint32_t size = CircleTree::block_size;
+
+  /// Everything below the node moves, so nothing there can be met.
+  [[nodiscard]] bool all_moved(std::uint32_t node) const {
+    const std::uint32_t shift = height_ - static_cast<std::uint32_t>(std::bit_width(node));
+    const std::uint32_t low = ((node << shift) - leaf_) * size;
+    const std::uint32_t high = std::min(low + (size << shift), s_.n_);
+    return (low >= first_ && high <= last_) || high <= wrapped_;
+  }
+
+  [[nodiscard]] Circle carried(std::uint32_t node) const {
+    return {motion_(tree_[node].centre), tree_[node].radius};
+  }
+
+  /// What the faces at positions first .. last-1 meet: whole blocks through the tree, the rest block by
+  /// block.
+  void interval(std::uint32_t first, std::uint32_t last) {
+    if (first >= last || count_ == limit_) {
+      return;
     }
-    if (overlap(moved_[f], flat_[g], tolerance_)) {
-      ++count;
-      if (collect) {
-        found_.emplace_back(f, g);
+    const std::uint32_t head = (first + size - 1) / size;
+    const std::uint32_t tail = last / size;
+    if (head > tail) {
+      part_of_block(first / size, first, last);
+      return;
+    }
+    if (first % size != 0) {
+      part_of_block(first / size, first, head * size);
+    }
+    if (last % size != 0 && count_ < limit_) {
+      part_of_block(tail, tail * size, last);
+    }
+    tree_.cover(head, tail, [this](std::uint32_t node) { meet(node, motion_(tree_[node].centre), 1); });
+    descend(~0U);
+  }
+
+  void part_of_block(std::uint32_t block, std::uint32_t first, std::uint32_t last) {
+    const std::uint32_t bits = bits_within(block, first, last);
+    Circle all;
+    for (std::uint32_t position = first; position < last; ++position) {
+      all = around(all, tree_.circle(position));
+    }
+    // Stands for the block's node, with a circle of its own.
+    part_radius_ = all.radius;
+    meet_as(leaf_ + block, motion_(all.centre), part_radius_, 1);
+    descend(bits);
+    part_radius_ = -1.0;
+  }
+
+  void meet(std::uint32_t a, Vec2 centre, std::uint32_t b) { meet_as(a, centre, tree_[a].radius, b); }
+
+  void meet_as(std::uint32_t a, Vec2 centre, double radius, std::uint32_t b) {
+    const Circle& other = tree_[b];
+    if (radius >= 0.0 && other.radius >= 0.0 && !apart({centre, radius}, other) && !all_moved(b)) {
+      s_.meetings_.push_back({a, b, centre});
+    }
+  }
+
+  /// Works off the meetings. `bits`: which faces of a block that moves count.
+  void descend(std::uint32_t bits) {
+    auto& meetings = s_.meetings_;
+    while (!meetings.empty() && count_ < limit_) {
+      const Meeting at = meetings.back();
+      meetings.pop_back();
+      const double radius = part_radius_ < 0.0 ? tree_[at.a].radius : part_radius_;
+      if (at.a >= leaf_ && at.b >= leaf_) {
+        blocks(at.a - leaf_, bits, at.b - leaf_);
+      } else if (at.b >= leaf_ || (at.a < leaf_ && radius > tree_[at.b].radius)) {
+        meet(2 * at.a, motion_(tree_[2 * at.a].centre), at.b);
+        meet(2 * at.a + 1, motion_(tree_[2 * at.a + 1].centre), at.b);
+      } else {
+        meet_as(at.a, at.centre, radius, 2 * at.b);
+        meet_as(at.a, at.centre, radius, 2 * at.b + 1);
       }
     }
-  };
-  const auto begin = [&](std::uint32_t node) { stack_.emplace_back(node, 1); };
-  tree_.cover(moved.first, std::min(end, n_), begin);
-  if (wraps) {
-    tree_.cover(0, end - n_, begin);
+    meetings.clear();
   }
-  while (!stack_.empty() && count < limit) {
-    auto [a, b] = stack_.back();
-    stack_.pop_back();
-    const Circle circle = carried(a);
-    if (tree_[b].radius < 0.0 || apart(circle, tree_[b]) || all_moved(b)) {
-      continue;
-    }
-    if (a >= leaf && b >= leaf) {
-      test(order_[a - leaf], order_[b - leaf]);
-    } else if (b >= leaf || (a < leaf && circle.radius > tree_[b].radius)) {
-      stack_.emplace_back(2 * a, b);
-      stack_.emplace_back(2 * a + 1, b);
-    } else {
-      stack_.emplace_back(a, 2 * b);
-      stack_.emplace_back(a, 2 * b + 1);
+
+  void blocks(std::uint32_t a, std::uint32_t bits, std::uint32_t b) {
+    const std::uint32_t stays = ~(bits_within(b, first_, last_) | bits_within(b, 0, wrapped_));
+    const Circle& around_b = tree_[leaf_ + b];
+    for (std::uint32_t i = a * size; i < std::min(a * size + size, s_.n_); ++i) {
+      if (((bits >> (i - a * size)) & 1U) == 0) {
+        continue;
+      }
+      Circle circle = tree_.circle(i);
+      circle.centre = motion_(circle.centre);
+      if (apart(circle, around_b)) {
+        continue;
+      }
+      for (std::uint32_t met = tree_.meeting(b, circle) & stays; met != 0; met &= met - 1) {
+        test(s_.order_[i], s_.order_[b * size + static_cast<std::uint32_t>(std::countr_zero(met))]);
+        if (count_ == limit_) {
+          return;
+        }
+      }
     }
   }
-  return count;
+
+  void test(std::uint32_t f, std::uint32_t g) {
+    if (s_.moved_in_[f] != s_.evaluation_) {
+      s_.moved_in_[f] = s_.evaluation_;
+      s_.moved_[f] = moved(s_.flat_[f], motion_);
+    }
+    if (overlap(s_.moved_[f], s_.flat_[g], s_.tolerance_)) {
+      ++count_;
+      s_.found_.emplace_back(f, g);
+    }
+  }
+
+  TreeSearch& s_;
+  const CircleTree& tree_;
+  const Rigid motion_;
+  const std::uint32_t first_, last_, wrapped_;  ///< positions first .. last-1 and 0 .. wrapped-1 move
+  const std::uint32_t leaf_, height_, limit_;
+  std::uint32_t count_ = 0;
+  double part_radius_ = -1.0;
+};
+
+/// Pairs that the move would make, collected in found_ up to the limit.
+std::uint32_t TreeSearch::new_pairs(const Move& move, std::uint32_t limit) {
+  ++evaluation_;
+  found_.clear();
+  return Descent(*this, motion(move), moved_span(move.below), limit).run();
 }
 
 void TreeSearch::drop_pairs_across(std::uint32_t below) {
@@ -157,7 +262,6 @@ void TreeSearch::drop_pairs_across(std::uint32_t below) {
 }
 
 void TreeSearch::apply(const Move& move) {
-  new_pairs(move, nothing, true);
   drop_pairs_across(move.below);
   const std::uint32_t removed = up_[move.below];
   folds_[removed] = folds_[patch_.twin[removed]] = 0;
@@ -167,7 +271,7 @@ void TreeSearch::apply(const Move& move) {
   } else {
     hang_rest(move);
   }
-  for (const auto& [f, g] : found_) {
+  for (const auto& [f, g] : chosen_pairs_) {
     add_pair(f, g);
   }
 }
@@ -289,9 +393,7 @@ void TreeSearch::traverse(std::uint32_t start, std::uint32_t up, std::uint32_t p
 
 void TreeSearch::settle(std::uint32_t face, const Rigid& placed) {
   place_[face] = placed;
-  for (unsigned k = 0; k < 3; ++k) {
-    flat_[face][k] = placed(patch_.shape[face][k]);
-  }
+  flat_[face] = moved(own_edged_[face], placed);
   circle_[face] = {placed(own_circle_[face].centre), own_circle_[face].radius};
 }
 
@@ -299,7 +401,7 @@ void TreeSearch::settle(std::uint32_t face, const Rigid& placed) {
 void TreeSearch::renew(std::uint32_t first, std::uint32_t count) {
   const auto interval = [this](std::uint32_t low, std::uint32_t high) {
     for (std::uint32_t position = low; position < high; ++position) {
-      tree_.set_leaf(position, circle_[order_[position]]);
+      tree_.set(position, circle_[order_[position]]);
     }
     tree_.renew(low, high);
   };

@@ -38,8 +38,10 @@ TreeSearch::TreeSearch(const Patch& patch, double tolerance, std::uint64_t seed)
   flat_.resize(n_);
   circle_.resize(n_);
   own_circle_.reserve(n_);
+  own_edged_.reserve(n_);
   for (const Triangle& t : patch.shape) {
     own_circle_.push_back(smallest_circle(t[0], t[1], t[2]));
+    own_edged_.push_back(edged(t));
   }
   meets_.resize(n_);
   bad_at_.assign(n_, nothing);
@@ -158,15 +160,17 @@ void TreeSearch::consider(const Move& move, std::uint32_t old_pairs, bool ties, 
   if (limit <= 0) {
     return;
   }
-  const std::uint32_t added = new_pairs(move, static_cast<std::uint32_t>(limit), false);
+  const std::uint32_t added = new_pairs(move, static_cast<std::uint32_t>(limit));
   if (added >= limit) {
     return;
   }
   const std::int64_t change = static_cast<std::int64_t>(added) - old_pairs;
   if (change < chosen.change) {
     chosen = {move, change, 1};
+    chosen_pairs_.swap(found_);
   } else if (change == chosen.change && random_.below(++chosen.ties) == 0) {
     chosen.move = move;
+    chosen_pairs_.swap(found_);
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include "mesh/context.hpp"
 #include "unfold/circle_tree.hpp"
+#include "unfold/edged_triangle.hpp"
 #include "unfold/patch.hpp"
 #include "unfold/start_tree.hpp"
 
@@ -64,7 +65,14 @@ class TreeSearch {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
+  /// Two nodes of the circle tree that come near each other when the first is carried to `centre`.
+  struct Meeting {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    Vec2 centre;
+  };
   struct Chosen;
+  class Descent;
 
   [[nodiscard]] std::uint32_t wrap(std::uint32_t position) const {
     return position >= n_ ? position - n_ : position;
@@ -91,7 +99,7 @@ class TreeSearch {
 
   void find_path(std::uint32_t f, std::uint32_t g);
   [[nodiscard]] std::uint32_t pairs_across(std::uint32_t below);
-  std::uint32_t new_pairs(const Move& move, std::uint32_t limit, bool collect);
+  std::uint32_t new_pairs(const Move& move, std::uint32_t limit);
   void consider(const Move& move, std::uint32_t old_pairs, bool ties, Chosen& chosen);
   void local_stage(Chosen& chosen);
   void wide_stage(Chosen& chosen);
@@ -121,7 +129,8 @@ class TreeSearch {
 
   std::vector<Circle> own_circle_;  ///< of each face, in its own frame
   std::vector<Rigid> place_;
-  std::vector<Triangle> flat_;
+  std::vector<EdgedTriangle> own_edged_;  ///< of each face, in its own frame
+  std::vector<EdgedTriangle> flat_;
   std::vector<Circle> circle_;
   CircleTree tree_;
 
@@ -137,11 +146,12 @@ class TreeSearch {
   std::vector<std::uint32_t> path_pairs_;           ///< pairs_across of a face's fold, while ...
   std::vector<std::uint64_t> path_pairs_valid_at_;  ///< ... this is the iteration
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack_;
+  std::vector<Meeting> meetings_;
   std::vector<std::uint32_t> sides_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found_;  ///< pairs of the move that was evaluated last
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> dropped_;  ///< pairs that the move resolves
-  std::vector<Triangle> moved_;          ///< per face: its corners under the evaluated move
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> chosen_pairs_;  ///< pairs of the chosen move
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> dropped_;       ///< pairs that the move resolves
+  std::vector<EdgedTriangle> moved_;     ///< per face: its corners under the evaluated move
   std::vector<std::uint64_t> moved_in_;  ///< evaluation that moved_ is of
   std::uint64_t evaluation_ = 0;
 };

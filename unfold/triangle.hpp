@@ -54,22 +54,24 @@ using Triangle = std::array<Vec2, 3>;
 /// clearance of that size between the triangles, measured along edge normals (never more than their
 /// distance).
 [[nodiscard]] inline bool overlap(const Triangle& a, const Triangle& b, double tolerance) {
-  const auto apart = [tolerance](const Triangle& s, const Triangle& t) {
+  const double squared = tolerance * tolerance;
+  const auto apart = [tolerance, squared](const Triangle& s, const Triangle& t) {
     for (unsigned k = 0; k < 3; ++k) {
       const Vec2 p = s[k];
-      const Vec2 along = s[(k + 1) % 3] - p;
-      // Twice the area of edge and corner, positive inside; compared with the tolerance times the edge's
-      // length.
+      const Vec2 along = s[k == 2 ? 0 : k + 1] - p;
+      // Depths of t's corners inside the edge, times its length.
       const double d0 = cross(along, t[0] - p);
       const double d1 = cross(along, t[1] - p);
       const double d2 = cross(along, t[2] - p);
-      const double deepest = std::fmax(d0, std::fmax(d1, d2));
+      const double deeper = d0 > d1 ? d0 : d1;
+      const double deepest = deeper > d2 ? deeper : d2;
+      const double size_squared = dot(along, along);
       // Most axes fail at once, without a square root.
-      if (deepest > 0.0 && deepest * deepest > tolerance * tolerance * dot(along, along)) {
+      if (deepest > 0.0 && deepest * deepest > squared * size_squared) {
         continue;
       }
-      const double size = std::sqrt(dot(along, along));
-      if (size > 0.0 && deepest - std::fmin(0.0, cross(along, s[(k + 2) % 3] - p)) <= tolerance * size) {
+      const double own = cross(along, s[k == 0 ? 2 : k - 1] - p);
+      if (size_squared > 0.0 && deepest - (own < 0.0 ? own : 0.0) <= tolerance * std::sqrt(size_squared)) {
         return true;
       }
     }

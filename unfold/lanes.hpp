@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Four numbers worked at a time, in the vector form that GCC and Clang share; the same bits as one by one.
+#pragma once
+
+#include <cstdint>
+
+namespace ridgecraft::unfold {
+
+using FloatLanes = float __attribute__((vector_size(16)));
+using IntLanes = std::int32_t __attribute__((vector_size(16)));
+using DoubleLanes = double __attribute__((vector_size(16)));  ///< two
+
+/// Bit k: lane k of a comparison's result holds.
+[[nodiscard]] inline std::uint32_t bits_of(IntLanes holds) {
+  const IntLanes bits = holds & IntLanes{1, 2, 4, 8};
+  return static_cast<std::uint32_t>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+}
+
+[[nodiscard]] inline DoubleLanes smaller(DoubleLanes a, DoubleLanes b) {
+  return a < b ? a : b;
+}
+[[nodiscard]] inline DoubleLanes larger(DoubleLanes a, DoubleLanes b) {
+  return a > b ? a : b;
+}
+
+}  // namespace ridgecraft::unfold
