@@ -95,7 +95,8 @@ class Assignment {
         sites, [&](std::uint32_t s) { return sites[s].piece.value(); },
         [&](std::uint32_t s) { return sites[s].own.out(widest_[s]); },
         [&](std::uint32_t a, std::uint32_t b) {
-          return !tabs_clear(sites[a], widest_[a], sites[b], widest_[b], options.clearance_mm);
+          // Without leave at a common corner, which a tab on a part of the edge hasn't.
+          return !apart(sites[a].own.out(widest_[a]), sites[b].own.out(widest_[b]), options.clearance_mm);
         },
         options.clearance_mm);
     stacks_ = find_neighbors(

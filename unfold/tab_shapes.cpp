@@ -332,9 +332,11 @@ ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstac
 
 bool is_usable(const ConvexShape& tab, double length, const TabOptions& options) {
   const double height = usable_height(options);
-  // Rounding of a trapezoid that is just so high.
-  return !tab.empty() && top_of(tab) >= height - same_place_mm &&
-         width_at(tab, std::fmin(height, top_of(tab))) >= 0.5 * length - same_place_mm;
+  if (tab.empty() || top_of(tab) < height - same_place_mm) {
+    return false;
+  }
+  // A hair below the top: turned in the plane and back, a level top isn't quite level.
+  return width_at(tab, std::fmin(height, top_of(tab)) - same_place_mm) >= 0.5 * length - same_place_mm;
 }
 
 bool long_enough(double length, const TabOptions& options) {

@@ -49,6 +49,25 @@ class TreeSearch {
   [[nodiscard]] std::uint64_t best_overlaps() const { return best_total_; }
   [[nodiscard]] std::uint64_t iterations() const { return iteration_; }
 
+  // What a search for something else than overlap needs (tab_search.hpp): tree_swaps.cpp.
+
+  /// A face's corners in the plane.
+  [[nodiscard]] const Triangle& flat(std::uint32_t face) const { return flat_[face]; }
+  /// Folds that may be removed on the tree path between two faces, each named by the face below it.
+  [[nodiscard]] std::vector<std::uint32_t> removable_between(std::uint32_t f, std::uint32_t g);
+  /// The side of `below` to its parent.
+  [[nodiscard]] std::uint32_t side_above(std::uint32_t below) const { return up_[below]; }
+  /// Would removing the fold above `below` and folding `side`, which crosses it, make no new overlap?
+  [[nodiscard]] bool swap_is_clean(std::uint32_t below, std::uint32_t side);
+  /// Makes the swap and returns the face below the new fold, whose subtree is the side that moved.
+  std::uint32_t swap(std::uint32_t below, std::uint32_t side);
+  /// Calls use(face) for each face whose circle comes nearer than `radius` to a point.
+  template <class Use>
+  void visit_near(Vec2 centre, double radius, Use use);
+  /// Faces on either side of the fold above `below` that come nearer than `reach` to the other side's circles;
+  /// a face may come several times.
+  void add_near_across(std::uint32_t below, double reach, std::vector<std::uint32_t>& faces);
+
  private:
   /// Remove the fold above `below`, fold `side` instead: it belongs to a face of below's subtree, its twin
   /// does not.
@@ -155,5 +174,24 @@ class TreeSearch {
   std::vector<std::uint64_t> moved_in_;  ///< evaluation that moved_ is of
   std::uint64_t evaluation_ = 0;
 };
+
+template <class Use>
+void TreeSearch::visit_near(Vec2 centre, double radius, Use use) {
+  const Circle circle{centre, radius};
+  sides_.assign(1, 1);
+  while (!sides_.empty()) {
+    const std::uint32_t node = sides_.back();
+    sides_.pop_back();
+    if (tree_[node].radius < 0.0 || apart(tree_[node], circle)) {
+      continue;
+    }
+    if (node < tree_.first_leaf()) {
+      sides_.push_back(2 * node);
+      sides_.push_back(2 * node + 1);
+    } else {
+      use(order_[node - tree_.first_leaf()]);
+    }
+  }
+}
 
 }  // namespace ridgecraft::unfold

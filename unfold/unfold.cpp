@@ -16,6 +16,7 @@
 #include "unfold/patch_nets.hpp"
 #include "unfold/sheet.hpp"
 #include "unfold/tab_fit.hpp"
+#include "unfold/tab_pieces.hpp"
 #include "unfold/tabs.hpp"
 #include "unfold/tolerance.hpp"
 
@@ -86,6 +87,9 @@ Done do_task(const mesh::Surface& surface, const mesh::Panels& panels, const Tas
   // Half of what the finished nets may show, whatever the model's size.
   const double tolerance = std::min(search_tolerance * done.patch.extent, 0.5 * overlap_tolerance_mm);
   PatchNets nets = unfold_patch(done.patch, room, tolerance, seed, context);
+  if (options.tabs.wanted) {
+    nets.folds = improve_tabs(surface, panels, done.patch, nets.folds, room, options.tabs, tolerance, ~seed, context);
+  }
   done.folds = std::move(nets.folds);
   done.reason = std::move(nets.reason);
   done.notes = std::move(nets.notes);
