@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/label_file.hpp"
+#include "cli/part_files.hpp"
 #include "cli/targets.hpp"
+#include "mesh/error.hpp"
 #include "mesh/write.hpp"
 #include "unfold/panel_parts.hpp"
 
@@ -175,8 +176,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
     const unfold::Options options{.sheet = unfold::Sheet{area.x, area.y}, .tabs = job.tabs};
     return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });
-  result.pages =
-      clock("lay out", context, [&] { return paper::layout(surface, result.nets, job.paper, context); });
+  result.pages = clock("lay out", context, [&] { return paper::layout(result.nets, job.paper, context); });
   const auto drawings = clock("draw", context, [&] {
     return paper::draw(result.prepared, result.nets, result.pages, job.style, &result.drawn);
   });
@@ -226,11 +226,13 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
   });
   clock("write", context, [&] {
     for (const std::string& output : job.outputs) {
-      const bool ply = suffix_of(output) == ".ply";
-      const auto colours = part_colours(result.segmentation);
-      const std::string comment = paper::mark_word(mark);
-      pending.add(output, ply ? mesh::write_ply(result.model.surface, colours, comment)
-                              : mesh::write_off(result.model.surface, colours, comment));
+      const mesh::FaceColours colours = part_colours(result.segmentation);
+      const std::string comment =
+          paper::mark_word({program_and_version(), result.model.name, result.model.digest});
+      std::string bytes = suffix_of(output) == ".ply"
+                              ? mesh::write_ply(result.model.surface, colours, mesh::PlyKind::binary)
+                              : mesh::write_off(result.model.surface, colours);
+      pending.add(output, with_comment(std::move(bytes), comment));
       result.files.push_back(output);
     }
     if (!job.labels.empty()) {

@@ -11,6 +11,8 @@ namespace {
 constexpr std::string_view word_start = "ridgecraft-model:";
 constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view fold_key = "\"ridgecraft:model_digest\"";
+/// Meshes carry the word in a comment right after their first lines.
+constexpr std::size_t mesh_header_size = 512;
 /// mesh::Model::digest has 16 digits; longer ones may come.
 constexpr std::size_t longest_digest = 64;
 
@@ -95,6 +97,9 @@ std::string read_mark_digest(std::string_view bytes) {
   }
   if (bytes.starts_with(png_signature)) {
     return png_digest(bytes);
+  }
+  if (bytes.starts_with("ply\n") || bytes.starts_with("OFF\n")) {
+    return digest_after_word(bytes.substr(0, mesh_header_size));
   }
   const auto first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) {

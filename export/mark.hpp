@@ -16,7 +16,8 @@ struct Mark {
 };
 
 /// The one word that carries the digest in PDF (Keywords of the Info dictionary, not compressed), SVG (text
-/// inside <metadata>) and PNG (text of a tEXt chunk before the pixels): "ridgecraft-model:" and the digest.
+/// inside <metadata>), PNG (text of a tEXt chunk before the pixels), PLY and OFF (a comment near the top):
+/// "ridgecraft-model:" and the digest.
 /// FOLD has the digest as the value of the top-level key "ridgecraft:model_digest".
 [[nodiscard]] std::string mark_word(const Mark& mark);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/model.hpp"
+#include "mesh/write.hpp"
 #include "segment/segment.hpp"
 
 namespace ridgecraft::cli {
@@ -15,7 +16,10 @@ namespace ridgecraft::cli {
 [[nodiscard]] std::string label_text(const mesh::Model& model, const segment::Segmentation& segmentation);
 
 /// A colour per face; neighbouring numbers get colours that are easy to tell apart.
-[[nodiscard]] IdVector<FaceId, mesh::Colour> part_colours(const segment::Segmentation& segmentation);
+[[nodiscard]] mesh::FaceColours part_colours(const segment::Segmentation& segmentation);
+
+/// The bytes of a PLY or OFF file with a comment near its top.
+[[nodiscard]] std::string with_comment(std::string mesh_file, const std::string& comment);
 
 /// True for a file that holds nothing but that many labels: it was made for the same model, or for one that
 /// can't be told from it.
