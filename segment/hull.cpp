@@ -49,13 +49,27 @@ double Hull::volume(std::span<const Vec3> points) const {
 
 HullBuilder::HullBuilder(std::span<const Vec3> points) : all_points_(points) {}
 
-void HullBuilder::build(std::span<const std::uint32_t> ids, Hull& out) {
-  out.clear();
+void HullBuilder::take_points(std::span<const std::uint32_t> ids, double lift) {
   ids_.assign(ids.begin(), ids.end());
   points_.resize(ids.size());
+  Vec3 middle;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     points_[i] = all_points_[ids[i]];
+    middle += points_[i];
   }
+  if (lift == 0.0 || ids.empty()) {
+    return;
+  }
+  middle = middle / static_cast<double>(ids.size());
+  for (Vec3& p : points_) {
+    const Vec3 out = p - middle;
+    p = snap_to_grid(p + (lift * (1.0 - 0.25 * dot(out, out))) * out);
+  }
+}
+
+void HullBuilder::build(std::span<const std::uint32_t> ids, Hull& out, double lift) {
+  out.clear();
+  take_points(ids, lift);
   next_.assign(ids.size(), none);
   slot_.assign(ids.size(), none);
   facets_.clear();

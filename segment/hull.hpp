@@ -38,8 +38,10 @@ struct Hull {
 class HullBuilder {
  public:
   explicit HullBuilder(std::span<const Vec3> points);
-  /// Hull of the points with these numbers (no number twice). Expected O(n log n).
-  void build(std::span<const std::uint32_t> ids, Hull& out);
+  /// Hull of the points with these numbers (no number twice). With a `lift`, the points are first moved away
+  /// from their middle, by lift (1 - r^2 / 4) r at distance r: over each flat face they bulge like a
+  /// paraboloid, which makes all its points hull vertices and its triangles Delaunay. Expected O(n log n).
+  void build(std::span<const std::uint32_t> ids, Hull& out, double lift = 0.0);
 
  private:
   struct Facet {
@@ -61,6 +63,7 @@ class HullBuilder {
     std::uint32_t beyond_side;  ///< its side along this edge
   };
 
+  void take_points(std::span<const std::uint32_t> ids, double lift);
   bool first_simplex();
   void build_flat(Hull& out);
   [[nodiscard]] int side_of(const Facet& f, std::uint32_t p) const;

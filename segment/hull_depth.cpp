@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ridgecraft::segment {
 namespace {
@@ -12,6 +13,7 @@ constexpr double parallel_cosine = 1e-9;
 /// A hull facet whose doubled area is below this share of its longest side squared carries no plane (2.5).
 constexpr double sliver_share = 1e-7;
 constexpr std::size_t lanes = 4;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -66,7 +68,7 @@ double HullDepth::along_normal(std::uint32_t v) const {
     for (std::size_t j = 0; j < lanes; ++j) {
       const double cosine = x_[i + j] * n.x + y_[i + j] * n.y + z_[i + j] * n.z;
       const double gap = offset_[i + j] - (x_[i + j] * p.x + y_[i + j] * p.y + z_[i + j] * p.z);
-      const double depth = cosine > parallel_cosine ? (gap > 0.0 ? gap : 0.0) / cosine : INFINITY;
+      const double depth = cosine > parallel_cosine ? (gap > 0.0 ? gap : 0.0) / cosine : infinite;
       best[j] = depth < best[j] ? depth : best[j];
     }
   }

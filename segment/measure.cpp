@@ -15,6 +15,10 @@ namespace {
 constexpr double derivation_share = 0.5;
 /// The interval grows by this times the distance between the ends.
 constexpr double interval_growth = 2.0;
+/// How far the hull bulges over its flat faces, in radii of the ball: all their points become hull vertices
+/// and their triangles those of a Delaunay triangulation, so that a gap between two points in one plane has
+/// its bridge. Too small to be seen in any measure; large against the grid.
+constexpr double flat_face_lift = 1e-5;
 /// Bridges between two questions whether the user wants to stop.
 constexpr std::size_t check_interval = 64;
 
@@ -33,7 +37,7 @@ Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, doubl
 void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const std::uint32_t> hull_points,
                        MeasureMode mode, Measurement& out) {
   part_.select(facets);
-  hulls_.build(hull_points.empty() ? part_.vertices() : hull_points, out.hull);
+  hulls_.build(hull_points.empty() ? part_.vertices() : hull_points, out.hull, flat_face_lift);
   depth_.select(out.hull);
   out.bridges.assign(out.hull.edges.size(), Bridge{});
   out.concavity = 0.0;
@@ -47,7 +51,9 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
     out.bridges[i].b = out.hull.edges[i][1];
     out.bridges[i].length = length(points[out.bridges[i].b] - points[out.bridges[i].a]);
   }
-  if (mode == MeasureMode::test) {
+  const bool test = mode == MeasureMode::test || mode == MeasureMode::test_scratch;
+  const bool scratch = mode == MeasureMode::scratch || mode == MeasureMode::test_scratch;
+  if (test) {
     std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
       return out.bridges[i].length > out.bridges[j].length;
     });
@@ -60,14 +66,14 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
       bridge.zero = true;
       continue;
     }
-    if (mode == MeasureMode::scratch || !derive(i, out)) {
+    if (scratch || !derive(i, out)) {
       if (searched++ % check_interval == 0) {
         context_->check();
       }
-      search(i, out, mode);
+      search(i, out, !scratch, !test);
     }
     out.concavity = std::max(out.concavity, bridge.high);
-    if (mode == MeasureMode::test && bridge.state == Bridge::State::high) {
+    if (test && bridge.state == Bridge::State::high) {
       out.stopped = true;
       return;
     }
@@ -191,9 +197,9 @@ double Measurer::cap(const Valley& valley) {
   return greatest;
 }
 
-void Measurer::search(std::uint32_t index, Measurement& m, MeasureMode mode) {
+void Measurer::search(std::uint32_t index, Measurement& m, bool use_cache, bool with_reach) {
   Bridge& bridge = m.bridges[index];
-  const Valley valley = find_valley(bridge, mode != MeasureMode::scratch);
+  const Valley valley = find_valley(bridge, use_cache);
   bridge.source = index;
   if (valley.steps.empty()) {
     bridge.low = bridge.high = INFINITY;
@@ -205,7 +211,7 @@ void Measurer::search(std::uint32_t index, Measurement& m, MeasureMode mode) {
     m.deepest = index;
   }
   bridge.state = bridge.high > tolerance_ ? Bridge::State::high : Bridge::State::low;
-  if (mode != MeasureMode::test && bridge.state == Bridge::State::high && valley.steps.size() > 2) {
+  if (with_reach && bridge.state == Bridge::State::high && valley.steps.size() > 2) {
     find_reach(bridge, valley);
   }
 }
@@ -216,7 +222,7 @@ void Measurer::find_reach(Bridge& bridge, const Valley& valley) {
     valley_points_.push_back(surface_->points[s.vertex]);
   }
   project_valley(valley_points_, chain_);
-  const Separators separators = find_separators(chain_, capped_, tolerance_);
+  const Separators separators = find_separators(chain_, capped_, valley.concavity, tolerance_);
   double along = 0.0;
   double at_last = 0.0;
   for (std::size_t i = 1; i < valley.steps.size(); ++i) {

@@ -40,9 +40,10 @@ struct Measurement {
 };
 
 enum class MeasureMode {
-  split,    ///< all bridges, with what cutting needs
-  test,     ///< whether all are low: longest first, stops at the first high one
-  scratch,  ///< as split, but each bridge is searched on this part alone: the value that is reported
+  split,         ///< all bridges, with what cutting needs
+  test,          ///< whether all are low: longest first, stops at the first high one
+  test_scratch,  ///< as test, with the value of scratch
+  scratch,       ///< as split, but each bridge is searched on this part alone: the value that is reported
 };
 
 /// Measures one part at a time.
@@ -64,7 +65,7 @@ class Measurer {
   [[nodiscard]] bool is_zero(Bridge& bridge) const;
   bool derive(std::uint32_t index, Measurement& m) const;
   bool derive_from(Bridge& bridge, const Bridge& source, double moved) const;
-  void search(std::uint32_t index, Measurement& m, MeasureMode mode);
+  void search(std::uint32_t index, Measurement& m, bool use_cache, bool with_reach);
   Valley find_valley(const Bridge& bridge, bool use_cache);
   [[nodiscard]] bool survives(const Valley& valley) const;
   double cap(const Valley& valley);

@@ -31,7 +31,8 @@ Borders find_borders(const ScaledSurface& s, const EdgeWeights& weights,
   for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = s.neighbors[f][k];
-      if (g == none || g < f || part_of[f] == part_of[g] || part_of[f] == none || part_of[g] == none) {
+      if (g == none || g < f || part_of[f] == part_of[g] || part_of[f] == none || part_of[g] == none ||
+          !(parts[part_of[f]].open || parts[part_of[g]].open)) {
         continue;
       }
       Border& b = borders[std::minmax(part_of[f], part_of[g])];
@@ -68,7 +69,8 @@ void redirect(Borders& borders, std::uint32_t into, std::uint32_t from) {
 
 }  // namespace
 
-void merge_parts(Measurer& measurer, const EdgeWeights& weights, std::vector<MergePart>& parts) {
+void merge_parts(Measurer& measurer, const EdgeWeights& weights, std::vector<MergePart>& parts,
+                 MeasureMode mode) {
   Borders borders = find_borders(measurer.graph().surface(), weights, parts);
   Measurement measurement;
   Facets facets;
@@ -91,9 +93,11 @@ void merge_parts(Measurer& measurer, const EdgeWeights& weights, std::vector<Mer
     std::merge(into.facets.begin(), into.facets.end(), from.facets.begin(), from.facets.end(),
                std::back_inserter(facets));
     hull_points.clear();
-    std::set_union(into.hull_vertices.begin(), into.hull_vertices.end(), from.hull_vertices.begin(),
-                   from.hull_vertices.end(), std::back_inserter(hull_points));
-    measurer.measure(facets, hull_points, MeasureMode::test, measurement);
+    if (mode == MeasureMode::test) {
+      std::set_union(into.hull_vertices.begin(), into.hull_vertices.end(), from.hull_vertices.begin(),
+                     from.hull_vertices.end(), std::back_inserter(hull_points));
+    }
+    measurer.measure(facets, hull_points, mode, measurement);
     if (measurement.stopped) {
       best->second.failed = true;
       continue;
@@ -101,6 +105,7 @@ void merge_parts(Measurer& measurer, const EdgeWeights& weights, std::vector<Mer
     into.facets.swap(facets);
     into.hull_vertices = measurement.hull.vertices;
     into.merged = true;
+    into.open = true;
     from.facets.clear();
     redirect(borders, p, q);
   }

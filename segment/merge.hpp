@@ -16,11 +16,13 @@ struct MergePart {
   Facets facets;
   std::vector<std::uint32_t> hull_vertices;
   bool merged = false;  ///< made of several
+  bool open = true;     ///< pairs of which neither is open are left as they are
 };
 
 /// Joins pairs of parts with a common edge, convex borders first, until no union of two is within the
 /// tolerance. Parts that went into another are left without facets. At most n - 1 merges; a pair is tested
 /// again only when one of the two has changed.
-void merge_parts(Measurer& measurer, const EdgeWeights& weights, std::vector<MergePart>& parts);
+void merge_parts(Measurer& measurer, const EdgeWeights& weights, std::vector<MergePart>& parts,
+                 MeasureMode mode);
 
 }  // namespace ridgecraft::segment

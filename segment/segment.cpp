@@ -95,7 +95,7 @@ class Run {
       done += work.facets.size();
       context_->report("segment",
                        0.7 * static_cast<double>(done) / static_cast<double>(scaled_.facet_count()));
-      parts_.push_back({std::move(work.facets), measurement_.hull.vertices, false});
+      parts_.push_back({std::move(work.facets), measurement_.hull.vertices, false, true});
       reasons_.push_back(work.reason);
     }
   }
@@ -116,7 +116,7 @@ class Run {
       reasons.push_back(reasons_[i]);
     }
     parts_ = std::move(sorted);
-    merge_parts(measurer_, weights_, parts_);
+    merge_parts(measurer_, weights_, parts_, MeasureMode::test);
     for (std::size_t i = parts_.size(); i-- > 0;) {
       if (!parts_[i].facets.empty()) {
         stack_.push_back(
@@ -127,26 +127,49 @@ class Run {
   }
 
   /// What is reported is measured from scratch; a part that turns out too concave is divided once more
-  /// (12.6).
+  /// (12.6), and its pieces join each other and their neighbours where that holds from scratch, too.
   void measure_all() {
     const auto total = static_cast<double>(std::max<std::size_t>(1, scaled_.facet_count()));
     std::size_t done = 0;
+    bool divided = false;
     while (!stack_.empty()) {
       context_->check();
       Work work = std::move(stack_.back());
       stack_.pop_back();
       measurer_.measure(work.facets, {}, MeasureMode::scratch, measurement_);
       if (measurement_.concavity > measurer_.tolerance() && replace_by_pieces(work)) {
+        divided = true;
         continue;
       }
       done += work.facets.size();
       context_->report("segment", 0.8 + 0.2 * static_cast<double>(done) / total);
       final_.push_back(describe(work));
+      parts_.push_back({std::move(work.facets), {}, false, work.depth > 0});
     }
+    if (divided) {
+      merge_divided();
+    }
+  }
+
+  void merge_divided() {
+    merge_parts(measurer_, weights_, parts_, MeasureMode::test_scratch);
+    std::vector<Part> remaining;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (parts_[i].merged) {
+        const Work work{parts_[i].facets, 0, PartReason::merged};
+        measurer_.measure(work.facets, {}, MeasureMode::scratch, measurement_);
+        final_[i] = describe(work);
+      }
+      if (!parts_[i].facets.empty()) {
+        remaining.push_back(std::move(final_[i]));
+      }
+    }
+    final_ = std::move(remaining);
   }
 
   Part describe(const Work& work) const {
     Part part;
+    part.faces.reserve(work.facets.size());
     for (const std::uint32_t f : work.facets) {
       part.faces.emplace_back(f);
     }

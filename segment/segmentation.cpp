@@ -7,10 +7,14 @@ namespace ridgecraft::segment {
 
 std::string_view name(PartReason reason) {
   switch (reason) {
-    case PartReason::component: return "component";
-    case PartReason::ridge: return "ridge";
-    case PartReason::split: return "split";
-    case PartReason::merged: return "merged";
+    case PartReason::component:
+      return "component";
+    case PartReason::ridge:
+      return "ridge";
+    case PartReason::split:
+      return "split";
+    case PartReason::merged:
+      return "merged";
   }
   return "";
 }

@@ -11,6 +11,9 @@ namespace {
 
 /// Residual concavities closer than this are equal: rounding of unit lengths.
 constexpr double tie_tolerance = 1e-12;
+/// The cap is measured along vertex normals, which jump where creases meet: shares of the largest concavity
+/// above this don't tell which vertex lies deeper.
+constexpr double near_tie = 0.95;
 
 /// Position 1..i where cutting chain[0..i] leaves least; ties go to the larger concavity.
 std::size_t least_residual(std::span<const Vec2> chain, std::span<const double> prefix,
@@ -30,6 +33,18 @@ std::size_t least_residual(std::span<const Vec2> chain, std::span<const double> 
   return best;
 }
 
+/// The vertex of largest concavity, where nearly equal ones are told apart by their concavity before the cap.
+std::size_t deepest(std::span<const double> capped, std::span<const double> uncapped) {
+  const double least = near_tie * *std::max_element(capped.begin(), capped.end());
+  std::size_t best = 0;
+  for (std::size_t k = 0; k < capped.size(); ++k) {
+    if (capped[k] >= least && uncapped[k] > uncapped[best]) {
+      best = k;
+    }
+  }
+  return best;
+}
+
 /// Last position with prefix(1..i) below the tolerance, at least 1.
 std::size_t last_shallow(std::span<const double> prefix, double tolerance) {
   std::size_t i = 1;
@@ -41,7 +56,8 @@ std::size_t last_shallow(std::span<const double> prefix, double tolerance) {
 
 }  // namespace
 
-Separators find_separators(std::span<const Vec2> chain, std::span<const double> concavity, double tolerance) {
+Separators find_separators(std::span<const Vec2> chain, std::span<const double> concavity,
+                           std::span<const double> uncapped, double tolerance) {
   const std::size_t n = chain.size();
   std::vector<double> prefix;
   std::vector<double> suffix;
@@ -53,8 +69,7 @@ Separators find_separators(std::span<const Vec2> chain, std::span<const double> 
   }
   Separators s;
   if (least < tolerance) {
-    s.first =
-        static_cast<std::size_t>(std::max_element(concavity.begin(), concavity.end()) - concavity.begin());
+    s.first = deepest(concavity, uncapped);
     s.last = s.first;
   } else {
     s.v_shaped = false;

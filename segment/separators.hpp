@@ -16,8 +16,9 @@ struct Separators {
   bool v_shaped = true;
 };
 
-/// `chain` as project_valley makes it, at least 3 points; `concavity` capped, per point. O(n^2) at worst.
-[[nodiscard]] Separators find_separators(std::span<const Vec2> chain, std::span<const double> concavity,
-                                         double tolerance);
+/// `chain` as project_valley makes it, at least 3 points; per point its concavity, capped and as it was
+/// before the cap. O(n^2) at worst.
+[[nodiscard]] Separators find_separators(std::span<const Vec2> chain, std::span<const double> capped,
+                                         std::span<const double> uncapped, double tolerance);
 
 }  // namespace ridgecraft::segment

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The same shape in other clothes, and a few models of the Princeton Segmentation Benchmark.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "mesh/context.hpp"
+#include "segment/evaluate.hpp"
+#include "segment/segment.hpp"
+#include "support/concave_shapes.hpp"
+#include "support/shapes.hpp"
+
+namespace ridgecraft {
+namespace {
+
+namespace fs = std::filesystem;
+
+segment::Segmentation segmented(const mesh::Surface& s) {
+  return segment::segment(s, {}, {0.1}, Context{});
+}
+
+std::vector<std::uint32_t> labels_of(const segment::Segmentation& s) {
+  std::vector<std::uint32_t> labels;
+  for (const PartId p : s.part) {
+    labels.push_back(p.value());
+  }
+  return labels;
+}
+
+Vec3 rotated(Vec3 p) {
+  // About (1, 2, 3) by one radian, after Rodrigues.
+  const Vec3 axis = normalized(Vec3{1, 2, 3});
+  return std::cos(1.0) * p + std::sin(1.0) * cross(axis, p) + (1.0 - std::cos(1.0)) * dot(axis, p) * axis;
+}
+
+std::vector<mesh::Surface> shapes() {
+  return {test::dumbbell(), test::torus(1.0, 0.3, 16, 40), test::spiked_sphere(6, 0.02, 80, 40),
+          test::star_shaped([](Vec3 p) { return 1.0 + 0.35 * std::sin(4.0 * p.x) * std::cos(5.0 * p.y); }, 60,
+                            30)};
+}
+
+mesh::Surface read_off(const fs::path& file) {
+  std::ifstream in(file);
+  std::string magic;
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  std::size_t edges = 0;
+  in >> magic >> vertices >> faces >> edges;
+  std::vector<Vec3> points(vertices);
+  for (Vec3& p : points) {
+    in >> p.x >> p.y >> p.z;
+  }
+  std::vector<std::array<VertexId, 3>> corners(faces);
+  for (auto& face : corners) {
+    std::uint32_t n = 0;
+    in >> n;
+    for (VertexId& v : face) {
+      std::uint32_t index = 0;
+      in >> index;
+      v = VertexId(index);
+    }
+  }
+  return {std::move(points), std::move(corners)};
+}
+
+}  // namespace
+
+TEST_CASE("The same run twice gives the same parts") {
+  for (const mesh::Surface& s : shapes()) {
+    CHECK(segmented(s).part == segmented(s).part);
+  }
+}
+
+TEST_CASE("Scaled, moved and turned shapes have the same parts") {
+  for (const mesh::Surface& s : shapes()) {
+    const auto base = segmented(s);
+    const double ratio = segment::hull_volume_ratio(s, labels_of(base), 128, Context{});
+    // A power of two changes no digit.
+    CHECK(segmented(test::mapped(s, [](Vec3 p) { return 1024.0 * p; })).part == base.part);
+    const mesh::Surface far = test::mapped(s, [](Vec3 p) { return 1000.0 * p + Vec3{1e5, -1e5, 1e5}; });
+    CHECK(segmented(far).parts.size() == base.parts.size());
+    const mesh::Surface turned = test::mapped(s, rotated);
+    const auto turned_parts = segmented(turned);
+    CHECK(std::abs(static_cast<int>(turned_parts.parts.size()) - static_cast<int>(base.parts.size())) <= 1);
+    CHECK(segment::hull_volume_ratio(turned, labels_of(turned_parts), 128, Context{}) ==
+          Approx(ratio).margin(0.03));
+  }
+}
+
+TEST_CASE("Renumbered shapes have nearly the same parts") {
+  for (const mesh::Surface& s : shapes()) {
+    const auto base = segmented(s);
+    std::vector<std::uint32_t> from;
+    const mesh::Surface other = test::shuffled(s, 17, &from);
+    const auto parts = segmented(other);
+    CHECK(std::abs(static_cast<int>(parts.parts.size()) - static_cast<int>(base.parts.size())) <= 1);
+    std::vector<std::uint32_t> mapped_back(from.size());
+    for (std::size_t f = 0; f < from.size(); ++f) {
+      mapped_back[from[f]] = parts.part[FaceId(f)].value();
+    }
+    // Order decides ties; on symmetric shapes whole cuts may move.
+    CHECK(segment::rand_error(labels_of(base), mapped_back) < 0.1);
+  }
+}
+
+TEST_CASE("Benchmark models come out as the prototype's") {
+  const fs::path archive = fs::path(RIDGECRAFT_SHARED_DIR) / "models" / "psb.tar.xz";
+  if (!fs::exists(archive)) {
+    WARN("skipped: no benchmark models at " << archive.string());
+    return;
+  }
+  const fs::path folder =
+      fs::temp_directory_path() / ("ridgecraft-psb-" + std::to_string(Random(std::random_device{}()).next()));
+  fs::create_directories(folder);
+  struct Expected {
+    int model;
+    double parts;
+    double volume;
+  };
+  // Parts and volume ratios that the prototype measured.
+  const std::vector<Expected> expected{{81, 12, 1.170}, {121, 11, 1.343}, {161, 7, 1.057}};
+  std::string members;
+  for (const Expected& e : expected) {
+    members += " off/" + std::to_string(e.model) + ".off";
+  }
+  const std::string command = "tar xJf '" + archive.string() + "' -C '" + folder.string() + "'" + members;
+  REQUIRE(std::system(command.c_str()) == 0);
+  for (const Expected& e : expected) {
+    CAPTURE(e.model);
+    const mesh::Surface s = read_off(folder / "off" / (std::to_string(e.model) + ".off"));
+    const auto base = segmented(s);
+    CHECK(std::abs(static_cast<double>(base.parts.size()) - e.parts) <= 1.0);
+    CHECK(base.max_concavity() <= 0.1);
+    const double ratio = segment::hull_volume_ratio(s, labels_of(base), 128, Context{});
+    CHECK(ratio == Approx(e.volume).margin(0.05));
+    const mesh::Surface other = test::shuffled(s, 3);
+    const auto parts = segmented(other);
+    CHECK(std::abs(static_cast<int>(parts.parts.size()) - static_cast<int>(base.parts.size())) <= 1);
+    CHECK(segment::hull_volume_ratio(other, labels_of(parts), 128, Context{}) == Approx(ratio).margin(0.03));
+    CHECK(parts.max_concavity() <= 0.1);
+    const mesh::Surface far = test::mapped(s, [](Vec3 p) { return 1000.0 * p + Vec3{1e5, 1e5, 1e5}; });
+    CHECK(segmented(far).parts.size() == base.parts.size());
+  }
+  fs::remove_all(folder);
+}
+
+}  // namespace ridgecraft
