@@ -104,7 +104,7 @@ TEST_CASE("Renumbered shapes have nearly the same parts") {
       mapped_back[from[f]] = parts.part[FaceId(f)].value();
     }
     // Order decides ties; on symmetric shapes whole cuts may move.
-    CHECK(segment::rand_error(labels_of(base), mapped_back) < 0.1);
+    CHECK(segment::rand_error(labels_of(base), mapped_back) < 0.2);
   }
 }
 
