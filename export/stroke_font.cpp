@@ -17,8 +17,9 @@ constexpr double units_per_height = 10.0;
 constexpr double spacing = 2.1;      ///< between two letters, units
 constexpr double space_width = 2.2;  ///< of a blank, without the spacing after it
 constexpr double arc_step =
-    std::numbers::pi / 9.0;           ///< 20 degrees: a chord error of 0.02 mm in a 5 mm letter
-constexpr double capital_lift = 2.6;  ///< accents stand so much higher on capitals, units
+    std::numbers::pi / 9.0;              ///< 20 degrees: a chord error of 0.02 mm in a 5 mm letter
+constexpr char32_t cached_codes = 0x80;  ///< ASCII; other letters are rare
+constexpr double capital_lift = 2.6;     ///< accents stand so much higher on capitals, units
 
 using Strokes = std::vector<std::vector<Vec2>>;
 
@@ -134,7 +135,7 @@ bool known(char32_t code) {
   return glyph_path(parts.base).data() != nullptr;
 }
 
-Shape shape(char32_t code) {
+Shape make_shape(char32_t code) {
   const Composed parts = split_accent(code);
   Shape letter{PathReader(glyph_path(parts.base)).read(), 0.0};
   if (letter.strokes.empty()) {
@@ -156,6 +157,26 @@ Shape shape(char32_t code) {
     }
   }
   return letter;
+}
+
+/// The letters of ASCII, each read once.
+const Shape& common_shape(char32_t code) {
+  static const std::vector<Shape> shapes = [] {
+    std::vector<Shape> all;
+    for (char32_t c = 0; c < cached_codes; ++c) {
+      all.push_back(known(c) ? make_shape(c) : Shape{});
+    }
+    return all;
+  }();
+  return shapes[code];
+}
+
+Shape shape(char32_t code) {
+  return code < cached_codes ? common_shape(code) : make_shape(code);
+}
+
+double shape_width(char32_t code) {
+  return code < cached_codes ? common_shape(code).width : make_shape(code).width;
 }
 
 /// Width of a character of an unknown font, as a share of the em.
@@ -189,7 +210,7 @@ double text_width(std::string_view utf8, double height) {
   }
   double units = codes.empty() ? 0.0 : -spacing;
   for (const char32_t code : codes) {
-    units += shape(code).width + spacing;
+    units += shape_width(code) + spacing;
   }
   return units * height / units_per_height;
 }
@@ -207,12 +228,12 @@ std::vector<std::vector<Vec2>> text_strokes(const Text& text) {
   const Vec2 start = text.centre - 0.5 * width * along - 0.5 * text.height * up;
   double x = 0.0;
   for (const char32_t code : codes) {
-    Shape letter = shape(code);
-    for (auto& stroke : letter.strokes) {
-      for (Vec2& p : stroke) {
-        p = start + scale * ((x + p.x) * along + p.y * up);
+    const Shape letter = shape(code);
+    for (const auto& stroke : letter.strokes) {
+      std::vector<Vec2>& placed = result.emplace_back();
+      for (const Vec2 p : stroke) {
+        placed.push_back(start + scale * ((x + p.x) * along + p.y * up));
       }
-      result.push_back(std::move(stroke));
     }
     x += letter.width + spacing;
   }

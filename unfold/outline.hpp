@@ -10,9 +10,10 @@
 
 namespace ridgecraft::unfold {
 
-/// Two places of an outline that are closer than this are one, mm: a tenth of what a knife or a printer can
-/// place, and half of the 0.01 mm within which two lines count as one line drawn twice.
-inline constexpr double touch_tolerance_mm = 0.005;
+/// Two places of an outline that are closer than this are one, mm: just above the 0.01 mm within which two
+/// lines count as one line drawn twice (a short edge that opens slowly beside a long one stays below that all
+/// along), and a tenth of what a knife or a printer can place.
+inline constexpr double touch_tolerance_mm = 0.0105;
 
 /// Closed polygons that bound a piece with its tabs, mm, in the plane of the piece; the last corner is joined
 /// to the first. The outer one comes first and runs counterclockwise, holes of the patch follow and run
