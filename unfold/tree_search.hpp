@@ -6,6 +6,7 @@
 // the wide stage of random samples: our own measurements (docs/unfolding.md).
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -52,7 +53,7 @@ class TreeSearch {
   // What a search for something else than overlap needs (tab_search.hpp): tree_swaps.cpp.
 
   /// A face's corners in the plane.
-  [[nodiscard]] const Triangle& flat(std::uint32_t face) const { return flat_[face]; }
+  [[nodiscard]] const Triangle& flat(std::uint32_t face) const { return flat_[face].corner; }
   /// Folds that may be removed on the tree path between two faces, each named by the face below it.
   [[nodiscard]] std::vector<std::uint32_t> removable_between(std::uint32_t f, std::uint32_t g);
   /// The side of `below` to its parent.
@@ -188,8 +189,11 @@ void TreeSearch::visit_near(Vec2 centre, double radius, Use use) {
     if (node < tree_.first_leaf()) {
       sides_.push_back(2 * node);
       sides_.push_back(2 * node + 1);
-    } else {
-      use(order_[node - tree_.first_leaf()]);
+      continue;
+    }
+    const std::uint32_t block = node - tree_.first_leaf();
+    for (std::uint32_t met = tree_.meeting(block, circle); met != 0; met &= met - 1) {
+      use(order_[block * CircleTree::block_size + static_cast<std::uint32_t>(std::countr_zero(met))]);
     }
   }
 }

@@ -18,51 +18,60 @@ std::vector<std::uint32_t> TreeSearch::removable_between(std::uint32_t f, std::u
 
 bool TreeSearch::swap_is_clean(std::uint32_t below, std::uint32_t side) {
   const std::uint32_t inner = in_subtree(below, side / 3) ? side : patch_.twin[side];
-  return new_pairs({below, inner}, 1, false) == 0;
+  return new_pairs({below, inner}, 1) == 0;
 }
 
 std::uint32_t TreeSearch::swap(std::uint32_t below, std::uint32_t side) {
   const std::uint32_t inner = in_subtree(below, side / 3) ? side : patch_.twin[side];
   const std::uint32_t moved = moves_subtree(below) ? inner / 3 : patch_.twin[inner] / 3;
-  apply({below, inner});
+  const Move move{below, inner};
+  new_pairs(move, nothing);
+  chosen_pairs_ = found_;
+  apply(move);
   return moved;
 }
 
-/// Descends the circle tree twice at once, as new_pairs does, with everything where it is.
 void TreeSearch::add_near_across(std::uint32_t below, double reach, std::vector<std::uint32_t>& faces) {
+  constexpr std::uint32_t size = CircleTree::block_size;
   const Span moved = moved_span(below);
   const std::uint32_t leaf = tree_.first_leaf();
-  const std::uint32_t end = moved.first + moved.count;
-  const bool wraps = end > n_;
-  const auto height = static_cast<std::uint32_t>(std::bit_width(leaf));
-  const auto all_moved = [&](std::uint32_t node) {
-    const std::uint32_t shift = height - static_cast<std::uint32_t>(std::bit_width(node));
-    const std::uint32_t low = (node << shift) - leaf;
-    const std::uint32_t high = std::min(low + (1U << shift), n_);
-    return wraps ? low >= moved.first || high <= end - n_ : low >= moved.first && high <= end;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> open;  // blocks of the side that moves, nodes
+  const auto begin = [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t block = first / size; block * size < last; ++block) {
+      open.emplace_back(block, 1);
+    }
   };
-  stack_.clear();
-  const auto begin = [&](std::uint32_t node) { stack_.emplace_back(node, 1); };
-  tree_.cover(moved.first, std::min(end, n_), begin);
-  if (wraps) {
-    tree_.cover(0, end - n_, begin);
-  }
-  while (!stack_.empty()) {
-    const auto [a, b] = stack_.back();
-    stack_.pop_back();
-    if (tree_[a].radius < 0.0 || tree_[b].radius < 0.0 ||
-        apart({tree_[a].centre, tree_[a].radius + reach}, tree_[b]) || all_moved(b)) {
+  begin(moved.first, std::min(moved.first + moved.count, n_));
+  begin(0, moved.first + moved.count > n_ ? moved.first + moved.count - n_ : 0);
+  const auto inside = [&](std::uint32_t position) { return steps(moved.first, position) < moved.count; };
+  const auto test_blocks = [&](std::uint32_t a, std::uint32_t b) {
+    for (std::uint32_t i = a * size; i < std::min(a * size + size, n_); ++i) {
+      if (!inside(i)) {
+        continue;
+      }
+      Circle circle = tree_.circle(i);
+      circle.radius += reach;
+      for (std::uint32_t met = tree_.meeting(b, circle); met != 0; met &= met - 1) {
+        const std::uint32_t j = b * size + static_cast<std::uint32_t>(std::countr_zero(met));
+        if (!inside(j)) {
+          faces.push_back(order_[i]);
+          faces.push_back(order_[j]);
+        }
+      }
+    }
+  };
+  while (!open.empty()) {
+    const auto [block, node] = open.back();
+    open.pop_back();
+    const Circle& here = tree_[leaf + block];
+    if (tree_[node].radius < 0.0 || apart({here.centre, here.radius + reach}, tree_[node])) {
       continue;
     }
-    if (a >= leaf && b >= leaf) {
-      faces.push_back(order_[a - leaf]);
-      faces.push_back(order_[b - leaf]);
-    } else if (b >= leaf || (a < leaf && tree_[a].radius > tree_[b].radius)) {
-      stack_.emplace_back(2 * a, b);
-      stack_.emplace_back(2 * a + 1, b);
+    if (node >= leaf) {
+      test_blocks(block, node - leaf);
     } else {
-      stack_.emplace_back(a, 2 * b);
-      stack_.emplace_back(a, 2 * b + 1);
+      open.emplace_back(block, 2 * node);
+      open.emplace_back(block, 2 * node + 1);
     }
   }
 }

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/tab_search.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include <catch2/catch.hpp>
+
+#include "support/shapes.hpp"
+#include "unfold/check.hpp"
+#include "unfold/disjoint_sets.hpp"
+#include "unfold/layout.hpp"
+#include "unfold/start_tree.hpp"
+#include "unfold/tab_assignment.hpp"
+#include "unfold/tab_state.hpp"
+#include "unfold/tree_nets.hpp"
+
+using namespace ridgecraft;
+using mesh::Panels;
+using mesh::Surface;
+using unfold::ConvexShape;
+using unfold::Folds;
+using unfold::Patch;
+using unfold::TabOptions;
+using unfold::TabState;
+using unfold::TreeSearch;
+
+namespace {
+
+constexpr double tolerance = 1e-5;
+
+/// A sphere with dents and bumps: 2 * 16 * 9 faces, 120 mm across.
+Surface lumpy(std::uint64_t seed) {
+  const Surface ball = test::sphere(16, 10);
+  Random random(seed);
+  std::vector<Vec3> points;
+  for (const Vec3 p : ball.points()) {
+    points.push_back((50.0 + 20.0 * random.unit()) * p);
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(ball.face_count())) {
+    faces.push_back(ball.vertices(f));
+  }
+  return Surface(std::move(points), std::move(faces));
+}
+
+/// A surface as one patch, and a clean net of it.
+struct Example {
+  explicit Example(Surface s, std::uint64_t seed)
+      : surface(std::move(s)), panels(mesh::find_panels(surface)) {
+    std::vector<FaceId> faces;
+    for (const FaceId f : ids<FaceId>(surface.face_count())) {
+      faces.push_back(f);
+    }
+    patch = unfold::make_patch(surface, panels, faces);
+    Random random(seed);
+    TreeSearch net(patch, tolerance, seed);
+    net.set_tree(unfold::start_tree(patch, unfold::StartTree::short_cuts, random));
+    REQUIRE(net.run({20000, 20000}, Context()));
+    folds = net.folds();
+  }
+  Surface surface;
+  Panels panels;
+  Patch patch;
+  Folds folds;
+};
+
+bool is_spanning_tree(const Patch& patch, const Folds& folds) {
+  unfold::DisjointSets sets(patch.size());
+  std::uint32_t joined = 0;
+  for (std::uint32_t side = 0; side < folds.size(); ++side) {
+    if (folds[side] != 0 && side < patch.twin[side]) {
+      if (folds[patch.twin[side]] == 0 || !sets.join(side / 3, patch.twin[side] / 3)) {
+        return false;
+      }
+      ++joined;
+    }
+  }
+  return joined + 1 == patch.size();
+}
+
+/// All chosen tabs in the plane of the net.
+std::vector<std::vector<Vec2>> all_tabs(const Patch& patch, const TreeSearch& net, const TabState& state) {
+  std::vector<std::vector<Vec2>> tabs;
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (const ConvexShape* tab = state.tab_on(side)) {
+      const Vec2 a = net.flat(side / 3)[(side % 3 + 1) % 3];
+      const Vec2 b = net.flat(side / 3)[side % 3];
+      const ConvexShape placed = unfold::Frame{a, (b - a) / length(b - a)}.out(*tab);
+      tabs.emplace_back(placed.begin(), placed.end());
+    }
+  }
+  return tabs;
+}
+
+/// No tab lies on a face or on another tab, by brute force.
+void check_no_collision(const Patch& patch, const TreeSearch& net, const TabState& state) {
+  const auto tabs = all_tabs(patch, net, state);
+  CHECK(tabs.size() == state.tabs());
+  for (std::size_t i = 0; i < tabs.size(); ++i) {
+    for (std::uint32_t f = 0; f < patch.size(); ++f) {
+      CHECK(test::penetration(tabs[i], {net.flat(f).begin(), net.flat(f).end()}) < 1e-6);
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      CHECK(test::penetration(tabs[i], tabs[j]) < 1e-6);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the search for tabs gains tabs and keeps a clean spanning tree", "[tab_search]") {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Example example(lumpy(seed), seed);
+    const unfold::TabSearch search{tolerance, 300, {}};
+    const auto run = [&] {
+      return unfold::search_tabs(example.surface, example.panels, example.patch, example.folds, TabOptions(),
+                                 search, seed, Context());
+    };
+    const unfold::TabSearchResult found = run();
+    CHECK(is_spanning_tree(example.patch, found.folds));
+    CHECK(unfold::find_overlaps(unfold::lay_out(example.patch, found.folds), tolerance).empty());
+    CHECK(found.cuts == example.patch.size() / 2 + 1);
+    CHECK(found.tabs > found.tabs_before);
+    CHECK(run().folds == found.folds);
+  }
+}
+
+TEST_CASE("trees that aren't allowed aren't taken", "[tab_search]") {
+  const Example example(lumpy(4), 4);
+  const unfold::TabSearch search{tolerance, 100, [](const Folds&) { return false; }};
+  CHECK(unfold::search_tabs(example.surface, example.panels, example.patch, example.folds, TabOptions(),
+                            search, 1, Context())
+            .folds == example.folds);
+}
+
+TEST_CASE("tabs that are kept up to date collide with nothing, and changes can be taken back",
+          "[tab_search]") {
+  const Example example(lumpy(5), 5);
+  const Patch& patch = example.patch;
+  TreeSearch net(patch, tolerance, 1);
+  net.set_tree(example.folds);
+  TabState state(example.surface, example.panels, patch, net, TabOptions());
+  state.renew_all();
+  check_no_collision(patch, net, state);
+  CHECK(state.tabs() > 0);
+  Random random(6);
+  int swaps = 0;
+  for (int trial = 0; trial < 1000 && swaps < 60; ++trial) {
+    const std::uint32_t side = random.below(static_cast<std::uint32_t>(patch.twin.size()));
+    if (!state.is_cut(side)) {
+      continue;
+    }
+    const auto path = net.removable_between(side / 3, patch.twin[side] / 3);
+    const std::uint32_t below = path[random.below(static_cast<std::uint32_t>(path.size()))];
+    if (!net.swap_is_clean(below, side)) {
+      continue;
+    }
+    ++swaps;
+    const auto before = all_tabs(patch, net, state);
+    const std::uint32_t removed = net.side_above(below);
+    std::vector<std::uint32_t> touched{side / 3, patch.twin[side] / 3, removed / 3, patch.twin[removed] / 3};
+    net.add_near_across(below, state.reach(), touched);
+    const std::uint32_t moved = net.swap(below, side);
+    net.add_near_across(moved, state.reach(), touched);
+    state.begin();
+    state.renew(touched);
+    CHECK(net.overlaps() == 0);
+    if (swaps % 10 == 0) {
+      check_no_collision(patch, net, state);
+    }
+    if (swaps % 3 == 0) {
+      net.swap(moved, removed);
+      state.roll_back();
+      const auto after = all_tabs(patch, net, state);
+      REQUIRE(after.size() == before.size());
+      // The other part may have moved instead, so shapes are compared by their sides.
+      for (std::size_t i = 0; i < after.size(); ++i) {
+        CHECK(length(after[i][1] - after[i][0]) == Approx(length(before[i][1] - before[i][0])));
+      }
+      check_no_collision(patch, net, state);
+    }
+  }
+  CHECK(swaps >= 30);
+}
+
+TEST_CASE("a tree for tabs spans the patch and keeps panels whole", "[tab_search]") {
+  const Surface shape = test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}), 30.0);
+  const Example example(shape, 1);
+  Random random(2);
+  const Folds folds =
+      unfold::tab_friendly_tree(example.surface, example.panels, example.patch, TabOptions(), random);
+  CHECK(is_spanning_tree(example.patch, folds));
+  std::uint32_t frozen = 0;
+  for (std::uint32_t side = 0; side < folds.size(); ++side) {
+    frozen += folds[side] != 0 && example.patch.frozen[side] != 0 ? 1U : 0U;
+  }
+  // A panel of n faces holds n - 1 folds, each with two sides.
+  CHECK(frozen == 2 * (example.surface.face_count() - example.panels.count()));
+}
