@@ -11,8 +11,8 @@
 namespace ridgecraft::samples {
 namespace {
 
-/// Digits behind the point in the files: models are some hundred units large, so this is a millionth of them.
-constexpr double grain = 1e4;
+/// Places behind the point in the files: flat regions stay flat to far less than paper shows.
+constexpr double grain = 1e6;
 /// A polygon is plane when no corner is farther from its plane than rounding can bring it.
 constexpr double plane_tolerance = 1.0 / grain;
 

@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::string_view note = "A sample of Ridgecraft, made by samples/generate.cpp; GPL-3.0-or-later";
 
-/// Up to four digits behind the point, none that are zero.
+/// Up to six digits behind the point, none that are zero.
 std::string number(double x) {
-  std::string text = fmt::format("{:.4f}", x);
+  std::string text = fmt::format("{:.6f}", x);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') {
     text.pop_back();

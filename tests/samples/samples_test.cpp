@@ -70,10 +70,10 @@ std::size_t crossings(const mesh::Surface& surface) {
       const Vec3 a = surface.point(vertices[0]);
       const Vec3 b = surface.point(vertices[1]);
       const Vec3 c = surface.point(vertices[2]);
-      // Files have four digits: what is nearer to the face's plane than that may lie in it.
+      // Files have six digits behind the point: what is nearer to the face's plane than that may lie in it.
       const double p_height = dot(surface.normal(f), p - a);
       const double q_height = dot(surface.normal(f), q - a);
-      const bool other_sides = std::min(p_height, q_height) < -3e-4 && std::max(p_height, q_height) > 3e-4;
+      const bool other_sides = std::min(p_height, q_height) < -3e-6 && std::max(p_height, q_height) > 3e-6;
       const bool first = orient(p, q, a, b) > 0.0;
       if (other_sides && (orient(p, q, b, c) > 0.0) == first && (orient(p, q, c, a) > 0.0) == first) {
         ++count;
