@@ -165,4 +165,48 @@ Shape dinosaur() {
   return shape;
 }
 
+Shape penguin() {
+  Shape shape;
+  const Index coat = shape.material("coat", {0.2, 0.24, 0.32});
+  const Index white = shape.material("white", {0.96, 0.96, 0.94});
+  const Index orange = shape.material("orange", {0.96, 0.6, 0.15});
+  const Index eye = shape.material("eye", {0.07, 0.07, 0.09});
+  struct Level {
+    double z, half_width, back, front;  ///< how far it reaches from the axis
+  };
+  // It stands upright: its rings run from the back around the right side to the front.
+  std::vector<Ring> rings = {Ring(6, {0, 0, 0})};
+  for (const Level& level :
+       {Level{0, 22, 18, 19}, Level{12, 27, 22, 26}, Level{36, 28, 23, 29}, Level{58, 23, 19, 22},
+        Level{75, 18, 15, 15}, Level{82, 19.5, 17, 17}, Level{91, 20, 17, 18}, Level{106, 14, 12, 13}}) {
+    Ring& ring = rings.emplace_back();
+    for (const double degrees : {0.0, 50.0, 95.0, 130.0, 157.0, 180.0}) {
+      const double angle = degrees * std::numbers::pi / 180.0;
+      const double x = degrees == 180.0 ? 0.0 : level.half_width * std::sin(angle);
+      ring.push_back({x, (degrees < 90.0 ? level.back : level.front) * std::cos(angle), level.z});
+    }
+  }
+  rings.push_back(Ring(6, {0, 1, 113}));
+  rings[6][5] = {0, -34, 79};  // the tip of the beak
+  const Grid body = loft(shape, rings, false, coat);
+  paint(shape, body, 1, 5, 4, white);
+  paint(shape, body, 1, 5, 3, white);
+  paint(shape, body, 5, 7, 3, white);
+  paint(shape, body, 5, 7, 4, orange);
+  shape.set_material(body.face(6, 2), white);
+  const Index cheek = body.face(6, 3);
+  shape.raise(cheek, patch(shape.ring(cheek), {0.3, 0.2}, {0.95, 0.75}), white);
+  shape.set_material(cheek, eye);
+  const Index shoulder = body.face(3, 1);
+  shape.raise(shoulder, patch(shape.ring(shoulder), {0.35, 0.35}, {0.92, 0.9}), coat);
+  shape.raise(shoulder, {{33, 6, 36}, {34, 5, 45}, {35, -4, 44}, {34, -5, 35}}, coat);
+  shape.raise_to_point(shoulder, {45, -2, 17}, coat);
+  const Index foot = body.face(1, 3);
+  shape.raise(foot, {{21, -34, 0}, {18, -31, 7}, {9, -33, 7}, {7, -37, 0}}, orange);
+  shape.set_material(foot, orange);
+  shape.mirror_x();
+  shape.finish();
+  return shape;
+}
+
 }  // namespace ridgecraft::samples

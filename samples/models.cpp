@@ -10,6 +10,7 @@ std::span<const Sample> all() {
                                          Sample{"fish.obj", fish},
                                          Sample{"dinosaur.obj", dinosaur},
                                          Sample{"fox_head.obj", fox_head},
+                                         Sample{"penguin.obj", penguin},
                                          Sample{"house.obj", house},
                                          Sample{"lighthouse.obj", lighthouse},
                                          Sample{"rocket.obj", rocket},

@@ -12,6 +12,7 @@ namespace ridgecraft::samples {
 [[nodiscard]] Shape whale();
 [[nodiscard]] Shape fish();
 [[nodiscard]] Shape dinosaur();
+[[nodiscard]] Shape penguin();
 // fox.cpp
 [[nodiscard]] Shape fox_head();
 // buildings.cpp
