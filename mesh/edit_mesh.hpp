@@ -29,7 +29,7 @@ using EditKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 namespace CGAL {
 
 /// CGAL 5.5 writes points of every OpenMesh mesh through float. This stands in for its map, before anything
-/// uses it, and keeps doubles; tests/mesh/edit_mesh_test.cpp holds it to that.
+/// uses it, and keeps doubles; tests/mesh/simplify_test.cpp holds it to that.
 template <>
 class OM_point_pmap<ridgecraft::mesh::EditMesh, ridgecraft::mesh::EditKernel::Point_3> {
   using Mesh = ridgecraft::mesh::EditMesh;

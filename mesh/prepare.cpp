@@ -22,11 +22,12 @@ Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& si
   prepared.simplified = mesh::simplify(prepared.model, simplify, context);
   subdivide(prepared.model, largest_face_mm, context);
   prepared.panels = find_panels(prepared.model.surface);
-  const std::size_t narrow = count_narrow_faces(prepared.model.surface, prepared.panels);
-  if (narrow == prepared.model.surface.face_count()) {
+  const Surface& surface = prepared.model.surface;
+  if (count_narrow_faces(surface, prepared.panels, nothing_mm) == surface.face_count()) {
     throw Error(ErrorKind::no_nets, "every face is too narrow to be cut from paper at this size");
   }
-  prepared.model.repairs.add(RepairKind::narrow_faces, narrow);
+  prepared.model.repairs.add(RepairKind::narrow_faces,
+                             count_narrow_faces(surface, prepared.panels, narrow_mm));
   return prepared;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/self_intersections.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -30,7 +32,17 @@ std::size_t count_self_intersections(const Surface& surface) {
   }
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
   CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
-  return pairs.size();
+  const auto touch = [&](const auto& pair) {
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(pair.first))) {
+      for (const Mesh::Vertex_index w : mesh.vertices_around_face(mesh.halfedge(pair.second))) {
+        if (mesh.point(v) == mesh.point(w)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  };
+  return pairs.size() - static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), touch));
 }
 
 }  // namespace ridgecraft::mesh

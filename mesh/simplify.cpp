@@ -165,7 +165,7 @@ class Search {
   }
   [[nodiscard]] bool foldable(std::size_t count) const { return share(count) <= options_.short_edge_share; }
   [[nodiscard]] double deviation(const Model& model) const {
-    return greatest_distance(SurfaceTree(model.surface, spacing_), original_, context_);
+    return greatest_distance(SurfaceTree(model.surface, spacing_), original_, largest_mm_, context_);
   }
 
   /// Fewest collapses after which the model is foldable, as bisection finds it (the share needn't be
@@ -279,7 +279,7 @@ void simplify_to_count(Model& model, const SimplifyOptions& options, SimplifyRep
   const Sequence sequence(take_apart(model), options.faces, {}, context);
   take_over(model, sequence.after(sequence.all()));
   report.deviation_mm =
-      greatest_distance(SurfaceTree(model.surface, spacing), SurfaceTree(before, spacing), context);
+      greatest_distance(SurfaceTree(model.surface, spacing), SurfaceTree(before, spacing), INFINITY, context);
 }
 
 }  // namespace

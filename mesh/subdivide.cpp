@@ -14,8 +14,6 @@ namespace {
 
 /// More paper than anyone has.
 constexpr std::size_t most_faces = 1'000'000;
-/// Width that scissors or a knife can cut at all, mm.
-constexpr double narrow_mm = 0.05;
 
 double side_length(const Surface& surface, FaceId f, unsigned k) {
   return surface.length(surface.edge(corner(f, k)));
@@ -134,7 +132,7 @@ void subdivide(Model& model, Vec2 largest_face_mm, const Context& context) {
   }
 }
 
-std::size_t count_narrow_faces(const Surface& surface, const Panels& panels) {
+std::size_t count_narrow_faces(const Surface& surface, const Panels& panels, double width) {
   std::size_t narrow = 0;
   for (const PanelId p : ids<PanelId>(panels.count())) {
     double area = 0.0;
@@ -150,7 +148,7 @@ std::size_t count_narrow_faces(const Surface& surface, const Panels& panels) {
       area += surface.area(f);
     }
     // Faces side by side may be narrow each and wide together.
-    if (highest < narrow_mm && area < narrow_mm * longest) {
+    if (highest < width && area < width * longest) {
       narrow += panels.faces[p].size();
     }
   }

@@ -16,7 +16,12 @@ namespace ridgecraft::mesh {
 /// Error(no_nets) where that takes more than a million faces. O(n) for each halving.
 void subdivide(Model& model, Vec2 largest_face_mm, const Context& context);
 
-/// Faces whose panel is nowhere as wide as can be cut.
-[[nodiscard]] std::size_t count_narrow_faces(const Surface& surface, const Panels& panels);
+/// Width that scissors or a knife can cut at all, mm.
+inline constexpr double narrow_mm = 0.05;
+/// Below this width, mm, a face is less than the thinnest line that a printer draws: not even the note helps.
+inline constexpr double nothing_mm = 0.005;
+
+/// Faces whose panel is nowhere as wide as `width`.
+[[nodiscard]] std::size_t count_narrow_faces(const Surface& surface, const Panels& panels, double width);
 
 }  // namespace ridgecraft::mesh

@@ -192,7 +192,7 @@ bool NearField::contains(Vec3 p) {
   return tree_.distance(p, distance_) <= distance_;
 }
 
-double greatest_distance(const SurfaceTree& a, const SurfaceTree& b, const Context& context) {
+double greatest_distance(const SurfaceTree& a, const SurfaceTree& b, double limit, const Context& context) {
   double greatest = 0.0;
   std::size_t done = 0;
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
@@ -201,6 +201,9 @@ double greatest_distance(const SurfaceTree& a, const SurfaceTree& b, const Conte
         context.check();
       }
       greatest = std::max(greatest, to->distance(p, greatest));
+      if (greatest > limit) {
+        return greatest;
+      }
     }
   }
   return greatest;

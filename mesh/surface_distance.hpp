@@ -55,7 +55,9 @@ class NearField {
   std::unordered_map<std::uint64_t, double> middles_;  ///< asked by key only
 };
 
-/// Greatest distance between samples of each surface and the other surface, both ways.
-[[nodiscard]] double greatest_distance(const SurfaceTree& a, const SurfaceTree& b, const Context& context);
+/// Greatest distance between samples of each surface and the other surface, both ways; some distance above
+/// `limit` as soon as one is found.
+[[nodiscard]] double greatest_distance(const SurfaceTree& a, const SurfaceTree& b, double limit,
+                                       const Context& context);
 
 }  // namespace ridgecraft::mesh

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Size, subdivision, and what is too small to be cut.
+#include "mesh/error.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/subdivide.hpp"
+#include "soups.hpp"
+#include "support/shapes.hpp"
+
+using namespace ridgecraft;
+using mesh::Prepared;
+using mesh::SimplifyOptions;
+using mesh::SizeOptions;
+
+namespace {
+
+constexpr Vec2 page{190.0, 270.0};
+
+Prepared prepared(const mesh::Surface& surface, SizeOptions size = {}, Vec2 largest = page) {
+  SimplifyOptions keep;
+  keep.mode = mesh::Simplification::keep;
+  return mesh::prepare(test::repaired(test::soup_of(surface)), size, keep, largest, {});
+}
+
+}  // namespace
+
+TEST_CASE("the largest extent becomes the size asked for, centred", "[prepare]") {
+  const Prepared p = prepared(test::revolve({{0, 0}, {3, 4}, {0, 5}}, 16));
+  const Box3& box = p.model.surface.bounds();
+  CHECK(std::max({box.size().x, box.size().y, box.size().z}) == Approx(150.0));
+  CHECK(length(box.low + box.high) < 1e-9);
+  CHECK(p.mm_per_unit == Approx(25.0));
+  CHECK(p.model.surface.face_count() == 32);
+  CHECK(p.panels.panel.size() == p.model.surface.face_count());
+}
+
+TEST_CASE("a scale wins over the size and undoes the file's scale", "[prepare]") {
+  mesh::Model model = test::repaired(test::soup({{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}}, {{0, 1, 2}}));
+  SizeOptions size;
+  size.mm_per_unit = 2e-299;
+  const Prepared p = mesh::prepare(model, size, {}, page, {});
+  CHECK(p.model.surface.bounds().size().x == Approx(20.0));
+  CHECK(p.mm_per_unit == 2e-299);
+  CHECK(p.model.file_scale == 1.0);
+}
+
+TEST_CASE("sizes that no paper has are refused", "[prepare]") {
+  for (const double scale : {1e9, 1e-9}) {
+    SizeOptions size;
+    size.mm_per_unit = scale;
+    try {
+      static_cast<void>(prepared(test::cube(), size));
+      FAIL("no error");
+    } catch (const Error& error) {
+      CHECK(error.kind() == ErrorKind::no_nets);
+    }
+  }
+}
+
+TEST_CASE("a triangle fits a rectangle where some turn of it does", "[prepare]") {
+  CHECK(mesh::fits_rectangle(3, 4, 5, {4.001, 3.001}));
+  CHECK(mesh::fits_rectangle(3, 4, 5, {3.001, 4.001}));
+  CHECK_FALSE(mesh::fits_rectangle(3, 4, 5, {4, 2.3}));
+  CHECK(mesh::fits_rectangle(300, 299, 2, {190, 270}));
+  CHECK_FALSE(mesh::fits_rectangle(331, 330, 2, {190, 270}));
+}
+
+TEST_CASE("faces larger than the paper are divided until they fit", "[prepare]") {
+  SizeOptions size;
+  size.largest_extent_mm = 900.0;
+  const Prepared p = prepared(test::cube(), size);
+  test::check_invariants(p.model.surface);
+  CHECK(test::volume(p.model.surface) == Approx(900.0 * 900.0 * 900.0));
+  CHECK(p.panels.count() == 6);
+  for (const FaceId f : ids<FaceId>(p.model.surface.face_count())) {
+    std::array<double, 3> side{};
+    for (unsigned k = 0; k < 3; ++k) {
+      side[k] = p.model.surface.length(p.model.surface.edge(mesh::corner(f, k)));
+    }
+    CHECK(mesh::fits_rectangle(side[0], side[1], side[2], page));
+  }
+}
+
+TEST_CASE("faces too narrow to be cut are noted, or refused when all are", "[prepare]") {
+  const auto slab = [](double height) {
+    return test::repaired(
+        test::soup({{0, 0, 0},
+                    {1, 0, 0},
+                    {1, 1, 0},
+                    {0, 1, 0},
+                    {0, 0, height},
+                    {1, 0, height},
+                    {1, 1, height},
+                    {0, 1, height}},
+                   {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}));
+  };
+  const Prepared p = mesh::prepare(slab(1e-4), {}, {}, page, {});
+  CHECK(p.model.repairs.count(mesh::RepairKind::narrow_faces) == 8);
+  const mesh::Model needle =
+      test::repaired(test::soup({{0, 0, 0}, {1, 0, 0}, {1, 1e-7, 0}}, {{0, 1, 2}}), false);
+  CHECK_THROWS_AS(mesh::prepare(needle, {}, {}, page, {}), Error);
+}
+
+TEST_CASE("preparation can be stopped", "[prepare]") {
+  std::stop_source stop;
+  stop.request_stop();
+  Context context;
+  context.stop = stop.get_token();
+  CHECK_THROWS_AS(mesh::prepare(test::repaired(test::soup_of(test::sphere(32, 16))), {}, {}, page, context),
+                  Error);
+}
