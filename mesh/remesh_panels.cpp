@@ -147,6 +147,36 @@ class Remesher {
         }
       }
     }
+    keep_seams_apart();
+  }
+
+  /// Chains that became the same straight side, as along an edge that was cut open, would grow together: they
+  /// stay as they were.
+  void keep_seams_apart() {
+    struct Side {
+      std::array<std::uint32_t, 2> ends;
+      std::size_t chain;
+      auto operator<=>(const Side&) const = default;
+    };
+    std::vector<Side> sides;
+    for (std::size_t i = 0; i < chains_.size(); ++i) {
+      std::uint32_t from = chains_[i].front();
+      for (std::size_t k = 1; k < chains_[i].size(); ++k) {
+        const std::uint32_t to = chains_[i][k];
+        if (keep_[to]) {
+          sides.push_back({{std::min(from, to), std::max(from, to)}, i});
+          from = to;
+        }
+      }
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      if (sides[i].ends == sides[i - 1].ends) {
+        keep_all(chains_[sides[i].chain]);
+        keep_all(chains_[sides[i - 1].chain]);
+      }
+    }
+    chains_.clear();
   }
 
   void chain(std::uint32_t start, std::uint32_t edge, const std::vector<bool>& corner,
@@ -162,6 +192,7 @@ class Remesher {
       const auto& edges = border_edges_[v];
       edge = edges[0] == edge ? edges[1] : edges[0];
     }
+    chains_.push_back(line);
     if (line.front() != line.back()) {
       straighten(line, 0, line.size() - 1);
       return;
@@ -287,6 +318,16 @@ class Remesher {
     return result;
   }
 
+  static bool has_twice(std::vector<std::array<std::uint32_t, 2>> sides) {
+    for (auto& [a, b] : sides) {
+      if (a > b) {
+        std::swap(a, b);
+      }
+    }
+    std::sort(sides.begin(), sides.end());
+    return std::adjacent_find(sides.begin(), sides.end()) != sides.end();
+  }
+
   bool triangulate_region(std::uint32_t region) {
     const auto& faces = region_faces_[region];
     Vec3 doubled;
@@ -306,6 +347,9 @@ class Remesher {
       return false;
     }
     std::vector<std::array<std::uint32_t, 2>> sides = outline(region);
+    if (has_twice(sides)) {  // a slit of no width: closing it would change what is connected
+      return false;
+    }
     std::vector<std::uint32_t> vertices;
     double perimeter = 0.0;
     for (const auto& [a, b] : sides) {
@@ -332,7 +376,8 @@ class Remesher {
     for (Face& t : *triangles) {
       t = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
     }
-    if (!sound(*triangles, normal, area, perimeter)) {
+    const std::ptrdiff_t euler = twice_euler(vertices.size(), triangles->size(), sides.size());
+    if (euler != twice_euler(faces) || !sound(*triangles, normal, area, perimeter)) {
       return false;
     }
     const std::uint32_t polygon = common_polygon(faces);
@@ -345,6 +390,26 @@ class Remesher {
       new_.polygon.back() = polygon;
     }
     return true;
+  }
+
+  /// Twice vertices - edges + faces of a region: it says how many holes the region has.
+  static std::ptrdiff_t twice_euler(std::size_t vertices, std::size_t faces, std::size_t sides) {
+    const auto v = static_cast<std::ptrdiff_t>(vertices);
+    const auto f = static_cast<std::ptrdiff_t>(faces);
+    return 2 * v - (3 * f + static_cast<std::ptrdiff_t>(sides)) + 2 * f;
+  }
+  [[nodiscard]] std::ptrdiff_t twice_euler(const std::vector<std::uint32_t>& faces) const {
+    std::vector<std::uint32_t> vertices;
+    std::size_t sides = 0;
+    for (const std::uint32_t f : faces) {
+      for (unsigned k = 0; k < 3; ++k) {
+        vertices.push_back(old_.faces[f][k]);
+        sides += on_region_border(surface_.edge(corner(FaceId(f), k))) ? 1U : 0U;
+      }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return twice_euler(vertices.size(), faces.size(), sides);
   }
 
   [[nodiscard]] std::uint32_t common_polygon(const std::vector<std::uint32_t>& faces) const {
@@ -416,6 +481,7 @@ class Remesher {
   std::vector<std::vector<std::uint32_t>> region_faces_;
   std::vector<std::vector<std::uint32_t>> border_edges_;  ///< of each vertex
   std::vector<bool> frozen_;                              ///< regions that keep all their vertices
+  std::vector<std::vector<std::uint32_t>> chains_;        ///< of the present choice
   std::vector<bool> keep_;                                ///< vertices
 };
 
