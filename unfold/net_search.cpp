@@ -22,12 +22,13 @@ StartTree kind_of_start(StartTree first, int start) {
 }  // namespace
 
 std::uint64_t idle_iterations(std::uint32_t faces) {
-  return std::max<std::uint64_t>(4000, 4 * std::uint64_t{faces});
+  // Solved nets need about half an iteration per face, spiky solids seven; hopeless small parts are common and must not
+  // hold up the rest.
+  const std::uint64_t n = faces;
+  return std::max(std::clamp<std::uint64_t>(12 * n, 600, 4000), 4 * n);
 }
 
-std::uint64_t iteration_budget(std::uint32_t faces) {
-  return 20'000 + 10 * std::uint64_t{faces};
-}
+std::uint64_t iteration_budget(std::uint32_t faces) { return 4 * idle_iterations(faces); }
 
 NetFound find_net(const Patch& patch, const NetSearch& options, std::uint64_t seed, const Context& context) {
   Random random(seed);
