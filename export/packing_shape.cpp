@@ -2,6 +2,7 @@
 #include "export/packing_shape.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -142,6 +143,21 @@ void cover(std::span<const Vec2> polygon, double cell, double gap, std::vector<R
       runs.push_back({row, begin, std::max(begin, cell_of(r.high - touch, cell)) + 1});
     }
   }
+}
+
+/// In the order of halving: the longest run, then ever finer steps over the rows, so that the first few say
+/// most.
+void spread(std::vector<Run>& runs) {
+  const auto longest = std::max_element(
+      runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.end - a.begin < b.end - b.begin; });
+  std::vector<Run> result{*longest};
+  runs.erase(longest);
+  for (std::size_t step = std::bit_ceil(runs.size() + 1); step >= 2; step /= 2) {
+    for (std::size_t i = step / 2; i <= runs.size(); i += step) {
+      result.push_back(runs[i - 1]);
+    }
+  }
+  runs = std::move(result);
 }
 
 }  // namespace
@@ -298,9 +314,7 @@ Raster rasterize(const PackingShape& shape, Turn turn, double cell, double gap) 
   }
   unite(raster.solid);
   unite(raster.padded);
-  // Long runs meet something first, and then the short ones needn't be looked at.
-  std::stable_sort(raster.solid.begin(), raster.solid.end(),
-                   [](const Run& a, const Run& b) { return a.end - a.begin > b.end - b.begin; });
+  spread(raster.solid);
   return raster;
 }
 

@@ -63,7 +63,7 @@ struct Raster {
   Turn turn;
   Vec2 low;                 ///< lower left corner of the turned piece, before it is moved to the origin
   Vec2 size;                ///< mm
-  std::vector<Run> solid;   ///< cells that the piece touches, long runs first
+  std::vector<Run> solid;   ///< cells that the piece touches: the longest run, then those that say most
   std::vector<Run> padded;  ///< cells within the gap of it; rows and columns may be negative
 };
 
