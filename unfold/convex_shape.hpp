@@ -17,10 +17,10 @@ struct HalfPlane {
   double offset = 0.0;
 };
 
-/// A convex polygon, counterclockwise, of at most 16 corners; two corners are a segment, none is nothing.
+/// A convex polygon, counterclockwise, of at most 12 corners; two corners are a segment, none is nothing.
 class ConvexShape {
  public:
-  static constexpr std::uint32_t capacity = 16;
+  static constexpr std::uint32_t capacity = 12;
 
   ConvexShape() = default;
   ConvexShape(std::initializer_list<Vec2> corners);

@@ -193,8 +193,10 @@ class Assignment {
     return cost;
   }
 
-  /// The cheapest usable tab of a join that collides with none and costs less than `limit`.
-  std::optional<ChosenTab> best_free(std::uint32_t join, double limit = INFINITY) const {
+  /// The cheapest usable tab of a join that collides with none and costs less than `limit`; if there is none
+  /// and it may be cut back, one that fits among the others.
+  std::optional<ChosenTab> best_free(std::uint32_t join, double limit = INFINITY,
+                                     bool cut_back = true) const {
     std::optional<ChosenTab> best;
     const auto offer = [&](std::uint32_t site, const TabShape& shape, double extra) {
       const double cost = shape.cost + side_cost(site) + extra;
@@ -212,7 +214,7 @@ class Assignment {
         offer(site, shape, 0.0);
       }
     }
-    if (!best) {
+    if (!best && cut_back) {
       for (const std::uint32_t site : {2 * join, 2 * join + 1}) {
         if (!shapes_[site].empty() && tab_costs.trimmed + side_cost(site) < limit) {
           for (const TabShape& shape : shapes_among_tabs(site)) {
@@ -321,7 +323,7 @@ class Assignment {
     }
     const ChosenTab old = *chosen_[join];
     chosen_[join].reset();
-    const std::optional<ChosenTab> better = best_free(join, old.shape.cost - least_gain);
+    const std::optional<ChosenTab> better = best_free(join, old.shape.cost - least_gain, false);
     chosen_[join] = better ? better : old;
     return better.has_value();
   }

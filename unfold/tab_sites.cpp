@@ -207,7 +207,9 @@ Frame glued_frame(const Nets& nets, CornerId twin) {
 }
 
 ConvexShape widest_tab(double length, const TabOptions& options) {
-  return largest_tab({0.0, length, length}, {}, options, TabNeed::anything);
+  const double cot = 1.0 / std::tan(options.steepest_angle);
+  const double height = std::fmin(options.height_mm, (length - options.smallest_top_mm) / (2.0 * cot));
+  return height < options.smallest_height_mm ? ConvexShape() : trapezoid(0.0, length, height, cot, cot);
 }
 
 std::vector<TabSite> find_tab_sites(const mesh::Surface& surface, const mesh::Panels& panels,
