@@ -15,7 +15,7 @@ constexpr std::array<double, 7> heights{5.0, 4.2, 3.5, 2.9, 2.4, 2.0, 1.6};
 constexpr double readable_height = 2.4;
 constexpr double clearance = 0.5;  ///< mm
 /// How much more room than needed is looked for around a name, mm.
-constexpr std::array<double, 9> rooms{0.0, 0.4, 0.8, 1.4, 2.2, 3.2, 4.5, 6.5, 9.0};
+constexpr std::array<double, 13> rooms{0.0, 0.4, 0.8, 1.4, 2.2, 3.2, 4.5, 6.5, 9.0, 13.0, 18.0, 26.0, 38.0};
 
 /// Points of a grid that lie in faces of the piece. Its step follows the piece's size.
 std::vector<Vec2> grid_points(const PieceDrawing& piece) {

@@ -118,6 +118,9 @@ class NumberPlacer {
   bool place_with_leader(const Wanted& wanted, double side) {
     const Frame frame(wanted.seam->edge);
     const Vec2 out = side * frame.inward;
+    const std::vector<Vec2>& tab = wanted.seam->tab;
+    // Beside the piece the line ends at the edge, or at the far side of the tab that stands on it.
+    const Vec2 start = side < 0.0 && !tab.empty() ? 0.5 * (tab[2] + tab.back()) : frame.middle;
     for (const double height : {heights_[1], heights_.back()}) {
       std::array<bool, leader_turns> blocked{};
       for (double reach = 2.2; reach < longest_leader; reach += 1.3) {
@@ -125,13 +128,13 @@ class NumberPlacer {
           // Straight ahead first, then to both sides in turn.
           const double turn = (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>((i + 1) / 2) * 0.3;
           Text text = number(*wanted.seam, height, frame.angle);
-          text.centre = frame.middle + reach * (std::cos(turn) * out + std::sin(turn) * frame.along);
+          text.centre = start + reach * (std::cos(turn) * out + std::sin(turn) * frame.along);
           if (blocked[i]) {
             continue;
           }
-          const Segment2 leader = leader_to(text, frame.middle, out);
+          const Segment2 leader = leader_to(text, start, out);
           blocked[i] = !obstacles_.is_free(leader, false);  // a longer one would be, too
-          if (!blocked[i] && put_with_leader(wanted, text, leader, frame.middle)) {
+          if (!blocked[i] && put_with_leader(wanted, text, leader, start)) {
             return true;
           }
         }
@@ -301,8 +304,7 @@ void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& 
   std::erase_if(wanted, [](const Wanted& w) { return w.on_tab; });
   wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_with_leader(w, 1.0); });
   const std::size_t outside = wanted.size();
-  wanted = without_place(
-      wanted, [&](const Wanted& w) { return w.seam->tab.empty() && placer.place_with_leader(w, -1.0); });
+  wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_with_leader(w, -1.0); });
   report.labels_outside += outside - wanted.size();
   report.labels_left_out += wanted.size();
 }

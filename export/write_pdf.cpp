@@ -101,12 +101,36 @@ class PdfAssembler {
       if (!has_layer(pages_[i], layer)) {
         continue;
       }
-      QPDFObjectHandle form = pdf_.copyForeignObject(source_pages[i].getFormXObjectForPage());
+      QPDFObjectHandle form = form_of(source_pages[i]);
       form.getDict().replaceKey("/OC", group);
       const std::string name = fmt::format("/{}", id(layer));
       resources_[i].replaceKey(name, form);
       contents_[i] += name + " Do\n";
     }
+  }
+
+  /// A page of a layer's file as a form. Cairo's pages have one content stream: it is taken as it is,
+  /// compressed, which halves the time against QPDFPageObjectHelper::getFormXObjectForPage (unpacks and packs
+  /// it again).
+  QPDFObjectHandle form_of(QPDFPageObjectHelper& page) {
+    QPDFObjectHandle contents = page.getObjectHandle().getKey("/Contents");
+    if (!contents.isStream()) {
+      return pdf_.copyForeignObject(page.getFormXObjectForPage());
+    }
+    QPDFObjectHandle form = pdf_.copyForeignObject(contents);
+    QPDFObjectHandle dictionary = form.getDict();
+    dictionary.replaceKey("/Type", QPDFObjectHandle::newName("/XObject"));
+    dictionary.replaceKey("/Subtype", QPDFObjectHandle::newName("/Form"));
+    dictionary.replaceKey("/BBox", page.getMediaBox().shallowCopy());
+    QPDFObjectHandle resources = page.getAttribute("/Resources", false);
+    dictionary.replaceKey("/Resources", resources.isIndirect()
+                                            ? pdf_.copyForeignObject(resources)
+                                            : pdf_.copyForeignObject(source_indirect(page, resources)));
+    return form;
+  }
+  /// qpdf copies indirect objects only.
+  static QPDFObjectHandle source_indirect(QPDFPageObjectHelper& page, const QPDFObjectHandle& object) {
+    return page.getObjectHandle().getOwningQPDF()->makeIndirectObject(object);
   }
 
   static QPDFObjectHandle real(double value) { return QPDFObjectHandle::newReal(value, 4); }
