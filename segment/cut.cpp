@@ -24,25 +24,26 @@ std::vector<Facets> Cutter::components(std::span<const std::uint32_t> facets) {
   }
   const std::uint32_t open = mark_++;
   std::vector<Facets> found;
+  // Facets ascend, so components are found, and filled, in order.
   for (const std::uint32_t start : facets) {
-    if (node_mark_[start] != open) {
-      continue;
-    }
-    Facets& c = found.emplace_back();
-    node_mark_[start] = mark_;
-    c.push_back(start);
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      for (const std::uint32_t g : surface_->neighbors[c[i]]) {
-        if (g != none && node_mark_[g] == open && label_[g] == label_[start]) {
-          node_mark_[g] = mark_;
-          c.push_back(g);
+    if (node_mark_[start] == open) {
+      const auto number = static_cast<std::uint32_t>(found.size());
+      found.emplace_back();
+      nodes_.assign(1, start);
+      node_mark_[start] = mark_;
+      for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        node_[nodes_[i]] = number;
+        for (const std::uint32_t g : surface_->neighbors[nodes_[i]]) {
+          if (g != none && node_mark_[g] == open && label_[g] == label_[start]) {
+            node_mark_[g] = mark_;
+            nodes_.push_back(g);
+          }
         }
       }
+      found.back().reserve(nodes_.size());
     }
-    std::sort(c.begin(), c.end());
+    found[node_[start]].push_back(start);
   }
-  std::sort(found.begin(), found.end(),
-            [](const Facets& a, const Facets& b) { return a.front() < b.front(); });
   return found;
 }
 

@@ -32,7 +32,7 @@ class Cutter {
   /// one polygon.
   [[nodiscard]] std::vector<Facets> split(Measurer& measurer, const Measurement& measurement, bool halves);
 
-  /// Connected components of a set of facets, ascending by smallest facet.
+  /// Connected components of a set of facets in ascending order, ascending by smallest facet.
   [[nodiscard]] std::vector<Facets> components(std::span<const std::uint32_t> facets);
 
  private:

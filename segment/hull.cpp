@@ -88,7 +88,7 @@ void HullBuilder::build(std::span<const std::uint32_t> ids, Hull& out, double li
     }
   }
   merge_coplanar();
-  emit(out);
+  emit();
   connect(out);
 }
 
@@ -335,7 +335,8 @@ void HullBuilder::merge_coplanar() {
   }
 }
 
-void HullBuilder::emit(Hull& out) {
+void HullBuilder::emit() {
+  local_triangles_.clear();
   std::vector<std::uint32_t>& count = next_;  // the lists are empty now; the array is free
   count.assign(facets_.size() + 1, 0);
   for (std::uint32_t f = 0; f < facets_.size(); ++f) {
@@ -348,7 +349,7 @@ void HullBuilder::emit(Hull& out) {
     }
     if (count[face_of_[f]] == 1) {
       const auto& v = facets_[f].v;
-      out.triangles.push_back({ids_[v[0]], ids_[v[1]], ids_[v[2]]});
+      local_triangles_.push_back({v[0], v[1], v[2]});
     } else if (face_of_[f] == f) {
       flats.emplace_back();
     }
@@ -366,11 +367,11 @@ void HullBuilder::emit(Hull& out) {
     }
   }
   for (const auto& members : flats) {
-    emit_face(members, out);
+    emit_face(members);
   }
 }
 
-void HullBuilder::emit_face(const std::vector<std::uint32_t>& members, Hull& out) {
+void HullBuilder::emit_face(const std::vector<std::uint32_t>& members) {
   // The border of the face is one cycle: its facets form a disc.
   std::uint32_t start = none;
   const std::uint32_t face = face_of_[members[0]];
@@ -393,59 +394,73 @@ void HullBuilder::emit_face(const std::vector<std::uint32_t>& members, Hull& out
     const std::uint32_t before = cycle_[(i + cycle_.size() - 1) % cycle_.size()];
     const std::uint32_t after = cycle_[(i + 1) % cycle_.size()];
     if (!exactly_collinear(points_[before], points_[cycle_[i]], points_[after])) {
-      corners.push_back(ids_[cycle_[i]]);
+      corners.push_back(cycle_[i]);
     }
   }
   RIDGECRAFT_ASSERT(corners.size() >= 3);
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  const auto smallest = std::min_element(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) { return ids_[a] < ids_[b]; });
+  std::rotate(corners.begin(), smallest, corners.end());
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    out.triangles.push_back({corners[0], corners[i], corners[i + 1]});
+    local_triangles_.push_back({corners[0], corners[i], corners[i + 1]});
   }
 }
 
+/// Numbers the edges by their ends and ties them to their triangles: a bucket per smaller end, in linear time but for
+/// the sorting of the vertices.
 void HullBuilder::connect(Hull& out) {
-  edge_order_.clear();
-  for (std::uint32_t t = 0; t < out.triangles.size(); ++t) {
+  // slot_ holds the rank of each local point among the hull vertices from here on.
+  std::fill(slot_.begin(), slot_.end(), none);
+  vertex_order_.clear();
+  for (const auto& t : local_triangles_) {
+    for (const std::uint32_t v : t) {
+      if (slot_[v] == none) {
+        slot_[v] = 0;
+        vertex_order_.push_back({ids_[v], v});
+      }
+    }
+  }
+  std::sort(vertex_order_.begin(), vertex_order_.end());
+  for (std::uint32_t rank = 0; rank < vertex_order_.size(); ++rank) {
+    out.vertices.push_back(vertex_order_[rank][0]);
+    slot_[vertex_order_[rank][1]] = rank;
+  }
+  bucket_.assign(vertex_order_.size() + 1, 0);
+  for (auto& t : local_triangles_) {
+    out.triangles.push_back({ids_[t[0]], ids_[t[1]], ids_[t[2]]});
+    t = {slot_[t[0]], slot_[t[1]], slot_[t[2]]};
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++bucket_[std::min(t[k], t[(k + 1) % 3]) + 1];
+    }
+  }
+  for (std::size_t v = 0; v < vertex_order_.size(); ++v) {
+    bucket_[v + 1] += bucket_[v];
+  }
+  sides_.resize(3 * local_triangles_.size());
+  next_.assign(bucket_.begin(), bucket_.end() - 1);
+  for (std::uint32_t t = 0; t < local_triangles_.size(); ++t) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint64_t a = out.triangles[t][k];
-      const std::uint64_t b = out.triangles[t][(k + 1) % 3];
-      edge_order_.push_back({a < b ? a << 32U | b : b << 32U | a, 3 * t + k});
+      const std::uint32_t a = local_triangles_[t][k];
+      const std::uint32_t b = local_triangles_[t][(k + 1) % 3];
+      sides_[next_[std::min(a, b)]++] = {std::max(a, b), 3 * t + k};
     }
   }
-  std::sort(edge_order_.begin(), edge_order_.end());
-  out.triangle_edges.resize(out.triangles.size());
-  RIDGECRAFT_ASSERT(edge_order_.size() % 2 == 0);
-  for (std::size_t i = 0; i + 1 < edge_order_.size(); i += 2) {
-    RIDGECRAFT_ASSERT(edge_order_[i][0] == edge_order_[i + 1][0]);
-    const auto e = static_cast<std::uint32_t>(out.edges.size());
-    const std::uint64_t key = edge_order_[i][0];
-    out.edges.push_back(
-        {static_cast<std::uint32_t>(key >> 32U), static_cast<std::uint32_t>(key & 0xffffffffU)});
-    std::array<std::uint32_t, 2> sides{};
-    for (std::size_t j = 0; j < 2; ++j) {
-      const auto at = static_cast<std::uint32_t>(edge_order_[i + j][1]);
-      sides[j] = at / 3;
-      out.triangle_edges[at / 3][at % 3] = e;
-    }
-    out.edge_triangles.push_back(sides);
-    if (out.vertices.empty() || out.vertices.back() != out.edges.back()[0]) {
-      out.vertices.push_back(out.edges.back()[0]);
+  out.triangle_edges.resize(local_triangles_.size());
+  for (std::size_t v = 0; v < vertex_order_.size(); ++v) {
+    const auto first = sides_.begin() + bucket_[v];
+    const auto last = sides_.begin() + bucket_[v + 1];
+    std::sort(first, last);
+    RIDGECRAFT_ASSERT((last - first) % 2 == 0);
+    for (auto side = first; side != last; side += 2) {
+      const auto& [one, at_one] = side[0];
+      const auto& [two, at_two] = side[1];
+      RIDGECRAFT_ASSERT(one == two);
+      const auto e = static_cast<std::uint32_t>(out.edges.size());
+      out.edges.push_back({out.vertices[v], out.vertices[one]});
+      out.edge_triangles.push_back({at_one / 3, at_two / 3});
+      out.triangle_edges[at_one / 3][at_one % 3] = e;
+      out.triangle_edges[at_two / 3][at_two % 3] = e;
     }
   }
-  // Every hull vertex but the last ones is the smaller end of an edge; collect the others.
-  const std::size_t smaller = out.vertices.size();
-  for (const auto& e : out.edges) {
-    if (!std::binary_search(out.vertices.begin(), out.vertices.begin() + static_cast<std::ptrdiff_t>(smaller),
-                            e[1])) {
-      out.vertices.push_back(e[1]);
-    }
-  }
-  std::sort(out.vertices.begin() + static_cast<std::ptrdiff_t>(smaller), out.vertices.end());
-  out.vertices.erase(
-      std::unique(out.vertices.begin() + static_cast<std::ptrdiff_t>(smaller), out.vertices.end()),
-      out.vertices.end());
-  std::inplace_merge(out.vertices.begin(), out.vertices.begin() + static_cast<std::ptrdiff_t>(smaller),
-                     out.vertices.end());
 }
 
 void HullBuilder::build_flat(Hull& out) {

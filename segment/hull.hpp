@@ -72,8 +72,8 @@ class HullBuilder {
   void add_top_of(std::uint32_t facet);
   void find_horizon(std::uint32_t facet, std::uint32_t p);
   void merge_coplanar();
-  void emit(Hull& out);
-  void emit_face(const std::vector<std::uint32_t>& members, Hull& out);
+  void emit();
+  void emit_face(const std::vector<std::uint32_t>& members);
   void connect(Hull& out);
 
   std::span<const Vec3> all_points_;
@@ -89,7 +89,10 @@ class HullBuilder {
   std::vector<HorizonEdge> horizon_;
   std::vector<std::uint32_t> face_of_;
   std::vector<std::uint32_t> cycle_;
-  std::vector<std::array<std::uint64_t, 2>> edge_order_;
+  std::vector<std::array<std::uint32_t, 3>> local_triangles_;
+  std::vector<std::array<std::uint32_t, 2>> vertex_order_;  ///< {vertex, local point}
+  std::vector<std::uint32_t> bucket_;
+  std::vector<std::array<std::uint32_t, 2>> sides_;  ///< {rank of the larger end, 3 triangle + side}
   std::array<std::uint32_t, 4> simplex_{};
   std::uint32_t mark_ = 0;
 };

@@ -22,6 +22,15 @@ constexpr double flat_face_lift = 1e-5;
 /// Bridges between two questions whether the user wants to stop.
 constexpr std::size_t check_interval = 64;
 
+/// Equal for equal parts; two different ones of a run agree with a probability of 2^-64.
+std::uint64_t signature_of(std::span<const std::uint32_t> facets) {
+  std::uint64_t sum = 0;
+  for (const std::uint32_t f : facets) {
+    sum += Random(f).next();
+  }
+  return sum;
+}
+
 }  // namespace
 
 Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, double tolerance,
@@ -37,6 +46,7 @@ Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, doubl
 void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const std::uint32_t> hull_points,
                        MeasureMode mode, Measurement& out) {
   part_.select(facets);
+  signature_ = signature_of(facets);
   hulls_.build(hull_points.empty() ? part_.vertices() : hull_points, out.hull, flat_face_lift);
   depth_.select(out.hull);
   out.bridges.assign(out.hull.edges.size(), Bridge{});
@@ -70,7 +80,7 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
       if (searched++ % check_interval == 0) {
         context_->check();
       }
-      search(i, out, !scratch, !test);
+      search(i, out, scratch, !test);
     }
     out.concavity = std::max(out.concavity, bridge.high);
     if (test && bridge.state == Bridge::State::high) {
@@ -159,11 +169,15 @@ bool Measurer::survives(const Valley& valley) const {
   return true;
 }
 
-Valley Measurer::find_valley(const Bridge& bridge, bool use_cache) {
+Valley Measurer::find_valley(const Bridge& bridge, bool scratch) {
   Valley valley;
-  if (use_cache && cache_.find(bridge.a, bridge.b, valley) &&
-      !(valley.greatest > tolerance_ && part_.has_loops()) && survives(valley)) {
-    return valley;
+  if (cache_.find(bridge.a, bridge.b, valley)) {
+    // A search on the same part would find the same valley again. From other parts only what is surely still shortest
+    // is taken: where there are cut loops, a jump may be shorter than a deep valley.
+    if (valley.part == signature_ ||
+        (!scratch && !(valley.greatest > tolerance_ && part_.has_loops()) && survives(valley))) {
+      return valley;
+    }
   }
   valley = {};
   valley.length = search_.find(bridge.a, bridge.b, steps_);
@@ -179,9 +193,8 @@ Valley Measurer::find_valley(const Bridge& bridge, bool use_cache) {
   valley.steps = steps_;
   valley.concavity = concavity_;
   valley.greatest = *std::max_element(concavity_.begin(), concavity_.end());
-  if (use_cache) {
-    cache_.store(bridge.a, bridge.b, valley);
-  }
+  valley.part = signature_;
+  cache_.store(bridge.a, bridge.b, valley);
   return valley;
 }
 
@@ -197,9 +210,9 @@ double Measurer::cap(const Valley& valley) {
   return greatest;
 }
 
-void Measurer::search(std::uint32_t index, Measurement& m, bool use_cache, bool with_reach) {
+void Measurer::search(std::uint32_t index, Measurement& m, bool scratch, bool with_reach) {
   Bridge& bridge = m.bridges[index];
-  const Valley valley = find_valley(bridge, use_cache);
+  const Valley valley = find_valley(bridge, scratch);
   bridge.source = index;
   if (valley.steps.empty()) {
     bridge.low = bridge.high = INFINITY;

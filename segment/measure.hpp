@@ -65,8 +65,8 @@ class Measurer {
   [[nodiscard]] bool is_zero(Bridge& bridge) const;
   bool derive(std::uint32_t index, Measurement& m) const;
   bool derive_from(Bridge& bridge, const Bridge& source, double moved) const;
-  void search(std::uint32_t index, Measurement& m, bool use_cache, bool with_reach);
-  Valley find_valley(const Bridge& bridge, bool use_cache);
+  void search(std::uint32_t index, Measurement& m, bool scratch, bool with_reach);
+  Valley find_valley(const Bridge& bridge, bool scratch);
   [[nodiscard]] bool survives(const Valley& valley) const;
   double cap(const Valley& valley);
   void find_reach(Bridge& bridge, const Valley& valley);
@@ -77,6 +77,7 @@ class Measurer {
   PartGraph part_;
   ValleySearch search_;
   ValleyCache cache_;
+  std::uint64_t signature_ = 0;  ///< of the part that the graph shows: a hash of its facets
   HullBuilder hulls_;
   HullDepth depth_;
   std::vector<Step> steps_;

@@ -17,6 +17,7 @@ PartGraph::PartGraph(const ScaledSurface& surface, const VertexGraph& graph)
       graph_(&graph),
       member_(surface.facet_count(), 0),
       vertex_mark_(surface.vertex_count(), 0),
+      partial_(surface.vertex_count(), 0),
       loop_mark_(surface.vertex_count(), 0),
       loop_(surface.vertex_count(), none) {}
 
@@ -63,6 +64,9 @@ void PartGraph::find_loops() {
       const std::uint32_t b = surface_->corners[f][(k + 1) % 3];
       touch(a);
       touch(b);
+      // Their facets are incomplete; the third corner lacks its arc across this edge. All other vertices of the
+      // part have all their facets, since a fan that is partly outside has a cut edge.
+      partial_[a] = partial_[b] = partial_[surface_->corners[f][(k + 2) % 3]] = current_;
       const std::uint32_t x = root(a);
       const std::uint32_t y = root(b);
       loop_[std::max(x, y)] = std::min(x, y);

@@ -33,6 +33,12 @@ class PartGraph {
   void for_arcs(std::uint32_t v, Visit&& visit) const {
     const std::uint32_t across = graph_->across[v];
     const std::uint32_t last = graph_->first[v + 1];
+    if (partial_[v] != current_) {
+      for (std::uint32_t i = graph_->first[v]; i < last; ++i) {
+        visit(i, graph_->arcs[i]);
+      }
+      return;
+    }
     for (std::uint32_t i = graph_->first[v]; i < across; ++i) {
       const Arc& arc = graph_->arcs[i];
       if (has(arc.first_facet) || has(arc.second_facet)) {
@@ -79,6 +85,7 @@ class PartGraph {
   std::vector<std::uint32_t> facets_;
   std::vector<std::uint32_t> vertices_;
   std::vector<std::uint32_t> vertex_mark_;
+  std::vector<std::uint32_t> partial_;  ///< vertices some of whose arcs are missing in this part
   std::vector<std::uint32_t> loop_mark_;
   std::vector<std::uint32_t> loop_;  ///< while they are found: union-find parent
   std::vector<std::uint32_t> loop_vertices_;

@@ -37,6 +37,7 @@ bool ValleyCache::find(std::uint32_t from, std::uint32_t to, Valley& out) const 
   out.concavity = {concavity_.data() + e.first, e.count};
   out.length = e.length;
   out.greatest = e.greatest;
+  out.part = e.part;
   return true;
 }
 
@@ -46,8 +47,7 @@ void ValleyCache::store(std::uint32_t from, std::uint32_t to, const Valley& vall
   }
   Entry& e = table_[slot(key_of(from, to))];
   used_ += e.count == 0 ? 1 : 0;
-  e = {key_of(from, to), steps_.size(), static_cast<std::uint32_t>(valley.steps.size()), valley.length,
-       valley.greatest};
+  e = {key_of(from, to), steps_.size(), static_cast<std::uint32_t>(valley.steps.size()), valley.length, valley.greatest, valley.part};
   steps_.insert(steps_.end(), valley.steps.begin(), valley.steps.end());
   concavity_.insert(concavity_.end(), valley.concavity.begin(), valley.concavity.end());
 }

@@ -16,6 +16,7 @@ struct Valley {
   std::span<const double> concavity;  ///< per step, 4.1 to 4.4
   double length = 0.0;
   double greatest = 0.0;  ///< of concavity
+  std::uint64_t part = 0;  ///< signature of the part on which it was searched
 };
 
 /// Open addressing over flat pools. Spans are valid until the next store().
@@ -34,6 +35,7 @@ class ValleyCache {
     std::uint32_t count = 0;  ///< 0: free
     double length = 0.0;
     double greatest = 0.0;
+    std::uint64_t part = 0;
   };
 
   [[nodiscard]] std::size_t slot(std::uint64_t key) const;
