@@ -68,8 +68,10 @@ double HullDepth::along_normal(std::uint32_t v) const {
     for (std::size_t j = 0; j < lanes; ++j) {
       const double cosine = x_[i + j] * n.x + y_[i + j] * n.y + z_[i + j] * n.z;
       const double gap = offset_[i + j] - (x_[i + j] * p.x + y_[i + j] * p.y + z_[i + j] * p.z);
-      const double depth = cosine > parallel_cosine ? (gap > 0.0 ? gap : 0.0) / cosine : infinite;
-      best[j] = depth < best[j] ? depth : best[j];
+      // Divided first, chosen after: compilers then do all lanes at once.
+      const double depth = (gap > 0.0 ? gap : 0.0) / cosine;
+      const double limit = cosine > parallel_cosine ? depth : infinite;
+      best[j] = limit < best[j] ? limit : best[j];
     }
   }
   return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
