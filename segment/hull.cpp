@@ -398,15 +398,16 @@ void HullBuilder::emit_face(const std::vector<std::uint32_t>& members) {
     }
   }
   RIDGECRAFT_ASSERT(corners.size() >= 3);
-  const auto smallest = std::min_element(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) { return ids_[a] < ids_[b]; });
+  const auto smallest = std::min_element(corners.begin(), corners.end(),
+                                         [&](std::uint32_t a, std::uint32_t b) { return ids_[a] < ids_[b]; });
   std::rotate(corners.begin(), smallest, corners.end());
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     local_triangles_.push_back({corners[0], corners[i], corners[i + 1]});
   }
 }
 
-/// Numbers the edges by their ends and ties them to their triangles: a bucket per smaller end, in linear time but for
-/// the sorting of the vertices.
+/// Numbers the edges by their ends and ties them to their triangles: a bucket per smaller end, in linear time
+/// but for the sorting of the vertices.
 void HullBuilder::connect(Hull& out) {
   // slot_ holds the rank of each local point among the hull vertices from here on.
   std::fill(slot_.begin(), slot_.end(), none);

@@ -172,8 +172,8 @@ bool Measurer::survives(const Valley& valley) const {
 Valley Measurer::find_valley(const Bridge& bridge, bool scratch) {
   Valley valley;
   if (cache_.find(bridge.a, bridge.b, valley)) {
-    // A search on the same part would find the same valley again. From other parts only what is surely still shortest
-    // is taken: where there are cut loops, a jump may be shorter than a deep valley.
+    // A search on the same part would find the same valley again. From other parts only what is surely still
+    // shortest is taken: where there are cut loops, a jump may be shorter than a deep valley.
     if (valley.part == signature_ ||
         (!scratch && !(valley.greatest > tolerance_ && part_.has_loops()) && survives(valley))) {
       return valley;

@@ -64,8 +64,8 @@ void PartGraph::find_loops() {
       const std::uint32_t b = surface_->corners[f][(k + 1) % 3];
       touch(a);
       touch(b);
-      // Their facets are incomplete; the third corner lacks its arc across this edge. All other vertices of the
-      // part have all their facets, since a fan that is partly outside has a cut edge.
+      // Their facets are incomplete; the third corner lacks its arc across this edge. All other vertices of
+      // the part have all their facets, since a fan that is partly outside has a cut edge.
       partial_[a] = partial_[b] = partial_[surface_->corners[f][(k + 2) % 3]] = current_;
       const std::uint32_t x = root(a);
       const std::uint32_t y = root(b);

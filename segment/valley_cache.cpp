@@ -47,7 +47,8 @@ void ValleyCache::store(std::uint32_t from, std::uint32_t to, const Valley& vall
   }
   Entry& e = table_[slot(key_of(from, to))];
   used_ += e.count == 0 ? 1 : 0;
-  e = {key_of(from, to), steps_.size(), static_cast<std::uint32_t>(valley.steps.size()), valley.length, valley.greatest, valley.part};
+  e = {key_of(from, to), steps_.size(),   static_cast<std::uint32_t>(valley.steps.size()),
+       valley.length,    valley.greatest, valley.part};
   steps_.insert(steps_.end(), valley.steps.begin(), valley.steps.end());
   concavity_.insert(concavity_.end(), valley.concavity.begin(), valley.concavity.end());
 }

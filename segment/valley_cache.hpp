@@ -15,7 +15,7 @@ struct Valley {
   std::span<const Step> steps;
   std::span<const double> concavity;  ///< per step, 4.1 to 4.4
   double length = 0.0;
-  double greatest = 0.0;  ///< of concavity
+  double greatest = 0.0;   ///< of concavity
   std::uint64_t part = 0;  ///< signature of the part on which it was searched
 };
 
