@@ -33,19 +33,21 @@ class Merger {
     }
   }
 
-  void run(const Context& context) {
+  void run(const Context& context, Random* random) {
     std::vector<std::uint32_t> cuts;
+    std::vector<double> weight(patch_.twin.size(), 0.0);
     for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
       const std::uint32_t twin = patch_.twin[side];
       if (twin != nothing && side < twin && piece_[side / 3] != piece_[twin / 3]) {
         cuts.push_back(side);
+        weight[side] = patch_.length[side] * (random != nullptr ? 0.3 + random->unit() : 1.0);
       }
     }
     std::stable_sort(cuts.begin(), cuts.end(), [&](std::uint32_t a, std::uint32_t b) {
       if (patch_.frozen[a] != patch_.frozen[b]) {
         return patch_.frozen[a] > patch_.frozen[b];
       }
-      return patch_.length[a] > patch_.length[b];
+      return weight[a] > weight[b];
     });
     for (bool again = true; again && budget_ > 0;) {
       again = false;
@@ -146,9 +148,9 @@ class Merger {
 }  // namespace
 
 Folds merge_pieces(const Patch& patch, const Folds& folds, const Room& room, double tolerance,
-                   std::uint64_t pair_budget, const Context& context) {
+                   std::uint64_t pair_budget, const Context& context, Random* random) {
   Merger merger(patch, folds, room, tolerance, pair_budget);
-  merger.run(context);
+  merger.run(context, random);
   return std::move(merger.folds());
 }
 

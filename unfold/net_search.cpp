@@ -22,17 +22,20 @@ StartTree kind_of_start(StartTree first, int start) {
 }  // namespace
 
 std::uint64_t idle_iterations(std::uint32_t faces) {
-  // Solved nets need about half an iteration per face, spiky solids seven; hopeless small parts are common and must not
-  // hold up the rest.
+  // Solved nets need about half an iteration per face, spiky solids seven; hopeless small parts are common
+  // and must not hold up the rest.
   const std::uint64_t n = faces;
-  return std::max(std::clamp<std::uint64_t>(12 * n, 600, 4000), 4 * n);
+  return std::max(std::clamp<std::uint64_t>(10 * n, 500, 4000), 4 * n);
 }
 
-std::uint64_t iteration_budget(std::uint32_t faces) { return 4 * idle_iterations(faces); }
+std::uint64_t iteration_budget(std::uint32_t faces) {
+  return 4 * idle_iterations(faces);
+}
 
 NetFound find_net(const Patch& patch, const NetSearch& options, std::uint64_t seed, const Context& context) {
   Random random(seed);
   TreeSearch search(patch, options.tolerance, random.next());
+  const std::uint64_t idle = options.idle > 0 ? options.idle : idle_iterations(patch.size());
   NetFound found;
   found.overlaps = std::numeric_limits<std::uint64_t>::max();
   while (found.overlaps > 0 && found.starts < options.starts) {
@@ -41,9 +44,7 @@ NetFound find_net(const Patch& patch, const NetSearch& options, std::uint64_t se
     }
     search.set_tree(start_tree(patch, kind_of_start(options.start, found.starts), random));
     ++found.starts;
-    search.run({options.iterations - std::min(options.iterations, search.iterations()),
-                idle_iterations(patch.size())},
-               context);
+    search.run({options.iterations - std::min(options.iterations, search.iterations()), idle}, context);
     std::uint64_t overlaps = search.best_overlaps();
     if (overlaps == 0) {
       // The search counts by small steps; only a fresh layout and another routine may call a net clean.

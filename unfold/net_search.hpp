@@ -14,8 +14,8 @@ struct NetSearch {
   StartTree start = StartTree::short_cuts;  ///< later starts: the other kinds in turn
   double tolerance = 0.0;                   ///< mm
   int starts = 4;                           ///< at least 1
-  /// Iterations of all starts together; a start ends after idle_iterations(n) without a better tree.
-  std::uint64_t iterations = 0;
+  std::uint64_t iterations = 0;             ///< of all starts together
+  std::uint64_t idle = 0;  ///< a start ends after so many without a better tree; 0: idle_iterations
 };
 
 /// Iterations without a better tree after which a start is given up: enough that no good tree is thrown away.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 
 #include "unfold/check.hpp"
@@ -27,6 +28,14 @@ std::size_t attempts_for(std::uint32_t faces) {
   return faces <= 500 ? attempt_kinds.size() : faces <= 1500 ? 4 : faces <= 3000 ? 2 : 1;
 }
 
+/// Start trees before a patch counts as having no single net.
+constexpr int starts_tried = 3;
+
+/// Rounds of taking pieces apart and joining them anew: fewer where each takes long.
+int refine_rounds(std::uint32_t faces) {
+  return faces <= 500 ? 30 : faces <= 1500 ? 15 : 5;
+}
+
 /// A forest that could be the result.
 struct Proposal {
   Folds folds;
@@ -45,9 +54,9 @@ class PatchUnfolder {
   }
 
   PatchNets run() {
-    try_nets(patch_);
+    try_nets(patch_, panel_count());
     if (!best_ && has_panels_ && !context_.out_of_time()) {
-      try_nets(loose_);
+      try_nets(loose_, loose_.size());
       if (best_) {
         notes_.emplace_back("no single net with all flat regions whole was found, so some are cut");
       }
@@ -58,30 +67,36 @@ class PatchUnfolder {
     if (room_.sheet && best_->cost.pieces > 1) {
       propose(merge_pieces(patch_, panel_folds(), room_, tolerance_, merge_budget, context_), best_->net);
     }
+    refine();
     insist_on_clean();
     return {best_->folds, reasons(), std::move(notes_)};
   }
 
  private:
-  /// Single nets from several start trees; keeps the best. Gives up after one failure of the full budget.
-  void try_nets(const Patch& patch) {
+  /// Single nets from several start trees; keeps the best. Gives up when the first search fails with its full
+  /// budget; later ones may take twice as long as it took, since there is a net to fall back on.
+  void try_nets(const Patch& patch, std::uint32_t panels) {
+    NetSearch options;
+    options.tolerance = tolerance_;
+    options.starts = starts_tried;
+    options.iterations = iteration_budget(panels);
+    options.idle = idle_iterations(panels);
     for (std::size_t attempt = 0; attempt < attempts_for(patch.size()); ++attempt) {
       if (attempt > 0 && context_.out_of_time()) {
         return;
       }
-      NetSearch options;
       options.start = attempt_kinds[attempt];
-      options.tolerance = tolerance_;
-      options.iterations = iteration_budget(patch.size());
       NetFound found = find_net(patch, options, random_.next(), context_);
-      if (found.overlaps > 0) {
+      if (found.overlaps == 0) {
+        propose(found.folds, std::vector<std::uint32_t>(patch.size(), 0));
+      } else if (attempt == 0) {
         failed_.push_back(std::move(found));
-        if (!best_) {
-          return;
-        }
-        continue;
+        return;
       }
-      propose(found.folds, std::vector<std::uint32_t>(patch.size(), 0));
+      if (attempt == 0) {
+        options.starts = 1;
+        options.iterations = 2 * found.iterations + patch.size();
+      }
     }
   }
 
@@ -96,6 +111,54 @@ class PatchUnfolder {
     if (!best_ || cost < best_->cost) {
       best_ = {std::move(folds), cost, std::move(net)};
     }
+  }
+
+  /// Takes a random piece, and sometimes one beside it, apart into panels and joins what lies there anew in
+  /// another order; keeps what isn't worse (ruin and recreate: G. Schrimpf et al., 2000).
+  void refine() {
+    const double area = std::accumulate(
+        patch_.shape.begin(), patch_.shape.end(), 0.0,
+        [](double sum, const Triangle& t) { return sum + 0.5 * cross(t[1] - t[0], t[2] - t[0]); });
+    const Folds panels = panel_folds();
+    for (int round = 0; round < refine_rounds(patch_.size()); ++round) {
+      if (!room_.sheet || best_->cost.pieces == 1 || context_.out_of_time() ||
+          area > static_cast<double>(best_->cost.pieces - 1) * room_.sheet->width * room_.sheet->height) {
+        return;
+      }
+      context_.check();
+      Folds folds =
+          merge_pieces(patch_, taken_apart(panels), room_, tolerance_, merge_budget, context_, &random_);
+      const SplitCost cost = cost_of(patch_, folds);
+      if (!(best_->cost < cost) && all_fit(patch_, folds, room_)) {
+        best_->folds = std::move(folds);
+        best_->cost = cost;
+      }
+    }
+  }
+
+  /// The best forest with one or two pieces broken into their panels.
+  [[nodiscard]] Folds taken_apart(const Folds& panels) {
+    const Layout layout = lay_out(patch_, best_->folds);
+    std::vector<std::uint8_t> broken(layout.faces.size(), 0);
+    // The smaller of two, since small pieces are the ones to get rid of.
+    const auto count = static_cast<std::uint32_t>(layout.faces.size());
+    const std::uint32_t a = random_.below(count);
+    const std::uint32_t b = random_.below(count);
+    const std::uint32_t chosen = layout.faces[a].size() <= layout.faces[b].size() ? a : b;
+    broken[chosen] = 1;
+    const auto& faces = layout.faces[chosen];
+    const std::uint32_t side =
+        3 * faces[random_.below(static_cast<std::uint32_t>(faces.size()))] + random_.below(3);
+    if (patch_.twin[side] != nothing) {
+      broken[layout.piece[patch_.twin[side] / 3]] = 1;
+    }
+    Folds folds = best_->folds;
+    for (std::uint32_t s = 0; s < folds.size(); ++s) {
+      if (broken[layout.piece[s / 3]] != 0) {
+        folds[s] = panels[s];
+      }
+    }
+    return folds;
   }
 
   /// What is returned has passed the check in a fresh layout, whatever the steps before believed.
@@ -123,6 +186,12 @@ class PatchUnfolder {
                      std::string(out_of_time_ ? " in the time given" : "") + ", so it is cut into " +
                      std::to_string(layout.faces.size()));
     propose(*fewest, layout.piece);
+  }
+
+  [[nodiscard]] std::uint32_t panel_count() {
+    const Folds folds = panel_folds();
+    return patch_.size() -
+           static_cast<std::uint32_t>(std::count(folds.begin(), folds.end(), std::uint8_t{1}) / 2);
   }
 
   [[nodiscard]] Folds panel_folds() {
