@@ -10,6 +10,9 @@
 namespace ridgecraft::paper {
 namespace {
 
+/// Below this a fold is flat whatever the style says, radians (the contract's 1e-4 degrees).
+constexpr double flat_angle = 1e-4 * 3.14159265358979323846 / 180.0;
+
 class PieceDrawer {
  public:
   PieceDrawer(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
@@ -36,7 +39,7 @@ class PieceDrawer {
   [[nodiscard]] Segment2 side(CornerId c) const { return {corner(c), corner(mesh::next(c))}; }
   [[nodiscard]] Fold fold_of(EdgeId edge) const {
     const double angle = surface_.fold_angle(edge);
-    if (std::abs(angle) < style_.hidden_fold_angle) {
+    if (std::abs(angle) < std::max(style_.hidden_fold_angle, flat_angle)) {
       return Fold::none;
     }
     return angle < 0.0 ? Fold::mountain : Fold::valley;

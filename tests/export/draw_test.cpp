@@ -213,6 +213,29 @@ TEST_CASE(
   CHECK(count(pages, Layer::cut, false) == 0);
 }
 
+TEST_CASE("an angle of 0 hides exactly flat folds only, a large one hides all") {
+  const auto count = [](const test::SamplePages& sample, double angle) {
+    paper::Style style;
+    style.hidden_fold_angle = angle;
+    std::size_t lines = 0;
+    for (const auto& page : paper::draw(sample.model, sample.nets, sample.pages, style)) {
+      for (const auto& group : page.groups) {
+        lines += static_cast<std::size_t>(std::ranges::count_if(group.lines, [](const paper::Line& line) {
+          return line.layer == Layer::mountain || line.layer == Layer::valley;
+        }));
+      }
+    }
+    return lines;
+  };
+  auto cube = test::sample_pages(test::cube(), 40.0, 0.0);
+  const std::size_t folds = count(cube, 0.05);
+  for (const FaceId f : ids<FaceId>(cube.model.panels.panel.size())) {
+    cube.model.panels.panel[f] = PanelId(f.value());  // each triangle a panel: the angle alone decides
+  }
+  CHECK(count(cube, 0.0) == folds);
+  CHECK(count(cube, 2.0) == 0);
+}
+
 double drawn(const std::vector<paper::Drawing>& pages, std::initializer_list<Layer> layers) {
   double sum = 0.0;
   for (const auto& page : pages) {
@@ -248,7 +271,8 @@ TEST_CASE("drawn lengths are those of the nets") {
         cuts += length(tab.polygon[(i + 1) % tab.polygon.size()] - tab.polygon[i]);
       }
     }
-    // The corner's faces lie on each other (nothing searched for a net without overlap), and so do some of its lines.
+    // The corner's faces lie on each other (nothing searched for a net without overlap), and so do some of
+    // its lines.
     CHECK(drawn(pages, {Layer::mountain, Layer::valley}) <= folds + 1e-6);
     if (sample.model.model.name != "Corner") {
       CHECK(drawn(pages, {Layer::mountain, Layer::valley}) == Approx(folds).epsilon(1e-6));
