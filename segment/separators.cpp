@@ -11,9 +11,11 @@ namespace {
 
 /// Residual concavities closer than this are equal: rounding of unit lengths.
 constexpr double tie_tolerance = 1e-12;
-/// The cap is measured along vertex normals, which jump where creases meet: shares of the largest concavity
-/// above this don't tell which vertex lies deeper.
+/// The cap is measured along vertex normals, which jump where creases meet: a vertex beside the deepest one
+/// with at least this share of its concavity may be the true bottom.
 constexpr double near_tie = 0.95;
+/// ... if it is deeper by this factor before the cap: one edge down a coarse slope, not noise on a smooth one.
+constexpr double clearly_deeper = 1.1;
 
 /// Position 1..i where cutting chain[0..i] leaves least; ties go to the larger concavity.
 std::size_t least_residual(std::span<const Vec2> chain, std::span<const double> prefix,
@@ -33,12 +35,13 @@ std::size_t least_residual(std::span<const Vec2> chain, std::span<const double> 
   return best;
 }
 
-/// The vertex of largest concavity, where nearly equal ones are told apart by their concavity before the cap.
+/// The vertex of largest concavity, or the one beside it where that is nearly as deep and deeper before the
+/// cap.
 std::size_t deepest(std::span<const double> capped, std::span<const double> uncapped) {
-  const double least = near_tie * *std::max_element(capped.begin(), capped.end());
-  std::size_t best = 0;
-  for (std::size_t k = 0; k < capped.size(); ++k) {
-    if (capped[k] >= least && uncapped[k] > uncapped[best]) {
+  const auto top = static_cast<std::size_t>(std::max_element(capped.begin(), capped.end()) - capped.begin());
+  std::size_t best = top;
+  for (const std::size_t k : {top - 1, top + 1}) {
+    if (k < capped.size() && capped[k] >= near_tie * capped[top] && uncapped[k] > clearly_deeper * uncapped[best]) {
       best = k;
     }
   }
