@@ -34,6 +34,13 @@ struct Obstacle {
   Kind kind = Kind::thing;
 };
 
+/// A target lower than this has no inside to be glued behind, mm: its outline can't be told from the base.
+inline constexpr double least_target_mm = 1e-5;
+/// Stands for the outline of such a target over an edge of this length: nothing fits under it.
+[[nodiscard]] inline Obstacle no_target(double length) {
+  return {{{0.0, least_target_mm}, {length, least_target_mm}}, Obstacle::Kind::target_edge};
+}
+
 /// A tab's shape and how well it serves.
 struct TabShape {
   ConvexShape outline;  ///< counterclockwise, first two corners on the base; empty: none

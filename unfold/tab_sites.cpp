@@ -92,6 +92,11 @@ class SiteFinder {
 
  private:
   void add_target(TabSite& site, CornerId twin, const ConvexShape& widest) const {
+    const bool alone = regions_.outline[site.target_region].size() == 3;
+    if (alone && site.target.in(flat_corner(nets_, mesh::previous(twin))).y < least_target_mm) {
+      site.obstacles.push_back(no_target(site.length));
+      return;
+    }
     for (const CornerId c : regions_.outline[site.target_region]) {
       const ConvexShape edge{site.target.in(flat_corner(nets_, c)),
                              site.target.in(flat_corner(nets_, mesh::next(c)))};

@@ -19,8 +19,7 @@ class TargetFinder {
     const CornerId twin = surface_.twin(c);
     const ConvexShape widest = widest_tab(surface_.length(surface_.edge(c)), options_);
     const FaceId g = mesh::face_of(twin);
-    // Faces without area have no plane to be glued behind.
-    if (widest.empty() || surface_.normal(g) == Vec3{}) {
+    if (widest.empty()) {
       return result;
     }
     const Vec3 origin = surface_.point(surface_.vertex(twin));
@@ -30,6 +29,9 @@ class TargetFinder {
       const Vec3 away = surface_.point(surface_.vertex(corner)) - origin;
       return Vec2{dot(away, along), dot(away, inward)};
     };
+    if (flat(mesh::previous(twin)).y < least_target_mm) {
+      return {no_target(surface_.length(surface_.edge(c)))};
+    }
     for (const FaceId f : panels_.faces[panels_.panel[g]]) {
       for (unsigned k = 0; k < 3; ++k) {
         const CornerId edge = mesh::corner(f, k);

@@ -341,6 +341,37 @@ TEST_CASE("long thin triangles", "[tabs]") {
   }
 }
 
+TEST_CASE("nothing is glued behind a face without area", "[tabs]") {
+  // A tetrahedron with a sliver between two of its faces.
+  const double height = GENERATE(0.0, 1e-9, 1e-6);
+  const std::vector<Vec3> points{{0, 0, 0}, {60, 0, 0}, {30, 50, 0}, {30, 20, 45}, {30, -height, 0}};
+  const auto v = [](int i) { return VertexId(i); };
+  const Surface shape(points, {{v(0), v(2), v(1)},
+                               {v(1), v(2), v(3)},
+                               {v(2), v(0), v(3)},
+                               {v(0), v(4), v(3)},
+                               {v(4), v(1), v(3)},
+                               {v(0), v(1), v(4)}});
+  // Every face its own panel, so the sliver stands alone.
+  Panels panels;
+  panels.panel = IdVector<FaceId, PanelId>(shape.face_count());
+  for (const FaceId f : ids<FaceId>(shape.face_count())) {
+    panels.panel[f] = panels.faces.push_back({f});
+  }
+  std::size_t cut_around_sliver = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Nets nets = with_tabs(shape, panels, test::lay_out(shape, test::shuffled(shape, seed)));
+    for (const Tab& tab : nets.tabs) {
+      CHECK(shape.neighbor(tab.side) != FaceId(5));
+    }
+    for (unsigned k = 0; k < 3; ++k) {
+      const bool is_fold = nets.use[shape.edge(mesh::corner(FaceId(5), k))] == unfold::EdgeUse::fold;
+      cut_around_sliver += is_fold ? 0U : 1U;
+    }
+  }
+  CHECK(cut_around_sliver >= 12);
+}
+
 TEST_CASE("what is left without a tab says why", "[tabs]") {
   SECTION("tabs switched off") {
     const Surface cube = test::scaled(test::cube(), 40.0);
