@@ -12,6 +12,8 @@ namespace {
 constexpr double parallel_cosine = 1e-9;
 /// A hull facet whose doubled area is below this share of its longest side squared carries no plane (2.5).
 constexpr double sliver_share = 1e-7;
+/// Difference of normals and offsets up to which two planes are one: rounding, a thousand triangles in a row.
+constexpr double same_plane = 1e-10;
 constexpr std::size_t lanes = 4;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -37,7 +39,9 @@ void HullDepth::find_planes() {
   z_.clear();
   offset_.clear();
   const auto& points = surface_->points;
-  for (const auto& [a, b, c] : hull_->triangles) {
+  all_.assign(hull_->triangles.size(), Plane{});
+  for (std::uint32_t t = 0; t < all_.size(); ++t) {
+    const auto& [a, b, c] = hull_->triangles[t];
     const Vec3 u = points[b] - points[a];
     const Vec3 v = points[c] - points[a];
     const Vec3 w = points[c] - points[b];
@@ -46,10 +50,13 @@ void HullDepth::find_planes() {
     if (size <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)})) {
       continue;
     }
-    x_.push_back(n.x / size);
-    y_.push_back(n.y / size);
-    z_.push_back(n.z / size);
-    offset_.push_back(dot(n / size, points[a]));
+    all_[t] = {n / size, dot(n / size, points[a])};
+    if (!continues_neighbor(t)) {
+      x_.push_back(all_[t].normal.x);
+      y_.push_back(all_[t].normal.y);
+      z_.push_back(all_[t].normal.z);
+      offset_.push_back(all_[t].offset);
+    }
   }
   // Whole groups of lanes: a plane without normal limits nothing.
   while (x_.size() % lanes != 0) {
@@ -58,6 +65,20 @@ void HullDepth::find_planes() {
     z_.push_back(0.0);
     offset_.push_back(0.0);
   }
+}
+
+/// Whether a triangle lies in the plane of one beside it that came before: one plane of a flat face is
+/// enough.
+bool HullDepth::continues_neighbor(std::uint32_t t) const {
+  for (const std::uint32_t e : hull_->triangle_edges[t]) {
+    const auto& [one, two] = hull_->edge_triangles[e];
+    const Plane& other = all_[one == t ? two : one];
+    if ((one == t ? two : one) < t && length(other.normal - all_[t].normal) < same_plane &&
+        std::abs(other.offset - all_[t].offset) < same_plane) {
+      return true;
+    }
+  }
+  return false;
 }
 
 double HullDepth::along_normal(std::uint32_t v) const {

@@ -22,7 +22,13 @@ class HullDepth {
   [[nodiscard]] double at(std::uint32_t v);
 
  private:
+  struct Plane {
+    Vec3 normal;  ///< zero for a sliver
+    double offset = 0.0;
+  };
+
   void find_planes();
+  [[nodiscard]] bool continues_neighbor(std::uint32_t t) const;
   [[nodiscard]] double along_normal(std::uint32_t v) const;
 
   const ScaledSurface* surface_;
@@ -31,7 +37,8 @@ class HullDepth {
   std::uint32_t current_ = 0;
   std::vector<std::uint32_t> mark_;
   std::vector<double> depth_;
-  std::vector<double> x_;  ///< planes x X + y Y + z Z = offset, unit normals outward
+  std::vector<Plane> all_;  ///< per triangle of the hull
+  std::vector<double> x_;   ///< planes x X + y Y + z Z = offset, unit normals outward
   std::vector<double> y_;
   std::vector<double> z_;
   std::vector<double> offset_;

@@ -14,7 +14,8 @@ constexpr double tie_tolerance = 1e-12;
 /// The cap is measured along vertex normals, which jump where creases meet: a vertex beside the deepest one
 /// with at least this share of its concavity may be the true bottom.
 constexpr double near_tie = 0.95;
-/// ... if it is deeper by this factor before the cap: one edge down a coarse slope, not noise on a smooth one.
+/// ... if it is deeper by this factor before the cap: one edge down a coarse slope, not noise on a smooth
+/// one.
 constexpr double clearly_deeper = 1.1;
 
 /// Position 1..i where cutting chain[0..i] leaves least; ties go to the larger concavity.
@@ -41,7 +42,8 @@ std::size_t deepest(std::span<const double> capped, std::span<const double> unca
   const auto top = static_cast<std::size_t>(std::max_element(capped.begin(), capped.end()) - capped.begin());
   std::size_t best = top;
   for (const std::size_t k : {top - 1, top + 1}) {
-    if (k < capped.size() && capped[k] >= near_tie * capped[top] && uncapped[k] > clearly_deeper * uncapped[best]) {
+    if (k < capped.size() && capped[k] >= near_tie * capped[top] &&
+        uncapped[k] > clearly_deeper * uncapped[best]) {
       best = k;
     }
   }
