@@ -39,6 +39,15 @@ double number_in_range(const std::string& option, double value, double low, doub
   return value;
 }
 
+std::uint64_t whole_number(const std::string& option, const std::string& text, std::uint64_t least) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < least) {
+    refuse(fmt::format("{} takes a whole number from {} on, not '{}'", option, least, text));
+  }
+  return value;
+}
+
 /// One verb: its CLI11 parser, the texts around it, and what turns parsed values into a job.
 class Verb {
  public:
@@ -137,22 +146,27 @@ class Verb {
 struct CommonTexts {
   CommonOptions values;
   double time_limit = 0.0;
-  unsigned threads = 0;
+  std::string seed;
+  std::string threads;
 
   void add_to(Verb& verb) {
     verb.flag("Common", "--json", values.json,
               "Print one JSON object on standard output and nothing else there.");
     verb.flag("Common", "-q,--quiet", values.quiet, "Print no summary, notes or progress; errors only.");
-    verb.option("Common", "--seed", values.seed, "N",
+    verb.option("Common", "--seed", seed, "N",
                 "Seed of everything random; the same seed gives the same bytes (1).");
     verb.option("Common", "--threads", threads, "N",
                 "Threads to use; the result doesn't depend on it (one per core).");
     verb.option("Common", "--time-limit", time_limit, "SECONDS",
                 "After this time searches end with the best they have (no limit).");
   }
-  [[nodiscard]] CommonOptions checked(const Verb&) const {
+  [[nodiscard]] CommonOptions checked() const {
     CommonOptions out = values;
-    out.threads = threads > 0 ? std::min(threads, 256U) : std::max(1U, std::thread::hardware_concurrency());
+    out.seed = seed.empty() ? 1 : whole_number("--seed", seed, 0);
+    out.threads =
+        threads.empty()
+            ? std::max(1U, std::thread::hardware_concurrency())
+            : static_cast<unsigned>(std::min<std::uint64_t>(whole_number("--threads", threads, 1), 256));
     if (time_limit != 0.0) {
       out.time_limit_s = number_in_range("--time-limit", time_limit, 0.001, 1e6);
     }
@@ -209,13 +223,8 @@ struct SizeTexts {
     } else if (faces == "keep") {
       out.simplify.mode = mesh::Simplification::keep;
     } else {
-      std::size_t count = 0;
-      const auto [end, error] = std::from_chars(faces.data(), faces.data() + faces.size(), count);
-      if (error != std::errc() || end != faces.data() + faces.size() || count < 4) {
-        refuse("--faces takes auto, keep or a number from 4 on, not '" + faces + "'");
-      }
       out.simplify.mode = mesh::Simplification::count;
-      out.simplify.faces = count;
+      out.simplify.faces = whole_number("--faces", faces, 4);
     }
     return out;
   }
@@ -225,7 +234,7 @@ double checked_concavity(double value) {
   return number_in_range("--concavity", value, 0.001, 2.0);
 }
 
-void require(const std::string& value, const std::string& what, const Verb&, const std::string& name) {
+void require(const std::string& value, const std::string& what, const std::string& name) {
   if (value.empty()) {
     refuse(what + "; see " + name + " --help");
   }
@@ -324,8 +333,8 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     if (man) {
       return PrintJob{"man"};
     }
-    require(job.model, "name the model to turn into paper", verb, "ridgecraft");
-    job.common = common.checked(verb);
+    require(job.model, "name the model to turn into paper", "ridgecraft");
+    job.common = common.checked();
     job.size = size.checked();
     job.paper = paper::parse_paper(paper);
     job.paper_name = paper;
@@ -359,8 +368,8 @@ Job build_info(const Arguments* arguments, Manual* manual) {
   verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF.");
   common.add_to(verb);
   return finish(verb, arguments, manual, [&]() -> Job {
-    require(job.model, "name the model to look at", verb, "ridgecraft info");
-    job.common = common.checked(verb);
+    require(job.model, "name the model to look at", "ridgecraft info");
+    job.common = common.checked();
     return job;
   });
 }
@@ -389,8 +398,8 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
       "Largest concavity of a part, in the scale where the smallest enclosing ball has radius 1 (0.1).");
   common.add_to(verb);
   return finish(verb, arguments, manual, [&]() -> Job {
-    require(job.model, "name the model to segment", verb, "ridgecraft segment");
-    job.common = common.checked(verb);
+    require(job.model, "name the model to segment", "ridgecraft segment");
+    job.common = common.checked();
     job.concavity = checked_concavity(job.concavity);
     return job;
   });
@@ -412,8 +421,8 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   size.add_to(verb, "keep");
   common.add_to(verb);
   return finish(verb, arguments, manual, [&]() -> Job {
-    require(job.model, "name the model to unfold", verb, "ridgecraft unfold");
-    job.common = common.checked(verb);
+    require(job.model, "name the model to unfold", "ridgecraft unfold");
+    job.common = common.checked();
     job.size = size.checked();
     job.concavity = checked_concavity(job.concavity);
     return job;
@@ -432,8 +441,8 @@ Job build_verify(const Arguments* arguments, Manual* manual) {
               "A .fold file of ours or of another program in the same form.");
   common.add_to(verb);
   return finish(verb, arguments, manual, [&]() -> Job {
-    require(job.file, "name the .fold file to check", verb, "ridgecraft verify");
-    job.common = common.checked(verb);
+    require(job.file, "name the .fold file to check", "ridgecraft verify");
+    job.common = common.checked();
     return job;
   });
 }
@@ -446,7 +455,7 @@ Job build_formats(const Arguments* arguments, Manual* manual) {
   CommonTexts common;
   common.add_to(verb);
   return finish(verb, arguments, manual, [&]() -> Job {
-    job.common = common.checked(verb);
+    job.common = common.checked();
     return job;
   });
 }

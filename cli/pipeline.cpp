@@ -76,6 +76,19 @@ IdVector<FaceId, PartId> one_part_per_component(const mesh::Surface& surface) {
   return part;
 }
 
+/// Stages after reading don't know the file; the sentence that the user gets names it all the same.
+template <class Stages>
+auto about(const std::string& model, const Stages& stages) {
+  try {
+    return stages();
+  } catch (const Error& error) {
+    const std::string sentence = error.what();
+    const bool named = error.kind() == ErrorKind::interrupted || error.kind() == ErrorKind::cant_write ||
+                       sentence.find(model) != std::string::npos;
+    throw Error(error.kind(), named ? sentence : model + ": " + sentence);
+  }
+}
+
 std::size_t count_parts(const IdVector<FaceId, PartId>& part) {
   std::uint32_t count = 0;
   for (const PartId p : part) {
@@ -166,7 +179,9 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   result.polygons = model.polygon_count;
   const Vec2 area = paper::piece_area(job.paper);
   result.prepared = clock("prepare", context, [&] {
-    return mesh::prepare(std::move(model), job.size.size, job.size.simplify, area, context);
+    return about(job.model, [&] {
+      return mesh::prepare(std::move(model), job.size.size, job.size.simplify, area, context);
+    });
   });
   const mesh::Surface& surface = result.prepared.model.surface;
   const auto part =
@@ -174,9 +189,12 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   result.parts = count_parts(part);
   result.nets = clock("unfold", context, [&] {
     const unfold::Options options{.sheet = unfold::Sheet{area.x, area.y}, .tabs = job.tabs};
-    return unfold::unfold(surface, result.prepared.panels, part, options, context);
+    return about(job.model,
+                 [&] { return unfold::unfold(surface, result.prepared.panels, part, options, context); });
   });
-  result.pages = clock("lay out", context, [&] { return paper::layout(result.nets, job.paper, context); });
+  result.pages = clock("lay out", context, [&] {
+    return about(job.model, [&] { return paper::layout(result.nets, job.paper, context); });
+  });
   const auto drawings = clock("draw", context, [&] {
     return paper::draw(result.prepared, result.nets, result.pages, job.style, &result.drawn);
   });
@@ -262,7 +280,9 @@ UnfoldResult make_nets(const UnfoldJob& job, const Context& context, PendingFile
     require_replaceable(job.output, mark.digest, job.overwrite);
   }
   result.prepared = clock("prepare", context, [&] {
-    return mesh::prepare(std::move(model), job.size.size, job.size.simplify, boundless, context);
+    return about(job.model, [&] {
+      return mesh::prepare(std::move(model), job.size.size, job.size.simplify, boundless, context);
+    });
   });
   const mesh::Surface& surface = result.prepared.model.surface;
   const auto part = clock("segment", context, [&] {

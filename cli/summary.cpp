@@ -73,6 +73,10 @@ std::string simplified_text(const mesh::SimplifyReport& report, const SizeArgume
     text += fmt::format("  simplified  from {} to {} faces, the surface moved by at most {:.2f} mm\n",
                         report.faces_before, report.faces_after, report.deviation_mm);
   }
+  if (report.specks_dropped > 0) {
+    text +=
+        fmt::format("  left out    {} too small to be held\n", counted(report.specks_dropped, "component"));
+  }
   if (report.still_too_fine) {
     text += fmt::format(
         "  too fine    {:.0f} % of the folds are shorter than {:g} mm; a larger --size or --faces N helps\n",
@@ -189,6 +193,7 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["simplified"] = {{"faces_before", simplified.faces_before},
                         {"faces_after", simplified.faces_after},
                         {"deviation_mm", rounded(simplified.deviation_mm)},
+                        {"specks_dropped", simplified.specks_dropped},
                         {"short_edges_before", rounded(simplified.short_edges_before)},
                         {"short_edges_after", rounded(simplified.short_edges_after)},
                         {"still_too_fine", simplified.still_too_fine}};

@@ -38,7 +38,7 @@ TEST_CASE("a model alone gets the defaults that a maker would choose", "[options
   CHECK(paper.common.threads >= 1);
 }
 
-TEST_CASE("-o is repeatable and options may stand anywhere", "[options]") {
+TEST_CASE("options may stand anywhere, and -o is repeatable", "[options]") {
   const Job job =
       parse_arguments({"-o", "a.pdf", "--size", "20cm", "whale.obj", "-o", "b.svg", "--paper=letter"});
   const auto& paper = std::get<PaperJob>(job);
@@ -107,6 +107,7 @@ TEST_CASE("wrong arguments are refused in one sentence", "[options]") {
       {"a.obj", "--concavity", "nan"},
       {"a.obj", "--seed", "-1"},
       {"a.obj", "--seed", "x"},
+      {"a.obj", "--threads", "0"},
       {"a.obj", "--time-limit", "-3"},
       {"a.obj", "--tab-height", "0"},
       {"a.obj", "--frobnicate"},

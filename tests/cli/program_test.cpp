@@ -58,7 +58,7 @@ void check_refusal(const Outcome& outcome, int code, const std::string& word) {
 TEST_CASE("a model becomes PDF, SVG and FOLD in the current folder", "[program]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
-  const Outcome outcome = run_program({"house.obj"}, in(folder));
+  const Outcome outcome = run_program({"house.obj", "--size", "8cm"}, in(folder));
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
   CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold"});
@@ -70,7 +70,7 @@ TEST_CASE("a model becomes PDF, SVG and FOLD in the current folder", "[program]"
 TEST_CASE("--json prints one object with the names that machines know", "[program]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
-  const Outcome outcome = run_program({"house.obj", "--json", "-o", "out"}, in(folder));
+  const Outcome outcome = run_program({"house.obj", "--size", "8cm", "--json", "-o", "out"}, in(folder));
   REQUIRE(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
   const Json json = Json::parse(outcome.out);
@@ -80,7 +80,7 @@ TEST_CASE("--json prints one object with the names that machines know", "[progra
     CHECK(json.contains(key));
   }
   CHECK(json["size_mm"].size() == 3);
-  CHECK(json["size_mm"][2].get<double>() == Approx(150.0));
+  CHECK(json["size_mm"][2].get<double>() == Approx(80.0));
   CHECK(json["files"].size() == 3);
   CHECK(fs::exists(folder / "out/house.fold"));
 
@@ -106,8 +106,10 @@ TEST_CASE("--json prints one object with the names that machines know", "[progra
 TEST_CASE("two runs with one seed give the same bytes, with one thread and with two", "[program]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
-  REQUIRE(run_program({"house.obj", "-o", "a", "--threads", "1"}, in(folder)).exit_code == 0);
-  REQUIRE(run_program({"house.obj", "-o", "b", "--threads", "2"}, in(folder)).exit_code == 0);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "a", "--threads", "1"}, in(folder)).exit_code ==
+          0);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "b", "--threads", "2"}, in(folder)).exit_code ==
+          0);
   for (const char* suffix : {"pdf", "svg", "fold"}) {
     const std::string name = std::string("house.") + suffix;
     CAPTURE(name);
@@ -264,7 +266,7 @@ TEST_CASE("pages left over from an earlier run of the same model are removed", "
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   write_bytes(folder / "house-9.svg", "<svg>somebody's own</svg>");
-  REQUIRE(run_program({"house.obj", "--size", "60cm"}, in(folder)).exit_code == 0);
+  REQUIRE(run_program({"house.obj", "--size", "25cm"}, in(folder)).exit_code == 0);
   REQUIRE(fs::exists(folder / "house-2.svg"));
   CHECK_FALSE(fs::exists(folder / "house.svg"));
   REQUIRE(run_program({"house.obj", "--size", "8cm"}, in(folder)).exit_code == 0);
@@ -275,7 +277,7 @@ TEST_CASE("pages left over from an earlier run of the same model are removed", "
 TEST_CASE("names with spaces and letters of any script work", "[program]") {
   const TemporaryFolder folder;
   write_bytes(folder / "Füchsin 狐 & <co>.obj", house);
-  const Outcome outcome = run_program({"Füchsin 狐 & <co>.obj"}, in(folder));
+  const Outcome outcome = run_program({"Füchsin 狐 & <co>.obj", "--size", "8cm"}, in(folder));
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(fs::exists(folder / "Füchsin 狐 & <co>.svg"));
