@@ -165,8 +165,10 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
                       without > 0 ? fmt::format("; {} without ({})", without, without_tab_text(nets)) : "");
   text += fmt::format("  lines       {} to cut, {} to fold\n", metres(result.figures.cut_mm),
                       metres(result.figures.fold_mm));
-  if (result.drawn.labels_left_out > 0) {
-    text += fmt::format("  numbers     {} found no place\n", result.drawn.labels_left_out);
+  if (result.drawn.labels_left_out + result.drawn.labels_outside + result.drawn.names_left_out > 0) {
+    text += fmt::format("  numbers     {} beside their piece, {} without a place; {} without a place\n",
+                        result.drawn.labels_outside, result.drawn.labels_left_out,
+                        counted(result.drawn.names_left_out, "name"));
   }
   text += notes_text(nets);
   text += fmt::format("  time        {}\n", seconds_text(result.clock));
@@ -189,6 +191,8 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["cut_mm"] = rounded(result.figures.cut_mm);
   json["fold_mm"] = rounded(result.figures.fold_mm);
   json["labels_left_out"] = result.drawn.labels_left_out;
+  json["labels_outside"] = result.drawn.labels_outside;
+  json["names_left_out"] = result.drawn.names_left_out;
   json["paper"] = job.paper_name;
   json["simplified"] = {{"faces_before", simplified.faces_before},
                         {"faces_after", simplified.faces_after},

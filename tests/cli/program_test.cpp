@@ -67,7 +67,7 @@ TEST_CASE("a model becomes PDF, SVG and FOLD in the current folder", "[program]"
   CHECK(run_program({"verify", "house.fold"}, in(folder)).exit_code == 0);
 }
 
-TEST_CASE("--json prints one object with the names that machines know", "[program]") {
+TEST_CASE("machines get one JSON object with the names that they know", "[program]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   const Outcome outcome = run_program({"house.obj", "--size", "8cm", "--json", "-o", "out"}, in(folder));

@@ -50,6 +50,17 @@ TEST_CASE("twins run along one edge in opposite directions", "[surface]") {
   }
 }
 
+TEST_CASE("shapes for tests are oriented outward", "[surface]") {
+  for (const Surface& shape : {test::cube(), test::tetrahedron(), test::sphere(12, 6)}) {
+    double six_volumes = 0.0;
+    for (const FaceId f : ids<FaceId>(shape.face_count())) {
+      const auto [a, b, c] = shape.vertices(f);
+      six_volumes += dot(shape.point(a), cross(shape.point(b), shape.point(c)));
+    }
+    CHECK(six_volumes > 0.0);
+  }
+}
+
 TEST_CASE("an open tube has two borders", "[surface]") {
   const Surface tube = test::revolve({{1, 0}, {1, 1}}, 12);
   std::size_t border = 0;

@@ -42,10 +42,10 @@ mesh::Surface cube() { return voxels({{0, 0, 0}}); }
 
 mesh::Surface tetrahedron() {
   return {{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}},
-          {{VertexId(0), VertexId(2), VertexId(1)},
-           {VertexId(0), VertexId(1), VertexId(3)},
-           {VertexId(0), VertexId(3), VertexId(2)},
-           {VertexId(1), VertexId(2), VertexId(3)}}};
+          {{VertexId(0), VertexId(1), VertexId(2)},
+           {VertexId(0), VertexId(3), VertexId(1)},
+           {VertexId(0), VertexId(2), VertexId(3)},
+           {VertexId(1), VertexId(3), VertexId(2)}}};
 }
 
 mesh::Surface voxels(const std::vector<std::array<int, 3>>& cells, int k) {
