@@ -154,7 +154,9 @@ class PatchUnfolder {
     }
     Folds folds = best_->folds;
     for (std::uint32_t s = 0; s < folds.size(); ++s) {
-      if (broken[layout.piece[s / 3]] != 0) {
+      // A panel may be cut between two pieces: a fold needs both of its faces taken apart.
+      const std::uint32_t twin = patch_.twin[s];
+      if (twin != nothing && broken[layout.piece[s / 3]] != 0 && broken[layout.piece[twin / 3]] != 0) {
         folds[s] = panels[s];
       }
     }
