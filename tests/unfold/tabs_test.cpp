@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include <catch2/catch.hpp>
 
+#include "mesh/mesh.hpp"
 #include "support/shapes.hpp"
 #include "unfold/outline.hpp"
 #include "unfold/tab_shapes.hpp"
@@ -370,6 +372,32 @@ TEST_CASE("nothing is glued behind a face without area", "[tabs]") {
     }
   }
   CHECK(cut_around_sliver >= 12);
+}
+
+TEST_CASE("panels that are cut between pieces are folded nowhere else", "[tabs]") {
+  const std::filesystem::path file =
+      std::string(RIDGECRAFT_SHARED_DIR) + "/models/unfold/frame_genus5_240.off";
+  if (!std::filesystem::exists(file)) {
+    WARN("skipped: " << file << " is missing");
+    return;
+  }
+  const Surface frame = [&] {
+    const Surface read = mesh::read(file, {}, Context()).surface;
+    const Vec3 size = read.bounds().size();
+    return test::scaled(read, 150.0 / std::max({size.x, size.y, size.z}));
+  }();
+  unfold::Options options;
+  options.sheet = unfold::Sheet{190.0, 277.0};
+  const Nets nets =
+      unfold::unfold(frame, mesh::find_panels(frame), IdVector<FaceId, PartId>(frame.face_count(), PartId(0)),
+                     options, Context());
+  for (const EdgeId e : ids<EdgeId>(frame.edge_count())) {
+    const auto [a, b] = frame.sides(e);
+    if (nets.use[e] == unfold::EdgeUse::fold) {
+      CHECK(nets.piece[mesh::face_of(a)] == nets.piece[mesh::face_of(b)]);
+    }
+  }
+  check_tabs(frame, mesh::find_panels(frame), nets, {});
 }
 
 TEST_CASE("what is left without a tab says why", "[tabs]") {
