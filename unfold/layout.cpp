@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/layout.hpp"
 
+#include "mesh/error.hpp"
+
 namespace ridgecraft::unfold {
 
 Layout lay_out(const Patch& patch, const Folds& folds) {
@@ -25,6 +27,7 @@ Layout lay_out(const Patch& patch, const Folds& folds) {
         if (folds[side] == 0) {
           continue;
         }
+        RIDGECRAFT_ASSERT(folds[patch.twin[side]] != 0);
         const std::uint32_t g = patch.twin[side] / 3;
         if (layout.piece[g] == nothing) {
           layout.piece[g] = piece;

@@ -224,3 +224,17 @@ TEST_CASE("tabs that stick out of the sheet are dropped, with the reason", "[unf
     CHECK(join.no_tab == unfold::NoTab::no_room);
   }
 }
+
+TEST_CASE("flat regions that are cut may lie in several pieces", "[unfold]") {
+  // Rings whose holes hold too few walls, on a sheet that they don't fit: panels are cut and pieces are
+  // split.
+  const mesh::Surface frame =
+      scaled(test::voxels(
+                 {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}}, 2),
+             40.0);
+  for (const double size : {60.0, 90.0, 130.0, 200.0, 300.0}) {
+    const Options options = on_sheet(size, 1.4 * size);
+    const Nets nets = unfold::unfold(frame, test::flat_panels(frame), test::one_part(frame), options, {});
+    CHECK(faults_of(frame, nets, options) == none);
+  }
+}
