@@ -158,9 +158,6 @@ class PatchUnfolder {
       const std::uint32_t twin = patch_.twin[s];
       if (twin != nothing && broken[layout.piece[s / 3]] != 0 && broken[layout.piece[twin / 3]] != 0) {
         folds[s] = panels[s];
-      // A panel that is cut already may reach into a piece that stays whole.
-      if (broken[layout.piece[s / 3]] != 0 && patch_.twin[s] != nothing) {
-        folds[s] = broken[layout.piece[patch_.twin[s] / 3]] != 0 ? panels[s] : 0;
       }
     }
     return folds;
