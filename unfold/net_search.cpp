@@ -29,7 +29,10 @@ std::uint64_t idle_iterations(std::uint32_t faces) {
 }
 
 std::uint64_t iteration_budget(std::uint32_t faces) {
-  return 4 * idle_iterations(faces);
+  // An iteration takes longer the larger the patch is: very large ones get their share of about a minute.
+  constexpr std::uint64_t faces_times_iterations = 400'000'000;
+  const std::uint64_t affordable = faces_times_iterations / std::max(faces, 1U);
+  return std::min(4 * idle_iterations(faces), affordable);
 }
 
 NetFound find_net(const Patch& patch, const NetSearch& options, std::uint64_t seed, const Context& context) {
