@@ -20,6 +20,12 @@ Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& si
   prepared.simplified.faces_before = prepared.simplified.faces_after = prepared.model.surface.face_count();
   remesh_panels(prepared.model, context);
   prepared.simplified = mesh::simplify(prepared.model, simplify, context);
+  if (prepared.simplified.faces_after < prepared.simplified.faces_before && !size.mm_per_unit) {
+    // Collapses move the outermost points, too; the size that was asked for is the finished model's.
+    const double factor = resize(prepared.model, size);
+    prepared.mm_per_unit *= factor;
+    prepared.simplified.deviation_mm *= factor;
+  }
   subdivide(prepared.model, largest_face_mm, context);
   prepared.panels = find_panels(prepared.model.surface);
   const Surface& surface = prepared.model.surface;

@@ -63,6 +63,13 @@ TEST_CASE("a fine sphere is simplified until it can be folded, within the deviat
   }
 }
 
+TEST_CASE("a simplified model has the size that was asked for", "[simplify]") {
+  const Prepared p = prepared(test::sphere(120, 60));
+  REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
+  const Vec3 size = p.model.surface.bounds().size();
+  CHECK(std::max({size.x, size.y, size.z}) == Approx(150.0).margin(1e-9));
+}
+
 TEST_CASE("what can be folded stays as it is", "[simplify]") {
   const Prepared p = prepared(test::sphere(16, 8));
   CHECK(p.simplified.faces_after == 16 * 14);
