@@ -17,9 +17,10 @@ Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& si
   Prepared prepared;
   prepared.model = std::move(model);
   prepared.mm_per_unit = resize(prepared.model, size);
-  prepared.simplified.faces_before = prepared.simplified.faces_after = prepared.model.surface.face_count();
+  const std::size_t faces_before = prepared.model.surface.face_count();
   remesh_panels(prepared.model, context);
   prepared.simplified = mesh::simplify(prepared.model, simplify, context);
+  prepared.simplified.faces_before = faces_before;
   if (prepared.simplified.faces_after < prepared.simplified.faces_before && !size.mm_per_unit) {
     // Collapses move the outermost points, too; the size that was asked for is the finished model's.
     const double factor = resize(prepared.model, size);

@@ -16,8 +16,9 @@ namespace {
 
 constexpr Vec2 page{190.0, 270.0};
 
-Prepared prepared(const mesh::Surface& surface, const SimplifyOptions& options = {}) {
-  return mesh::prepare(test::repaired(test::soup_of(surface)), {}, options, page, {});
+Prepared prepared(const mesh::Surface& surface, const SimplifyOptions& options = {},
+                  const mesh::SizeOptions& size = {}) {
+  return mesh::prepare(test::repaired(test::soup_of(surface)), size, options, page, {});
 }
 
 /// Greatest distance of the points of a from b, by brute force.
@@ -41,7 +42,10 @@ const std::vector<Vec2> ring{{2, -0.5},  {2.3, -0.4}, {2.5, 0},    {2.3, 0.4}, {
 
 TEST_CASE("a fine sphere is simplified until it can be folded, within the deviation", "[simplify]") {
   const mesh::Surface fine = test::sphere(120, 60);
-  const Prepared p = prepared(fine);
+  // A scale, so that both surfaces stay in one frame: for a size the simplified one is scaled and centred anew.
+  mesh::SizeOptions size;
+  size.mm_per_unit = 75.0;
+  const Prepared p = prepared(fine, {}, size);
   test::check_invariants(p.model.surface);
   CHECK(p.simplified.short_edges_before > 0.1);
   CHECK(p.simplified.short_edges_after <= 0.1);
@@ -54,7 +58,7 @@ TEST_CASE("a fine sphere is simplified until it can be folded, within the deviat
   // What the report says is what brute force finds.
   SimplifyOptions keep;
   keep.mode = mesh::Simplification::keep;
-  const Prepared whole = prepared(fine, keep);
+  const Prepared whole = prepared(fine, keep, size);
   CHECK(farthest(p.model.surface, whole.model.surface) <= p.simplified.deviation_mm + 1e-9);
   CHECK(farthest(whole.model.surface, p.model.surface) <= p.simplified.deviation_mm + 1e-9);
   // No edge is folded shut.
