@@ -21,6 +21,6 @@ if [ ! -f "$build/build.ninja" ]; then
   echo "Building Ridgecraft; the first time takes a few minutes." >&2
   quietly cmake -S "$here" --preset release
 fi
-quietly cmake --build "$build" --target ridgecraft
+quietly cmake --build "$build" --target ridgecraft man_page
 
 exec "$build/ridgecraft" "$@"

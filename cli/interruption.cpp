@@ -45,8 +45,9 @@ void Interruption::wait_for_signal(const std::stop_token& finished) {
       return;
     }
   }
-  pending_.discard();
-  constexpr std::string_view sentence = "\nridgecraft: interrupted; nothing was written\n";
+  const std::string_view sentence = pending_.discard()
+                                        ? "\nridgecraft: interrupted after the files were written\n"
+                                        : "\nridgecraft: interrupted; nothing was written\n";
   [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, sentence.data(), sentence.size());
   ::_exit(static_cast<int>(ExitCode::interrupted));
 }

@@ -2,9 +2,7 @@
 #include "cli/part_files.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 
 namespace ridgecraft::cli {
 namespace {
@@ -59,20 +57,6 @@ std::string with_comment(std::string mesh_file, const std::string& comment) {
   }
   mesh_file.insert(at, (ply ? "comment " : "# ") + comment + "\n");
   return mesh_file;
-}
-
-bool is_label_file(const std::filesystem::path& file, std::size_t polygons) {
-  std::ifstream in(file);
-  std::string line;
-  std::size_t lines = 0;
-  while (std::getline(in, line)) {
-    long long value = 0;
-    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), value);
-    if (error != std::errc() || end != line.data() + line.size() || ++lines > polygons) {
-      return false;
-    }
-  }
-  return lines == polygons;
 }
 
 }  // namespace ridgecraft::cli

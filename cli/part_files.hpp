@@ -21,8 +21,4 @@ namespace ridgecraft::cli {
 /// The bytes of a PLY or OFF file with a comment near its top.
 [[nodiscard]] std::string with_comment(std::string mesh_file, const std::string& comment);
 
-/// True for a file that holds nothing but that many labels: it was made for the same model, or for one that
-/// can't be told from it.
-[[nodiscard]] bool is_label_file(const std::filesystem::path& file, std::size_t polygons);
-
 }  // namespace ridgecraft::cli

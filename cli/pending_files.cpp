@@ -21,7 +21,6 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
          ("." + target.filename().string() + "." + std::to_string(::getpid()) + ".part");
 }
 
-/// Writes all bytes and makes sure that they reached the disk: a full one often tells only then.
 int write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -40,13 +39,20 @@ int write_all(int file, std::string_view bytes) {
 
 void PendingFiles::add(const std::filesystem::path& target, std::string_view bytes) {
   const std::lock_guard lock(mutex_);
+  require_open();
   const std::filesystem::path temporary = temporary_name(target);
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  // Left behind by a run that was killed, under the same process number.
+  ::unlink(temporary.c_str());
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (file < 0) {
     refuse(target, errno);
   }
   files_.push_back({temporary, target});
-  const int error = write_all(file, bytes);
+  int error = write_all(file, bytes);
+  // A full disk often tells only when the bytes reach it. Some file systems know no fsync.
+  if (error == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != EROFS) {
+    error = errno;
+  }
   const int close_error = ::close(file) == 0 ? 0 : errno;
   if (error != 0 || close_error != 0) {
     refuse(target, error != 0 ? error : close_error);
@@ -58,8 +64,15 @@ void PendingFiles::remove_on_commit(const std::filesystem::path& target) {
   leftovers_.push_back(target);
 }
 
+void PendingFiles::require_open() const {
+  if (closed_) {
+    throw Error(ErrorKind::interrupted, "interrupted; nothing was written");
+  }
+}
+
 void PendingFiles::commit() {
   const std::lock_guard lock(mutex_);
+  require_open();
   for (const Pending& file : files_) {
     std::error_code error;
     std::filesystem::rename(file.temporary, file.target, error);
@@ -68,6 +81,7 @@ void PendingFiles::commit() {
     }
   }
   files_.clear();
+  committed_ = true;
   for (const std::filesystem::path& leftover : leftovers_) {
     std::error_code error;
     std::filesystem::remove(leftover, error);
@@ -78,13 +92,15 @@ void PendingFiles::commit() {
   leftovers_.clear();
 }
 
-void PendingFiles::discard() noexcept {
+bool PendingFiles::discard() noexcept {
   const std::lock_guard lock(mutex_);
+  closed_ = true;
   for (const Pending& file : files_) {
     ::unlink(file.temporary.c_str());
   }
   files_.clear();
   leftovers_.clear();
+  return committed_;
 }
 
 }  // namespace ridgecraft::cli

@@ -26,10 +26,13 @@ class PendingFiles {
   void remove_on_commit(const std::filesystem::path& target);
   /// Renames everything into place, then removes what is to go. Throws Error(cant_write).
   void commit();
-  /// Removes everything that isn't committed.
-  void discard() noexcept;
+  /// Removes everything that isn't committed; nothing can be added or committed any more. True when an
+  /// earlier commit() has put files into place.
+  bool discard() noexcept;
 
  private:
+  void require_open() const;
+
   struct Pending {
     std::filesystem::path temporary;
     std::filesystem::path target;
@@ -37,6 +40,8 @@ class PendingFiles {
   std::mutex mutex_;
   std::vector<Pending> files_;
   std::vector<std::filesystem::path> leftovers_;
+  bool closed_ = false;
+  bool committed_ = false;
 };
 
 }  // namespace ridgecraft::cli

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/pipeline.hpp"
 
+#include <numbers>
+#include <set>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -47,7 +50,8 @@ paper::Settings settings_of(const PaperJob& job) {
   settings["gap_mm"] = number(job.paper.gap);
   settings["tabs"] = job.tabs.wanted ? "true" : "false";
   settings["tab_height_mm"] = number(job.tabs.height_mm);
-  settings["tab_angle_deg"] = number(job.tabs.angle * 180.0 / 3.14159265358979323846);
+  settings["tab_angle_deg"] = fmt::format("{:.10g}", job.tabs.angle * 180.0 / std::numbers::pi);
+  settings["hide_folds_deg"] = fmt::format("{:.10g}", job.style.hidden_fold_angle * 180.0 / std::numbers::pi);
   return settings;
 }
 
@@ -151,8 +155,20 @@ void add_target(const Target& target, const std::vector<paper::Drawing>& drawing
     }
     written.push_back(printed(files[i]));
   }
-  for (const fs::path& leftover : leftovers_of(target, drawings.size(), mark.digest)) {
-    pending.remove_on_commit(leftover);
+}
+
+void remove_leftovers(const std::vector<Target>& targets, std::size_t pages, const std::string& digest,
+                      PendingFiles& pending) {
+  std::set<fs::path> kept;
+  for (const Target& target : targets) {
+    for (const fs::path& file : files_of(target, pages)) {
+      kept.insert(file);
+    }
+  }
+  for (const Target& target : targets) {
+    for (const fs::path& leftover : leftovers_of(target, kept, digest)) {
+      pending.remove_on_commit(leftover);
+    }
   }
 }
 
@@ -174,7 +190,11 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   mesh::Model model = clock("read", context, [&] { return mesh::read(job.model, {}, context); });
   const paper::Mark mark{program_and_version(), model.name, model.digest};
   // How many pages there will be isn't known yet; what is known is checked before the long work.
-  require_all_replaceable(targets, 1, mark.digest, job.overwrite);
+  for (const Target& target : targets) {
+    if (!one_file_per_page(target.format)) {
+      require_replaceable(files_of(target, 1).front(), mark.digest, job.overwrite);
+    }
+  }
 
   result.polygons = model.polygon_count;
   const Vec2 area = paper::piece_area(job.paper);
@@ -208,6 +228,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
     for (const Target& target : targets) {
       add_target(target, drawings, fold, mark, pending, result.files);
     }
+    remove_leftovers(targets, drawings.size(), mark.digest, pending);
     context.check();
     pending.commit();
     return true;
@@ -223,6 +244,12 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
     }
   }
   std::vector<fs::path> files(job.outputs.begin(), job.outputs.end());
+  std::set<fs::path> different;
+  for (const fs::path& file : files) {
+    if (!different.insert(file.lexically_normal()).second) {
+      throw Error(ErrorKind::usage, "-o " + file.string() + " is given twice");
+    }
+  }
   if (!job.labels.empty()) {
     files.emplace_back(job.labels);
   }
@@ -233,10 +260,8 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
   StageClock& clock = result.clock;
   result.model =
       clock("read", context, [&] { return mesh::read(job.model, {.collapse_flat_faces = false}, context); });
-  for (const fs::path& file : files) {
-    const bool same_labels = suffix_of(file) != ".ply" && suffix_of(file) != ".off" &&
-                             is_label_file(file, result.model.polygon_count);
-    require_replaceable(file, result.model.digest, job.overwrite || same_labels);
+  for (const std::string& output : job.outputs) {
+    require_replaceable(output, result.model.digest, job.overwrite);
   }
   result.segmentation = clock("segment", context, [&] {
     return segment::segment(result.model.surface, result.model.polygon.items(), {.concavity = job.concavity},
@@ -254,7 +279,10 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
       result.files.push_back(output);
     }
     if (!job.labels.empty()) {
-      pending.add(job.labels, label_text(result.model, result.segmentation));
+      // Labels have no place for a mark: the same ones may stand there already, others are somebody's work.
+      const std::string labels = label_text(result.model, result.segmentation);
+      require_replaceable(job.labels, {}, job.overwrite || holds(job.labels, labels));
+      pending.add(job.labels, labels);
       result.files.push_back(job.labels);
     }
     context.check();

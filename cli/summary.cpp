@@ -185,9 +185,9 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["pieces"] = result.nets.pieces.size();
   json["pages"] = result.pages.count;
   json["size_mm"] = size_json(model.surface);
-  json["tabs"] = result.nets.tabs.size();
-  json["joins"] = result.nets.joins.size();
-  json["joins_without_tab"] = joins_without_tab(result.nets);
+  json["tabs"] = result.figures.tabs;
+  json["joins"] = result.figures.joins;
+  json["joins_without_tab"] = result.figures.joins_without_tab;
   json["cut_mm"] = rounded(result.figures.cut_mm);
   json["fold_mm"] = rounded(result.figures.fold_mm);
   json["labels_left_out"] = result.drawn.labels_left_out;

@@ -53,9 +53,14 @@ bool is_folder(const std::string& text) {
   return text.ends_with('/') || fs::is_directory(text, error) || fs::path(text).extension().empty();
 }
 
-/// Our files carry their mark near the beginning or the end; reading more of a huge foreign file would be in
-/// vain.
+/// Larger than anything that this program writes.
+constexpr std::uintmax_t largest_own_file = std::uintmax_t{1} << 31U;
+
 std::string mark_digest_of(const fs::path& file) {
+  std::error_code error;
+  if (const auto size = fs::file_size(file, error); error || size > largest_own_file) {
+    return {};
+  }
   std::ifstream in(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   return in.bad() ? std::string() : paper::read_mark_digest(bytes);
@@ -111,15 +116,19 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
                                         "' is no format that can be written; .pdf, .svg, .png and .fold are");
     }
   }
-  for (const Target& target : targets) {
-    require_writable_folder(target.folder);
+  std::vector<Target> different;
+  for (Target& target : targets) {
+    target.folder = (target.folder / "").lexically_normal();
+    if (std::find(different.begin(), different.end(), target) == different.end()) {
+      require_writable_folder(target.folder);
+      different.push_back(target);
+    }
   }
-  return targets;
+  return different;
 }
 
 std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
-  const bool one_per_page = target.format == Format::svg || target.format == Format::png;
-  if (!one_per_page || pages == 1) {
+  if (!one_file_per_page(target.format) || pages == 1) {
     return {target.folder / (target.stem + suffix(target.format))};
   }
   std::vector<fs::path> files;
@@ -129,20 +138,19 @@ std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
   return files;
 }
 
-std::vector<fs::path> leftovers_of(const Target& target, std::size_t pages, const std::string& digest) {
+std::vector<fs::path> leftovers_of(const Target& target, const std::set<fs::path>& written,
+                                   const std::string& digest) {
   std::vector<fs::path> leftovers;
-  if (target.format != Format::svg && target.format != Format::png) {
+  if (!one_file_per_page(target.format)) {
     return leftovers;
   }
-  const std::vector<fs::path> kept = files_of(target, pages);
   std::error_code error;
   for (fs::directory_iterator entry(target.folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const fs::path file = target.folder / entry->path().filename();
     std::error_code ignored;
     if (page_number(file.filename().string(), target.stem, suffix(target.format)) &&
-        std::find(kept.begin(), kept.end(), file) == kept.end() && entry->is_regular_file(ignored) &&
-        mark_digest_of(file) == digest) {
+        !written.contains(file) && entry->is_regular_file(ignored) && mark_digest_of(file) == digest) {
       leftovers.push_back(file);
     }
   }
@@ -163,6 +171,15 @@ void require_replaceable(const fs::path& file, const std::string& digest, bool o
     throw Error(ErrorKind::cant_write,
                 file.string() + " exists and wasn't made from this model; --overwrite replaces it");
   }
+}
+
+bool holds(const fs::path& file, const std::string& bytes) {
+  std::error_code error;
+  if (fs::file_size(file, error) != bytes.size() || error) {
+    return false;
+  }
+  std::ifstream in(file, std::ios::binary);
+  return std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()} == bytes;
 }
 
 void require_writable_folder(const fs::path& folder) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,19 @@ namespace ridgecraft::cli {
 
 enum class Format { pdf, svg, png, fold };
 
+/// SVG and PNG hold one page each, PDF and FOLD all of them.
+[[nodiscard]] constexpr bool one_file_per_page(Format format) {
+  return format == Format::svg || format == Format::png;
+}
+
 /// One format of one result. Formats with a file per page (SVG, PNG) number the files when there are several
 /// pages.
 struct Target {
   Format format;
-  std::filesystem::path folder;
+  std::filesystem::path folder;  ///< lexically normal
   std::string stem;
+
+  friend bool operator==(const Target&, const Target&) = default;
 };
 
 /// What -o asks for; without any, all default formats (PDF, SVG, FOLD) in the current folder. Folders that
@@ -30,12 +38,16 @@ struct Target {
 
 /// Pages of an earlier run of the same model (digest) that this run, with that many pages, doesn't write
 /// again.
-[[nodiscard]] std::vector<std::filesystem::path> leftovers_of(const Target& target, std::size_t pages,
+[[nodiscard]] std::vector<std::filesystem::path> leftovers_of(const Target& target,
+                                                              const std::set<std::filesystem::path>& written,
                                                               const std::string& digest);
 
 /// Throws Error(cant_write) unless the file doesn't exist, or this program made it for the same model, or
 /// `overwrite` is set and it is a regular file.
 void require_replaceable(const std::filesystem::path& file, const std::string& digest, bool overwrite);
+
+/// True where the file exists and holds just these bytes.
+[[nodiscard]] bool holds(const std::filesystem::path& file, const std::string& bytes);
 
 /// Throws Error(cant_write) unless the file's folder exists (or can be created) and can be written to.
 void require_writable_folder(const std::filesystem::path& folder);

@@ -250,8 +250,12 @@ void simplify_to_fold(Model& model, const SimplifyOptions& options, SimplifyRepo
   const auto far =
       static_cast<std::size_t>(coarse * faces_of_short_edges(model.surface, options.short_edge_mm));
   if (start.faces.size() > far) {
-    const Sequence first(std::move(start), far, {}, context);
-    start = first.faces(first.all());
+    const Sequence first(start, far, {}, context);
+    Model coarser = first.after(first.all());
+    if (greatest_distance(SurfaceTree(coarser.surface, spacing), original, largest_mm, context) <=
+        largest_mm) {
+      start = first.faces(first.all());
+    }
   }
   NearField field(original, bound * largest_mm);
   std::optional<Candidate> best;
@@ -263,6 +267,14 @@ void simplify_to_fold(Model& model, const SimplifyOptions& options, SimplifyRepo
       if (!best || better(candidate, *best)) {
         best = std::move(candidate);
       }
+    } else if (!best) {
+      // Nothing more can go: what the first sequence left is the result.
+      best.emplace();
+      best->model = sequence.after(0);
+      best->share = short_fold_share(best->model.surface, options.short_edge_mm);
+      best->foldable = best->share <= options.short_edge_share;
+      best->deviation =
+          greatest_distance(SurfaceTree(best->model.surface, spacing), original, INFINITY, context);
     }
   }
   if (best && best->model.surface.face_count() < report.faces_before) {

@@ -2,6 +2,7 @@
 #include "unfold/closing.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "unfold/disjoint_sets.hpp"
 #include "unfold/tolerance.hpp"
@@ -18,10 +19,30 @@ Vec2 corner_of(const Nets& nets, CornerId c) {
   return nets.flat[mesh::face_of(c)][c.value() % 3];
 }
 
+/// Smallest height of the faces at a vertex, mm.
+double least_height(const mesh::Surface& surface, VertexId v) {
+  double least = INFINITY;
+  for (const CornerId corner : surface.corners_at(v)) {
+    double longest = 0.0;
+    for (unsigned k = 0; k < 3; ++k) {
+      longest = std::max(longest, surface.length(surface.edge(mesh::corner(mesh::face_of(corner), k))));
+    }
+    least = std::min(least, 2.0 * surface.area(mesh::face_of(corner)) / longest);
+  }
+  return least;
+}
+
 bool copies_coincide(const mesh::Surface& surface, const Nets& nets, EdgeId e) {
   const auto [c, d] = surface.sides(e);
-  return length(corner_of(nets, c) - corner_of(nets, mesh::next(d))) <= closing_tolerance_mm &&
-         length(corner_of(nets, mesh::next(c)) - corner_of(nets, d)) <= closing_tolerance_mm;
+  const double apart = std::max(length(corner_of(nets, c) - corner_of(nets, mesh::next(d))),
+                                length(corner_of(nets, mesh::next(c)) - corner_of(nets, d)));
+  if (apart > closing_tolerance_mm) {
+    return false;
+  }
+  // A corner moved by so little turns a needle by apart / height, and what lies far beyond it by that angle.
+  const double height =
+      std::min(least_height(surface, surface.vertex(c)), least_height(surface, surface.vertex(d)));
+  return apart * surface.bounds().diagonal() <= closing_lever_mm * height;
 }
 
 /// Every edge at v but e is a fold: then closing e makes the paper whole around v.

@@ -16,4 +16,8 @@ inline constexpr double search_tolerance = 1e-7;
 /// length to be off, a thousand times what rounding does.
 inline constexpr double closing_tolerance_mm = 1e-6;
 
+/// How far closing such an edge may move what lies a model's size away, when the edge belongs to a narrow face, mm:
+/// a tenth of what the contract allows a model of 100 mm to be off when it is folded again.
+inline constexpr double closing_lever_mm = 1e-4;
+
 }  // namespace ridgecraft::unfold
