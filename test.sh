@@ -32,5 +32,8 @@ quietly cmake -S "$here" --preset "$preset"
 echo "Building ($preset)" >&2
 quietly cmake --build "$here/build/$preset" -j "$jobs"
 
+# What libraries of others leave behind at the program's end is theirs.
+export LSAN_OPTIONS="suppressions=$here/tests/leaks.supp:print_suppressions=0"
+
 cd "$here/build/$preset"
 exec ctest --output-on-failure -j "$jobs" "$@"

@@ -253,7 +253,7 @@ TEST_CASE("exit code 130: Ctrl-C leaves nothing behind", "[program]") {
   }
   write_bytes(folder / "sheet.off", sheet);
   RunOptions options = in(folder);
-  options.interrupt_after_s = GENERATE(0.05, 0.3);
+  options.interrupt_after_s = GENERATE(0.3, 0.8);
   const Outcome outcome = run_program({"sheet.off", "--faces", "keep"}, options);
   CHECK(outcome.exit_code == 130);
   CHECK_FALSE(outcome.by_signal);
