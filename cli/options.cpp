@@ -105,7 +105,7 @@ class Verb {
       ManualSection section{group, {}};
       for (const CLI::Option* o :
            app_.get_options([&](const CLI::Option* x) { return x->get_group() == group; })) {
-        std::string term = o->get_positional() ? o->get_single_name() : o->get_name();
+        std::string term = o->get_positional() ? o->get_single_name() : o->get_name(false, true);
         std::replace(term.begin(), term.end(), ',', ' ');
         if (!o->get_positional() && !o->get_type_name().empty() && o->get_expected_max() > 0) {
           term += " " + o->get_type_name();
