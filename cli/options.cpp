@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <numbers>
 #include <thread>
@@ -74,7 +75,10 @@ class Verb {
   template <class T>
   CLI::Option* option(const std::string& group, const std::string& names, T& value, const std::string& type,
                       const std::string& text) {
-    return app_.add_option(names, value, text)->group(group)->type_name(type);
+    CLI::Option* added = app_.add_option(names, value, text)->group(group)->type_name(type);
+    // Given twice, the last one counts, so that a script can append what it wants differently.
+    added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    return added;
   }
   CLI::Option* flag(const std::string& group, const std::string& names, bool& value,
                     const std::string& text) {
@@ -90,6 +94,8 @@ class Verb {
       app_.parse(arguments);
     } catch (const CLI::ExtrasError&) {
       refuse(unexpected(app_.remaining()));
+    } catch (const CLI::ConversionError&) {
+      refuse("a number is expected where none stands; see " + manual_.name + " --help");
     } catch (const CLI::ParseError& error) {
       if (!help) {
         refuse(std::string(error.what()));
@@ -102,11 +108,16 @@ class Verb {
   [[nodiscard]] Manual manual() {
     Manual whole = manual_;
     for (const std::string& group : app_.get_groups()) {
+      if (group.empty()) {
+        continue;  // hidden options
+      }
       ManualSection section{group, {}};
       for (const CLI::Option* o :
            app_.get_options([&](const CLI::Option* x) { return x->get_group() == group; })) {
         std::string term = o->get_positional() ? o->get_single_name() : o->get_name(false, true);
-        std::replace(term.begin(), term.end(), ',', ' ');
+        for (std::size_t at = term.find(','); at != std::string::npos; at = term.find(',', at + 2)) {
+          term.replace(at, 1, ", ");
+        }
         if (!o->get_positional() && !o->get_type_name().empty() && o->get_expected_max() > 0) {
           term += " " + o->get_type_name();
         }
@@ -487,10 +498,18 @@ Job parse_arguments(const std::vector<std::string>& arguments) {
                                                         {"unfold", build_unfold},
                                                         {"verify", build_verify},
                                                         {"formats", build_formats}};
+  std::vector<std::string> known;
   for (const auto& [name, build] : verbs) {
+    known.emplace_back(name);
     if (arguments.front() == name) {
       const Arguments rest(arguments.begin() + 1, arguments.end());
       return build(&rest, nullptr);
+    }
+  }
+  const std::string& first = arguments.front();
+  if (first.find_first_of("./-") == std::string::npos && !std::filesystem::exists(first)) {
+    if (const std::string verb = nearest_word(first, known); !verb.empty()) {
+      refuse("there is no verb '" + first + "', did you mean '" + verb + "'?");
     }
   }
   if (arguments.front() == "help") {

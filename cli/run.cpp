@@ -131,7 +131,7 @@ ExitCode do_job(const VerifyJob& job) {
   Session session(job.common);
   const std::string bytes = mesh::read_file(job.file);
   const verify::Report report = verify::verify(bytes, {}, session.context());
-  session.finish([&] { return summary(job, report); }, [&] { return verify::to_json(report); });
+  session.finish([&] { return summary(job, report); }, [&] { return verify::to_json(report) + "\n"; });
   return report.sound() ? ExitCode::ok : ExitCode::faults_found;
 }
 

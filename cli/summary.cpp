@@ -86,9 +86,18 @@ std::string simplified_text(const mesh::SimplifyReport& report, const SizeArgume
 }
 
 std::string written_text(const std::vector<std::string>& files) {
+  // Hundreds of pages would push everything else off the screen.
+  constexpr std::size_t most = 12;
+  if (files.empty()) {
+    return "nothing was written: -o says where to\n";
+  }
   std::string text;
-  for (const std::string& file : files) {
-    text += "wrote " + file + "\n";
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files.size() <= most || i < 4 || i + 2 >= files.size()) {
+      text += "wrote " + files[i] + "\n";
+    } else if (i == 4) {
+      text += fmt::format("wrote {} more\n", files.size() - 6);
+    }
   }
   return text;
 }

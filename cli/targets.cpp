@@ -102,8 +102,9 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
     add_folder(".");
   }
   for (const std::string& output : outputs) {
-    if (output.empty()) {
-      throw Error(ErrorKind::usage, "-o needs a folder or a file");
+    if (output.empty() || output == "-") {
+      throw Error(ErrorKind::usage,
+                  "-o needs a folder or a file; there are several files, so none goes to standard output");
     }
     const fs::path path(output);
     if (is_folder(output)) {

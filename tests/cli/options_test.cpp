@@ -125,7 +125,20 @@ TEST_CASE("wrong arguments are refused in one sentence", "[options]") {
   }
 }
 
+TEST_CASE("an option that is given twice counts as it stands last", "[options]") {
+  CHECK(std::get<PaperJob>(parse_arguments({"a.obj", "--paper", "A4", "--paper", "A3"})).paper.size.x ==
+        297.0);
+}
+
+TEST_CASE("no entry of the help is without a name", "[options]") {
+  const std::string help = std::get<PrintJob>(parse_arguments({"--help"})).text;
+  CHECK(help.find("\n:") == std::string::npos);
+  CHECK(help.find("Print the manual page") == std::string::npos);
+  CHECK(help.find("-o, --output") != std::string::npos);
+}
+
 TEST_CASE("a near miss gets a suggestion", "[options]") {
+  CHECK(refusal({"unfoldd", "whale.obj"}).find("'unfold'") != std::string::npos);
   CHECK(refusal({"a.obj", "--siez", "3cm"}).find("--size") != std::string::npos);
   CHECK(refusal({"a.obj", "--paper", "a44"}).find("A4") != std::string::npos);
 }
