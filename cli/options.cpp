@@ -169,7 +169,7 @@ struct CommonTexts {
     verb.option("Common", "--threads", threads, "N",
                 "Threads to use; the result doesn't depend on it (one per core).");
     verb.option("Common", "--time-limit", time_limit, "SECONDS",
-                "After this time searches end with the best they have (no limit).");
+                "After this time the search for nets ends with the best it has (no limit).");
   }
   [[nodiscard]] CommonOptions checked() const {
     CommonOptions out = values;
