@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mesh/error.hpp"
+#include "unfold/sheet.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -162,30 +163,6 @@ void spread(std::vector<Run>& runs) {
 
 }  // namespace
 
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) {
-    return points;
-  }
-  std::vector<Vec2> hull;
-  const auto add = [&hull](Vec2 p, std::size_t fixed) {
-    while (hull.size() >= fixed + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0) {
-      hull.pop_back();
-    }
-    hull.push_back(p);
-  };
-  for (const Vec2 p : points) {
-    add(p, 0);
-  }
-  const std::size_t lower = hull.size() - 1;
-  for (std::size_t i = points.size() - 1; i-- > 0;) {
-    add(points[i], lower);
-  }
-  hull.pop_back();
-  return hull;
-}
-
 PackingShape packing_shape(std::vector<std::vector<Vec2>> convex) {
   PackingShape shape;
   std::vector<Vec2> points;
@@ -193,7 +170,7 @@ PackingShape packing_shape(std::vector<std::vector<Vec2>> convex) {
     shape.area += area_of(polygon);
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
-  shape.hull = convex_hull(std::move(points));
+  shape.hull = unfold::convex_hull(std::move(points));
   shape.convex = std::move(convex);
   return shape;
 }

@@ -35,9 +35,6 @@ struct PackingShape {
 
 [[nodiscard]] PackingShape packing_shape(std::vector<std::vector<Vec2>> convex);
 
-/// Convex hull, counterclockwise, without straight corners (Andrew's monotone chain). O(n log n).
-[[nodiscard]] std::vector<Vec2> convex_hull(std::vector<Vec2> points);
-
 /// Width and height of the turned points.
 [[nodiscard]] Vec2 extent(std::span<const Vec2> hull, Turn turn);
 
