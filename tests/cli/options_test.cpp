@@ -142,3 +142,13 @@ TEST_CASE("a near miss gets a suggestion", "[options]") {
   CHECK(refusal({"a.obj", "--siez", "3cm"}).find("--size") != std::string::npos);
   CHECK(refusal({"a.obj", "--paper", "a44"}).find("A4") != std::string::npos);
 }
+
+TEST_CASE("what isn't a number is refused by its option's name", "[options]") {
+  for (const char* option :
+       {"--tab-angle", "--hide-folds", "--concavity", "--time-limit", "--seed", "--threads"}) {
+    for (const char* value : {"x", "", "1e", "5 5", "0x10", "1,5", "nan"}) {
+      CAPTURE(option, value);
+      CHECK(refusal({"a.obj", std::string(option) + "=" + value}).find(option) != std::string::npos);
+    }
+  }
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/option_values.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "cli/units.hpp"
+#include "mesh/error.hpp"
+
+namespace ridgecraft::cli {
+
+void refuse(const std::string& sentence) {
+  throw Error(ErrorKind::usage, sentence);
+}
+
+void require(const std::string& value, const std::string& what, const std::string& verb) {
+  if (value.empty()) {
+    refuse(what + "; see " + verb + " --help");
+  }
+}
+
+double length_or_refuse(const std::string& option, const std::string& text, bool zero_allowed) {
+  if (const auto mm = parse_length_mm(text, zero_allowed)) {
+    return *mm;
+  }
+  refuse(option + " takes a length such as 150mm, 15cm or 6in, not '" + text + "'");
+}
+
+double number_or_refuse(const std::string& option, const std::string& text, double low, double high) {
+  double value = NAN;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high)) {
+    refuse(fmt::format("{} takes a number from {} to {}, not '{}'", option, low, high, text));
+  }
+  return value;
+}
+
+void require_range(const std::string& option, const std::string& text, double value, double low, double high,
+                   const std::string& range) {
+  if (!(value >= low && value <= high)) {
+    refuse(option + " takes " + range + ", not '" + text + "'");
+  }
+}
+
+std::uint64_t whole_number_or_refuse(const std::string& option, const std::string& text,
+                                     std::uint64_t least) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < least) {
+    refuse(fmt::format("{} takes a whole number from {} on, not '{}'", option, least, text));
+  }
+  return value;
+}
+
+double concavity_or_refuse(const std::string& text) {
+  return text.empty() ? 0.1 : number_or_refuse("--concavity", text, 0.001, 2.0);
+}
+
+}  // namespace ridgecraft::cli

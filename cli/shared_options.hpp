@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options that several verbs have: as typed, and what they mean.
+#pragma once
+
+#include <string>
+
+#include "cli/options.hpp"
+#include "cli/verb.hpp"
+
+namespace ridgecraft::cli {
+
+/// What every verb takes.
+struct CommonTexts {
+  CommonOptions values;
+  std::string time_limit, seed, threads;
+
+  void add_to(Verb& verb);
+  [[nodiscard]] CommonOptions checked() const;
+};
+
+/// How a model is brought to paper size.
+struct SizeTexts {
+  std::string size, scale, unit, faces;
+
+  void add_to(Verb& verb, const std::string& default_faces);
+  [[nodiscard]] SizeArguments checked() const;
+};
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ridgecraft segment
+#include "cli/option_values.hpp"
+#include "cli/shared_options.hpp"
+#include "cli/verbs.hpp"
+
+namespace ridgecraft::cli {
+
+Job build_segment(const Arguments* arguments, Manual* manual) {
+  Verb verb("ridgecraft segment", "cuts a model, as it is, into nearly convex parts (CoRiSe)");
+  verb.usage("ridgecraft segment MODEL [-o PARTS.ply] [--labels PARTS.seg] [options]");
+  verb.example("ridgecraft segment ant.off -o ant-parts.ply",
+               "The model with every part in a colour of its own.");
+  verb.example("ridgecraft segment ant.off --labels ant.seg --json",
+               "One part number per polygon of the input.");
+  SegmentJob job;
+  CommonTexts common;
+  std::string concavity;
+  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF.");
+  verb.list("Output", "-o,--output", job.outputs, "FILE",
+            "Coloured mesh, .ply or .off. May be given several times.");
+  verb.option(
+      "Output", "--labels", job.labels, "FILE.seg",
+      "One line per polygon of the input, in its order: the part's number, from 0; -1 for a polygon that "
+      "repair dropped.");
+  verb.flag("Output", "--overwrite", job.overwrite, "Replace existing files.");
+  verb.option(
+      "Parts", "--concavity", concavity, "TOLERANCE",
+      "Largest concavity of a part, in the scale where the smallest enclosing ball has radius 1 (0.1).");
+  common.add_to(verb);
+  return verb.finish(arguments, manual, [&]() -> Job {
+    require(job.model, "name the model to segment", "ridgecraft segment");
+    job.common = common.checked();
+    job.concavity = concavity_or_refuse(concavity);
+    return job;
+  });
+}
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ridgecraft unfold
+#include "cli/option_values.hpp"
+#include "cli/shared_options.hpp"
+#include "cli/verbs.hpp"
+
+namespace ridgecraft::cli {
+
+Job build_unfold(const Arguments* arguments, Manual* manual) {
+  Verb verb("ridgecraft unfold", "unfolds a model into nets without overlap, without pages and tabs");
+  verb.usage("ridgecraft unfold MODEL [--whole] -o NETS.fold [options]");
+  verb.example("ridgecraft unfold gem.off --whole -o gem.fold",
+               "The whole model as one net, if there is one.");
+  UnfoldJob job;
+  CommonTexts common;
+  std::string concavity;
+  SizeTexts size;
+  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF.");
+  verb.option("Output", "-o,--output", job.output, "FILE.fold", "Where the nets go.");
+  verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");
+  verb.flag("Parts", "--whole", job.whole, "Don't cut the model into parts first.");
+  verb.option("Parts", "--concavity", concavity, "TOLERANCE", "How far a part may be from convex (0.1).");
+  size.add_to(verb, "keep");
+  common.add_to(verb);
+  return verb.finish(arguments, manual, [&]() -> Job {
+    require(job.model, "name the model to unfold", "ridgecraft unfold");
+    job.common = common.checked();
+    job.size = size.checked();
+    job.concavity = concavity_or_refuse(concavity);
+    return job;
+  });
+}
+
+}  // namespace ridgecraft::cli

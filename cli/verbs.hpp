@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verbs: each has a file verb_NAME.cpp with its options and texts.
+#pragma once
+
+#include "cli/manual.hpp"
+#include "cli/options.hpp"
+#include "cli/verb.hpp"
+
+namespace ridgecraft::cli {
+
+/// Each parses the arguments into a job, or, without arguments, fills in the manual.
+[[nodiscard]] Job build_paper(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_info(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_segment(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_unfold(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_verify(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_formats(const Arguments* arguments, Manual* manual);
+
+/// What build_paper returns for --man-page: the text is the caller's to make, from all manuals.
+inline constexpr const char* man_page_wanted = "man";
+
+}  // namespace ridgecraft::cli
