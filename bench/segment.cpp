@@ -17,6 +17,7 @@
 
 #include "mesh/context.hpp"
 #include "mesh/mesh.hpp"
+#include "segment/agreement.hpp"
 #include "segment/evaluate.hpp"
 
 namespace {

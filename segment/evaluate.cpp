@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "mesh/error.hpp"
@@ -86,10 +85,6 @@ double union_length(std::vector<Interval>& intervals) {
   return sum;
 }
 
-double pairs(double n) {
-  return 0.5 * n * (n - 1.0);
-}
-
 }  // namespace
 
 double enclosed_volume(const mesh::Surface& surface) {
@@ -138,32 +133,6 @@ double hull_volume_ratio(const mesh::Surface& surface, std::span<const std::uint
   }
   const double cell = 2.0 * grid_reach / rays;
   return sum * cell * cell * scaled.unit * scaled.unit * scaled.unit / enclosed;
-}
-
-double rand_error(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
-  RIDGECRAFT_ASSERT(a.size() == b.size());
-  if (a.size() < 2) {
-    return 0.0;
-  }
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> both;
-  std::map<std::uint32_t, double> in_a;
-  std::map<std::uint32_t, double> in_b;
-  for (std::size_t f = 0; f < a.size(); ++f) {
-    ++both[{a[f], b[f]}];
-    ++in_a[a[f]];
-    ++in_b[b[f]];
-  }
-  double differ = 0.0;
-  for (const auto& [part, n] : in_a) {
-    differ += pairs(n);
-  }
-  for (const auto& [part, n] : in_b) {
-    differ += pairs(n);
-  }
-  for (const auto& [part, n] : both) {
-    differ -= 2.0 * pairs(n);
-  }
-  return differ / pairs(static_cast<double>(a.size()));
 }
 
 }  // namespace ridgecraft::segment

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How good a segmentation is: volume of the hulls, agreement with people (specification 20).
+// How good a segmentation is: volume of the hulls of its parts (specification 20). Agreement with people is in
+// agreement.hpp.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +19,5 @@ namespace ridgecraft::segment {
 /// part of each face, any numbers. 0 when the surface encloses nothing. Within 0.001 at 128 rays a side.
 [[nodiscard]] double hull_volume_ratio(const mesh::Surface& surface, std::span<const std::uint32_t> label,
                                        unsigned rays, const Context& context);
-
-/// 1 - Rand index of two labelings: share of the pairs of faces on which they disagree about "same part"
-/// (20.4). Faces count equally. 0 for fewer than two faces.
-[[nodiscard]] double rand_error(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 
 }  // namespace ridgecraft::segment

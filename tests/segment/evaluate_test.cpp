@@ -11,18 +11,6 @@
 
 namespace ridgecraft {
 
-TEST_CASE("Rand error of hand-counted labelings") {
-  const std::vector<std::uint32_t> one{0, 0, 0, 0};
-  const std::vector<std::uint32_t> two{0, 0, 1, 1};
-  const std::vector<std::uint32_t> four{0, 1, 2, 3};
-  const std::vector<std::uint32_t> renamed{7, 7, 3, 3};
-  CHECK(segment::rand_error(two, renamed) == 0.0);
-  CHECK(segment::rand_error(one, four) == Approx(1.0));
-  CHECK(segment::rand_error(one, two) == Approx(4.0 / 6.0));
-  CHECK(segment::rand_error(two, four) == Approx(2.0 / 6.0));
-  CHECK(segment::rand_error(std::vector<std::uint32_t>{0, 1, 0, 1}, two) == Approx(4.0 / 6.0));
-}
-
 TEST_CASE("Volume ratio of hulls") {
   const mesh::Surface l = test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 2);
   CHECK(segment::enclosed_volume(l) == Approx(3.0));

@@ -10,10 +10,13 @@
 #include <catch2/catch.hpp>
 
 #include "mesh/context.hpp"
+#include "segment/agreement.hpp"
 #include "segment/evaluate.hpp"
 #include "segment/segment.hpp"
+#include "support/benchmark_models.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace ridgecraft {
 namespace {
@@ -109,14 +112,7 @@ TEST_CASE("Renumbered shapes have nearly the same parts") {
 }
 
 TEST_CASE("Benchmark models come out as the prototype's") {
-  const fs::path archive = fs::path(RIDGECRAFT_SHARED_DIR) / "models" / "psb.tar.xz";
-  if (!fs::exists(archive)) {
-    WARN("skipped: no benchmark models at " << archive.string());
-    return;
-  }
-  const fs::path folder =
-      fs::temp_directory_path() / ("ridgecraft-psb-" + std::to_string(Random(std::random_device{}()).next()));
-  fs::create_directories(folder);
+  const test::TemporaryFolder folder;
   struct Expected {
     int model;
     double parts;
@@ -124,15 +120,12 @@ TEST_CASE("Benchmark models come out as the prototype's") {
   };
   // Parts and volume ratios that the prototype measured.
   const std::vector<Expected> expected{{81, 12, 1.170}, {121, 11, 1.343}, {161, 7, 1.057}};
-  std::string members;
-  for (const Expected& e : expected) {
-    members += " off/" + std::to_string(e.model) + ".off";
+  if (!test::unpack_benchmark({"off/81.off", "off/121.off", "off/161.off"}, folder.path())) {
+    return;
   }
-  const std::string command = "tar xJf '" + archive.string() + "' -C '" + folder.string() + "'" + members;
-  REQUIRE(std::system(command.c_str()) == 0);
   for (const Expected& e : expected) {
     CAPTURE(e.model);
-    const mesh::Surface s = read_off(folder / "off" / (std::to_string(e.model) + ".off"));
+    const mesh::Surface s = read_off(folder.path() / "off" / (std::to_string(e.model) + ".off"));
     const auto base = segmented(s);
     CHECK(std::abs(static_cast<double>(base.parts.size()) - e.parts) <= 1.0);
     CHECK(base.max_concavity() <= 0.1);
@@ -146,7 +139,6 @@ TEST_CASE("Benchmark models come out as the prototype's") {
     const mesh::Surface far = test::mapped(s, [](Vec3 p) { return 1000.0 * p + Vec3{1e5, 1e5, 1e5}; });
     CHECK(segmented(far).parts.size() == base.parts.size());
   }
-  fs::remove_all(folder);
 }
 
 }  // namespace ridgecraft
