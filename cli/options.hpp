@@ -56,6 +56,7 @@ struct SegmentJob {
   double concavity = 0.1;
   std::string labels;                ///< FILE.seg; empty: none
   std::vector<std::string> outputs;  ///< coloured PLY or OFF
+  std::vector<std::string> compare;  ///< label files of others
   bool overwrite = false;
 };
 

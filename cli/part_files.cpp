@@ -19,23 +19,6 @@ mesh::ByteColour from_hsv(double hue, double saturation, double value) {
 
 }  // namespace
 
-std::string label_text(const mesh::Model& model, const segment::Segmentation& segmentation) {
-  std::vector<long long> label(model.polygon_count, -1);
-  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
-    const std::uint32_t polygon = model.polygon[f];
-    if (polygon < label.size()) {
-      label[polygon] = segmentation.part[f].value();
-    }
-  }
-  std::string text;
-  text.reserve(4 * label.size());
-  for (const long long value : label) {
-    text += std::to_string(value);
-    text += '\n';
-  }
-  return text;
-}
-
 mesh::FaceColours part_colours(const segment::Segmentation& segmentation) {
   // Hues in golden-ratio steps: any few consecutive numbers lie far apart on the wheel.
   constexpr double golden = 0.6180339887498949;

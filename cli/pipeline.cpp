@@ -2,15 +2,12 @@
 #include "cli/pipeline.hpp"
 
 #include <numbers>
-#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/part_files.hpp"
 #include "cli/targets.hpp"
 #include "mesh/error.hpp"
-#include "mesh/write.hpp"
 #include "unfold/panel_parts.hpp"
 
 namespace ridgecraft::cli {
@@ -229,62 +226,6 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
       add_target(target, drawings, fold, mark, pending, result.files);
     }
     remove_leftovers(targets, drawings.size(), mark.digest, pending);
-    context.check();
-    pending.commit();
-    return true;
-  });
-  return result;
-}
-
-SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingFiles& pending) {
-  for (const std::string& output : job.outputs) {
-    const std::string suffix = suffix_of(output);
-    if (suffix != ".ply" && suffix != ".off") {
-      throw Error(ErrorKind::usage, "-o " + output + ": parts are written as .ply or .off");
-    }
-  }
-  std::vector<fs::path> files(job.outputs.begin(), job.outputs.end());
-  std::set<fs::path> different;
-  for (const fs::path& file : files) {
-    if (!different.insert(file.lexically_normal()).second) {
-      throw Error(ErrorKind::usage, "-o " + file.string() + " is given twice");
-    }
-  }
-  if (!job.labels.empty()) {
-    files.emplace_back(job.labels);
-  }
-  for (const fs::path& file : files) {
-    require_writable_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
-  }
-  SegmentResult result;
-  StageClock& clock = result.clock;
-  result.model =
-      clock("read", context, [&] { return mesh::read(job.model, {.collapse_flat_faces = false}, context); });
-  for (const std::string& output : job.outputs) {
-    require_replaceable(output, result.model.digest, job.overwrite);
-  }
-  result.segmentation = clock("segment", context, [&] {
-    return segment::segment(result.model.surface, result.model.polygon.items(), {.concavity = job.concavity},
-                            context);
-  });
-  clock("write", context, [&] {
-    for (const std::string& output : job.outputs) {
-      const mesh::FaceColours colours = part_colours(result.segmentation);
-      const std::string comment =
-          paper::mark_word({program_and_version(), result.model.name, result.model.digest});
-      std::string bytes = suffix_of(output) == ".ply"
-                              ? mesh::write_ply(result.model.surface, colours, mesh::PlyKind::binary)
-                              : mesh::write_off(result.model.surface, colours);
-      pending.add(output, with_comment(std::move(bytes), comment));
-      result.files.push_back(output);
-    }
-    if (!job.labels.empty()) {
-      // Labels have no place for a mark: the same ones may stand there already, others are somebody's work.
-      const std::string labels = label_text(result.model, result.segmentation);
-      require_replaceable(job.labels, {}, job.overwrite || holds(job.labels, labels));
-      pending.add(job.labels, labels);
-      result.files.push_back(job.labels);
-    }
     context.check();
     pending.commit();
     return true;

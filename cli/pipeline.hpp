@@ -2,6 +2,7 @@
 // The jobs: stages called in order, their results kept for the summary.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "cli/options.hpp"
 #include "cli/pending_files.hpp"
 #include "mesh/mesh.hpp"
+#include "segment/agreement.hpp"
 #include "segment/segment.hpp"
 #include "unfold/nets.hpp"
 #include "verify/verify.hpp"
@@ -53,9 +55,20 @@ struct PaperResult {
 /// all of them are complete. Throws Error.
 [[nodiscard]] PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending);
 
+/// A segmentation beside others of the same model.
+struct Comparison {
+  struct With {
+    std::string file;
+    segment::Disagreement disagreement;
+  };
+  double volume_ratio = 0.0;  ///< volume of the union of the parts' hulls, as a multiple of the model's
+  std::vector<With> with;
+};
+
 struct SegmentResult {
   mesh::Model model;
   segment::Segmentation segmentation;
+  std::optional<Comparison> comparison;
   std::vector<std::string> files;
   StageClock clock;
 };

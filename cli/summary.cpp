@@ -144,6 +144,62 @@ std::string reasons_text(const unfold::Nets& nets) {
   return text.empty() ? text : text + ")";
 }
 
+Json disagreement_json(const segment::Disagreement& d) {
+  Json json;
+  json["rand_error"] = d.rand_error;
+  json["hamming"] = d.hamming;
+  json["gce"] = d.global_consistency;
+  json["lce"] = d.local_consistency;
+  json["cut_discrepancy"] = d.cut_discrepancy ? Json(*d.cut_discrepancy) : Json();
+  return json;
+}
+
+Json comparison_json(const Comparison& comparison) {
+  Json json = Json::array();
+  for (const Comparison::With& with : comparison.with) {
+    Json entry = disagreement_json(with.disagreement);
+    entry["file"] = with.file;
+    json.push_back(entry);
+  }
+  return json;
+}
+
+segment::Disagreement mean_disagreement(const Comparison& comparison) {
+  segment::Disagreement mean{.cut_discrepancy = 0.0};
+  const auto n = static_cast<double>(comparison.with.size());
+  for (const Comparison::With& with : comparison.with) {
+    const segment::Disagreement& d = with.disagreement;
+    mean.rand_error += d.rand_error / n;
+    mean.hamming += d.hamming / n;
+    mean.global_consistency += d.global_consistency / n;
+    mean.local_consistency += d.local_consistency / n;
+    if (mean.cut_discrepancy) {
+      mean.cut_discrepancy =
+          d.cut_discrepancy ? std::optional(*mean.cut_discrepancy + *d.cut_discrepancy / n) : std::nullopt;
+    }
+  }
+  return mean;
+}
+
+std::string disagreement_line(const std::string& name, const segment::Disagreement& d) {
+  return fmt::format("  {:<11} 1-Rand {:.4f}, Hamming {:.4f}, GCE {:.4f}, LCE {:.4f}, cuts {}\n", name,
+                     d.rand_error, d.hamming, d.global_consistency, d.local_consistency,
+                     d.cut_discrepancy ? fmt::format("{:.4f}", *d.cut_discrepancy) : "-");
+}
+
+std::string comparison_text(const Comparison& comparison) {
+  std::string text =
+      fmt::format("  hulls       {:.3f} times the model's volume, together\n", comparison.volume_ratio);
+  for (const Comparison::With& with : comparison.with) {
+    text += disagreement_line("against", with.disagreement);
+    text += fmt::format("              {}\n", with.file);
+  }
+  if (comparison.with.size() > 1) {
+    text += disagreement_line("mean", mean_disagreement(comparison));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> repair_lines(const mesh::RepairReport& report) {
@@ -222,8 +278,11 @@ std::string summary(const SegmentJob& job, const SegmentResult& result) {
                                  counted(result.model.surface.component_count(), "component"));
   text += fmt::format("  parts       {}, concavity at most {:.4f} (asked: {:g})\n",
                       result.segmentation.parts.size(), result.segmentation.max_concavity(), job.concavity);
+  if (result.comparison) {
+    text += comparison_text(*result.comparison);
+  }
   text += fmt::format("  time        {}\n", seconds_text(result.clock));
-  return text + written_text(result.files);
+  return result.comparison && result.files.empty() ? text : text + written_text(result.files);
 }
 
 std::string summary_json(const SegmentJob& job, const SegmentResult& result) {
@@ -239,6 +298,11 @@ std::string summary_json(const SegmentJob& job, const SegmentResult& result) {
                             {"concavity", part.concavity},
                             {"hull_volume", part.hull_volume},
                             {"reason", segment::name(part.reason)}});
+  }
+  if (result.comparison) {
+    json["volume_ratio"] = result.comparison->volume_ratio;
+    json["compare"] = comparison_json(*result.comparison);
+    json["compare_mean"] = disagreement_json(mean_disagreement(*result.comparison));
   }
   json["seconds"] = result.clock.total();
   json["stages"] = seconds_json(result.clock);

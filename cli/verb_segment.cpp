@@ -23,6 +23,11 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
       "Output", "--labels", job.labels, "FILE.seg",
       "One line per polygon of the input, in its order: the part's number, from 0; -1 for a polygon that "
       "repair dropped.");
+  verb.list(
+      "Output", "--compare", job.compare, "FILE.seg",
+      "Another segmentation of the same polygons: how far ours disagrees with it (1 - Rand index, Hamming "
+      "distance, consistency errors, cut discrepancy), and the volume of our parts' hulls. May be given "
+      "several times.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace existing files.");
   verb.option(
       "Parts", "--concavity", concavity, "TOLERANCE",

@@ -103,6 +103,32 @@ TEST_CASE("machines get one JSON object with the names that they know", "[progra
   CHECK(nets.contains("seconds"));
 }
 
+TEST_CASE("parts are compared with other people's", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  write_bytes(folder / "same.seg", "4 4 4 4 4 4 4");
+  write_bytes(folder / "roof.seg", "0\n0\n0\n0\n0\n1\n1\n");
+  write_bytes(folder / "short.seg", "0\n0\n");
+  write_bytes(folder / "long.seg", "0 0 0 0 0 0 0 0");
+  write_bytes(folder / "words.seg", "0 0 0 roof 0 0 0");
+  const Json json = Json::parse(
+      run_program({"segment", "house.obj", "--json", "--compare", "same.seg", "roof.seg"}, in(folder)).out);
+  CHECK(json["volume_ratio"].get<double>() == Approx(1.0).margin(0.02));
+  REQUIRE(json["compare"].size() == 2);
+  CHECK(json["compare"][0]["rand_error"] == 0.0);
+  CHECK(json["compare"][0]["cut_discrepancy"] == 0.0);
+  CHECK(json["compare"][1]["rand_error"].get<double>() == Approx(10.0 / 21.0));
+  CHECK(json["compare"][1]["gce"].get<double>() == Approx(0.0).margin(1e-12));
+  CHECK(json["compare"][1]["cut_discrepancy"].is_null());
+  CHECK(json["compare_mean"]["rand_error"].get<double>() == Approx(5.0 / 21.0));
+  for (const char* bad : {"short.seg", "long.seg", "words.seg", "none.seg"}) {
+    const auto run = run_program({"segment", "house.obj", "--compare", bad, "-o", "x.ply"}, in(folder));
+    CHECK(run.exit_code == 3);
+    CHECK(run.err.find(bad) != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "x.ply"));
+  }
+}
+
 TEST_CASE("two runs with one seed give the same bytes, with one thread and with two", "[program]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
