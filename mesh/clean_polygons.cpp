@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,6 +36,20 @@ std::vector<std::uint32_t> kept_corners(const PolygonList& list, std::size_t i) 
   return kept;
 }
 
+/// Whether no polygon has fewer than three corners or names a point twice. False for larger polygons, which
+/// take longer to tell.
+bool all_corners_differ(const PolygonList& list) {
+  constexpr std::size_t quickly_told = 4;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto p = list.polygon(i);
+    if (p.size() < 3 || p.size() > quickly_told || p[0] == p[1] || p[1] == p[2] || p[2] == p[0] ||
+        (p.size() == quickly_told && (p[3] == p[0] || p[3] == p[1] || p[3] == p[2]))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void keep_polygon(PolygonList& to, const PolygonList& from, std::size_t i,
                   std::span<const std::uint32_t> corners) {
   for (const std::uint32_t c : corners) {
@@ -65,17 +80,43 @@ Cycle canonical(std::span<const std::uint32_t> polygon) {
   return cycle;
 }
 
-/// Numbers of polygons by their cycle, equal ones together in ascending order.
-std::vector<std::uint32_t> sorted_by_cycle(const PolygonList& list) {
-  std::vector<std::uint64_t> key(list.size());
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    // Sum and square sum don't depend on start and direction.
-    std::uint64_t sum = list.polygon(i).size();
-    for (const std::uint32_t p : list.polygon(i)) {
-      sum += (p + 1ULL) * 0x9e3779b97f4a7c15ULL ^ ((p + 1ULL) * (p + 1ULL));
-    }
-    key[i] = sum;
+/// Equal for polygons with the same corners, wherever they start and whichever way they run; nearly always
+/// different for others.
+std::uint64_t corner_key(std::span<const std::uint32_t> polygon) {
+  std::uint64_t sum = polygon.size();
+  for (const std::uint32_t p : polygon) {
+    sum += (p + 1ULL) * 0x9e3779b97f4a7c15ULL ^ ((p + 1ULL) * (p + 1ULL));
   }
+  return sum;
+}
+
+/// Whether all are different. Linear: a table of twice the size, where each looks for a free place.
+bool all_different(const std::vector<std::uint64_t>& keys) {
+  const std::size_t size = std::bit_ceil(2 * keys.size() + 1);
+  std::vector<std::uint64_t> table(size, 0);
+  for (const std::uint64_t key : keys) {
+    const std::uint64_t entry = key == 0 ? 1 : key;  // 0 marks a free place; a false alarm costs a sort
+    std::size_t i = static_cast<std::size_t>((entry * 0xbf58476d1ce4e5b9ULL) >> 24U) & (size - 1);
+    for (; table[i] != 0; i = (i + 1) & (size - 1)) {
+      if (table[i] == entry) {
+        return false;
+      }
+    }
+    table[i] = entry;
+  }
+  return true;
+}
+
+std::vector<std::uint64_t> corner_keys(const PolygonList& list) {
+  std::vector<std::uint64_t> keys(list.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    keys[i] = corner_key(list.polygon(i));
+  }
+  return keys;
+}
+
+/// Numbers of polygons by their cycle, equal ones together in ascending order.
+std::vector<std::uint32_t> sorted_by_cycle(const PolygonList& list, const std::vector<std::uint64_t>& key) {
   std::vector<std::uint32_t> order(list.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     order[i] = static_cast<std::uint32_t>(i);
@@ -162,6 +203,12 @@ void choose(PolygonList& list, std::span<const std::uint32_t> group, std::vector
 }  // namespace
 
 void drop_repeated_corners(PolygonList& list, RepairReport& report) {
+  if (list.textures.empty()) {
+    list.textures.assign(list.corners.size(), no_texture);
+  }
+  if (all_corners_differ(list)) {
+    return;
+  }
   PolygonList clean;
   clean.points = std::move(list.points);
   clean.corners.reserve(list.corners.size());
@@ -184,12 +231,16 @@ void drop_repeated_corners(PolygonList& list, RepairReport& report) {
 }
 
 void drop_duplicates(PolygonList& list, RepairReport& report) {
-  const std::vector<std::uint32_t> order = sorted_by_cycle(list);
+  const std::vector<std::uint64_t> keys = corner_keys(list);
+  if (all_different(keys)) {
+    return;
+  }
+  const std::vector<std::uint32_t> order = sorted_by_cycle(list, keys);
   std::vector<bool> keep(list.size(), true);
   std::optional<EdgeCounts> counts;
   for (std::size_t i = 0; i < order.size();) {
     std::size_t j = i + 1;
-    if (j < order.size() && list.polygon(order[j]).size() == list.polygon(order[i]).size()) {
+    if (j < order.size() && keys[order[j]] == keys[order[i]]) {
       const Cycle first = canonical(list.polygon(order[i]));
       while (j < order.size() && list.polygon(order[j]).size() == first.points.size() &&
              canonical(list.polygon(order[j])).points == first.points) {
@@ -218,6 +269,13 @@ void drop_duplicates(PolygonList& list, RepairReport& report) {
 }
 
 void drop_duplicates(TriangleList& list, RepairReport& report) {
+  std::vector<std::uint64_t> keys(list.triangles.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    keys[i] = corner_key(list.triangles[i].points);
+  }
+  if (all_different(keys)) {
+    return;
+  }
   PolygonList polygons;
   for (const Triangle& t : list.triangles) {
     polygons.corners.insert(polygons.corners.end(), t.points.begin(), t.points.end());

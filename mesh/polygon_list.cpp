@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "mesh/edge_order.hpp"
+
 namespace ridgecraft::mesh {
 
 std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles) {
@@ -16,10 +18,9 @@ std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles) {
       uses.push_back({std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(t), k, from < to});
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.low, a.high, a.triangle, a.side) < std::tie(b.low, b.high, b.triangle, b.side);
+  return in_edge_order(std::span<const EdgeUse>(uses), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.high, a.triangle, a.side) < std::tie(b.high, b.triangle, b.side);
   });
-  return uses;
 }
 
 }  // namespace ridgecraft::mesh

@@ -58,7 +58,7 @@ struct EdgeUse {
   bool forward;  ///< the side runs from low to high
 };
 
-/// All sides, sorted by edge and then by triangle, so that the uses of one edge stand together. O(n log n).
+/// All sides, sorted by edge and then by triangle, so that the uses of one edge stand together. O(n).
 [[nodiscard]] std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles);
 
 /// Calls visit(first, last) for each run of uses of one edge.

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mesh/edge_order.hpp"
 #include "mesh/point_cells.hpp"
 
 namespace ridgecraft::mesh {
@@ -53,28 +54,34 @@ std::size_t join_equal_points(PolygonList& list) {
 
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
+struct Edge {
+  std::uint32_t low;
+  std::uint32_t high;
+};
 
 /// Points on polygon sides that no other polygon has, ascending.
 std::vector<std::uint32_t> border_points(const PolygonList& list) {
-  std::vector<Edge> edges;
+  std::vector<Edge> sides;
+  sides.reserve(list.corners.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const auto p = list.polygon(i);
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const std::uint32_t q = p[(k + 1) % p.size()];
-      edges.emplace_back(std::min(p[k], q), std::max(p[k], q));
+    const auto polygon = list.polygon(i);
+    std::uint32_t p = polygon.back();
+    for (const std::uint32_t q : polygon) {
+      sides.push_back({std::min(p, q), std::max(p, q)});
+      p = q;
     }
   }
-  std::sort(edges.begin(), edges.end());
+  const std::vector<Edge> edges = in_edge_order(std::span<const Edge>(sides),
+                                                [](const Edge& a, const Edge& b) { return a.high < b.high; });
   std::vector<std::uint32_t> points;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t j = i + 1;
-    while (j < edges.size() && edges[j] == edges[i]) {
+    while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) {
       ++j;
     }
     if (j - i == 1) {
-      points.push_back(edges[i].first);
-      points.push_back(edges[i].second);
+      points.push_back(edges[i].low);
+      points.push_back(edges[i].high);
     }
     i = j;
   }
