@@ -122,6 +122,41 @@ std::size_t joins_without_tab(const unfold::Nets& nets) {
                                                 [](const auto& join) { return !join.tab.valid(); }));
 }
 
+/// "1 A to C; 2 D at B": which pieces make each separate body, and beside which piece it belongs.
+std::string bodies_text(const PaperResult& result) {
+  constexpr std::size_t most = 8;
+  const std::vector<paper::Body>& bodies = result.drawn.bodies;
+  if (bodies.empty()) {
+    return {};
+  }
+  std::string text = fmt::format("  bodies      {} that no join connects: ", bodies.size());
+  for (std::size_t i = 0; i < std::min(most, bodies.size()); ++i) {
+    text +=
+        fmt::format("{}{} {}", i == 0 ? "" : "; ", i + 1, paper::piece_names(result.nets, bodies[i].pieces));
+    if (bodies[i].beside.valid() && i > 0) {
+      text += " at " + result.nets.pieces[bodies[i].beside].name;
+    }
+  }
+  return text + (bodies.size() > most ? fmt::format("; {} more\n", bodies.size() - most) : "\n");
+}
+
+Json bodies_json(const PaperResult& result) {
+  Json list = Json::array();
+  for (const paper::Body& body : result.drawn.bodies) {
+    Json pieces = Json::array();
+    for (const PieceId piece : body.pieces) {
+      pieces.push_back(result.nets.pieces[piece].name);
+    }
+    Json item{{"pieces", pieces}};
+    if (body.beside.valid()) {
+      item["beside"] = result.nets.pieces[body.beside].name;
+      item["distance_mm"] = rounded(body.distance_mm);
+    }
+    list.push_back(item);
+  }
+  return list;
+}
+
 std::string notes_text(const unfold::Nets& nets) {
   std::string text;
   for (const std::string& note : nets.notes) {
@@ -235,6 +270,7 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
                         result.drawn.labels_outside, result.drawn.labels_left_out,
                         counted(result.drawn.names_left_out, "name"));
   }
+  text += bodies_text(result);
   text += notes_text(nets);
   text += fmt::format("  time        {}\n", seconds_text(result.clock));
   return text + written_text(result.files);
@@ -258,6 +294,7 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["labels_left_out"] = result.drawn.labels_left_out;
   json["labels_outside"] = result.drawn.labels_outside;
   json["names_left_out"] = result.drawn.names_left_out;
+  json["bodies"] = bodies_json(result);
   json["paper"] = job.paper_name;
   json["simplified"] = {{"faces_before", simplified.faces_before},
                         {"faces_after", simplified.faces_after},

@@ -2,6 +2,7 @@
 // Puts the drawing of each page together: its pieces, their texts, the furniture.
 #include <vector>
 
+#include "export/bodies.hpp"
 #include "export/export.hpp"
 #include "export/furniture.hpp"
 #include "export/piece_drawing.hpp"
@@ -10,14 +11,43 @@
 
 namespace ridgecraft::paper {
 
+namespace {
+
+/// For each piece the words that say which of several separate bodies it belongs to, and, where no number
+/// does, beside which piece. O(pieces + joins).
+IdVector<PieceId, std::vector<std::string>> body_notes(const mesh::Surface& surface, const unfold::Nets& nets,
+                                                       const std::vector<Body>& bodies) {
+  IdVector<PieceId, std::vector<std::string>> notes(nets.pieces.size());
+  IdVector<PieceId, bool> joined(nets.pieces.size());
+  for (const unfold::Join& join : nets.joins) {
+    for (const CornerId side : surface.sides(join.edge)) {
+      joined[nets.piece[mesh::face_of(side)]] = true;
+    }
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const PieceId piece : bodies[i].pieces) {
+      notes[piece].push_back("body " + std::to_string(i + 1) + " of " + std::to_string(bodies.size()));
+      if (bodies[i].beside.valid() && !joined[piece]) {
+        notes[piece].push_back("at " + nets.pieces[bodies[i].beside].name);
+      }
+    }
+  }
+  return notes;
+}
+
+}  // namespace
+
 std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets, const Pages& pages,
                           const Style& style, DrawReport* report) {
+  DrawReport sum;
+  sum.bodies = find_bodies(model, nets);
+  const auto notes = body_notes(model.model.surface, nets, sum.bodies);
   std::vector<std::vector<PieceDrawing>> pieces(pages.count);
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
     const Placement& placement = pages.placements[piece];
     pieces[placement.page.value()].push_back(piece_drawing(model, nets, piece, placement, style));
+    pieces[placement.page.value()].back().notes = notes[piece];
   }
-  DrawReport sum;
   std::vector<Drawing> drawings;
   for (std::size_t i = 0; i < pages.count; ++i) {
     place_texts(pieces[i], pages.paper.size, piece_box(pages.paper), style, sum);
@@ -29,7 +59,8 @@ std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets,
     for (PieceDrawing& piece : pieces[i]) {
       drawing.groups.push_back(std::move(piece.group));
     }
-    drawing.groups.push_back(furniture(pages.paper, drawing.title, drawing.page, drawing.page_count));
+    drawing.groups.push_back(
+        furniture(pages.paper, drawing.title, drawing.page, drawing.page_count, line_kinds(drawing.groups)));
     drawings.push_back(std::move(drawing));
   }
   if (report != nullptr) {

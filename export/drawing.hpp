@@ -40,6 +40,8 @@ struct Line {
   std::vector<Vec2> points;  ///< at least two
   bool closed = false;
   Fold fold = Fold::none;  ///< of folds, bases of tabs and their samples in the legend
+  /// Of a mark: looks like a line of this layer, as samples in the legend do.
+  Layer like = Layer::mark;
 };
 
 struct Area {

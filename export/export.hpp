@@ -2,7 +2,8 @@
 // Pieces become pages, pages become drawings, drawings become files. Read this header first.
 // The namespace is ridgecraft::paper, since `export` is a C++ keyword.
 //
-//   Nets --layout--> Pages --draw--> Drawings --write--> bytes of PDF, SVG, PNG;   Nets + Pages --> bytes of FOLD
+//   Nets --layout--> Pages --draw--> Drawings --write--> bytes of PDF, SVG, PNG;   Nets + Pages --> bytes of
+//   FOLD
 #pragma once
 
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "export/bodies.hpp"
 #include "export/drawing.hpp"
 #include "export/mark.hpp"
 #include "export/paper.hpp"
@@ -40,15 +42,15 @@ struct Pages {
   IdVector<PieceId, Placement> placements;
 };
 
-/// Packs the pieces by their true outlines, tabs included, with the gap between them, on as few pages as it can.
-/// Pieces of one part stay together where that costs no page. Deterministic. Throws Error(no_nets) naming a piece that
-/// fits no page.
+/// Packs the pieces by their true outlines, tabs included, with the gap between them, on as few pages as it
+/// can. Pieces of one part stay together where that costs no page. Deterministic. Throws Error(no_nets)
+/// naming a piece that fits no page.
 [[nodiscard]] Pages layout(const unfold::Nets& nets, const Paper& paper, const Context& context);
 
 struct Style {
   double hidden_fold_angle = 3.0 * 3.14159265358979323846 / 180.0;  ///< smaller folds get no line, radians
-  double label_height = 2.5;           ///< mm
-  double smallest_label_height = 1.6;  ///< mm
+  double label_height = 2.5;                                        ///< mm
+  double smallest_label_height = 1.6;                               ///< mm
 };
 
 /// What is drawn, beside the pages themselves.
@@ -56,11 +58,12 @@ struct DrawReport {
   std::size_t labels_left_out = 0;  ///< numbers that found no place even at the smallest height
   std::size_t labels_outside = 0;   ///< numbers that stand beside their piece, with a leader
   std::size_t names_left_out = 0;   ///< pieces whose name found no place
+  std::vector<Body> bodies;         ///< separate ones, if there are several (export/bodies.hpp)
 };
 
 /// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, legend, scale bar.
-[[nodiscard]] std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets, const Pages& pages,
-                                        const Style& style, DrawReport* report = nullptr);
+[[nodiscard]] std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets,
+                                        const Pages& pages, const Style& style, DrawReport* report = nullptr);
 
 /// Bytes of a PDF of all pages. Same input, same bytes.
 [[nodiscard]] std::string write_pdf(std::span<const Drawing> pages, const Mark& mark);
@@ -69,7 +72,8 @@ struct DrawReport {
 /// Bytes of a PNG of one page.
 [[nodiscard]] std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch = 150.0);
 
-/// Options that shaped the result, for ridgecraft:settings; values are JSON texts (numbers, strings in quotes).
+/// Options that shaped the result, for ridgecraft:settings; values are JSON texts (numbers, strings in
+/// quotes).
 using Settings = std::map<std::string, std::string>;
 
 /// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own and the file has no tabs.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,34 +22,57 @@ constexpr double bar_lengths[] = {50.0, 20.0, 10.0};  ///< the first that fits, 
 /// Distance between neighbours in a row, mm.
 constexpr double neighbour_gap = 5.0;
 
+/// What furniture keeps from the sheet's edge where the margin is smaller: a pen and the tails of letters,
+/// mm.
+constexpr double side_inset = 2.0;
+constexpr double foot_inset = 1.5;
+
 struct LegendItem {
-  Layer layer;
+  bool LineKinds::*used;
+  Layer layer;  ///< mark for lines, whose fold decides how they look
   Fold fold;
   std::string_view word;
   std::string_view short_word;
 };
-constexpr std::array<LegendItem, 4> legend_items{{
-    {Layer::cut, Fold::none, "cut", "cut"},
-    {Layer::mountain, Fold::mountain, "mountain fold", "mountain"},
-    {Layer::valley, Fold::valley, "valley fold", "valley"},
-    {Layer::tab_fill, Fold::none, "glue tab", "tab"},
+constexpr std::array<LegendItem, 6> legend_items{{
+    {&LineKinds::cut, Layer::mark, Fold::none, "cut", "cut"},
+    {&LineKinds::mountain, Layer::mark, Fold::mountain, "mountain fold", "mountain"},
+    {&LineKinds::valley, Layer::mark, Fold::valley, "valley fold", "valley"},
+    {&LineKinds::tab, Layer::tab_fill, Fold::none, "glue tab", "tab"},
+    {&LineKinds::flat_tab, Layer::tab_fold, Fold::none, "tab edge, not folded", "no fold"},
+    {&LineKinds::leader, Layer::label, Fold::none, "name or number of the edge", "its number"},
 }};
+
+/// How much room a legend takes: the first that fits is chosen.
+struct LegendSize {
+  bool full;      ///< words
+  double sample;  ///< length of a sample line, mm
+  double gap;     ///< between items, mm
+};
+constexpr std::array<LegendSize, 4> legend_sizes{
+    {{true, 11.0, 5.0}, {true, 9.0, 3.2}, {false, 7.5, 3.0}, {false, 5.5, 2.4}}};
 
 class FurnitureMaker {
  public:
-  FurnitureMaker(const Paper& paper, std::string_view title, int page, int page_count)
-      : left_(paper.margin),
-        right_(paper.size.x - paper.margin),
-        bottom_(paper.margin),
+  FurnitureMaker(const Paper& paper, std::string_view title, int page, int page_count, const LineKinds& used)
+      : left_(std::max(paper.margin, side_inset)),
+        right_(paper.size.x - left_),
+        bottom_(std::max(paper.margin, foot_inset)),
         title_(printable_utf8(title)),
         page_(std::to_string(page) + " / " + std::to_string(page_count)) {
     group_.id = "page";
+    std::ranges::copy_if(legend_items, std::back_inserter(items_),
+                         [&](const LegendItem& item) { return used.*item.used; });
   }
 
   Group make() {
     const double upper = bottom_ + 1.2 + row_gap;
-    if (const double wide = legend_width(true); right_ - left_ >= wide + neighbour_gap + bar_width(50.0)) {
-      legend(left_, upper, true);
+    const double room = width() - neighbour_gap - bar_width(50.0);
+    const auto fits = [&](const LegendSize& size) {
+      return size.sample >= 7.5 && legend_width(size) <= room;
+    };
+    if (const auto size = std::ranges::find_if(legend_sizes, fits); size != legend_sizes.end()) {
+      legend(left_, upper, *size, items_);
       bar(right_ - bar_width(50.0), upper, 50.0);
       title_row(bottom_ + 0.7, true);
       rule(upper + 4.2);
@@ -62,6 +87,13 @@ class FurnitureMaker {
 
   void line(Vec2 a, Vec2 b, Fold fold = Fold::none) {
     group_.lines.push_back({Layer::mark, {a, b}, false, fold});
+  }
+  /// A sample of a class of line that looks like none of the marks: drawn as one of its own layer would be,
+  /// but as page furniture.
+  void sample_line(Vec2 a, Vec2 b, Layer like) {
+    Line sample{Layer::mark, {a, b}, false, Fold::none};
+    sample.like = like;
+    group_.lines.push_back(std::move(sample));
   }
 
   /// Text whose lower left corner is given.
@@ -111,21 +143,26 @@ class FurnitureMaker {
     }
   }
 
-  static double sample_width(bool full, const LegendItem& item) {
-    return item.layer == Layer::tab_fill ? 5.0 : full ? 11.0 : 7.5;
+  static double sample_width(const LegendSize& size, const LegendItem& item) {
+    return item.layer == Layer::tab_fill ? 5.0 : size.sample;
   }
-  [[nodiscard]] static double legend_width(bool full) {
-    double total = -neighbour_gap;
-    for (const LegendItem& item : legend_items) {
-      total += sample_width(full, item) + 1.5 + text_width(full ? item.word : item.short_word, text_height) +
-               (full ? neighbour_gap : 0.6 * neighbour_gap);
+  static std::string_view word(const LegendSize& size, const LegendItem& item) {
+    return size.full ? item.word : item.short_word;
+  }
+  static double item_width(const LegendSize& size, const LegendItem& item) {
+    return sample_width(size, item) + 1.5 + text_width(word(size, item), text_height);
+  }
+  [[nodiscard]] double legend_width(const LegendSize& size) const {
+    double total = -size.gap;
+    for (const LegendItem& item : items_) {
+      total += item_width(size, item) + size.gap;
     }
     return total;
   }
-  void legend(double x, double y, bool full) {
-    for (const LegendItem& item : legend_items) {
-      const double sample = sample_width(full, item);
-      const double middle = y + 0.5 * text_height;
+  void legend(double x, double y, const LegendSize& size, std::span<const LegendItem> items) {
+    const double middle = y + 0.5 * text_height;
+    for (const LegendItem& item : items) {
+      const double sample = sample_width(size, item);
       if (item.layer == Layer::tab_fill) {
         const std::vector<Vec2> tab{{x, middle - 1.2},
                                     {x + sample, middle - 1.2},
@@ -133,12 +170,13 @@ class FurnitureMaker {
                                     {x + 1.4, middle + 1.2}};
         group_.areas.push_back({Layer::mark, tab});
         group_.lines.push_back({Layer::mark, tab, true, Fold::none});
-      } else {
+      } else if (item.layer == Layer::mark) {
         line({x, middle}, {x + sample, middle}, item.fold);
+      } else {
+        sample_line({x, middle}, {x + sample, middle}, item.layer);
       }
-      const std::string_view word = full ? item.word : item.short_word;
-      text(word, {x + sample + 1.5, y}, text_height);
-      x += sample + 1.5 + text_width(word, text_height) + (full ? neighbour_gap : 0.6 * neighbour_gap);
+      text(word(size, item), {x + sample + 1.5, y}, text_height);
+      x += item_width(size, item) + size.gap;
     }
   }
 
@@ -155,32 +193,53 @@ class FurnitureMaker {
     text(bar_word(size), {x + size + 1.8, y}, text_height);
   }
 
+  /// The longest bar that fits; where the room behind it begins.
+  double bar_row(double y) {
+    for (const double size : bar_lengths) {
+      if (bar_width(size) <= width()) {
+        bar(left_, y, size);
+        return left_ + bar_width(size) + neighbour_gap;
+      }
+    }
+    return left_;
+  }
+
+  void hint(double y, double free_from) {
+    for (const std::string_view words : {"print at 100 %", "100 %"}) {
+      const double size = text_width(words, text_height);
+      if (free_from + size <= right_) {
+        text(words, {right_ - size, y}, text_height);
+        return;
+      }
+    }
+  }
+
   void three_rows() {
     constexpr double low_row = 0.5;
     constexpr double step = 3.7;
     double upper = bottom_ + low_row + 2.0 * step;
-    for (const double size : bar_lengths) {
-      if (bar_width(size) <= width()) {
-        bar(left_, upper, size);
-        for (const std::string_view hint : {"print at 100 %", "100 %"}) {
-          const double hint_width = text_width(hint, text_height);
-          if (bar_width(size) + neighbour_gap + hint_width <= width()) {
-            text(hint, {right_ - hint_width, upper}, text_height);
-            break;
-          }
-        }
-        break;
-      }
+    const LegendSize* size =
+        std::ranges::find_if(legend_sizes, [&](const LegendSize& s) { return legend_width(s) <= width(); });
+    const bool whole = size != legend_sizes.end();
+    size = whole ? size : &legend_sizes.back();
+    std::size_t count = items_.size();
+    double used = legend_width(*size);
+    while (used > width() && count > 0) {
+      used -= item_width(*size, items_[--count]) + size->gap;
     }
-    for (const bool full : {true, false}) {
-      if (legend_width(full) <= width()) {
-        legend(left_, bottom_ + low_row + step, full);
-        break;
-      }
+    const std::span<const LegendItem> items(items_);
+    legend(left_, bottom_ + low_row + step, *size, items.first(count));
+    double free_from = bar_row(upper);
+    // What the legend's row has no room for stands behind the bar.
+    for (; count < items_.size() && free_from + item_width(*size, items_[count]) <= right_; ++count) {
+      legend(free_from, upper, *size, items.subspan(count, 1));
+      free_from += item_width(*size, items_[count]) + size->gap;
     }
+    hint(upper, free_from);
     title_row(bottom_ + low_row, false);
   }
 
+  std::vector<LegendItem> items_;  ///< those used on the page
   double left_;
   double right_;
   double bottom_;
@@ -191,8 +250,23 @@ class FurnitureMaker {
 
 }  // namespace
 
-Group furniture(const Paper& paper, std::string_view title, int page, int page_count) {
-  return FurnitureMaker(paper, title, page, page_count).make();
+LineKinds line_kinds(const std::vector<Group>& groups) {
+  LineKinds kinds;
+  for (const Group& group : groups) {
+    kinds.tab = kinds.tab || !group.areas.empty();
+    for (const Line& line : group.lines) {
+      kinds.cut = kinds.cut || line.layer == Layer::cut;
+      kinds.mountain = kinds.mountain || line.fold == Fold::mountain;
+      kinds.valley = kinds.valley || line.fold == Fold::valley;
+      kinds.flat_tab = kinds.flat_tab || (line.layer == Layer::tab_fold && line.fold == Fold::none);
+      kinds.leader = kinds.leader || line.layer == Layer::label;
+    }
+  }
+  return kinds;
+}
+
+Group furniture(const Paper& paper, std::string_view title, int page, int page_count, const LineKinds& used) {
+  return FurnitureMaker(paper, title, page, page_count, used).make();
 }
 
 }  // namespace ridgecraft::paper

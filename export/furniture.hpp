@@ -3,15 +3,31 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "export/drawing.hpp"
 #include "export/paper.hpp"
 
 namespace ridgecraft::paper {
 
-/// The furniture of one page, in the band of furniture_height at the foot of the printable area. On narrow
-/// paper it takes three rows instead of two, uses shorter words, and leaves out what doesn't fit; nothing
-/// reaches out of the band.
-[[nodiscard]] Group furniture(const Paper& paper, std::string_view title, int page, int page_count);
+/// Kinds of line and area that a legend explains.
+struct LineKinds {
+  bool cut = false;
+  bool mountain = false;
+  bool valley = false;
+  bool tab = false;
+  bool flat_tab = false;  ///< dotted bases of tabs that aren't folded
+  bool leader = false;    ///< lines from numbers and names to their edges
+};
+
+/// What is drawn in these groups.
+[[nodiscard]] LineKinds line_kinds(const std::vector<Group>& groups);
+
+/// The furniture of one page, in the band of furniture_height at the foot of the printable area. The legend
+/// has every kind of line that is used on the page. On narrow paper it takes three rows instead of two, uses
+/// shorter words, and leaves out what doesn't fit; nothing reaches out of the band. Where the margin is
+/// smaller than a pen's width and a descender need, it keeps away from the sheet's edge nevertheless.
+[[nodiscard]] Group furniture(const Paper& paper, std::string_view title, int page, int page_count,
+                              const LineKinds& used);
 
 }  // namespace ridgecraft::paper

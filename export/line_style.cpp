@@ -17,6 +17,9 @@ constexpr double cut_width = 0.2;
 constexpr double fold_width = 0.15;
 constexpr double tab_fold_width = 0.12;
 constexpr double mark_width = 0.15;
+/// Lines from a number to its edge: thinner and paler than anything that is cut or folded.
+constexpr double leader_width = 0.1;
+constexpr Color leader_grey{0x80, 0x80, 0x80};
 /// A dash isn't shortened below this as long as shortening the rest of the pattern can be avoided, mm.
 constexpr double shortest_dash = 1.0;
 
@@ -35,7 +38,7 @@ std::span<const double> pattern_of(Fold fold) {
 }  // namespace
 
 LineStyle style_of(const Line& line) {
-  switch (line.layer) {
+  switch (line.layer == Layer::mark ? line.like : line.layer) {
     case Layer::cut:
       return {cut_width, {}, {}};
     case Layer::mountain:
@@ -47,7 +50,7 @@ LineStyle style_of(const Line& line) {
               {},
               line.fold == Fold::none ? std::span<const double>(flat_dashes) : pattern_of(line.fold)};
     case Layer::label:
-      return {0.1, {}, {}};
+      return {leader_width, leader_grey, {}};
     case Layer::mark:
       return {line.fold == Fold::none ? mark_width : fold_width, {}, pattern_of(line.fold)};
     case Layer::tab_fill:

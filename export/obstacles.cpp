@@ -11,6 +11,16 @@ namespace ridgecraft::paper {
 namespace {
 
 constexpr double cell_mm = 6.0;  ///< about the size of a number with its surroundings
+/// Blank that a text keeps before and behind it, as a share of its height; two of them are wider than the
+/// blanks between the digits of either number.
+constexpr double blank_share = 0.22;
+/// Half the distance of texts above each other, mm.
+constexpr double half_line_gap = 0.2;
+/// Lines nearer to each other than this, over more than this length, at less than this angle (sine of 20
+/// degrees) run along each other.
+constexpr double beside_mm = 0.9;
+constexpr double beside_length_mm = 1.0;
+constexpr double beside_sine = 0.342;
 
 std::array<Vec2, 4> corners(const TurnedBox& box) {
   const Vec2 u = box.half_width * box.along;
@@ -40,6 +50,13 @@ TurnedBox box_of(const Text& text) {
   const double drop = text.underlined ? underline_drop * text.height : 0.0;
   return {text.centre - 0.5 * drop * perpendicular(along), along, 0.5 * text_width(text.text, text.height),
           0.5 * (text.height + drop)};
+}
+
+TurnedBox room_of(const Text& text) {
+  TurnedBox box = box_of(text);
+  box.half_width += blank_share * text.height;
+  box.half_height += half_line_gap;
+  return box;
 }
 
 bool overlap(const TurnedBox& a, const TurnedBox& b) {
@@ -109,23 +126,28 @@ void Obstacles::add(const Segment2& line, Kind kind) {
   }
 }
 
-void Obstacles::add(const TurnedBox& box) {
+void Obstacles::add(const Text& text) {
   const auto number = static_cast<std::uint32_t>(boxes_.size());
-  boxes_.push_back(box);
-  for (const std::uint32_t cell : cells_of(box.bounds())) {
+  boxes_.push_back({box_of(text), room_of(text)});
+  for (const std::uint32_t cell : cells_of(boxes_.back().room.bounds())) {
     cells_[cell].boxes.push_back(number);
   }
 }
 
-bool Obstacles::is_free(const TurnedBox& box) const {
+bool Obstacles::is_free(const Text& text, double clearance, double more) const {
+  const TurnedBox box = box_of(text).grown(clearance + more);
   const Box2 bounds = box.bounds();
   if (bounds.low.x < 0.0 || bounds.low.y < 0.0 || bounds.high.x > size_.x || bounds.high.y > size_.y) {
     return false;
   }
-  return !any_cell(bounds, [&](std::uint32_t cell) {
+  const bool on_line = any_cell(bounds, [&](std::uint32_t cell) {
     return std::ranges::any_of(cells_[cell].lines,
-                               [&](std::uint32_t i) { return meets(lines_[i].line, box); }) ||
-           std::ranges::any_of(cells_[cell].boxes, [&](std::uint32_t i) { return overlap(boxes_[i], box); });
+                               [&](std::uint32_t i) { return meets(lines_[i].line, box); });
+  });
+  const TurnedBox room = room_of(text).grown(more);
+  return !on_line && !any_cell(room.bounds(), [&](std::uint32_t cell) {
+    return std::ranges::any_of(cells_[cell].boxes,
+                               [&](std::uint32_t i) { return overlap(boxes_[i].room, room); });
   });
 }
 
@@ -139,7 +161,56 @@ bool Obstacles::is_free(const Segment2& line, bool folds_too) const {
                                  return (folds_too || lines_[i].kind == Kind::cut) &&
                                         cross_each_other(lines_[i].line, line);
                                }) ||
-           std::ranges::any_of(cells_[cell].boxes, [&](std::uint32_t i) { return meets(line, boxes_[i]); });
+           std::ranges::any_of(cells_[cell].boxes,
+                               [&](std::uint32_t i) { return meets(line, boxes_[i].box); });
+  });
+}
+
+double Obstacles::room_at(Vec2 p, double most) const {
+  Box2 bounds;
+  bounds.add(p - Vec2{most, most});
+  bounds.add(p + Vec2{most, most});
+  double nearest = most;
+  any_cell(bounds, [&](std::uint32_t cell) {
+    for (const std::uint32_t i : cells_[cell].lines) {
+      const Segment2& line = lines_[i].line;
+      const Vec2 d = line.b - line.a;
+      const double size = dot(d, d);
+      const double t = size > 0.0 ? std::clamp(dot(p - line.a, d) / size, 0.0, 1.0) : 0.0;
+      nearest = std::min(nearest, length(p - line.a - t * d));
+    }
+    return false;
+  });
+  return nearest;
+}
+
+bool Obstacles::runs_along_another(const Segment2& line) const {
+  const double size = length(line.b - line.a);
+  if (!(size > beside_length_mm)) {
+    return false;
+  }
+  const Vec2 along = (line.b - line.a) / size;
+  Box2 bounds;
+  for (const Vec2 end : {line.a, line.b}) {
+    bounds.add(end - Vec2{beside_mm, beside_mm});
+    bounds.add(end + Vec2{beside_mm, beside_mm});
+  }
+  const auto beside = [&](const Segment2& other) {
+    const Vec2 d = other.b - other.a;
+    const double t0 = dot(along, other.a - line.a);
+    const double t1 = dot(along, other.b - line.a);
+    const double from = std::max(0.0, std::min(t0, t1));
+    const double to = std::min(size, std::max(t0, t1));
+    if (to - from < beside_length_mm || std::abs(cross(along, d)) > beside_sine * length(d)) {
+      return false;
+    }
+    const auto away = [&](double t) {
+      return cross(along, other.a - line.a) + (t - t0) / (t1 - t0) * cross(along, d);
+    };
+    return std::min(std::abs(away(from)), std::abs(away(to))) < beside_mm || away(from) * away(to) < 0.0;
+  };
+  return any_cell(bounds, [&](std::uint32_t cell) {
+    return std::ranges::any_of(cells_[cell].lines, [&](std::uint32_t i) { return beside(lines_[i].line); });
   });
 }
 

@@ -25,6 +25,9 @@ struct TurnedBox {
 
 /// The box that a text covers, its underline included, without the pen's width.
 [[nodiscard]] TurnedBox box_of(const Text& text);
+/// The box that a text keeps for itself among other texts: a blank's width before and behind it, so that two
+/// numbers in one line are never read as one.
+[[nodiscard]] TurnedBox room_of(const Text& text);
 /// Whether two boxes share more than a border.
 [[nodiscard]] bool overlap(const TurnedBox& a, const TurnedBox& b);
 /// Whether a segment meets a box.
@@ -38,12 +41,18 @@ class Obstacles {
   /// Lines that may be crossed by a leader (folds) and lines that may not (cuts).
   enum class Kind : std::uint8_t { cut, fold };
   void add(const Segment2& line, Kind kind);
-  void add(const TurnedBox& box);
+  void add(const Text& text);
 
-  /// Whether the box meets no line, no other box, and not the page's edge. O(what lies in its cells).
-  [[nodiscard]] bool is_free(const TurnedBox& box) const;
+  /// Whether the text's box, grown by `clearance` and `more`, meets no line and not the page's edge, and its
+  /// room, grown by `more`, no other text's room. O(what lies in its cells).
+  [[nodiscard]] bool is_free(const Text& text, double clearance, double more = 0.0) const;
   /// Whether the line meets no cut and no box; with `folds_too` no fold either.
   [[nodiscard]] bool is_free(const Segment2& line, bool folds_too) const;
+  /// Distance of the nearest line from a point, mm, at most `most`.
+  [[nodiscard]] double room_at(Vec2 p, double most) const;
+  /// Whether the line runs beside another one, near it and in nearly its direction: then it looks like one of
+  /// a pair, or like a fold.
+  [[nodiscard]] bool runs_along_another(const Segment2& line) const;
 
  private:
   struct Stored {
@@ -64,7 +73,11 @@ class Obstacles {
   std::uint32_t rows_ = 1;
   std::vector<Cell> cells_;
   std::vector<Stored> lines_;
-  std::vector<TurnedBox> boxes_;
+  struct Taken {
+    TurnedBox box;
+    TurnedBox room;
+  };
+  std::vector<Taken> boxes_;
 };
 
 }  // namespace ridgecraft::paper

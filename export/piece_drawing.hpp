@@ -23,6 +23,7 @@ struct Seam {
 struct PieceDrawing {
   Group group;
   std::string name;
+  std::vector<std::string> notes;  ///< small words below the name: what the piece is a part of
   std::vector<Seam> seams;
   std::vector<std::array<Vec2, 3>> faces;
 };

@@ -2,6 +2,7 @@
 #include "export/stroke_font.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -131,8 +132,15 @@ struct Shape {
 };
 
 bool known(char32_t code) {
-  const Composed parts = split_accent(code);
-  return glyph_path(parts.base).data() != nullptr;
+  const auto look_up = [](char32_t c) { return glyph_path(split_accent(c).base).data() != nullptr; };
+  static const auto common = [&] {
+    std::array<bool, cached_codes> all{};
+    for (char32_t c = 0; c < cached_codes; ++c) {
+      all[c] = look_up(c);
+    }
+    return all;
+  }();
+  return code < cached_codes ? common[code] : look_up(code);
 }
 
 Shape make_shape(char32_t code) {

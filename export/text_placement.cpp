@@ -56,7 +56,10 @@ constexpr std::array<double, 7> along_shares{0.0, 0.12, -0.12, 0.25, -0.25, 0.37
 constexpr std::array<double, 3> near_offsets{0.0, 0.5, 1.1};
 constexpr double deepest_offset = 9.0;   ///< a number further inside than this needs a leader, mm
 constexpr double longest_leader = 16.0;  ///< mm, from the edge to the number's centre
-constexpr std::size_t leader_turns = 9;  ///< directions that a leader may take
+constexpr std::size_t leader_turns = 7;  ///< directions that a leader may take
+/// A leader leaves its edge at an angle of at least this sine (40 degrees): it must not look like a fold or a
+/// slip of the knife.
+constexpr double steepest_sine = 0.643;
 /// A sight line begins this far beside its edge, so as not to touch it, mm.
 constexpr double off_the_line = 0.03;
 
@@ -134,7 +137,7 @@ class NumberPlacer {
           }
           const Segment2 leader = leader_to(text, start, out);
           blocked[i] = !obstacles_.is_free(leader, false);  // a longer one would be, too
-          if (!blocked[i] && put_with_leader(wanted, text, leader, start)) {
+          if (!blocked[i] && put_with_leader(wanted, text, leader, out)) {
             return true;
           }
         }
@@ -146,11 +149,10 @@ class NumberPlacer {
   static double clearance(double height) { return std::max(0.32, 0.17 * height); }
 
   bool put(PieceDrawing& piece, const Text& text) {
-    const TurnedBox box = box_of(text);
-    if (!on_area(box) || !obstacles_.is_free(box.grown(clearance(text.height)))) {
+    if (!on_area(box_of(text)) || !obstacles_.is_free(text, clearance(text.height))) {
       return false;
     }
-    obstacles_.add(box);
+    obstacles_.add(text);
     piece.group.texts.push_back(text);
     return true;
   }
@@ -232,12 +234,14 @@ class NumberPlacer {
                 std::clamp(dot(from_centre, up), -box.half_height, box.half_height) * up};
   }
 
-  bool put_with_leader(const Wanted& wanted, const Text& text, const Segment2& leader, Vec2 edge) {
-    if (length(leader.b - leader.a) < 0.8 || !put(*wanted.piece, text)) {
+  bool put_with_leader(const Wanted& wanted, const Text& text, const Segment2& leader, Vec2 out) {
+    const Vec2 d = leader.b - leader.a;
+    if (length(d) < 0.8 || dot(d, out) < steepest_sine * length(d) || obstacles_.runs_along_another(leader) ||
+        !put(*wanted.piece, text)) {
       return false;
     }
     obstacles_.add(leader, Obstacles::Kind::cut);
-    wanted.piece->group.lines.push_back({Layer::label, {edge, leader.b}, false, Fold::none});
+    wanted.piece->group.lines.push_back({Layer::label, {leader.a, leader.b}, false, Fold::none});
     return true;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far one surface is from another. Private to mesh/.
+// How far one surface is from another.
 #pragma once
 
 #include <cstdint>

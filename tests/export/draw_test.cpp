@@ -289,7 +289,7 @@ TEST_CASE("furniture stays in its band on every paper") {
       const paper::Paper sheet = paper::parse_paper(name + suffix);
       for (const std::string title : {"Fox", "A name that is longer than the page is wide, whatever the page",
                                       "狐狐狐狐狐狐狐狐狐狐"}) {
-        const paper::Group group = paper::furniture(sheet, title, 12, 345);
+        const paper::Group group = paper::furniture(sheet, title, 12, 345, {true, true, true, true, true, true});
         Box2 box;
         bool bar = false;
         for (const auto& line : group.lines) {
