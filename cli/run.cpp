@@ -10,6 +10,7 @@
 
 #include <unistd.h>
 
+#include "cli/formats.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/pending_files.hpp"

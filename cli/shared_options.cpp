@@ -6,6 +6,7 @@
 
 #include "cli/option_values.hpp"
 #include "cli/units.hpp"
+#include "mesh/length_text.hpp"
 
 namespace ridgecraft::cli {
 

@@ -453,47 +453,4 @@ std::string summary(const VerifyJob& job, const verify::Report& report) {
   return text;
 }
 
-namespace {
-
-struct FormatRow {
-  const char* suffix;
-  const char* what;
-};
-constexpr FormatRow read_formats[] = {{".obj", "Wavefront OBJ, with materials"},
-                                      {".stl", "STL, binary and ASCII"},
-                                      {".ply", "PLY, ASCII and binary of both byte orders"},
-                                      {".off", "OFF and its variants, ASCII"}};
-constexpr FormatRow written_formats[] = {{".pdf", "pages to print; default"},
-                                         {".svg", "pages with a layer for each class of line; default"},
-                                         {".fold", "FOLD 1.2: nets, joins, tabs and the model; default"},
-                                         {".png", "pages as pictures"},
-                                         {".ply", "parts in colour (segment)"},
-                                         {".off", "parts in colour (segment)"},
-                                         {".seg", "part numbers (segment --labels)"}};
-
-}  // namespace
-
-std::string formats_text() {
-  std::string text = "read:\n";
-  for (const FormatRow& row : read_formats) {
-    text += fmt::format("  {:<6} {}\n", row.suffix, row.what);
-  }
-  text += "written:\n";
-  for (const FormatRow& row : written_formats) {
-    text += fmt::format("  {:<6} {}\n", row.suffix, row.what);
-  }
-  return text;
-}
-
-std::string formats_json() {
-  Json json{{"read", Json::array()}, {"written", Json::array()}};
-  for (const FormatRow& row : read_formats) {
-    json["read"].push_back({{"suffix", row.suffix}, {"what", row.what}});
-  }
-  for (const FormatRow& row : written_formats) {
-    json["written"].push_back({{"suffix", row.suffix}, {"what", row.what}});
-  }
-  return json.dump(2) + "\n";
-}
-
 }  // namespace ridgecraft::cli

@@ -25,10 +25,6 @@ namespace ridgecraft::cli {
 /// verify FILE
 [[nodiscard]] std::string summary(const VerifyJob& job, const verify::Report& report);
 
-/// formats
-[[nodiscard]] std::string formats_text();
-[[nodiscard]] std::string formats_json();
-
 /// One line per repair and note, for standard error: "24 points at equal places were joined".
 [[nodiscard]] std::vector<std::string> repair_lines(const mesh::RepairReport& report);
 

@@ -18,36 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<Format> format_of(const std::string& suffix) {
-  if (suffix == ".pdf") {
-    return Format::pdf;
-  }
-  if (suffix == ".svg") {
-    return Format::svg;
-  }
-  if (suffix == ".png") {
-    return Format::png;
-  }
-  if (suffix == ".fold") {
-    return Format::fold;
-  }
-  return std::nullopt;
-}
-
-const char* suffix(Format format) {
-  switch (format) {
-    case Format::pdf:
-      return ".pdf";
-    case Format::svg:
-      return ".svg";
-    case Format::png:
-      return ".png";
-    case Format::fold:
-      return ".fold";
-  }
-  return "";
-}
-
 bool is_folder(const std::string& text) {
   std::error_code error;
   return text.ends_with('/') || fs::is_directory(text, error) || fs::path(text).extension().empty();
@@ -84,17 +54,10 @@ std::optional<std::size_t> page_number(const std::string& name, const std::strin
 
 }  // namespace
 
-std::string suffix_of(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return ending;
-}
-
 std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name) {
   std::vector<Target> targets;
   const auto add_folder = [&](const fs::path& folder) {
-    for (const Format format : {Format::pdf, Format::svg, Format::fold}) {
+    for (const Format format : default_formats()) {
       targets.push_back({format, folder, model_name});
     }
   };
@@ -109,12 +72,12 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
     const fs::path path(output);
     if (is_folder(output)) {
       add_folder(path);
-    } else if (const auto format = format_of(suffix_of(path))) {
+    } else if (const auto format = paper_format(suffix_of(path))) {
       targets.push_back(
           {*format, path.has_parent_path() ? path.parent_path() : fs::path("."), path.stem().string()});
     } else {
       throw Error(ErrorKind::usage, "-o " + output + ": '" + path.extension().string() +
-                                        "' is no format that can be written; .pdf, .svg, .png and .fold are");
+                                        "' is no format that can be written; " + paper_suffixes() + " are");
     }
   }
   std::vector<Target> different;

@@ -8,14 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/formats.hpp"
+
 namespace ridgecraft::cli {
-
-enum class Format { pdf, svg, png, fold };
-
-/// SVG and PNG hold one page each, PDF and FOLD all of them.
-[[nodiscard]] constexpr bool one_file_per_page(Format format) {
-  return format == Format::svg || format == Format::png;
-}
 
 /// One format of one result. Formats with a file per page (SVG, PNG) number the files when there are several
 /// pages.
@@ -51,8 +46,5 @@ void require_replaceable(const std::filesystem::path& file, const std::string& d
 
 /// Throws Error(cant_write) unless the file's folder exists (or can be created) and can be written to.
 void require_writable_folder(const std::filesystem::path& folder);
-
-/// The suffix in lower case, with its dot.
-[[nodiscard]] std::string suffix_of(const std::filesystem::path& file);
 
 }  // namespace ridgecraft::cli

@@ -14,7 +14,4 @@ namespace ridgecraft::cli {
 /// The factor of "1:50", "2:1", "0.5", "30%"; nothing when it isn't finite and above zero.
 [[nodiscard]] std::optional<double> parse_scale(std::string_view text);
 
-/// Millimetres in one "mm", "cm", "m", "in", "ft"; nothing for another word.
-[[nodiscard]] std::optional<double> unit_mm(std::string_view word);
-
 }  // namespace ridgecraft::cli

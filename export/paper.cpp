@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "mesh/error.hpp"
+#include "mesh/length_text.hpp"
 #include "mesh/nearest_word.hpp"
 
 namespace ridgecraft::paper {
@@ -63,43 +63,6 @@ std::string lowered(std::string_view text) {
   return result;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// Takes a number and the unit behind it off the front of `text`.
-struct Length {
-  double value = 0.0;
-  double mm_per_unit = 0.0;  ///< 0: no unit given
-};
-std::optional<Length> take_length(std::string_view& text) {
-  text = trimmed(text);
-  Length length;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length.value);
-  if (error != std::errc{}) {
-    return std::nullopt;
-  }
-  text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
-  static constexpr std::array<std::pair<std::string_view, double>, 6> units{{{"mm", 1.0},
-                                                                             {"cm", 10.0},
-                                                                             {"inches", mm_per_inch},
-                                                                             {"inch", mm_per_inch},
-                                                                             {"in", mm_per_inch},
-                                                                             {"\"", mm_per_inch}}};
-  for (const auto& [unit, mm] : units) {
-    if (text.starts_with(unit)) {
-      length.mm_per_unit = mm;
-      text = trimmed(text.substr(unit.size()));
-      break;
-    }
-  }
-  return length;
-}
-
 /// "210x297mm": width, x (or the multiplication sign), height; a unit on the second number holds for both.
 std::optional<Vec2> parse_numbers(std::string_view text) {
   const auto width = take_length(text);
@@ -118,11 +81,9 @@ std::optional<Vec2> parse_numbers(std::string_view text) {
   if (!height || !text.empty()) {
     return std::nullopt;
   }
-  const double of_height = height->mm_per_unit > 0.0  ? height->mm_per_unit
-                           : width->mm_per_unit > 0.0 ? width->mm_per_unit
-                                                      : 1.0;
-  const double of_width = width->mm_per_unit > 0.0 ? width->mm_per_unit : of_height;
-  return Vec2{width->value * of_width, height->value * of_height};
+  const double of_height = height->mm_per_unit.value_or(width->mm_per_unit.value_or(1.0));
+  const double of_width = width->mm_per_unit.value_or(of_height);
+  return Vec2{width->number * of_width, height->number * of_height};
 }
 
 void check_side(std::string_view text, double side) {

@@ -21,8 +21,6 @@ struct Paper {
   Vec2 size{210.0, 297.0};
   double margin = 10.0;  ///< on all four sides
   double gap = 2.0;      ///< between the outlines of neighbouring pieces, tabs included
-
-  [[nodiscard]] Vec2 printable() const { return {size.x - 2.0 * margin, size.y - 2.0 * margin}; }
 };
 
 /// "A4", "letter", "jis-b5", "a3-landscape", "210x297mm", "8.5x11in", "210x297" (mm); letter case doesn't

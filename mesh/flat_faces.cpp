@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "mesh/disjoint_sets.hpp"
+
 namespace ridgecraft::mesh {
 namespace {
 

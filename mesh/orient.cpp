@@ -6,6 +6,7 @@
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
+#include "mesh/disjoint_sets.hpp"
 #include "mesh/error.hpp"
 
 namespace ridgecraft::mesh {

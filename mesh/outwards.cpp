@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/disjoint_sets.hpp"
 #include "mesh/orient.hpp"
 
 namespace ridgecraft::mesh {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesh/constrained_delaunay.hpp"
+#include "mesh/disjoint_sets.hpp"
 #include "mesh/loose_faces.hpp"
 #include "mesh/panels.hpp"
 #include "mesh/plane_frame.hpp"

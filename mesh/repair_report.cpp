@@ -17,7 +17,6 @@ struct Wording {
   std::string_view name;
   std::string_view one;
   std::string_view many;
-  bool change = true;
 };
 
 using enum RepairKind;
@@ -82,11 +81,11 @@ constexpr std::array wordings{
     Wording{t_junctions_joined, "t_junctions_joined", "1 point was set into the edge it lies on",
             "{} points were set into the edges they lie on"},
     Wording{open_border, "open_border", "the surface is open: 1 edge has only one face",
-            "the surface is open: {} edges have only one face", false},
+            "the surface is open: {} edges have only one face"},
     Wording{self_intersections, "self_intersections", "1 face runs through another",
-            "{} faces run through each other", false},
+            "{} faces run through each other"},
     Wording{narrow_faces, "narrow_faces", "1 face is too narrow to be cut at this size",
-            "{} faces are too narrow to be cut at this size", false},
+            "{} faces are too narrow to be cut at this size"},
 };
 
 /// The table is in the order of the enumeration, so that a kind is its index.
@@ -113,10 +112,6 @@ std::string_view name(RepairKind kind) {
 std::string sentence(RepairKind kind, std::size_t count) {
   const Wording& words = wording(kind);
   return count == 1 ? std::string(words.one) : fmt::format(fmt::runtime(words.many), count);
-}
-
-bool is_change(RepairKind kind) {
-  return wording(kind).change;
 }
 
 void RepairReport::add(RepairKind kind, std::size_t count, std::string detail) {

@@ -47,8 +47,6 @@ enum class RepairKind {
 [[nodiscard]] std::string_view name(RepairKind kind);
 /// For example "24 points at equal places were joined".
 [[nodiscard]] std::string sentence(RepairKind kind, std::size_t count);
-/// False for notes, true where the model was changed or something of the file was ignored.
-[[nodiscard]] bool is_change(RepairKind kind);
 
 struct Repair {
   RepairKind kind;

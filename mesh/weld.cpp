@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mesh/disjoint_sets.hpp"
 #include "mesh/edge_order.hpp"
 #include "mesh/point_cells.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "unfold/disjoint_sets.hpp"
+#include "mesh/disjoint_sets.hpp"
 #include "unfold/tolerance.hpp"
 
 namespace ridgecraft::unfold {
@@ -86,7 +86,7 @@ void close_flat_cuts(const mesh::Surface& surface, const mesh::Panels& panels, N
 
 void count_holes(const mesh::Surface& surface, Nets& nets) {
   // Corners that folds hold together are one vertex of the paper.
-  DisjointSets vertices(static_cast<std::uint32_t>(surface.corner_count()));
+  DisjointSets vertices(surface.corner_count());
   std::vector<std::int64_t> euler(nets.pieces.size(), 0);
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);

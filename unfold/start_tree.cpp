@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "unfold/disjoint_sets.hpp"
+#include "mesh/disjoint_sets.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

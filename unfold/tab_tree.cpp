@@ -2,7 +2,7 @@
 // Start trees for tabs.
 #include <algorithm>
 
-#include "unfold/disjoint_sets.hpp"
+#include "mesh/disjoint_sets.hpp"
 #include "unfold/tab_search.hpp"
 #include "unfold/tab_targets.hpp"
 

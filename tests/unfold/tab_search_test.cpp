@@ -8,7 +8,7 @@
 
 #include "support/shapes.hpp"
 #include "unfold/check.hpp"
-#include "unfold/disjoint_sets.hpp"
+#include "mesh/disjoint_sets.hpp"
 #include "unfold/layout.hpp"
 #include "unfold/start_tree.hpp"
 #include "unfold/tab_assignment.hpp"
@@ -66,7 +66,7 @@ struct Example {
 };
 
 bool is_spanning_tree(const Patch& patch, const Folds& folds) {
-  unfold::DisjointSets sets(patch.size());
+  ridgecraft::DisjointSets sets(patch.size());
   std::uint32_t joined = 0;
   for (std::uint32_t side = 0; side < folds.size(); ++side) {
     if (folds[side] != 0 && side < patch.twin[side]) {

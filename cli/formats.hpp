@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The formats that are read and written, in one table: what `ridgecraft formats` prints, and what a file's
+// suffix after -o means.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgecraft::cli {
+
+/// What the main job writes.
+enum class Format { pdf, svg, fold, png };
+
+/// The main job's format with this suffix (lower case, with its dot); none where it writes no such files.
+[[nodiscard]] std::optional<Format> paper_format(std::string_view suffix);
+
+/// ".pdf"
+[[nodiscard]] const char* suffix(Format format);
+
+/// SVG and PNG hold one page each, PDF and FOLD all of them.
+[[nodiscard]] bool one_file_per_page(Format format);
+
+/// What a folder after -o gets, and what is written without -o.
+[[nodiscard]] std::vector<Format> default_formats();
+
+/// ".pdf, .svg, .fold and .png", for a sentence.
+[[nodiscard]] std::string paper_suffixes();
+
+/// The suffix in lower case, with its dot.
+[[nodiscard]] std::string suffix_of(const std::filesystem::path& file);
+
+/// ridgecraft formats
+[[nodiscard]] std::string formats_text();
+[[nodiscard]] std::string formats_json();
+
+}  // namespace ridgecraft::cli
