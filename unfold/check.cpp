@@ -45,7 +45,8 @@ bool plainly_apart(const Triangle& a, const Triangle& b) {
   const Vec2 way = (b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]);
   const double a_far = std::max({dot(way, a[0]), dot(way, a[1]), dot(way, a[2])});
   const double b_near = std::min({dot(way, b[0]), dot(way, b[1]), dot(way, b[2])});
-  return a_far <= b_near;
+  // No way between two middles that coincide: then nothing is plain.
+  return (way.x != 0.0 || way.y != 0.0) && a_far <= b_near;
 }
 
 struct Boxed {

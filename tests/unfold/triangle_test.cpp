@@ -188,6 +188,13 @@ TEST_CASE("the check finds every pair that brute force finds", "[check]") {
     triangles.push_back(
         {at, at + Vec2{1.0 + random.unit(), random.unit() - 0.5}, at + Vec2{random.unit(), 1.0}});
   }
+  // Nets of symmetric models lay faces exactly on others: equal ones, and others with the same middle.
+  for (std::size_t i = 0; i < 40; ++i) {
+    triangles.push_back(triangles[7 * i]);
+  }
+  for (const double size : {1.0, 0.5}) {
+    triangles.push_back({Vec2{-2.0 * size, -size}, Vec2{2.0 * size, -size}, Vec2{0.0, 2.0 * size}});
+  }
   const auto found = unfold::find_overlaps(triangles, 1e-3);
   std::size_t expected = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
