@@ -262,6 +262,8 @@ UnfoldResult make_nets(const UnfoldJob& job, const Context& context, PendingFile
   result.nets = clock("unfold", context, [&] {
     unfold::Options options;
     options.tabs.wanted = false;
+    options.panel_cuts =
+        job.whole ? unfold::PanelCuts::before_pieces : unfold::PanelCuts::only_if_too_large;
     return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });
   const std::string fold = clock("write", context, [&] {

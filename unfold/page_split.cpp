@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "unfold/disjoint_sets.hpp"
 #include "unfold/forest.hpp"
 #include "unfold/layout.hpp"
 #include "unfold/sheet.hpp"
@@ -36,45 +37,57 @@ Hull hull_of(const Triangle& t) {
   return convex_hull({t.begin(), t.end()});
 }
 
-/// Cuts one rooted tree from its leaves upwards: at each face the branches are taken in, panels and small
-/// ones first, as long as the whole fits; the others are cut off.
+/// The place of the uppermost face of each face's panel.
+std::vector<std::uint32_t> panel_tops(const Patch& patch, const RootedTree& tree) {
+  std::vector<std::uint32_t> top(tree.order.size(), 0);
+  for (std::uint32_t i = 1; i < top.size(); ++i) {
+    top[i] = patch.frozen[tree.up[i]] != 0 ? top[tree.parent[i]] : i;
+  }
+  return top;
+}
+
+/// Cuts one rooted tree from its leaves upwards: at each panel the branches are taken in, small ones first,
+/// as long as the whole fits; the others are cut off.
 void peel(const Patch& patch, const Layout& layout, const RootedTree& tree, const Room& room, Folds& folds) {
   struct Branch {
     Hull hull;
-    std::size_t panels = 0;
+    std::size_t panels = 1;
     double area = 0.0;
   };
   const std::size_t n = tree.order.size();
+  const std::vector<std::uint32_t> top = panel_tops(patch, tree);
   std::vector<Branch> branch(n);
+  std::vector<std::vector<Vec2>> own(n);
   std::vector<std::vector<std::uint32_t>> children(n);
-  for (std::uint32_t i = 1; i < n; ++i) {
-    children[tree.parent[i]].push_back(i);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Triangle& flat = layout.flat[tree.order[i]];
+    own[top[i]].insert(own[top[i]].end(), flat.begin(), flat.end());
+    branch[top[i]].area += 0.5 * cross(flat[1] - flat[0], flat[2] - flat[0]);
+    if (i > 0 && top[i] == i) {
+      children[top[tree.parent[i]]].push_back(i);
+    }
   }
   for (std::size_t i = n; i-- > 0;) {
-    const Triangle& flat = layout.flat[tree.order[i]];
-    Branch own{hull_of(flat), 1, 0.5 * cross(flat[1] - flat[0], flat[2] - flat[0])};
+    if (top[i] != i) {
+      continue;
+    }
+    branch[i].hull = convex_hull(std::move(own[i]));
     auto& below = children[i];
     std::sort(below.begin(), below.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const bool frozen_a = patch.frozen[tree.up[a]] != 0;
-      const bool frozen_b = patch.frozen[tree.up[b]] != 0;
-      if (frozen_a != frozen_b) {
-        return frozen_a;
-      }
       return branch[a].area != branch[b].area ? branch[a].area < branch[b].area : a < b;
     });
     for (const std::uint32_t child : below) {
-      Hull hull = joined(own.hull, branch[child].hull);
-      const std::size_t panels = own.panels + branch[child].panels - patch.frozen[tree.up[child]];
+      Hull hull = joined(branch[i].hull, branch[child].hull);
+      const std::size_t panels = branch[i].panels + branch[child].panels;
       if (room.holds(hull, panels)) {
-        own.hull = std::move(hull);
-        own.panels = panels;
-        own.area += branch[child].area;
+        branch[i].hull = std::move(hull);
+        branch[i].panels = panels;
+        branch[i].area += branch[child].area;
       } else {
         set_fold(patch, folds, tree.up[child], false);
       }
       branch[child] = Branch{};
     }
-    branch[i] = std::move(own);
   }
 }
 
@@ -189,6 +202,9 @@ void balance(const Patch& patch, const Folds& before, const Room& room, Folds& f
 }  // namespace
 
 bool Room::holds(std::span<const Vec2> hull, std::size_t panels) const {
+  if (max_panels > 0 && panels > max_panels) {
+    return false;
+  }
   if (!sheet) {
     return true;
   }
@@ -196,6 +212,17 @@ bool Room::holds(std::span<const Vec2> hull, std::size_t panels) const {
     return true;
   }
   return panels == 1 && angle_to_fit(hull, *sheet).has_value();
+}
+
+std::size_t panel_count(const Patch& patch) {
+  DisjointSets sets(patch.size());
+  std::size_t panels = patch.size();
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (patch.frozen[side] != 0 && side < patch.twin[side] && sets.join(side / 3, patch.twin[side] / 3)) {
+      --panels;
+    }
+  }
+  return panels;
 }
 
 SplitCost cost_of(const Patch& patch, const Folds& folds) {
@@ -230,7 +257,7 @@ std::size_t panels_of(const Patch& patch, const Folds& folds, const std::vector<
 }
 
 bool all_fit(const Patch& patch, const Folds& folds, const Room& room) {
-  if (!room.sheet) {
+  if (!room.sheet && room.max_panels == 0) {
     return true;
   }
   const Layout layout = lay_out(patch, folds);

@@ -11,10 +11,12 @@
 
 namespace ridgecraft::unfold {
 
-/// What a piece must fit: the sheet, with a strip for tabs all round. A single panel may use the strip.
+/// What a piece must keep to: the sheet, with a strip for tabs all round, and a number of panels. A single
+/// panel may use the strip.
 struct Room {
   std::optional<Sheet> sheet;
-  double strip = 0.0;  ///< mm
+  double strip = 0.0;          ///< mm
+  std::size_t max_panels = 0;  ///< flat regions in one piece; 0: as many as it likes
 
   /// `panels`: how many flat regions the piece has.
   [[nodiscard]] bool holds(std::span<const Vec2> hull, std::size_t panels) const;
@@ -40,6 +42,9 @@ struct SplitCost {
 /// The cost of a forest: its cuts between faces of the patch.
 [[nodiscard]] SplitCost cost_of(const Patch& patch, const Folds& folds);
 
+/// How many flat regions a connected patch has: what its frozen sides leave apart.
+[[nodiscard]] std::size_t panel_count(const Patch& patch);
+
 /// How many flat regions the piece of these faces has.
 [[nodiscard]] std::size_t panels_of(const Patch& patch, const Folds& folds,
                                     const std::vector<std::uint32_t>& faces);
@@ -50,7 +55,7 @@ struct SplitCost {
 /// Removes folds until every piece fits. From several roots, each tree is cut from its
 /// leaves upwards only where a branch no longer fits; the forest with the fewest pieces is kept. Then, for
 /// neighbouring pieces, the cut between them is moved to where it is short, on a sharp or concave edge, and
-/// leaves balanced pieces. Panels are cut only where one alone doesn't fit. O(roots n h), h the corners of
+/// leaves balanced pieces. Panels stay whole. O(roots n h), h the corners of
 /// the hulls.
 [[nodiscard]] Folds split_to_fit(const Patch& patch, const Folds& folds, const Room& room, Random& random,
                                  const Context& context);

@@ -9,8 +9,9 @@
 namespace ridgecraft::unfold {
 
 /// Gives each panel whole to the part that has most of its area (the smaller number where two have equally
-/// much). Parts that lose all their faces vanish; the others are numbered anew by their smallest face. O(n
-/// log n).
+/// much), and what a part has no longer in one with the rest to the neighbour with the longest border, so
+/// that parts stay connected where they were. Parts that lose all their faces vanish; the others are numbered
+/// anew by their smallest face. O(n log n) but for the crumbs, O(n) each.
 [[nodiscard]] IdVector<FaceId, PartId> parts_of_whole_panels(const mesh::Surface& surface,
                                                              const mesh::Panels& panels,
                                                              const IdVector<FaceId, PartId>& part);

@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "unfold/check.hpp"
+#include "unfold/fit_search.hpp"
 #include "unfold/layout.hpp"
 #include "unfold/merge_pieces.hpp"
 #include "unfold/net_search.hpp"
+#include "unfold/one_piece.hpp"
 #include "unfold/overlap_split.hpp"
+#include "unfold/unite_pieces.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -27,6 +31,9 @@ constexpr std::array attempt_kinds{
 std::size_t attempts_for(std::uint32_t faces) {
   return faces <= 500 ? attempt_kinds.size() : faces <= 1500 ? 4 : faces <= 3000 ? 2 : 1;
 }
+
+/// Changes of shape that are tried for a net that is larger than the sheet.
+constexpr std::uint64_t fit_trials = 400;
 
 /// Start trees before a patch counts as having no single net.
 constexpr int starts_tried = 3;
@@ -45,18 +52,19 @@ struct Proposal {
 
 class PatchUnfolder {
  public:
-  PatchUnfolder(const Patch& patch, const Room& room, double tolerance, std::uint64_t seed,
+  PatchUnfolder(const Patch& patch, const Room& room, PanelCuts cuts, double tolerance, std::uint64_t seed,
                 const Context& context)
-      : patch_(patch), loose_(patch), room_(room), tolerance_(tolerance), random_(seed), context_(context) {
-    std::fill(loose_.frozen.begin(), loose_.frozen.end(), std::uint8_t{0});
+      : patch_(patch), room_(room), cuts_(cuts), tolerance_(tolerance), random_(seed), context_(context) {
     has_panels_ =
         std::any_of(patch.frozen.begin(), patch.frozen.end(), [](std::uint8_t f) { return f != 0; });
   }
 
   PatchNets run() {
-    try_nets(patch_, panel_count());
-    if (!best_ && has_panels_ && !context_.out_of_time()) {
-      try_nets(loose_, loose_.size());
+    try_nets(patch_, static_cast<std::uint32_t>(panel_count(patch_)));
+    if (!best_ && has_panels_ && cuts_ == PanelCuts::before_pieces && !context_.out_of_time()) {
+      Patch loose = patch_;
+      std::fill(loose.frozen.begin(), loose.frozen.end(), std::uint8_t{0});
+      try_nets(loose, loose.size());
       if (best_) {
         notes_.emplace_back("no single net with all flat regions whole was found, so some are cut");
       }
@@ -64,11 +72,17 @@ class PatchUnfolder {
     if (!best_) {
       cut_conflicts();
     }
-    if (room_.sheet && best_->cost.pieces > 1) {
+    if (best_->cost.pieces > 1) {
       propose(merge_pieces(patch_, panel_folds(), room_, tolerance_, merge_budget, context_), best_->net);
     }
     refine();
+    unite();
     insist_on_clean();
+    if (no_single_net_) {
+      notes_.push_back("no single net" + std::string(has_panels_ ? " with all flat regions whole" : "") +
+                       " was found" + (out_of_time_ ? " in the time given" : "") + ", so it becomes " +
+                       std::to_string(lay_out(patch_, best_->folds).faces.size()) + " pieces");
+    }
     return {best_->folds, reasons(), std::move(notes_)};
   }
 
@@ -78,7 +92,8 @@ class PatchUnfolder {
   void try_nets(const Patch& patch, std::uint32_t panels) {
     NetSearch options;
     options.tolerance = tolerance_;
-    options.starts = starts_tried;
+    // Where a piece more is the alternative, whole panels are worth the trouble.
+    options.starts = has_panels_ && cuts_ == PanelCuts::only_if_too_large ? 2 * starts_tried : starts_tried;
     options.iterations = iteration_budget(panels);
     options.idle = idle_iterations(panels);
     for (std::size_t attempt = 0; attempt < attempts_for(patch.size()); ++attempt) {
@@ -103,6 +118,14 @@ class PatchUnfolder {
   /// Makes a clean forest fit the room and keeps it if it is better than the best so far.
   void propose(const Folds& clean, std::vector<std::uint32_t> net) {
     Folds folds = clean;
+    const bool single = cost_of(patch_, folds).pieces == 1;
+    if (single && room_.sheet && !all_fit(patch_, folds, room_)) {
+      // Where even one piece might do, a net is bent a little before it is split.
+      if (!too_large_for_one(patch_, room_)) {
+        folds = shrink_to_fit(patch_, folds, room_, tolerance_, fit_trials, random_.next(), context_);
+      }
+    }
+    too_many_panels_ = too_many_panels_ || (single && all_fit(patch_, folds, {room_.sheet, room_.strip, 0}));
     if (!all_fit(patch_, folds, room_)) {
       folds = split_to_fit(patch_, folds, room_, random_, context_);
       folds = merge_pieces(patch_, folds, room_, tolerance_, merge_budget, context_);
@@ -116,13 +139,9 @@ class PatchUnfolder {
   /// Takes a random piece, and sometimes one beside it, apart into panels and joins what lies there anew in
   /// another order; keeps what isn't worse (ruin and recreate: G. Schrimpf et al., 2000).
   void refine() {
-    const double area = std::accumulate(
-        patch_.shape.begin(), patch_.shape.end(), 0.0,
-        [](double sum, const Triangle& t) { return sum + 0.5 * cross(t[1] - t[0], t[2] - t[0]); });
     const Folds panels = panel_folds();
     for (int round = 0; round < refine_rounds(patch_.size()); ++round) {
-      if (!room_.sheet || best_->cost.pieces == 1 || context_.out_of_time() ||
-          area > static_cast<double>(best_->cost.pieces - 1) * room_.sheet->width * room_.sheet->height) {
+      if (best_->cost.pieces <= least_pieces() || context_.out_of_time()) {
         return;
       }
       context_.check();
@@ -133,6 +152,35 @@ class PatchUnfolder {
         best_->folds = std::move(folds);
         best_->cost = cost;
       }
+    }
+  }
+
+  /// Pieces that no arrangement can do without.
+  [[nodiscard]] std::size_t least_pieces() const {
+    std::size_t least = 1;
+    if (room_.sheet) {
+      const double area = std::accumulate(
+          patch_.shape.begin(), patch_.shape.end(), 0.0,
+          [](double sum, const Triangle& t) { return sum + 0.5 * cross(t[1] - t[0], t[2] - t[0]); });
+      least = std::max(
+          least, static_cast<std::size_t>(std::ceil(area / (room_.sheet->width * room_.sheet->height))));
+    }
+    if (room_.max_panels > 0) {
+      least = std::max(least, (panel_count(patch_) + room_.max_panels - 1) / room_.max_panels);
+    }
+    return least;
+  }
+
+  /// Neighbours are unfolded afresh together, where that makes one piece of two or two of three.
+  void unite() {
+    if (best_->cost.pieces <= least_pieces() || context_.out_of_time()) {
+      return;
+    }
+    Folds folds = unite_pieces(patch_, best_->folds, room_, tolerance_, random_.next(), context_);
+    const SplitCost cost = cost_of(patch_, folds);
+    if (cost.pieces < best_->cost.pieces) {
+      best_->folds = std::move(folds);
+      best_->cost = cost;
     }
   }
 
@@ -184,16 +232,8 @@ class PatchUnfolder {
     }
     out_of_time_ = context_.out_of_time();
     const Layout layout = lay_out(patch_, *fewest);
-    notes_.push_back("no single net without overlap was found" +
-                     std::string(out_of_time_ ? " in the time given" : "") + ", so it is cut into " +
-                     std::to_string(layout.faces.size()));
+    no_single_net_ = true;
     propose(*fewest, layout.piece);
-  }
-
-  [[nodiscard]] std::uint32_t panel_count() {
-    const Folds folds = panel_folds();
-    return patch_.size() -
-           static_cast<std::uint32_t>(std::count(folds.begin(), folds.end(), std::uint8_t{1}) / 2);
   }
 
   [[nodiscard]] Folds panel_folds() {
@@ -209,7 +249,8 @@ class PatchUnfolder {
   /// that, any other is there for the page.
   [[nodiscard]] std::vector<PieceReason> reasons() const {
     const Layout layout = lay_out(patch_, best_->folds);
-    std::vector<PieceReason> reason(layout.faces.size(), PieceReason::page);
+    std::vector<PieceReason> reason(layout.faces.size(),
+                                    too_many_panels_ ? PieceReason::faces : PieceReason::page);
     std::vector<std::uint32_t> by_size(layout.faces.size());
     for (std::uint32_t i = 0; i < by_size.size(); ++i) {
       by_size[i] = i;
@@ -230,13 +271,15 @@ class PatchUnfolder {
   }
 
   const Patch& patch_;
-  Patch loose_;  ///< the same with no side frozen
   const Room& room_;
+  PanelCuts cuts_;
   double tolerance_;
   Random random_;
   const Context& context_;
   bool has_panels_ = false;
   bool out_of_time_ = false;
+  bool no_single_net_ = false;
+  bool too_many_panels_ = false;  ///< a net fits the sheet, but has more panels than a piece may have
   std::optional<Proposal> best_;
   std::vector<NetFound> failed_;
   std::vector<std::string> notes_;
@@ -244,9 +287,9 @@ class PatchUnfolder {
 
 }  // namespace
 
-PatchNets unfold_patch(const Patch& patch, const Room& room, double tolerance, std::uint64_t seed,
-                       const Context& context) {
-  return PatchUnfolder(patch, room, tolerance, seed, context).run();
+PatchNets unfold_patch(const Patch& patch, const Room& room, PanelCuts cuts, double tolerance,
+                       std::uint64_t seed, const Context& context) {
+  return PatchUnfolder(patch, room, cuts, tolerance, seed, context).run();
 }
 
 }  // namespace ridgecraft::unfold

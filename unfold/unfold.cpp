@@ -11,6 +11,7 @@
 #include "mesh/error.hpp"
 #include "unfold/check.hpp"
 #include "unfold/closing.hpp"
+#include "unfold/fitting_panels.hpp"
 #include "unfold/joins.hpp"
 #include "unfold/layout.hpp"
 #include "unfold/patch_nets.hpp"
@@ -79,16 +80,21 @@ void refuse_large_faces(const mesh::Surface& surface, const Options& options) {
   }
 }
 
+Room room_of(const Options& options) {
+  return {options.sheet, options.tabs.wanted ? options.tabs.height_mm : 0.0, options.max_panels};
+}
+
 Done do_task(const mesh::Surface& surface, const mesh::Panels& panels, const Task& task,
              const Options& options, std::uint64_t seed, const Context& context) {
   Done done;
   done.patch = make_patch(surface, panels, task.faces);
-  const Room room{options.sheet, options.tabs.wanted ? options.tabs.height_mm : 0.0};
+  const Room room = room_of(options);
   // Half of what the finished nets may show, whatever the model's size.
   const double tolerance = std::min(search_tolerance * done.patch.extent, 0.5 * overlap_tolerance_mm);
-  PatchNets nets = unfold_patch(done.patch, room, tolerance, seed, context);
+  PatchNets nets = unfold_patch(done.patch, room, options.panel_cuts, tolerance, seed, context);
   if (options.tabs.wanted) {
-    nets.folds = improve_tabs(surface, panels, done.patch, nets.folds, room, options.tabs, tolerance, ~seed, context);
+    nets.folds =
+        improve_tabs(surface, panels, done.patch, nets.folds, room, options.tabs, tolerance, ~seed, context);
   }
   done.folds = std::move(nets.folds);
   done.reason = std::move(nets.reason);
@@ -219,7 +225,10 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   context.report("unfold", 0.0);
   refuse_large_faces(surface, options);
   const std::vector<Task> tasks = make_tasks(surface, part);
-  Nets nets = assemble(surface, tasks, do_all(surface, panels, tasks, options, context));
+  std::vector<std::string> notes;
+  const mesh::Panels fitting = fitting_panels(surface, panels, room_of(options), context, notes);
+  Nets nets = assemble(surface, tasks, do_all(surface, fitting, tasks, options, context));
+  nets.notes.insert(nets.notes.begin(), notes.begin(), notes.end());
   close_flat_cuts(surface, panels, nets);
   count_holes(surface, nets);
   insist_on_no_overlap(nets);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/one_piece.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "unfold/fit_search.hpp"
+#include "unfold/net_search.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Compact trees first: they are most likely to fit.
+constexpr std::array start_kinds{StartTree::short_cuts, StartTree::breadth_first, StartTree::flat_folds,
+                                 StartTree::breadth_first, StartTree::depth_first};
+constexpr std::uint64_t least_iterations = 300;
+
+}  // namespace
+
+bool too_large_for_one(const Patch& patch, const Room& room) {
+  if (room.max_panels > 0 && panel_count(patch) > room.max_panels) {
+    return true;
+  }
+  if (!room.sheet) {
+    return false;
+  }
+  const double area = std::accumulate(
+      patch.shape.begin(), patch.shape.end(), 0.0,
+      [](double sum, const Triangle& t) { return sum + 0.5 * cross(t[1] - t[0], t[2] - t[0]); });
+  return area > room.sheet->width * room.sheet->height;
+}
+
+std::optional<Folds> find_one_piece(const Patch& patch, const Room& room, const OnePieceSearch& search,
+                                    std::uint64_t seed, const Context& context) {
+  if (too_large_for_one(patch, room)) {
+    return std::nullopt;
+  }
+  Random random(seed);
+  NetSearch options;
+  options.tolerance = search.tolerance;
+  options.starts = 1;
+  options.iterations = least_iterations + search.iterations_per_face * patch.size();
+  options.idle = options.iterations;
+  for (int start = 0; start < search.starts && !context.out_of_time(); ++start) {
+    context.check();
+    options.start = start_kinds[static_cast<std::size_t>(start) % start_kinds.size()];
+    NetFound found = find_net(patch, options, random.next(), context);
+    const std::uint64_t fit_seed = random.next();
+    if (found.overlaps > 0) {
+      continue;
+    }
+    if (all_fit(patch, found.folds, room)) {
+      return found.folds;
+    }
+    Folds shrunk =
+        shrink_to_fit(patch, found.folds, room, search.tolerance, search.fit_trials, fit_seed, context);
+    if (all_fit(patch, shrunk, room)) {
+      return shrunk;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace ridgecraft::unfold
