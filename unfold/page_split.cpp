@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "unfold/disjoint_sets.hpp"
+#include "mesh/disjoint_sets.hpp"
 #include "unfold/forest.hpp"
 #include "unfold/layout.hpp"
 #include "unfold/sheet.hpp"
