@@ -3,6 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 #include "unfold/check.hpp"
 #include "unfold/layout.hpp"
@@ -18,6 +25,144 @@ StartTree kind_of_start(StartTree first, int start) {
   const auto at = static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), first) - kinds.begin());
   return kinds[(at + static_cast<std::size_t>(start)) % kinds.size()];
 }
+
+/// Searches from several start trees. Most nets are found by the first within a few thousand iterations, but
+/// some of its runs take a hundred times as long as others of the same patch; so after a while a second
+/// search goes on beside it in turns, then a third: the tail of a sum of tails is short (M. Luby, A.
+/// Sinclair, D. Zuckerman, 1993).
+///
+/// In each round every search makes the same number of iterations, and the first in order that finds a net in
+/// it has won: the same one whether they take turns or run at the same time.
+class Race {
+ public:
+  Race(const Patch& patch, const NetSearch& options, std::uint64_t seed, const Context& context)
+      : patch_(patch), options_(options), seed_(seed), context_(context) {
+    idle_ = options.idle > 0 ? options.idle : idle_iterations(patch.size());
+  }
+
+  NetFound run() {
+    while (!finished()) {
+      join();
+      round();
+    }
+    NetFound found;
+    found.overlaps = std::numeric_limits<std::uint64_t>::max();
+    found.starts = static_cast<int>(runners_.size());
+    found.iterations = iterations_;
+    for (const Runner& runner : runners_) {
+      if (runner.overlaps < found.overlaps) {
+        found.overlaps = runner.overlaps;
+        found.folds = runner.search->best_folds();
+      }
+    }
+    return found;
+  }
+
+ private:
+  struct Runner {
+    std::unique_ptr<TreeSearch> search;
+    std::uint64_t counted = 0;  ///< iterations when the last round began
+    std::uint64_t overlaps = std::numeric_limits<std::uint64_t>::max();  ///< of its best tree
+    bool running = true;
+  };
+
+  [[nodiscard]] bool finished() const {
+    if (runners_.empty()) {
+      return false;
+    }
+    const bool all_stopped =
+        std::none_of(runners_.begin(), runners_.end(), [](const Runner& r) { return r.running; });
+    const bool all_started = runners_.size() >= static_cast<std::size_t>(options_.starts);
+    return won_ || (all_stopped && all_started) || iterations_ >= options_.iterations ||
+           context_.out_of_time();
+  }
+
+  void join() {
+    if (runners_.size() >= static_cast<std::size_t>(options_.starts)) {
+      return;
+    }
+    const int number = static_cast<int>(runners_.size());
+    Random random(seed_ + std::uint64_t{0x9e3779b97f4a7c15} * static_cast<std::uint64_t>(number));
+    Runner& runner = runners_.emplace_back();
+    runner.search = std::make_unique<TreeSearch>(patch_, options_.tolerance, random.next());
+    runner.search->set_tree(start_tree(patch_, kind_of_start(options_.start, number), random));
+  }
+
+  void round() {
+    const std::uint64_t n = patch_.size();
+    const std::uint64_t slice =
+        runners_.size() == 1 ? std::max<std::uint64_t>(n, 500) : std::max<std::uint64_t>(n / 2, 250);
+    const std::uint64_t left = options_.iterations - std::min(options_.iterations, iterations_);
+    std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> winner{runners_.size()};
+    std::exception_ptr failure;
+    std::mutex mutex;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < runners_.size() && i < winner; i = next++) {
+        try {
+          if (runners_[i].running && advance(runners_[i], std::min(slice, left))) {
+            for (std::size_t best = winner; i < best && !winner.compare_exchange_weak(best, i);) {
+            }
+          }
+        } catch (...) {
+          const std::lock_guard lock(mutex);
+          failure = failure ? failure : std::current_exception();
+          next = runners_.size();
+        }
+      }
+    };
+    {
+      std::vector<std::jthread> others;
+      for (std::size_t t = 1; t < std::min<std::size_t>(context_.threads, runners_.size()); ++t) {
+        others.emplace_back(work);
+      }
+      work();
+    }
+    if (failure) {
+      std::rethrow_exception(failure);
+    }
+    settle(winner);
+  }
+
+  /// What those behind the winner did in this round doesn't count: alone, they wouldn't have had their turn.
+  void settle(std::size_t winner) {
+    for (std::size_t i = 0; i < runners_.size(); ++i) {
+      Runner& runner = runners_[i];
+      if (i > winner) {
+        runner.overlaps = std::numeric_limits<std::uint64_t>::max();
+        continue;
+      }
+      iterations_ += runner.search->iterations() - runner.counted;
+      runner.counted = runner.search->iterations();
+    }
+    won_ = winner < runners_.size();
+  }
+
+  /// Some iterations of one search; true when they found a net.
+  bool advance(Runner& runner, std::uint64_t slice) {
+    TreeSearch& search = *runner.search;
+    const std::uint64_t begin = search.iterations();
+    search.run({slice, idle_}, context_);
+    runner.overlaps = search.best_overlaps();
+    if (runner.overlaps == 0) {
+      // The search counts by small steps; only a fresh layout and another routine may call a net clean.
+      runner.overlaps = find_overlaps(lay_out(patch_, search.best_folds()), options_.tolerance).size();
+      runner.running = false;
+      return runner.overlaps == 0;
+    }
+    runner.running = search.iterations() - begin == slice;
+    return false;
+  }
+
+  const Patch& patch_;
+  const NetSearch& options_;
+  const std::uint64_t seed_;
+  const Context& context_;
+  std::uint64_t idle_ = 0;
+  std::vector<Runner> runners_;
+  std::uint64_t iterations_ = 0;
+  bool won_ = false;
+};
 
 }  // namespace
 
@@ -36,30 +181,7 @@ std::uint64_t iteration_budget(std::uint32_t faces) {
 }
 
 NetFound find_net(const Patch& patch, const NetSearch& options, std::uint64_t seed, const Context& context) {
-  Random random(seed);
-  TreeSearch search(patch, options.tolerance, random.next());
-  const std::uint64_t idle = options.idle > 0 ? options.idle : idle_iterations(patch.size());
-  NetFound found;
-  found.overlaps = std::numeric_limits<std::uint64_t>::max();
-  while (found.overlaps > 0 && found.starts < options.starts) {
-    if (found.starts > 0 && (search.iterations() >= options.iterations || context.out_of_time())) {
-      break;
-    }
-    search.set_tree(start_tree(patch, kind_of_start(options.start, found.starts), random));
-    ++found.starts;
-    search.run({options.iterations - std::min(options.iterations, search.iterations()), idle}, context);
-    std::uint64_t overlaps = search.best_overlaps();
-    if (overlaps == 0) {
-      // The search counts by small steps; only a fresh layout and another routine may call a net clean.
-      overlaps = find_overlaps(lay_out(patch, search.best_folds()), options.tolerance).size();
-    }
-    if (overlaps < found.overlaps) {
-      found.overlaps = overlaps;
-      found.folds = search.best_folds();
-    }
-  }
-  found.iterations = search.iterations();
-  return found;
+  return Race(patch, options, seed, context).run();
 }
 
 }  // namespace ridgecraft::unfold

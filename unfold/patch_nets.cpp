@@ -34,6 +34,8 @@ std::size_t attempts_for(std::uint32_t faces) {
 
 /// Changes of shape that are tried for a net that is larger than the sheet.
 constexpr std::uint64_t fit_trials = 400;
+/// Faces times iterations, about 0.5 s, after which no more of them are made: spiky solids take long each time.
+constexpr std::uint64_t attempts_cost = 2'000'000;
 
 /// Start trees before a patch counts as having no single net.
 constexpr int starts_tried = 3;
@@ -96,12 +98,14 @@ class PatchUnfolder {
     options.starts = has_panels_ && cuts_ == PanelCuts::only_if_too_large ? 2 * starts_tried : starts_tried;
     options.iterations = iteration_budget(panels);
     options.idle = idle_iterations(panels);
+    std::uint64_t cost = 0;
     for (std::size_t attempt = 0; attempt < attempts_for(patch.size()); ++attempt) {
-      if (attempt > 0 && context_.out_of_time()) {
+      if (attempt > 0 && (cost > attempts_cost || context_.out_of_time())) {
         return;
       }
       options.start = attempt_kinds[attempt];
       NetFound found = find_net(patch, options, random_.next(), context_);
+      cost += found.iterations * patch.size();
       if (found.overlaps == 0) {
         propose(found.folds, std::vector<std::uint32_t>(patch.size(), 0));
       } else if (attempt == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Choosing a move; tree_moves.cpp makes it.
+// Choosing a move; tree_meetings.cpp tells what it would meet, tree_moves.cpp makes it.
 #include "unfold/tree_search.hpp"
 
 #include <algorithm>
@@ -15,6 +15,10 @@ constexpr std::uint64_t tabu_tenure = 10;
 /// Random moves that the wide stage looks at, and draws to find each.
 constexpr int wide_samples = 40;
 constexpr int draws_per_sample = 12;
+/// Moves that add more overlaps than this are counted out only when there is no other: most of an iteration's
+/// time would go into counting how bad its worst moves are.
+constexpr std::int64_t first_cap = 1;
+constexpr std::int64_t cap_growth = 5;
 /// Iterations between two looks at the clock: well below 0.1 s at any size.
 constexpr std::uint64_t iterations_per_look = 32;
 
@@ -23,7 +27,7 @@ constexpr std::uint64_t iterations_per_look = 32;
 /// The best move so far. `change` is the number of overlaps it adds (negative: takes away).
 struct TreeSearch::Chosen {
   Move move;
-  std::int64_t change = std::numeric_limits<std::int32_t>::max();
+  std::int64_t change = first_cap;
   std::uint32_t ties = 0;
   [[nodiscard]] bool any() const { return move.side != nothing; }
 };
@@ -67,13 +71,13 @@ void TreeSearch::set_tree(const Folds& folds) {
   find_all_pairs();
   best_total_ = total_;
   best_folds_ = folds_;
+  best_at_ = iteration_;
 }
 
 bool TreeSearch::run(const Budget& budget, const Context& context) {
   const std::uint64_t begin = iteration_;
-  std::uint64_t best_at = iteration_;
   while (total_ > 0) {
-    if (iteration_ - begin >= budget.iterations || iteration_ - best_at >= budget.idle) {
+    if (iteration_ - begin >= budget.iterations || iteration_ - best_at_ >= budget.idle) {
       return false;
     }
     if (iteration_ % iterations_per_look == 0) {
@@ -82,28 +86,34 @@ bool TreeSearch::run(const Budget& budget, const Context& context) {
         return false;
       }
     }
-    ++iteration_;
-    const std::uint32_t f = bad_[random_.below(static_cast<std::uint32_t>(bad_.size()))];
-    find_path(f, meets_[f][random_.below(static_cast<std::uint32_t>(meets_[f].size()))]);
-    Chosen chosen;
-    local_stage(chosen);
-    if (chosen.change >= 0) {
-      wide_stage(chosen);
-    }
-    if (!chosen.any()) {
-      std::fill(tabu_until_.begin(), tabu_until_.end(), 0U);
-      continue;
-    }
-    const std::uint32_t removed = up_[chosen.move.below];
-    tabu_until_[removed] = tabu_until_[patch_.twin[removed]] = iteration_ + tabu_tenure;
-    apply(chosen.move);
-    if (total_ < best_total_) {
-      best_total_ = total_;
-      best_folds_ = folds_;
-      best_at = iteration_;
-    }
+    step();
   }
   return true;
+}
+
+void TreeSearch::step() {
+  ++iteration_;
+  const std::uint32_t f = bad_[random_.below(static_cast<std::uint32_t>(bad_.size()))];
+  find_path(f, meets_[f][random_.below(static_cast<std::uint32_t>(meets_[f].size()))]);
+  Chosen chosen;
+  refused_.clear();
+  local_stage(chosen);
+  if (chosen.change >= 0) {
+    wide_stage(chosen);
+  }
+  reconsider(chosen);
+  if (!chosen.any()) {
+    std::fill(tabu_until_.begin(), tabu_until_.end(), 0U);
+    return;
+  }
+  const std::uint32_t removed = up_[chosen.move.below];
+  tabu_until_[removed] = tabu_until_[patch_.twin[removed]] = iteration_ + tabu_tenure;
+  apply(chosen.move);
+  if (total_ < best_total_) {
+    best_total_ = total_;
+    best_folds_ = folds_;
+    best_at_ = iteration_;
+  }
 }
 
 /// The folds on the tree path from f to g: only removing one of them changes how f and g lie to each other.
@@ -120,35 +130,6 @@ void TreeSearch::find_path(std::uint32_t f, std::uint32_t g) {
   climb(g, f);
 }
 
-/// Overlapping pairs with one face on either side of the fold above `below`: those that its removal may
-/// resolve.
-std::uint32_t TreeSearch::pairs_across(std::uint32_t below) {
-  if (path_pairs_valid_at_[below] == iteration_) {
-    return path_pairs_[below];
-  }
-  std::uint32_t count = 0;
-  const Span moved = moved_span(below);
-  const auto count_of = [&](std::uint32_t f) {
-    for (const std::uint32_t g : meets_[f]) {
-      count += in_span(moved, g) ? 0U : 1U;
-    }
-  };
-  if (bad_.size() < moved.count) {
-    for (const std::uint32_t f : bad_) {
-      if (in_span(moved, f)) {
-        count_of(f);
-      }
-    }
-  } else {
-    for (std::uint32_t i = 0; i < moved.count; ++i) {
-      count_of(order_[wrap(moved.first + i)]);
-    }
-  }
-  path_pairs_[below] = count;
-  path_pairs_valid_at_[below] = iteration_;
-  return count;
-}
-
 /// Evaluates a move and keeps it if it is the best so far; among equals each has the same chance.
 void TreeSearch::consider(const Move& move, std::uint32_t old_pairs, bool ties, Chosen& chosen) {
   std::int64_t limit = old_pairs + chosen.change + (ties ? 1 : 0);
@@ -162,6 +143,9 @@ void TreeSearch::consider(const Move& move, std::uint32_t old_pairs, bool ties, 
   }
   const std::uint32_t added = new_pairs(move, static_cast<std::uint32_t>(limit));
   if (added >= limit) {
+    if (!chosen.any() && tabu_until_[move.side] <= iteration_) {
+      refused_.push_back({move, old_pairs});
+    }
     return;
   }
   const std::int64_t change = static_cast<std::int64_t>(added) - old_pairs;
@@ -171,6 +155,20 @@ void TreeSearch::consider(const Move& move, std::uint32_t old_pairs, bool ties, 
   } else if (change == chosen.change && random_.below(++chosen.ties) == 0) {
     chosen.move = move;
     chosen_pairs_.swap(found_);
+  }
+}
+
+/// Where every move adds more overlaps than was thought of, the least of them all is made, even if it is much
+/// worse: refusing those was harmful.
+void TreeSearch::reconsider(Chosen& chosen) {
+  for (std::int64_t cap = cap_growth * (first_cap + 1); !chosen.any() && !refused_.empty();
+       cap *= cap_growth) {
+    chosen.change = cap;
+    again_.swap(refused_);
+    refused_.clear();
+    for (const Refused& refused : again_) {
+      consider(refused.move, refused.old_pairs, true, chosen);
+    }
   }
 }
 

@@ -39,8 +39,8 @@ class TreeSearch {
     std::uint64_t iterations = 0;
     std::uint64_t idle = std::numeric_limits<std::uint64_t>::max();  ///< without a new best
   };
-  /// Moves until nothing overlaps or the budget is spent; true when nothing overlaps. Throws
-  /// Error(interrupted), ends early at the context's deadline.
+  /// Moves until nothing overlaps or the budget is spent; true when nothing overlaps. Idle iterations count
+  /// on from one call to the next. Throws Error(interrupted), ends early at the context's deadline.
   bool run(const Budget& budget, const Context& context);
 
   [[nodiscard]] std::uint64_t overlaps() const { return total_; }
@@ -65,8 +65,8 @@ class TreeSearch {
   /// Calls use(face) for each face whose circle comes nearer than `radius` to a point.
   template <class Use>
   void visit_near(Vec2 centre, double radius, Use use);
-  /// Faces on either side of the fold above `below` that come nearer than `reach` to the other side's circles;
-  /// a face may come several times.
+  /// Faces on either side of the fold above `below` that come nearer than `reach` to the other side's
+  /// circles; a face may come several times.
   void add_near_across(std::uint32_t below, double reach, std::vector<std::uint32_t>& faces);
 
  private:
@@ -75,6 +75,11 @@ class TreeSearch {
   struct Move {
     std::uint32_t below = nothing;
     std::uint32_t side = nothing;
+  };
+  /// A move that added too many overlaps to be counted to the end.
+  struct Refused {
+    Move move;
+    std::uint32_t old_pairs = 0;
   };
   struct Arc {
     std::uint32_t smaller = 0;  ///< faces on the smaller side
@@ -121,6 +126,8 @@ class TreeSearch {
   [[nodiscard]] std::uint32_t pairs_across(std::uint32_t below);
   std::uint32_t new_pairs(const Move& move, std::uint32_t limit);
   void consider(const Move& move, std::uint32_t old_pairs, bool ties, Chosen& chosen);
+  void reconsider(Chosen& chosen);
+  void step();
   void local_stage(Chosen& chosen);
   void wide_stage(Chosen& chosen);
   [[nodiscard]] std::uint32_t draw_side(std::uint32_t below);
@@ -160,8 +167,11 @@ class TreeSearch {
   std::uint64_t total_ = 0;
   std::uint64_t best_total_ = 0;
   std::uint64_t iteration_ = 0;
+  std::uint64_t best_at_ = 0;  ///< iteration of the best tree
 
   std::vector<std::uint64_t> tabu_until_;  ///< per side
+  std::vector<Refused> refused_;
+  std::vector<Refused> again_;
   std::vector<Arc> path_;
   std::vector<std::uint32_t> path_pairs_;           ///< pairs_across of a face's fold, while ...
   std::vector<std::uint64_t> path_pairs_valid_at_;  ///< ... this is the iteration

@@ -109,6 +109,10 @@ std::vector<Done> do_all(const mesh::Surface& surface, const mesh::Panels& panel
                          const std::vector<Task>& tasks, const Options& options, const Context& context) {
   std::vector<Done> done(tasks.size());
   std::atomic<std::size_t> next{0};
+  const std::size_t workers = std::min<std::size_t>(context.threads, std::max<std::size_t>(tasks.size(), 1));
+  // Threads that have no task of their own help where a task can use them.
+  Context own = context;
+  own.threads = static_cast<unsigned>(std::max<std::size_t>(context.threads / std::max<std::size_t>(workers, 1), 1));
   std::size_t finished = 0;
   std::exception_ptr failure;
   std::mutex mutex;
@@ -116,7 +120,7 @@ std::vector<Done> do_all(const mesh::Surface& surface, const mesh::Panels& panel
     for (std::size_t i = next++; i < tasks.size(); i = next++) {
       try {
         Random seed(context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
-        done[i] = do_task(surface, panels, tasks[i], options, seed.next(), context);
+        done[i] = do_task(surface, panels, tasks[i], options, seed.next(), own);
       } catch (...) {
         const std::lock_guard lock(mutex);
         failure = failure ? failure : std::current_exception();
@@ -129,7 +133,7 @@ std::vector<Done> do_all(const mesh::Surface& surface, const mesh::Panels& panel
   };
   {
     std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < std::min<std::size_t>(context.threads, tasks.size()); ++t) {
+    for (std::size_t t = 1; t < workers; ++t) {
       others.emplace_back(work);
     }
     work();

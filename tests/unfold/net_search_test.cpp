@@ -114,6 +114,27 @@ TEST_CASE("one seed gives one tree", "[search]") {
   CHECK(search(ball, 9).folds == search(ball, 9).folds);
 }
 
+TEST_CASE("searches that race on several threads end as those that take turns", "[search]") {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    const mesh::Surface ball = bumpy_ball(seed);
+    const unfold::Patch patch = patch_of(ball);
+    unfold::NetSearch options;
+    options.tolerance = 1e-7 * patch.extent;
+    options.iterations = 20000;
+    options.starts = 6;
+    options.idle = 3 + 3 * seed;  // so few that the first ones give up
+    Context alone;
+    Context together;
+    together.threads = 4;
+    const unfold::NetFound a = unfold::find_net(patch, options, seed, alone);
+    const unfold::NetFound b = unfold::find_net(patch, options, seed, together);
+    CHECK(a.folds == b.folds);
+    CHECK(a.overlaps == b.overlaps);
+    CHECK(a.iterations == b.iterations);
+    CHECK(a.starts == b.starts);
+  }
+}
+
 TEST_CASE("the search's count is that of a fresh layout after every stretch of moves", "[search]") {
   const mesh::Surface ball = bumpy_ball(6);
   const unfold::Patch patch = patch_of(ball);
