@@ -16,10 +16,11 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::set<std::string>> allowed = {
     {"mesh", {"mesh"}},
     {"segment", {"segment", "mesh"}},
+    {"solid", {"solid", "segment", "mesh"}},
     {"unfold", {"unfold", "mesh"}},
     {"export", {"export", "unfold", "mesh"}},
     {"verify", {"verify", "mesh"}},
-    {"cli", {"cli", "export", "unfold", "segment", "verify", "mesh"}},
+    {"cli", {"cli", "export", "unfold", "solid", "segment", "verify", "mesh"}},
 };
 
 /// verify/ may use the foundation only: whatever judges results shares no algorithm with what makes them.

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/enclosing_polytope.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "mesh/error.hpp"
+#include "solid/convex_hull.hpp"
+
+namespace ridgecraft::solid {
+namespace {
+
+/// A corner nearer to the hull than this share of its size isn't worth a plane.
+constexpr double near_enough = 1e-6;
+
+/// Points with dot(normal, p) <= offset.
+struct HalfSpace {
+  Vec3 normal;
+  double offset;
+};
+
+/// A bounded convex polyhedron by the loops of its faces.
+struct Polytope {
+  std::vector<Vec3> points;
+  std::vector<std::vector<std::uint32_t>> loops;
+};
+
+Polytope box_around(std::span<const Vec3> points) {
+  Box3 bounds;
+  for (const Vec3 p : points) {
+    bounds.add(p);
+  }
+  const auto& [low, high] = bounds;
+  Polytope box;
+  for (int i = 0; i < 8; ++i) {
+    box.points.push_back(
+        {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z});
+  }
+  box.loops = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  return box;
+}
+
+/// What is left of a polytope in a half space; none where rounding leaves no closed polytope.
+std::optional<Polytope> clipped(const Polytope& body, const HalfSpace& half) {
+  std::vector<double> outside;
+  for (const Vec3 p : body.points) {
+    outside.push_back(dot(half.normal, p) - half.offset);
+  }
+  Polytope result;
+  std::vector<std::uint32_t> kept(body.points.size(), std::numeric_limits<std::uint32_t>::max());
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    if (outside[i] <= 0.0) {
+      kept[i] = static_cast<std::uint32_t>(result.points.size());
+      result.points.push_back(body.points[i]);
+    }
+  }
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> on_edge;
+  const auto cut_point = [&](std::uint32_t a, std::uint32_t b) {
+    const auto key = std::minmax(a, b);
+    const auto [at, fresh] =
+        on_edge.try_emplace({key.first, key.second}, static_cast<std::uint32_t>(result.points.size()));
+    if (fresh) {
+      const double t = outside[key.first] / (outside[key.first] - outside[key.second]);
+      result.points.push_back(body.points[key.first] +
+                              t * (body.points[key.second] - body.points[key.first]));
+    }
+    return at->second;
+  };
+  std::map<std::uint32_t, std::uint32_t> cap;  // the new face's edges, against the old faces' direction
+  for (const auto& loop : body.loops) {
+    std::vector<std::uint32_t> rest;
+    std::optional<std::uint32_t> leaves;
+    std::optional<std::uint32_t> enters;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t a = loop[i];
+      const std::uint32_t b = loop[(i + 1) % loop.size()];
+      if (outside[a] <= 0.0) {
+        rest.push_back(kept[a]);
+      }
+      if ((outside[a] <= 0.0) != (outside[b] <= 0.0)) {
+        (outside[a] <= 0.0 ? leaves : enters) = cut_point(a, b);
+        rest.push_back(cut_point(a, b));
+      }
+    }
+    if (leaves && enters) {
+      cap[*enters] = *leaves;
+    }
+    if (rest.size() >= 3) {
+      result.loops.push_back(std::move(rest));
+    }
+  }
+  std::vector<std::uint32_t> loop;
+  for (auto at = cap.begin(); at != cap.end() && loop.size() < cap.size(); at = cap.find(at->second)) {
+    loop.push_back(at->first);
+  }
+  if (loop.size() < 3 || loop.size() != cap.size()) {
+    return std::nullopt;
+  }
+  result.loops.push_back(std::move(loop));
+  return result;
+}
+
+/// The point of a triangle that is nearest to p (Ericson, "Real-Time Collision Detection", 2005,
+/// section 5.1.5).
+Vec3 nearest_in_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
+  const auto on_side = [&](Vec3 from, Vec3 to) {
+    const double square = dot(to - from, to - from);
+    const double t = square > 0.0 ? std::clamp(dot(p - from, to - from) / square, 0.0, 1.0) : 0.0;
+    return from + t * (to - from);
+  };
+  const Vec3 n = cross(b - a, c - a);
+  const double square = dot(n, n);
+  if (square > 0.0) {
+    const double u = dot(n, cross(b - p, c - p)) / square;
+    const double v = dot(n, cross(c - p, a - p)) / square;
+    const double w = 1.0 - u - v;
+    if (u >= 0.0 && v >= 0.0 && w >= 0.0) {
+      return u * a + v * b + w * c;
+    }
+  }
+  Vec3 best = on_side(a, b);
+  for (const Vec3 q : {on_side(b, c), on_side(c, a)}) {
+    best = length(q - p) < length(best - p) ? q : best;
+  }
+  return best;
+}
+
+Vec3 nearest_on(const Body& hull, Vec3 p) {
+  Vec3 best = hull.points.front();
+  for (const auto& [a, b, c] : hull.triangles) {
+    const Vec3 q = nearest_in_triangle(p, hull.points[a], hull.points[b], hull.points[c]);
+    best = length(q - p) < length(best - p) ? q : best;
+  }
+  return best;
+}
+
+/// The half space with this outer normal that the hull touches from inside.
+HalfSpace touching(const Body& hull, Vec3 normal) {
+  double offset = -std::numeric_limits<double>::infinity();
+  for (const Vec3 p : hull.points) {
+    offset = std::fmax(offset, dot(normal, p));
+  }
+  return {normal, offset};
+}
+
+}  // namespace
+
+Body enclosing_polytope(const Body& hull, std::size_t max_vertices, const Context& context) {
+  RIDGECRAFT_ASSERT(max_vertices >= 8);
+  Polytope body = box_around(hull.points);
+  const double size = length(body.points[7] - body.points[0]);
+  std::map<std::array<double, 3>, Vec3> nearest;  // corners live through many cuts
+  while (true) {
+    context.check();
+    Vec3 farthest{0.0, 0.0, 0.0};
+    double distance = 0.0;
+    for (const Vec3 corner : body.points) {
+      const auto [at, fresh] = nearest.try_emplace({corner.x, corner.y, corner.z});
+      if (fresh) {
+        at->second = nearest_on(hull, corner);
+      }
+      const Vec3 away = corner - at->second;
+      if (length(away) > distance) {
+        distance = length(away);
+        farthest = away;
+      }
+    }
+    if (distance <= near_enough * size) {
+      break;
+    }
+    const auto smaller = clipped(body, touching(hull, (1.0 / distance) * farthest));
+    if (!smaller || smaller->points.size() > max_vertices) {
+      break;
+    }
+    body = *smaller;
+  }
+  Body result = convex_hull(body.points, near_enough * size);
+  grow_until_enclosing(result, hull.points);
+  return result;
+}
+
+}  // namespace ridgecraft::solid
