@@ -38,6 +38,16 @@ double number_or_refuse(const std::string& option, const std::string& text, doub
   return value;
 }
 
+double percent_or_refuse(const std::string& option, const std::string& text, double low, double high) {
+  const std::string digits = text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
+  double value = NAN;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !(value >= low && value <= high)) {
+    refuse(fmt::format("{} takes a percentage from {} to {}, not '{}'", option, low, high, text));
+  }
+  return value / 100.0;
+}
+
 void require_range(const std::string& option, const std::string& text, double value, double low, double high,
                    const std::string& range) {
   if (!(value >= low && value <= high)) {

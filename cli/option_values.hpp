@@ -21,7 +21,11 @@ void require(const std::string& value, const std::string& what, const std::strin
 [[nodiscard]] double number_or_refuse(const std::string& option, const std::string& text, double low,
                                       double high);
 
-/// The same for a length in mm that was read already; the sentence shows it as typed.
+/// The share that "5%" means; the percent sign may be left out. The limits are in percent.
+[[nodiscard]] double percent_or_refuse(const std::string& option, const std::string& text, double low,
+                                       double high);
+
+/// Refuses a length in mm that was read already and is out of range; the sentence shows it as typed.
 void require_range(const std::string& option, const std::string& text, double value, double low, double high,
                    const std::string& range);
 

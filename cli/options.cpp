@@ -16,15 +16,19 @@ namespace {
 
 using Builder = Job (*)(const Arguments*, Manual*);
 
+constexpr std::pair<std::string_view, Builder> verbs[] = {
+    {"info", build_info},     {"segment", build_segment}, {"unfold", build_unfold},
+    {"verify", build_verify}, {"hulls", build_hulls},     {"cage", build_cage},
+    {"shell", build_shell},   {"deform", build_deform},   {"formats", build_formats}};
+
 std::string whole_man_page() {
   Manual program;
   static_cast<void>(build_paper(nullptr, &program));
-  std::vector<Manual> verbs(5);
-  const Builder builders[] = {build_info, build_segment, build_unfold, build_verify, build_formats};
-  for (std::size_t i = 0; i < 5; ++i) {
-    static_cast<void>(builders[i](nullptr, &verbs[i]));
+  std::vector<Manual> manuals;
+  for (const auto& [name, build] : verbs) {
+    static_cast<void>(build(nullptr, &manuals.emplace_back()));
   }
-  return man_page(program, verbs, program_and_version());
+  return man_page(program, manuals, program_and_version());
 }
 
 }  // namespace
@@ -38,11 +42,6 @@ Job parse_arguments(const std::vector<std::string>& arguments) {
     refuse(
         "name the model to turn into paper, as in: ridgecraft whale.obj; ridgecraft --help tells the rest");
   }
-  const std::pair<std::string_view, Builder> verbs[] = {{"info", build_info},
-                                                        {"segment", build_segment},
-                                                        {"unfold", build_unfold},
-                                                        {"verify", build_verify},
-                                                        {"formats", build_formats}};
   std::vector<std::string> known;
   for (const auto& [name, build] : verbs) {
     known.emplace_back(name);

@@ -70,6 +70,44 @@ struct UnfoldJob {
   bool overwrite = false;
 };
 
+struct HullsJob {
+  CommonOptions common;
+  std::string model;
+  std::string output;  ///< .obj or .urdf
+  bool overwrite = false;
+  double concavity = 0.1;
+  std::size_t max_vertices = 0;  ///< 0: no limit
+  double mm_per_unit = 1.0;      ///< for .urdf
+  double density = 1000.0;       ///< kg/m^3, for .urdf
+};
+
+struct CageJob {
+  CommonOptions common;
+  std::string model;
+  std::string output;
+  bool overwrite = false;
+  double concavity = 0.1;
+  std::size_t faces = 500;
+};
+
+struct ShellJob {
+  CommonOptions common;
+  std::string model;
+  std::string output;
+  bool overwrite = false;
+  double opening = 0.05;  ///< shares of the model's diagonal
+  double offset = 0.002;
+};
+
+struct DeformJob {
+  CommonOptions common;
+  std::string model;
+  std::string cage;
+  std::string to;
+  std::string output;
+  bool overwrite = false;
+};
+
 struct VerifyJob {
   CommonOptions common;
   std::string file;
@@ -84,7 +122,7 @@ struct PrintJob {
   std::string text;
 };
 
-using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, VerifyJob, FormatsJob, PrintJob>;
+using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, CageJob, ShellJob, DeformJob, VerifyJob, FormatsJob, PrintJob>;
 
 /// Parses the arguments after the program's name. Throws Error(usage) with one sentence.
 [[nodiscard]] Job parse_arguments(const std::vector<std::string>& arguments);

@@ -16,6 +16,7 @@
 #include "cli/pending_files.hpp"
 #include "cli/pipeline.hpp"
 #include "cli/progress.hpp"
+#include "cli/solid_jobs.hpp"
 #include "cli/summary.hpp"
 #include "mesh/read_soup.hpp"
 
@@ -117,6 +118,29 @@ ExitCode do_job(const UnfoldJob& job) {
   session.report(result.prepared.model.repairs);
   session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
   return ExitCode::ok;
+}
+
+/// The verbs of solid/ differ in what they make only.
+template <class SolidJob>
+ExitCode do_solid(const SolidJob& job, SolidResult (*make)(const SolidJob&, const Context&, PendingFiles&)) {
+  Session session(job.common);
+  const SolidResult result = make(job, session.context(), session.pending());
+  session.report(result.model.repairs);
+  session.finish([&] { return summary(job.model, result); }, [&] { return summary_json(job.model, result); });
+  return ExitCode::ok;
+}
+
+ExitCode do_job(const HullsJob& job) {
+  return do_solid(job, make_hulls);
+}
+ExitCode do_job(const CageJob& job) {
+  return do_solid(job, make_cage);
+}
+ExitCode do_job(const ShellJob& job) {
+  return do_solid(job, make_shell);
+}
+ExitCode do_job(const DeformJob& job) {
+  return do_solid(job, make_deformed);
 }
 
 ExitCode do_job(const InfoJob& job) {

@@ -20,6 +20,10 @@ ManualSection verbs_section() {
            {"segment MODEL", "Cut a model into nearly convex parts; coloured mesh and labels."},
            {"unfold MODEL", "Nets without pages, as a FOLD file."},
            {"verify FILE.fold", "Check a file of nets: lengths, overlaps, pages, joins, refolding."},
+           {"hulls MODEL", "One convex hull per part, as OBJ or URDF."},
+           {"cage MODEL", "A coarse closed mesh around a model."},
+           {"shell MODEL", "A watertight mesh around a broken model."},
+           {"deform MODEL", "Move a model as the cage around it is moved."},
            {"formats", "The formats that are read and written."}}};
 }
 

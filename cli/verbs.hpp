@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verbs: each has a file verb_NAME.cpp with its options and texts.
+// The verbs: each has its options and texts in a file verb_NAME.cpp (those of solid/ share one).
 #pragma once
 
 #include "cli/manual.hpp"
@@ -13,6 +13,10 @@ namespace ridgecraft::cli {
 [[nodiscard]] Job build_info(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_segment(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_unfold(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_hulls(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_cage(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_shell(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_deform(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_verify(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_formats(const Arguments* arguments, Manual* manual);
 

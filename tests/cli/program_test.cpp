@@ -103,6 +103,42 @@ TEST_CASE("machines get one JSON object with the names that they know", "[progra
   CHECK(nets.contains("seconds"));
 }
 
+TEST_CASE("hulls, cages, shells and deformed models are made from the command line", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const Json hulls = Json::parse(
+      run_program({"hulls", "house.obj", "-o", "hulls.obj", "--max-vertices", "8", "--json"}, in(folder))
+          .out);
+  CHECK(hulls["parts"] == 1);
+  REQUIRE(hulls["bodies"].size() == 1);
+  CHECK(hulls["bodies"][0]["vertices"].get<int>() <= 8);
+  CHECK(run_program({"hulls", "house.obj", "-o", "house.urdf"}, in(folder)).exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "hulls.obj", "house.urdf", "house-visual.obj",
+                                                "house-hull-1.obj"});
+  CHECK(run_program({"cage", "house.obj", "-o", "cage.off", "--faces", "80"}, in(folder)).exit_code == 0);
+  CHECK(run_program({"deform", "house.obj", "--cage", "cage.off", "--to", "cage.off", "-o", "same.obj"},
+                    in(folder))
+            .exit_code == 0);
+  // A cage that doesn't move moves nothing.
+  const Json before = Json::parse(run_program({"info", "house.obj", "--json"}, in(folder)).out);
+  const Json after = Json::parse(run_program({"info", "same.obj", "--json"}, in(folder)).out);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(after["size"][i].get<double>() == Approx(before["size"][i].get<double>()).margin(1e-3));
+  }
+  CHECK(run_program({"shell", "house.obj", "-o", "shell.ply", "--opening", "10%"}, in(folder)).exit_code ==
+        0);
+  const Json shell = Json::parse(run_program({"info", "shell.ply", "--json"}, in(folder)).out);
+  CHECK(shell["components"] == 1);
+
+  CHECK(run_program({"hulls", "house.obj", "-o", "hulls.stl"}, in(folder)).exit_code == 2);
+  CHECK(run_program({"hulls", "house.obj"}, in(folder)).exit_code == 2);
+  CHECK(run_program({"shell", "house.obj", "-o", "x.obj", "--opening", "0"}, in(folder)).exit_code == 2);
+  CHECK(run_program({"deform", "house.obj", "--cage", "cage.off", "--to", "house.obj", "-o", "x.obj"},
+                    in(folder))
+            .exit_code == 4);
+  CHECK_FALSE(fs::exists(folder / "x.obj"));
+}
+
 TEST_CASE("parts are compared with other people's", "[program]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);

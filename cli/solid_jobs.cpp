@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/solid_jobs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cli/formats.hpp"
+#include "cli/part_files.hpp"
+#include "cli/summary_blocks.hpp"
+#include "cli/targets.hpp"
+#include "mesh/error.hpp"
+#include "mesh/read_soup.hpp"
+#include "mesh/write.hpp"
+#include "solid/solid.hpp"
+#include "solid/write_bodies.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Refuses what can't be written before the work begins.
+void check_output(const std::string& output, const std::vector<std::string>& suffixes,
+                  const std::string& what) {
+  if (std::find(suffixes.begin(), suffixes.end(), suffix_of(output)) == suffixes.end()) {
+    throw Error(ErrorKind::usage, "-o " + output + ": " + what);
+  }
+  const fs::path folder = fs::path(output).parent_path();
+  require_writable_folder(folder.empty() ? fs::path(".") : folder);
+}
+
+const std::vector<std::string> mesh_suffixes{".obj", ".ply", ".off"};
+constexpr const char* mesh_formats = "a mesh is written as .obj, .ply or .off";
+
+std::string comment_of(const mesh::Model& model) {
+  return paper::mark_word({program_and_version(), model.name, model.digest});
+}
+
+std::string mesh_bytes(const mesh::Surface& surface, const std::string& suffix, const std::string& comment) {
+  if (suffix == ".ply") {
+    return with_comment(mesh::write_ply(surface, {}, mesh::PlyKind::binary), comment);
+  }
+  if (suffix == ".off") {
+    return with_comment(mesh::write_off(surface, {}), comment);
+  }
+  return "# " + comment + "\n" + mesh::write_obj(surface, {}, {});
+}
+
+mesh::Surface surface_of(const solid::Body& body) {
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const auto& [a, b, c] : body.triangles) {
+    faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  }
+  return {body.points, faces};
+}
+
+mesh::Model read_model(const std::string& file, const Context& context, StageClock& clock) {
+  return clock("read", context, [&] { return mesh::read(file, {.collapse_flat_faces = false}, context); });
+}
+
+/// Lengths leave as the file had them.
+void undo_file_scale(std::vector<solid::Body>& bodies, double file_scale) {
+  if (file_scale != 1.0) {
+    for (solid::Body& body : bodies) {
+      for (Vec3& p : body.points) {
+        p = file_scale * p;
+      }
+    }
+  }
+}
+
+void find_hulls(SolidResult& result, double concavity, std::size_t max_vertices, const Context& context) {
+  const segment::Segmentation parts = result.clock("segment", context, [&] {
+    return segment::segment(result.model.surface, result.model.polygon.items(), {.concavity = concavity},
+                            context);
+  });
+  result.parts = parts.parts.size();
+  result.bodies = result.clock("hulls", context, [&] {
+    return solid::part_hulls(result.model.surface, parts, {.max_vertices = max_vertices}, context);
+  });
+}
+
+/// Writes one file, if it may be replaced.
+void add_file(const fs::path& file, const std::string& bytes, const std::string& digest, bool overwrite,
+              PendingFiles& pending, std::vector<std::string>& files) {
+  require_replaceable(file, digest, overwrite);
+  pending.add(file, bytes);
+  files.push_back(file.string());
+}
+
+/// The URDF with the meshes that it names, all beside it.
+void add_urdf(const HullsJob& job, SolidResult& result, PendingFiles& pending) {
+  const fs::path folder = fs::path(job.output).parent_path();
+  const std::string stem = fs::path(job.output).stem().string();
+  const std::string comment = comment_of(result.model);
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    add_file(folder / name, bytes, result.model.digest, job.overwrite, pending, result.files);
+  };
+  solid::UrdfOptions options{.name = stem,
+                             .comment = comment,
+                             .visual_file = stem + "-visual.obj",
+                             .mesh_files = {},
+                             .metres_per_unit = job.mm_per_unit / 1000.0,
+                             .density = job.density};
+  for (std::size_t i = 0; i < result.bodies.size(); ++i) {
+    options.mesh_files.push_back(fmt::format("{}-hull-{}.obj", stem, i + 1));
+  }
+  add(fs::path(job.output).filename().string(), solid::write_urdf(result.bodies, options));
+  add(options.visual_file, mesh_bytes(result.model.surface, ".obj", comment));
+  for (std::size_t i = 0; i < result.bodies.size(); ++i) {
+    add(options.mesh_files[i], solid::write_obj({result.bodies[i]}, comment));
+  }
+}
+
+/// Writes the only body as a mesh.
+void write_body(const std::string& output, bool overwrite, const Context& context, PendingFiles& pending,
+                SolidResult& result) {
+  result.clock("write", context, [&] {
+    undo_file_scale(result.bodies, result.model.file_scale);
+    const std::string bytes =
+        mesh_bytes(surface_of(result.bodies.front()), suffix_of(output), comment_of(result.model));
+    add_file(output, bytes, result.model.digest, overwrite, pending, result.files);
+    context.check();
+    pending.commit();
+    return true;
+  });
+}
+
+/// A cage as its file has it: repair might renumber it.
+solid::Body read_cage(const std::string& file, const Context& context) {
+  const mesh::Soup soup = mesh::read_soup(file, context);
+  solid::Body body;
+  body.points = soup.points;
+  for (std::size_t i = 0; i < soup.polygon_count(); ++i) {
+    const auto corners = soup.polygon(i);
+    if (corners.size() != 3) {
+      throw Error(
+          ErrorKind::unusable_mesh,
+          fmt::format("{}: face {} has {} corners; a cage has triangles only", file, i + 1, corners.size()));
+    }
+    body.triangles.push_back({corners[0], corners[1], corners[2]});
+  }
+  return body;
+}
+
+}  // namespace
+
+SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles& pending) {
+  check_output(job.output, {".obj", ".urdf"}, "hulls are written as .obj or .urdf");
+  SolidResult result;
+  result.model = read_model(job.model, context, result.clock);
+  require_replaceable(job.output, result.model.digest, job.overwrite);
+  find_hulls(result, job.concavity, job.max_vertices, context);
+  result.clock("write", context, [&] {
+    undo_file_scale(result.bodies, result.model.file_scale);
+    if (suffix_of(job.output) == ".urdf") {
+      add_urdf(job, result, pending);
+    } else {
+      add_file(job.output, solid::write_obj(result.bodies, comment_of(result.model)), result.model.digest,
+               job.overwrite, pending, result.files);
+    }
+    context.check();
+    pending.commit();
+    return true;
+  });
+  return result;
+}
+
+SolidResult make_cage(const CageJob& job, const Context& context, PendingFiles& pending) {
+  check_output(job.output, mesh_suffixes, mesh_formats);
+  SolidResult result;
+  result.model = read_model(job.model, context, result.clock);
+  require_replaceable(job.output, result.model.digest, job.overwrite);
+  find_hulls(result, job.concavity, 0, context);
+  const solid::Body cage = result.clock(
+      "cage", context, [&] { return solid::cage(result.bodies, {.faces = job.faces}, context); });
+  result.bodies = {cage};
+  write_body(job.output, job.overwrite, context, pending, result);
+  return result;
+}
+
+SolidResult make_shell(const ShellJob& job, const Context& context, PendingFiles& pending) {
+  check_output(job.output, mesh_suffixes, mesh_formats);
+  SolidResult result;
+  result.model = read_model(job.model, context, result.clock);
+  require_replaceable(job.output, result.model.digest, job.overwrite);
+  result.bodies = {result.clock("shell", context, [&] {
+    return solid::shell(result.model.surface, {.opening = job.opening, .offset = job.offset}, context);
+  })};
+  write_body(job.output, job.overwrite, context, pending, result);
+  return result;
+}
+
+SolidResult make_deformed(const DeformJob& job, const Context& context, PendingFiles& pending) {
+  check_output(job.output, mesh_suffixes, mesh_formats);
+  SolidResult result;
+  result.model = read_model(job.model, context, result.clock);
+  require_replaceable(job.output, result.model.digest, job.overwrite);
+  const solid::Body before = read_cage(job.cage, context);
+  const solid::Body after = read_cage(job.to, context);
+  if (before.points.size() != after.points.size() || before.triangles != after.triangles) {
+    throw Error(ErrorKind::unusable_mesh,
+                job.to + " doesn't have the same triangles over as many points as " + job.cage);
+  }
+  solid::Body moved = result.clock("deform", context, [&] {
+    std::vector<Vec3> points(result.model.surface.points().begin(), result.model.surface.points().end());
+    for (Vec3& p : points) {
+      p = result.model.file_scale * p;  // cages are in the file's numbers
+    }
+    solid::Body body;
+    body.points = solid::deform(points, before, after, context);
+    return body;
+  });
+  for (const FaceId f : ids<FaceId>(result.model.surface.face_count())) {
+    const auto [a, b, c] = result.model.surface.vertices(f);
+    moved.triangles.push_back({a.value(), b.value(), c.value()});
+  }
+  result.model.file_scale = 1.0;
+  result.bodies = {std::move(moved)};
+  write_body(job.output, job.overwrite, context, pending, result);
+  return result;
+}
+
+std::string summary(const std::string& model, const SolidResult& result) {
+  std::size_t points = 0;
+  std::size_t triangles = 0;
+  for (const solid::Body& body : result.bodies) {
+    points += body.points.size();
+    triangles += body.triangles.size();
+  }
+  std::string text = fmt::format("{}: {} polygons\n", model, result.model.polygon_count);
+  if (result.parts > 0) {
+    text += fmt::format("  parts       {}\n", result.parts);
+  }
+  text += fmt::format("  result      {} {}, {} vertices, {} faces\n", result.bodies.size(),
+                      result.bodies.size() == 1 ? "body" : "bodies", points, triangles);
+  text += fmt::format("  time        {}\n", seconds_text(result.clock));
+  return text + written_text(result.files);
+}
+
+std::string summary_json(const std::string& model, const SolidResult& result) {
+  Json json;
+  json["model"] = model;
+  json["faces"] = result.model.polygon_count;
+  json["parts"] = result.parts;
+  json["bodies"] = Json::array();
+  for (const solid::Body& body : result.bodies) {
+    json["bodies"].push_back({{"vertices", body.points.size()},
+                              {"faces", body.triangles.size()},
+                              {"volume", solid::mass_properties(body).volume}});
+  }
+  json["seconds"] = result.clock.total();
+  json["stages"] = seconds_json(result.clock);
+  json["repairs"] = repairs_json(result.model.repairs);
+  json["files"] = result.files;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The jobs of the verbs hulls, cage, shell and deform.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options.hpp"
+#include "cli/pending_files.hpp"
+#include "cli/pipeline.hpp"
+#include "mesh/mesh.hpp"
+#include "solid/body.hpp"
+
+namespace ridgecraft::cli {
+
+struct SolidResult {
+  mesh::Model model;
+  std::size_t parts = 0;            ///< 0 where nothing was segmented
+  std::vector<solid::Body> bodies;  ///< what was written
+  std::vector<std::string> files;
+  StageClock clock;
+};
+
+// Each reads, computes, checks and writes; files appear only when all are complete. Throw Error.
+
+[[nodiscard]] SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles& pending);
+[[nodiscard]] SolidResult make_cage(const CageJob& job, const Context& context, PendingFiles& pending);
+[[nodiscard]] SolidResult make_shell(const ShellJob& job, const Context& context, PendingFiles& pending);
+[[nodiscard]] SolidResult make_deformed(const DeformJob& job, const Context& context, PendingFiles& pending);
+
+[[nodiscard]] std::string summary(const std::string& model, const SolidResult& result);
+[[nodiscard]] std::string summary_json(const std::string& model, const SolidResult& result);
+
+}  // namespace ridgecraft::cli
