@@ -61,14 +61,6 @@ paper::Settings settings_of(const UnfoldJob& job) {
   return settings;
 }
 
-/// Faces of one panel count as one polygon, so that parts end at the panels' borders.
-IdVector<FaceId, PartId> parts_for_paper(const mesh::Prepared& prepared, double concavity,
-                                         const Context& context) {
-  const segment::Segmentation found =
-      segment::segment(prepared.model.surface, {}, {.concavity = concavity}, context);
-  return unfold::parts_of_whole_panels(prepared.model.surface, prepared.panels, found.part);
-}
-
 IdVector<FaceId, PartId> one_part_per_component(const mesh::Surface& surface) {
   IdVector<FaceId, PartId> part(surface.face_count());
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
@@ -77,17 +69,18 @@ IdVector<FaceId, PartId> one_part_per_component(const mesh::Surface& surface) {
   return part;
 }
 
-/// Stages after reading don't know the file; the sentence that the user gets names it all the same.
-template <class Stages>
-auto about(const std::string& model, const Stages& stages) {
-  try {
-    return stages();
-  } catch (const Error& error) {
-    const std::string sentence = error.what();
-    const bool named = error.kind() == ErrorKind::interrupted || error.kind() == ErrorKind::cant_write ||
-                       sentence.find(model) != std::string::npos;
-    throw Error(error.kind(), named ? sentence : model + ": " + sentence);
+/// Faces of one panel count as one polygon, so that parts end at the panels' borders. Where the time for it
+/// is too short, each component is one part, and a note says so.
+IdVector<FaceId, PartId> parts_for_paper(const mesh::Prepared& prepared, double concavity,
+                                         const RunContext& run, std::vector<std::string>& notes) {
+  const auto found = if_in_time(run, run.segmentation_up, [&](const Context& strict) {
+    return segment::segment(prepared.model.surface, {}, {.concavity = concavity}, strict);
+  });
+  if (!found) {
+    notes.emplace_back("--time-limit was too short to find parts: each component is one part");
+    return one_part_per_component(prepared.model.surface);
   }
+  return unfold::parts_of_whole_panels(prepared.model.surface, prepared.panels, found->part);
 }
 
 std::size_t count_parts(const IdVector<FaceId, PartId>& part) {
@@ -179,12 +172,19 @@ double StageClock::total() const {
   return sum;
 }
 
-PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending) {
+PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles& pending) {
+  const Context& context = run.patient;
   const std::string stem = fs::path(job.model).stem().string();
   const std::vector<Target> targets = plan_targets(job.outputs, stem);
+  if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
+    paper::check_pdf_size(job.paper.size);
+  }
   PaperResult result;
   StageClock& clock = result.clock;
-  mesh::Model model = clock("read", context, [&] { return mesh::read(job.model, {}, context); });
+  mesh::Model model = clock("read", context, [&] {
+    return in_time(run, job.model + " was read",
+                   [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
+  });
   const paper::Mark mark{program_and_version(), model.name, model.digest};
   // How many pages there will be isn't known yet; what is known is checked before the long work.
   for (const Target& target : targets) {
@@ -196,22 +196,21 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   result.polygons = model.polygon_count;
   const Vec2 area = paper::piece_area(job.paper);
   result.prepared = clock("prepare", context, [&] {
-    return about(job.model, [&] {
-      return mesh::prepare(std::move(model), job.size.size, job.size.simplify, area, context);
+    return in_time(run, job.model + " was simplified", [&](const Context& strict) {
+      return mesh::prepare(std::move(model), job.size.size, job.size.simplify, area, strict);
     });
   });
   const mesh::Surface& surface = result.prepared.model.surface;
+  std::vector<std::string> notes;
   const auto part =
-      clock("segment", context, [&] { return parts_for_paper(result.prepared, job.concavity, context); });
+      clock("segment", context, [&] { return parts_for_paper(result.prepared, job.concavity, run, notes); });
   result.parts = count_parts(part);
   result.nets = clock("unfold", context, [&] {
     const unfold::Options options{.sheet = unfold::Sheet{area.x, area.y}, .tabs = job.tabs};
-    return about(job.model,
-                 [&] { return unfold::unfold(surface, result.prepared.panels, part, options, context); });
+    return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });
-  result.pages = clock("lay out", context, [&] {
-    return about(job.model, [&] { return paper::layout(result.nets, job.paper, context); });
-  });
+  result.nets.notes.insert(result.nets.notes.begin(), notes.begin(), notes.end());
+  result.pages = clock("lay out", context, [&] { return paper::layout(result.nets, job.paper, context); });
   const auto drawings = clock("draw", context, [&] {
     return paper::draw(result.prepared, result.nets, result.pages, job.style, &result.drawn);
   });
@@ -233,7 +232,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   return result;
 }
 
-UnfoldResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending) {
+UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles& pending) {
   if (!job.output.empty()) {
     if (suffix_of(job.output) != ".fold") {
       throw Error(ErrorKind::usage, "-o " + job.output + ": nets without pages are written as .fold");
@@ -241,22 +240,27 @@ UnfoldResult make_nets(const UnfoldJob& job, const Context& context, PendingFile
     require_writable_folder(fs::path(job.output).has_parent_path() ? fs::path(job.output).parent_path()
                                                                    : ".");
   }
+  const Context& context = run.patient;
   UnfoldResult result;
   StageClock& clock = result.clock;
-  mesh::Model model = clock("read", context, [&] { return mesh::read(job.model, {}, context); });
+  mesh::Model model = clock("read", context, [&] {
+    return in_time(run, job.model + " was read",
+                   [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
+  });
   const paper::Mark mark{program_and_version(), model.name, model.digest};
   if (!job.output.empty()) {
     require_replaceable(job.output, mark.digest, job.overwrite);
   }
   result.prepared = clock("prepare", context, [&] {
-    return about(job.model, [&] {
-      return mesh::prepare(std::move(model), job.size.size, job.size.simplify, boundless, context);
+    return in_time(run, job.model + " was simplified", [&](const Context& strict) {
+      return mesh::prepare(std::move(model), job.size.size, job.size.simplify, boundless, strict);
     });
   });
   const mesh::Surface& surface = result.prepared.model.surface;
+  std::vector<std::string> notes;
   const auto part = clock("segment", context, [&] {
     return job.whole ? one_part_per_component(surface)
-                     : parts_for_paper(result.prepared, job.concavity, context);
+                     : parts_for_paper(result.prepared, job.concavity, run, notes);
   });
   result.parts = count_parts(part);
   result.nets = clock("unfold", context, [&] {
@@ -266,6 +270,7 @@ UnfoldResult make_nets(const UnfoldJob& job, const Context& context, PendingFile
         job.whole ? unfold::PanelCuts::before_pieces : unfold::PanelCuts::only_if_too_large;
     return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });
+  result.nets.notes.insert(result.nets.notes.begin(), notes.begin(), notes.end());
   const std::string fold = clock("write", context, [&] {
     return paper::write_fold(result.prepared, part, result.nets, nullptr, mark, settings_of(job));
   });

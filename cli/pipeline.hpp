@@ -9,6 +9,7 @@
 
 #include "cli/options.hpp"
 #include "cli/pending_files.hpp"
+#include "cli/time_limit.hpp"
 #include "mesh/mesh.hpp"
 #include "segment/agreement.hpp"
 #include "segment/segment.hpp"
@@ -53,7 +54,7 @@ struct PaperResult {
 
 /// ridgecraft MODEL: reads, prepares, segments, unfolds, lays out, checks and writes. Files appear only when
 /// all of them are complete. Throws Error.
-[[nodiscard]] PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending);
+[[nodiscard]] PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles& pending);
 
 /// A segmentation beside others of the same model.
 struct Comparison {
@@ -73,7 +74,7 @@ struct SegmentResult {
   StageClock clock;
 };
 
-[[nodiscard]] SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingFiles& pending);
+[[nodiscard]] SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFiles& pending);
 
 struct UnfoldResult {
   mesh::Prepared prepared;
@@ -84,6 +85,6 @@ struct UnfoldResult {
   StageClock clock;
 };
 
-[[nodiscard]] UnfoldResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending);
+[[nodiscard]] UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles& pending);
 
 }  // namespace ridgecraft::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/run.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +19,8 @@
 #include "cli/progress.hpp"
 #include "cli/solid_jobs.hpp"
 #include "cli/summary.hpp"
+#include "cli/time_limit.hpp"
+#include "mesh/printable.hpp"
 #include "mesh/read_soup.hpp"
 
 namespace ridgecraft::cli {
@@ -50,18 +53,23 @@ void print(const std::string& text) {
 class Session {
  public:
   explicit Session(const CommonOptions& options)
-      : interruption_(pending_), progress_(!options.quiet && !options.json), options_(options) {
-    context_.threads = options.threads;
-    context_.seed = options.seed;
-    context_.stop = interruption_.token();
-    context_.progress = [this](std::string_view stage, double share) { progress_.show(stage, share); };
+      : interruption_(pending_, {options.time_limit_s, segmentation_share, options.json}),
+        progress_(!options.quiet && !options.json),
+        options_(options) {
+    Context& context = run_.patient;
+    context.threads = options.threads;
+    context.seed = options.seed;
+    context.stop = interruption_.stopped();
+    run_.time_up = interruption_.time_up();
+    run_.segmentation_up = interruption_.segmentation_up();
+    context.progress = [this](std::string_view stage, double share) { progress_.show(stage, share); };
     if (options.time_limit_s) {
-      context_.deadline =
+      context.deadline =
           std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                                  std::chrono::duration<double>(*options.time_limit_s));
     }
   }
-  [[nodiscard]] const Context& context() const { return context_; }
+  [[nodiscard]] const RunContext& run() const { return run_; }
   [[nodiscard]] PendingFiles& pending() { return pending_; }
 
   void report(const mesh::RepairReport& repairs) {
@@ -88,8 +96,25 @@ class Session {
   Interruption interruption_;
   Progress progress_;
   CommonOptions options_;
-  Context context_;
+  RunContext run_;
 };
+
+/// Stages after reading don't know the file; the sentence that the user gets names it all the same.
+template <class Work>
+auto about(const std::string& model, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    const std::string sentence = error.what();
+    const std::string shown = mesh::printable(model);
+    const bool about_model = error.kind() == ErrorKind::unreadable_input ||
+                             error.kind() == ErrorKind::unusable_mesh || error.kind() == ErrorKind::no_nets ||
+                             error.kind() == ErrorKind::internal;
+    throw Error(error.kind(), about_model && sentence.find(shown) == std::string::npos
+                                  ? shown + ": " + sentence
+                                  : sentence);
+  }
+}
 
 ExitCode do_job(const PrintJob& job) {
   print(job.text);
@@ -98,7 +123,8 @@ ExitCode do_job(const PrintJob& job) {
 
 ExitCode do_job(const PaperJob& job) {
   Session session(job.common);
-  const PaperResult result = make_paper(job, session.context(), session.pending());
+  const PaperResult result =
+      about(job.model, [&] { return make_paper(job, session.run(), session.pending()); });
   session.report(result.prepared.model.repairs);
   session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
   return ExitCode::ok;
@@ -106,7 +132,8 @@ ExitCode do_job(const PaperJob& job) {
 
 ExitCode do_job(const SegmentJob& job) {
   Session session(job.common);
-  const SegmentResult result = make_parts(job, session.context(), session.pending());
+  const SegmentResult result =
+      about(job.model, [&] { return make_parts(job, session.run(), session.pending()); });
   session.report(result.model.repairs);
   session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
   return ExitCode::ok;
@@ -114,7 +141,8 @@ ExitCode do_job(const SegmentJob& job) {
 
 ExitCode do_job(const UnfoldJob& job) {
   Session session(job.common);
-  const UnfoldResult result = make_nets(job, session.context(), session.pending());
+  const UnfoldResult result =
+      about(job.model, [&] { return make_nets(job, session.run(), session.pending()); });
   session.report(result.prepared.model.repairs);
   session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
   return ExitCode::ok;
@@ -145,7 +173,8 @@ ExitCode do_job(const DeformJob& job) {
 
 ExitCode do_job(const InfoJob& job) {
   Session session(job.common);
-  const mesh::Model model = mesh::read(job.model, {.collapse_flat_faces = false}, session.context());
+  const mesh::Model model = in_time(session.run(), job.model + " was read",
+                                    [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
   const mesh::Panels panels = mesh::find_panels(model.surface);
   session.finish([&] { return summary(job, model, panels); },
                  [&] { return summary_json(job, model, panels); });
@@ -155,7 +184,9 @@ ExitCode do_job(const InfoJob& job) {
 ExitCode do_job(const VerifyJob& job) {
   Session session(job.common);
   const std::string bytes = mesh::read_file(job.file);
-  const verify::Report report = verify::verify(bytes, {}, session.context());
+  const verify::Report report = in_time(session.run(), job.file + " was checked", [&](const Context& strict) {
+    return verify::verify(bytes, {}, strict);
+  });
   session.finish([&] { return summary(job, report); }, [&] { return verify::to_json(report) + "\n"; });
   return report.sound() ? ExitCode::ok : ExitCode::faults_found;
 }
@@ -166,27 +197,40 @@ ExitCode do_job(const FormatsJob& job) {
   return ExitCode::ok;
 }
 
+/// Tells of a failure: a sentence for people, and one object for machines where they listen.
+ExitCode fail(ExitCode code, const std::string& sentence, bool json) {
+  complain(sentence);
+  if (json) {
+    const std::string text = error_json(code, sentence);
+    // Standard output may be what failed: then its silence has to do.
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+  }
+  return code;
+}
+
+ExitCode do_guarded(const std::vector<std::string>& arguments, bool json) {
+  try {
+    return std::visit([](const auto& job) { return do_job(job); }, parse_arguments(arguments));
+  } catch (const Error& error) {
+    return fail(exit_code(error.kind()), error.what(), json);
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::unusable_mesh, "the model needs more memory than there is", json);
+  } catch (const std::exception& error) {
+    return fail(ExitCode::internal, std::string("internal error: ") + error.what(), json);
+  } catch (...) {
+    return fail(ExitCode::internal, "internal error", json);
+  }
+}
+
 }  // namespace
 
 ExitCode run(const std::vector<std::string>& arguments) noexcept {
   // A closed pipe and a file grown too large are errors of writing like any other, no reasons to vanish.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    return std::visit([](const auto& job) { return do_job(job); }, parse_arguments(arguments));
-  } catch (const Error& error) {
-    complain(error.what());
-    return exit_code(error.kind());
-  } catch (const std::bad_alloc&) {
-    complain("the model needs more memory than there is");
-    return ExitCode::unusable_mesh;
-  } catch (const std::exception& error) {
-    complain(std::string("internal error: ") + error.what());
-    return ExitCode::internal;
-  } catch (...) {
-    complain("internal error");
-    return ExitCode::internal;
-  }
+  // Wrong arguments are told as JSON, too, so this can't wait until they are parsed.
+  return do_guarded(arguments, std::find(arguments.begin(), arguments.end(), "--json") != arguments.end());
 }
 
 }  // namespace ridgecraft::cli

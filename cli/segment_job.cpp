@@ -79,18 +79,24 @@ void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pendi
 
 }  // namespace
 
-SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingFiles& pending) {
+SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFiles& pending) {
   check_outputs(job);
+  const Context& context = run.patient;
   SegmentResult result;
   StageClock& clock = result.clock;
-  result.model =
-      clock("read", context, [&] { return mesh::read(job.model, {.collapse_flat_faces = false}, context); });
+  result.model = clock("read", context, [&] {
+    return in_time(run, job.model + " was read", [&](const Context& strict) {
+      return mesh::read(job.model, {.collapse_flat_faces = false}, strict);
+    });
+  });
   for (const std::string& output : job.outputs) {
     require_replaceable(output, result.model.digest, job.overwrite);
   }
   result.segmentation = clock("segment", context, [&] {
-    return segment::segment(result.model.surface, result.model.polygon.items(), {.concavity = job.concavity},
-                            context);
+    return in_time(run, job.model + " was segmented", [&](const Context& strict) {
+      return segment::segment(result.model.surface, result.model.polygon.items(),
+                              {.concavity = job.concavity}, strict);
+    });
   });
   if (!job.compare.empty()) {
     result.comparison = clock("compare", context, [&] {

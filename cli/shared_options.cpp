@@ -19,7 +19,9 @@ void CommonTexts::add_to(Verb& verb) {
       .option("Common", "--threads", threads, "N",
               "Threads to use; the result doesn't depend on it (one per core).")
       .option("Common", "--time-limit", time_limit, "SECONDS",
-              "After this time the search for nets ends with the best it has (no limit).");
+              "End after about this time: searches stop with the best they have, a stage that has nothing "
+              "yet stops the "
+              "program (no limit).");
 }
 
 CommonOptions CommonTexts::checked() const {

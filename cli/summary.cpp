@@ -201,6 +201,11 @@ std::vector<std::string> repair_lines(const mesh::RepairReport& report) {
   return lines;
 }
 
+std::string error_json(ExitCode code, const std::string& sentence) {
+  const Json json{{"error", {{"code", static_cast<int>(code)}, {"message", sentence}}}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 std::string summary(const PaperJob& job, const PaperResult& result) {
   const mesh::Model& model = result.prepared.model;
   const unfold::Nets& nets = result.nets;

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "cli/exit_code.hpp"
 #include "cli/pipeline.hpp"
 
 namespace ridgecraft::cli {
@@ -24,6 +25,9 @@ namespace ridgecraft::cli {
 
 /// verify FILE
 [[nodiscard]] std::string summary(const VerifyJob& job, const verify::Report& report);
+
+/// {"error": {"code": 3, "message": "..."}}: what --json prints where a job fails.
+[[nodiscard]] std::string error_json(ExitCode code, const std::string& sentence);
 
 /// One line per repair and note, for standard error: "24 points at equal places were joined".
 [[nodiscard]] std::vector<std::string> repair_lines(const mesh::RepairReport& report);

@@ -43,7 +43,8 @@ struct Pages {
 };
 
 /// Packs the pieces by their true outlines, tabs included, with the gap between them, on as few pages as it
-/// can. Pieces of one part stay together where that costs no page. Deterministic. Throws Error(no_nets)
+/// can. Pieces of one part stay together where that costs no page. Deterministic, unless the
+/// context's deadline passes: then the best so far is taken. Throws Error(no_nets)
 /// naming a piece that fits no page.
 [[nodiscard]] Pages layout(const unfold::Nets& nets, const Paper& paper, const Context& context);
 
@@ -65,11 +66,17 @@ struct DrawReport {
 [[nodiscard]] std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets,
                                         const Pages& pages, const Style& style, DrawReport* report = nullptr);
 
-/// Bytes of a PDF of all pages. Same input, same bytes.
+/// Longest side of a PDF's page, mm: 14,400 points (ISO 32000-1, annex C.2).
+inline constexpr double longest_pdf_side_mm = 14400.0 / 72.0 * 25.4;
+/// Throws Error(usage) for a page that is longer. (Its UserUnit would allow it, but programs that don't know
+/// it would print the page too small.)
+void check_pdf_size(Vec2 page_mm);
+
+/// Bytes of a PDF of all pages. Same input, same bytes. Throws as check_pdf_size().
 [[nodiscard]] std::string write_pdf(std::span<const Drawing> pages, const Mark& mark);
 /// Bytes of the SVG of one page, in true millimetres, a layer for each class of line.
 [[nodiscard]] std::string write_svg(const Drawing& page, const Mark& mark);
-/// Bytes of a PNG of one page.
+/// Bytes of a PNG of one page; coarser than asked where it would have more than 100 million pixels.
 [[nodiscard]] std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch = 150.0);
 
 /// Options that shaped the result, for ridgecraft:settings; values are JSON texts (numbers, strings in

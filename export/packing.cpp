@@ -32,7 +32,7 @@ using Order = std::vector<std::uint32_t>;
 class Packer {
  public:
   Packer(const PackingTask& task, const Context& context)
-      : task_(task), fill_(task, context), random_(context.seed) {}
+      : task_(task), context_(context), fill_(task, context), random_(context.seed) {}
   [[nodiscard]] std::vector<Packed> run();
 
  private:
@@ -49,6 +49,7 @@ class Packer {
   void order_pages(Arrangement& a) const;
 
   const PackingTask& task_;
+  const Context& context_;
   PackingFill fill_;
   Random random_;
   Recipe recipe_;      ///< of best_, after start()
@@ -135,6 +136,9 @@ void Packer::start() {
       if (next.used.size() == 1) {
         return;  // nothing to gain
       }
+      if (context_.out_of_time()) {
+        return;
+      }
       if (fill_.work() > work_limit && tried > 0) {
         break;
       }
@@ -208,7 +212,9 @@ void Packer::walk() {
   const std::uint64_t limit = fill_.work() + work_limit;
   Recipe recipe = recipe_;
   Arrangement current = best_;
-  for (int idle = 0; idle < patience && fill_.work() < limit && best_.used.size() > fewest; ++idle) {
+  for (int idle = 0;
+       idle < patience && fill_.work() < limit && best_.used.size() > fewest && !context_.out_of_time();
+       ++idle) {
     // With two pages both ways empty everything, but the walk over orders remembers what was good.
     const bool by_order = current.used.size() == 2;
     Recipe next = by_order ? changed(recipe, current) : Recipe{};

@@ -2,6 +2,7 @@
 // PDF of all pages. Cairo paints each layer as a file of its own; qpdf lays them over each other as optional
 // content, so that a viewer can switch layers and a machine can pick one, and says that the pages are not to
 // be scaled.
+#include <algorithm>
 #include <list>
 #include <span>
 #include <string>
@@ -198,7 +199,20 @@ class PdfAssembler {
 
 }  // namespace
 
+void check_pdf_size(Vec2 page) {
+  if (std::max(page.x, page.y) > longest_pdf_side_mm) {
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("paper of {:g} x {:g} mm is too long for PDF, whose pages end at {:g} mm; SVG has "
+                    "no such limit (-o NAME.svg)",
+                    page.x, page.y, longest_pdf_side_mm));
+  }
+}
+
 std::string write_pdf(std::span<const Drawing> pages, const Mark& mark) {
+  for (const Drawing& page : pages) {
+    check_pdf_size(page.size);
+  }
   try {
     return PdfAssembler(pages, mark).write();
   } catch (const Error&) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PNG of one page: Cairo paints it, then the chunks are added that say how large a pixel is and who made it.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -57,10 +58,20 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned int size) {
   return CAIRO_STATUS_SUCCESS;
 }
 
+/// A picture of more pixels takes 400 MB, and Cairo's sides end at 32767.
+constexpr double most_pixels = 1e8;
+constexpr double longest_side = 32000.0;
+
+/// Large sheets get coarser pictures rather than none.
+double affordable_dots_per_mm(Vec2 size_mm, double wanted) {
+  return std::min({wanted, longest_side / std::max(size_mm.x, size_mm.y),
+                   std::sqrt(most_pixels / (size_mm.x * size_mm.y))});
+}
+
 }  // namespace
 
 std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch) {
-  const double dots_per_mm = dots_per_inch / 25.4;
+  const double dots_per_mm = affordable_dots_per_mm(page.size, dots_per_inch / 25.4);
   const CairoSurface surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(page.size.x * dots_per_mm)),
                                  static_cast<int>(std::lround(page.size.y * dots_per_mm))));

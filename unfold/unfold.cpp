@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "mesh/error.hpp"
@@ -134,7 +135,11 @@ std::vector<Done> do_all(const mesh::Surface& surface, const mesh::Panels& panel
   {
     std::vector<std::jthread> others;
     for (std::size_t t = 1; t < workers; ++t) {
-      others.emplace_back(work);
+      try {
+        others.emplace_back(work);
+      } catch (const std::system_error&) {
+        break;  // no more threads to be had: those there are do it all
+      }
     }
     work();
   }
@@ -201,7 +206,7 @@ Nets assemble(const mesh::Surface& surface, const std::vector<Task>& tasks, cons
   }
   for (std::size_t t = 0; t < tasks.size(); ++t) {
     for (const std::string& note : done[t].notes) {
-      nets.notes.push_back("part " + std::to_string(tasks[t].part.value() + 1) + ": " + note);
+      nets.notes.push_back("part " + std::to_string(tasks[t].part.value()) + ": " + note);
     }
   }
   return nets;

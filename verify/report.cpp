@@ -78,7 +78,7 @@ std::string to_json(const Report& report) {
     json["faults_not_listed"] = left;
   }
   // Names of pieces come from the file and may hold anything.
-  return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace);
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 }  // namespace ridgecraft::verify

@@ -18,6 +18,8 @@ namespace ridgecraft::test {
 namespace {
 
 constexpr uid_t nobody = 65534;
+/// Has no other processes, which would count.
+constexpr uid_t lonely = 61734;
 
 [[noreturn]] void become(const std::vector<std::string>& command, const RunOptions& options,
                          const std::filesystem::path& out, const std::filesystem::path& err) {
@@ -31,8 +33,13 @@ constexpr uid_t nobody = 65534;
     const rlimit limit{*options.largest_file, *options.largest_file};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
-  if (options.as_nobody && ::geteuid() == 0) {
-    const bool dropped = ::setgroups(0, nullptr) == 0 && ::setgid(nobody) == 0 && ::setuid(nobody) == 0;
+  if (options.most_threads) {
+    const rlimit limit{*options.most_threads, *options.most_threads};
+    ::setrlimit(RLIMIT_NPROC, &limit);
+  }
+  if ((options.as_nobody || options.most_threads) && ::geteuid() == 0) {
+    const uid_t user = options.most_threads ? lonely : nobody;
+    const bool dropped = ::setgroups(0, nullptr) == 0 && ::setgid(nobody) == 0 && ::setuid(user) == 0;
     if (!dropped) {
       ::_exit(126);
     }

@@ -24,6 +24,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> out_file;  ///< standard output goes there instead
   std::optional<unsigned long> largest_file;      ///< RLIMIT_FSIZE, bytes
   std::optional<double> interrupt_after_s;        ///< SIGINT then
+  std::optional<unsigned long> most_threads;      ///< RLIMIT_NPROC, as a user of its own; only for root
   bool as_nobody = false;                         ///< without root's rights, where root runs the tests
 };
 
