@@ -152,7 +152,9 @@ ExitCode do_job(const UnfoldJob& job) {
 template <class SolidJob>
 ExitCode do_solid(const SolidJob& job, SolidResult (*make)(const SolidJob&, const Context&, PendingFiles&)) {
   Session session(job.common);
-  const SolidResult result = make(job, session.context(), session.pending());
+  const SolidResult result = in_time(session.run(), "bodies were made", [&](const Context& strict) {
+    return make(job, strict, session.pending());
+  });
   session.report(result.model.repairs);
   session.finish([&] { return summary(job.model, result); }, [&] { return summary_json(job.model, result); });
   return ExitCode::ok;
