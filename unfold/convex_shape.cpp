@@ -116,9 +116,8 @@ bool apart(const ConvexShape& a, const ConvexShape& b, double clearance) {
   return std::fmin(corner_distance(a, b), corner_distance(b, a)) >= clearance;
 }
 
-double width_at(const ConvexShape& shape, double y) {
-  double low = INFINITY;
-  double high = -INFINITY;
+Span span_at(const ConvexShape& shape, double y) {
+  Span span{INFINITY, -INFINITY};
   for (std::uint32_t i = 0; i < shape.size(); ++i) {
     const Vec2 a = shape[i];
     const Vec2 b = shape[(i + 1) % shape.size()];
@@ -127,10 +126,15 @@ double width_at(const ConvexShape& shape, double y) {
     }
     const double t = a.y == b.y ? 0.0 : (y - a.y) / (b.y - a.y);
     const double x = a.x + t * (b.x - a.x);
-    low = std::fmin(low, a.y == b.y ? std::fmin(a.x, b.x) : x);
-    high = std::fmax(high, a.y == b.y ? std::fmax(a.x, b.x) : x);
+    span.from = std::fmin(span.from, a.y == b.y ? std::fmin(a.x, b.x) : x);
+    span.to = std::fmax(span.to, a.y == b.y ? std::fmax(a.x, b.x) : x);
   }
-  return high > low ? high - low : 0.0;
+  return span;
+}
+
+double width_at(const ConvexShape& shape, double y) {
+  const Span span = span_at(shape, y);
+  return span.to > span.from ? span.to - span.from : 0.0;
 }
 
 }  // namespace ridgecraft::unfold

@@ -55,6 +55,14 @@ class ConvexShape {
 /// Are the shapes at least `clearance` >= 0 apart? With 0, may they touch, penetrating by rounding at most?
 [[nodiscard]] bool apart(const ConvexShape& a, const ConvexShape& b, double clearance);
 
+/// From x to x.
+struct Span {
+  double from = 0.0;
+  double to = 0.0;
+};
+/// The shape's cut with the horizontal line at height y; from > to outside.
+[[nodiscard]] Span span_at(const ConvexShape& shape, double y);
+
 /// Length of the shape's cut with the horizontal line at height y; 0 outside.
 [[nodiscard]] double width_at(const ConvexShape& shape, double y);
 

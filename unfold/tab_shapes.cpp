@@ -12,26 +12,20 @@ namespace {
 
 /// Corners nearer than this to a corner of the base are that corner, mm: rounding of the layout.
 constexpr double same_place_mm = 1e-6;
+/// A tab may overhang the end of its base by as much as it is high, where the face behind it does.
+constexpr double widest_cotangent = -1.0;
 /// Share of an area within which a clipped shape counts as unclipped.
 constexpr double same_area = 1e-9;
 
 using Kind = Obstacle::Kind;
 
-bool shares_left(Kind kind) {
-  return kind == Kind::at_base_left || kind == Kind::at_both;
-}
-bool shares_right(Kind kind) {
-  return kind == Kind::at_base_right || kind == Kind::at_both;
-}
-bool shares_corner(Kind kind) {
-  return shares_left(kind) || shares_right(kind);
-}
-
-ConvexShape above(const ConvexShape& shape, double y) {
-  return clipped(shape, {{0.0, 1.0}, y});
-}
 ConvexShape below(const ConvexShape& shape, double y) {
   return clipped(shape, {{0.0, -1.0}, -y});
+}
+
+/// The widest that a tab can be on any side.
+ConvexShape widest_over(double left, double right, const TabOptions& options) {
+  return trapezoid(left, right, options.height_mm, widest_cotangent, widest_cotangent);
 }
 
 double top_of(const ConvexShape& shape) {
@@ -40,93 +34,6 @@ double top_of(const ConvexShape& shape) {
 
 double usable_height(const TabOptions& options) {
   return std::fmin(usable_height_mm, options.height_mm);
-}
-
-/// How good a shape is while it is being cut back: width at the usable height up to half the edge, then area.
-double worth(const ConvexShape& shape) {
-  const double base = width_at(shape, 0.0);
-  return 100.0 * std::fmin(width_at(shape, usable_height_mm), 0.5 * base) + shape.area();
-}
-
-/// Slope (dx per dy) of the steepest line through the left end of the base that keeps `clearance` from point
-/// p (given relative to that end) and has it on its left; nothing if there is none.
-std::optional<double> slope_past(Vec2 p, double clearance, bool shares) {
-  const double r = length(p);
-  if (shares && r <= same_place_mm) {
-    return -INFINITY;
-  }
-  if (shares || clearance <= 0.0) {
-    if (p.y <= same_place_mm) {
-      return p.x > same_place_mm ? std::nullopt : std::optional(-INFINITY);
-    }
-    // At height corner_zone the line is `clearance` away from the ray to p.
-    return (p.x + (shares ? clearance / corner_zone_mm * r : 0.0)) / p.y;
-  }
-  if (p.y <= clearance) {
-    return p.x > -clearance ? std::nullopt : std::optional(-INFINITY);
-  }
-  return (p.x * p.y + clearance * std::sqrt(r * r - clearance * clearance)) /
-         (p.y * p.y - clearance * clearance);
-}
-
-/// The half-plane right of the line through the left end of the base that passes the obstacle; `mirrored`
-/// does it for the right end.
-std::optional<HalfPlane> past_corner(const ConvexShape& obstacle, Vec2 corner, double clearance, bool shares,
-                                     bool mirrored) {
-  double slope = -INFINITY;
-  for (const Vec2 p : obstacle) {
-    const Vec2 relative{mirrored ? corner.x - p.x : p.x - corner.x, p.y - corner.y};
-    const std::optional<double> s = slope_past(relative, clearance, shares);
-    if (!s) {
-      return {};
-    }
-    slope = std::fmax(slope, *s);
-  }
-  if (!std::isfinite(slope)) {
-    return {};
-  }
-  const double size = std::sqrt(1.0 + slope * slope);
-  const Vec2 normal{(mirrored ? -1.0 : 1.0) / size, -slope / size};
-  return HalfPlane{normal, dot(normal, corner)};
-}
-
-/// Lines that might separate the tab from the obstacle.
-struct Cuts {
-  std::array<HalfPlane, ConvexShape::capacity + 3> lines;
-  std::uint32_t count = 0;
-
-  void add(const HalfPlane& line) { lines[count++] = line; }
-};
-
-Cuts candidate_cuts(const ConvexShape& tab, const Obstacle& obstacle, double clearance) {
-  Cuts cuts;
-  const ConvexShape& shape = obstacle.shape;
-  for (std::uint32_t i = 0; i < shape.size(); ++i) {
-    const Vec2 along = shape[(i + 1) % shape.size()] - shape[i];
-    const double size = length(along);
-    if (size > 0.0) {
-      const Vec2 outward = -perpendicular(along) / size;
-      cuts.add({outward, dot(outward, shape[i]) + clearance});
-    }
-  }
-  const ConvexShape upper = above(shape, 0.0);
-  if (upper.empty()) {
-    return cuts;
-  }
-  // Only what lies beside the tab's width limits its height.
-  const Box2 box = tab.box();
-  const ConvexShape over =
-      clipped(clipped(upper, {{1.0, 0.0}, box.low.x - clearance}), {{-1.0, 0.0}, -box.high.x - clearance});
-  if (!over.empty()) {
-    cuts.add({{0.0, -1.0}, -(over.box().low.y - clearance)});
-  }
-  if (const auto line = past_corner(upper, tab[0], clearance, shares_left(obstacle.kind), false)) {
-    cuts.add(*line);
-  }
-  if (const auto line = past_corner(upper, tab[1], clearance, shares_right(obstacle.kind), true)) {
-    cuts.add(*line);
-  }
-  return cuts;
 }
 
 /// Cuts a pointed or narrow top off, so that it is at least as wide as asked; empty if it is nowhere.
@@ -192,7 +99,7 @@ constexpr std::array<std::array<double, 2>, 9> parts_of_edge{{{0.15, 1.0},
 /// A base that doesn't reach a corner of the edge has no corner to share there.
 Obstacle without_corners_off_base(const Obstacle& obstacle, const TabBase& base) {
   Obstacle result = obstacle;
-  if (shares_corner(obstacle.kind)) {
+  if (shares_left(obstacle.kind) || shares_right(obstacle.kind)) {
     const bool left = shares_left(obstacle.kind) && base.left <= same_place_mm;
     const bool right = shares_right(obstacle.kind) && base.right >= base.edge - same_place_mm;
     result.kind =
@@ -269,65 +176,32 @@ ConvexShape trapezoid(double left, double right, double height, double cot_left,
   return {{left, 0.0}, {right, 0.0}, top_right, top_left};
 }
 
-bool clear_of(const ConvexShape& tab, const Obstacle& obstacle, double clearance_mm) {
-  if (obstacle.kind == Kind::target_edge) {
-    return apart(tab, obstacle.shape, 0.0);
-  }
-  if (!shares_corner(obstacle.kind)) {
-    return apart(tab, obstacle.shape, clearance_mm);
-  }
-  if (!apart(tab, obstacle.shape, 0.0)) {
-    return false;
-  }
-  const ConvexShape upper = above(tab, corner_zone_mm);
-  return upper.empty() || apart(upper, obstacle.shape, clearance_mm);
-}
-
-ConvexShape trimmed(const ConvexShape& tab, const Obstacle& obstacle, double clearance_mm) {
-  if (tab.empty() || clear_of(tab, obstacle, clearance_mm)) {
-    return tab;
-  }
-  // A hair more than needed, so that rounding doesn't make the result fail the same question.
-  const double clearance = obstacle.kind == Kind::target_edge ? 0.0 : clearance_mm + same_place_mm;
-  const Cuts cuts = candidate_cuts(tab, obstacle, clearance);
-  ConvexShape best;
-  double most = 0.0;
-  for (std::uint32_t i = 0; i < cuts.count; ++i) {
-    const HalfPlane& keep = cuts.lines[i];
-    if (dot(keep.normal, tab[0]) < keep.offset - touching_mm ||
-        dot(keep.normal, tab[1]) < keep.offset - touching_mm) {
-      continue;
-    }
-    const ConvexShape shape = clipped(tab, {keep.normal, keep.offset - 1e-12});
-    const double value = shape.size() < 3 ? 0.0 : worth(shape);
-    // The base must come first and whole.
-    if (value > most && shape[0] == tab[0] && shape[1] == tab[1] && clear_of(shape, obstacle, clearance_mm)) {
-      most = value;
-      best = shape;
-    }
-  }
-  return best;
-}
-
 ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstacles,
                         const TabOptions& options, TabNeed need) {
-  const double cot = 1.0 / std::tan(options.steepest_angle);
-  const double top = (base.right - base.left - options.smallest_top_mm) / (2.0 * cot);
-  const double height = std::fmin(options.height_mm, top);
-  if (height < options.smallest_height_mm) {
+  const double steep = 1.0 / std::tan(options.steepest_angle);
+  const double top = (base.right - base.left - options.smallest_top_mm) / (2.0 * steep);
+  if (top < options.smallest_height_mm) {
     return {};
   }
   const auto enough = [&](const ConvexShape& tab) {
     return need == TabNeed::usable ? is_usable(tab, base.edge, options) : !tab.empty();
   };
-  ConvexShape tab = trapezoid(base.left, base.right, height, cot, cot);
-  for (const Obstacle& obstacle : obstacles) {
-    if (!enough(tab)) {
-      return {};
+  const auto trim = [&](ConvexShape tab) {
+    for (const Obstacle& obstacle : obstacles) {
+      if (!enough(tab)) {
+        return ConvexShape();
+      }
+      tab = trimmed(tab, without_corners_off_base(obstacle, base), options.clearance_mm);
     }
-    tab = trimmed(tab, without_corners_off_base(obstacle, base), options.clearance_mm);
-  }
-  return enough(tab) && !finished(tab, options).empty() ? tab : ConvexShape();
+    return enough(tab) && !finished(tab, options).empty() ? tab : ConvexShape();
+  };
+  const ConvexShape upright =
+      trim(trapezoid(base.left, base.right, std::fmin(options.height_mm, top), steep, steep));
+  return upright.empty() ? trim(widest_over(base.left, base.right, options)) : upright;
+}
+
+ConvexShape widest_tab(double length, const TabOptions& options) {
+  return long_enough(length, options) ? widest_over(0.0, length, options) : ConvexShape();
 }
 
 bool is_usable(const ConvexShape& tab, double length, const TabOptions& options) {
@@ -366,13 +240,23 @@ std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length, cons
   for (std::uint32_t i = 0; i < 3; ++i) {
     add(height, all.cotangents[i], all.cotangents[i], tab_costs.trimmed + tab_costs.lower * i);
   }
-  // As slanted as a usable tab may be, at one end or at both.
-  const double low = usable_height(options);
-  const double steep = all.cotangents[2];
-  const double spare = (largest[1].x - largest[0].x - 0.5 * length) / low;
-  add(low, 0.5 * spare, 0.5 * spare, tab_costs.leaning);
-  add(low, spare - steep, steep, tab_costs.leaning);
-  add(low, steep, spare - steep, tab_costs.leaning);
+  // No more than a usable tab needs, upright or as far to one end as there is room.
+  const double low = std::fmin(usable_height(options), top_of(largest));
+  const auto [from, to] = span_at(largest, low);
+  const double least = std::fmin(std::fmax(0.5 * length, options.smallest_top_mm), to - from);
+  const double middle = 0.5 * (largest[0].x + largest[1].x - least);
+  const double upright = std::clamp(middle, from, to - least);
+  for (const double left : {upright, from, to - least}) {
+    const double cot_left = (left - largest[0].x) / low;
+    const double cot_right = (largest[1].x - left - least) / low;
+    const double cost =
+        tab_costs.leaning + (std::fmin(cot_left, cot_right) < 0.0 ? tab_costs.overhanging : 0.0);
+    if (left == upright) {
+      add(height, std::fmin(cot_left, all.cotangents[2]), std::fmin(cot_right, all.cotangents[2]),
+          cost - 2.0);
+    }
+    add(low, cot_left, cot_right, cost);
+  }
   return shapes;
 }
 

@@ -10,36 +10,10 @@
 #include <vector>
 
 #include "unfold/convex_shape.hpp"
+#include "unfold/tab_trimming.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::unfold {
-
-/// A tab that is as high as this over half of its edge holds, mm (issue of users: lower ones tear off).
-inline constexpr double usable_height_mm = 3.0;
-
-/// Near a corner of its base a tab comes close to its neighbours inevitably: those that share the corner keep
-/// the clearance from this height upwards only, mm.
-inline constexpr double corner_zone_mm = 1.0;
-
-/// Something that a tab must not run into.
-struct Obstacle {
-  enum class Kind : std::uint8_t {
-    thing,          ///< a face or a tab: keep the clearance
-    at_base_left,   ///< the same, but it shares the base's corner at (0, 0): may be touched there
-    at_base_right,  ///< shares the corner at (length, 0)
-    at_both,        ///< shares both corners
-    target_edge,    ///< outline of the face that the tab is glued behind: may be touched
-  };
-  ConvexShape shape;
-  Kind kind = Kind::thing;
-};
-
-/// A target lower than this has no inside to be glued behind, mm: its outline can't be told from the base.
-inline constexpr double least_target_mm = 1e-5;
-/// Stands for the outline of such a target over an edge of this length: nothing fits under it.
-[[nodiscard]] inline Obstacle no_target(double length) {
-  return {{{0.0, least_target_mm}, {length, least_target_mm}}, Obstacle::Kind::target_edge};
-}
 
 /// A tab's shape and how well it serves.
 struct TabShape {
@@ -54,7 +28,8 @@ struct TabCosts {
   double lower = 1.0;    ///< per step of height
   double steeper = 4.0;  ///< per step of a side's angle
   double trimmed = 30.0;
-  double leaning = 36.0;  ///< trimmed to the least that is usable
+  double leaning = 36.0;      ///< trimmed to the least that is usable
+  double overhanging = 50.0;  ///< wider than its base or leaning over an end of it
   double other_side = 40.0;
   double part_of_edge = 80.0;
   double stacked = 6.0;  ///< two tabs behind one face that overlap there
@@ -66,14 +41,6 @@ inline constexpr TabCosts tab_costs;
 /// Trapezoid over the base from `left` to `right` with side angles given by their cotangents.
 [[nodiscard]] ConvexShape trapezoid(double left, double right, double height, double cot_left,
                                     double cot_right);
-
-/// Does the tab keep clear of the obstacle as its kind asks?
-[[nodiscard]] bool clear_of(const ConvexShape& tab, const Obstacle& obstacle, double clearance_mm);
-
-/// The tab cut back by the straight line that keeps its base and the most of it, so that it is clear of the
-/// obstacle; empty when there is none. The result lies inside `tab`, so it stays clear of whatever `tab` was
-/// clear of.
-[[nodiscard]] ConvexShape trimmed(const ConvexShape& tab, const Obstacle& obstacle, double clearance_mm);
 
 /// The part of an edge that a tab grows from, mm from the left end.
 struct TabBase {
@@ -88,13 +55,16 @@ enum class TabNeed : std::uint8_t {
   anything,  ///< of the smallest size
 };
 
-/// The largest tab over the base among all obstacles: the steepest trapezoid, trimmed. Empty as soon as it is
-/// less than needed. O(obstacles).
+/// The largest tab over the base among all obstacles: the steepest trapezoid, trimmed; where that isn't what
+/// is needed, the same with sides that overhang. Empty as soon as it is less than needed. O(obstacles).
 [[nodiscard]] ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstacles,
                                       const TabOptions& options, TabNeed need);
 
+/// What no tab on an edge of this length can leave; empty where the edge is too short for any.
+[[nodiscard]] ConvexShape widest_tab(double length, const TabOptions& options);
+
 /// Usable shapes inside `largest`, best first: trapezoids as asked, lower, steeper, then `largest` trimmed in
-/// the same manner, and some that lean away from one end of the base so that a neighbour finds room there.
+/// the same manner, and some that lean to one end of the base so that a neighbour finds room at the other.
 /// `length` is that of the whole edge. O(1).
 [[nodiscard]] std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length,
                                                const TabOptions& options);

@@ -211,12 +211,6 @@ Frame glued_frame(const Nets& nets, CornerId twin) {
   return frame_along(flat_corner(nets, twin), flat_corner(nets, mesh::next(twin)));
 }
 
-ConvexShape widest_tab(double length, const TabOptions& options) {
-  const double cot = 1.0 / std::tan(options.steepest_angle);
-  const double height = std::fmin(options.height_mm, (length - options.smallest_top_mm) / (2.0 * cot));
-  return height < options.smallest_height_mm ? ConvexShape() : trapezoid(0.0, length, height, cot, cot);
-}
-
 std::vector<TabSite> find_tab_sites(const mesh::Surface& surface, const mesh::Panels& panels,
                                     const Nets& nets, const TabOptions& options, const Context& context) {
   const SiteFinder finder(surface, panels, nets, options);

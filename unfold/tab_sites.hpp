@@ -66,7 +66,4 @@ struct FlatRegions {
                                                   const Nets& nets, const TabOptions& options,
                                                   const Context& context);
 
-/// What no tab on the site can leave: the steepest trapezoid of full height.
-[[nodiscard]] ConvexShape widest_tab(double length, const TabOptions& options);
-
 }  // namespace ridgecraft::unfold

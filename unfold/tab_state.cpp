@@ -93,15 +93,7 @@ void TabState::look_at(std::uint32_t side) {
   }
   const double edge = patch_.length[side];
   const std::vector<Obstacle> things = obstacles(side, widest_tab(edge, options_));
-  ConvexShape largest = targets_.largest[side];
-  for (const Obstacle& thing : things) {
-    if (!is_usable(largest, edge, options_)) {
-      break;
-    }
-    if (thing.kind != Obstacle::Kind::target_edge) {
-      largest = trimmed(largest, thing, options_.clearance_mm);
-    }
-  }
+  const ConvexShape largest = largest_tab({0.0, edge, edge}, things, options_, TabNeed::usable);
   std::vector<TabShape> shapes = tab_shapes(largest, edge, options_);
   if (shapes.empty()) {
     shapes = partial_tab_shapes(edge, things, options_);
