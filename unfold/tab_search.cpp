@@ -14,7 +14,15 @@ namespace {
 constexpr std::uint64_t trials_per_look = 16;
 /// Folds of a path that are tested for a clean swap, at most.
 constexpr std::size_t folds_per_trial = 12;
+/// Share of the trials that begin at a cut without a tab. Most begin at any cut: what stands in the way of a
+/// tab is often a cut that has one.
+constexpr double missing_share = 0.2;
+/// A change that loses d tabs is accepted with probability exp(-d / heat); the heat falls from trial to
+/// trial.
+constexpr double first_heat = 0.6;
+constexpr double last_heat = 0.15;
 
+/// Simulated annealing over clean swaps.
 class Search {
  public:
   Search(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch, const Folds& folds,
@@ -30,8 +38,8 @@ class Search {
     TabSearchResult result;
     result.folds = net_.folds();
     result.tabs_before = result.tabs = state_.tabs();
-    find_missing();
-    result.cuts = state_.tabs() + static_cast<std::uint32_t>(missing_.size()) + missing_seams_;
+    find_cuts();
+    result.cuts = static_cast<std::uint32_t>(cuts_.size()) + seams_;
     for (; result.trials < search_.trials && !missing_.empty(); ++result.trials) {
       if (result.trials % trials_per_look == 0) {
         context.check();
@@ -39,11 +47,12 @@ class Search {
           break;
         }
       }
-      if (!step(missing_[random_.below(static_cast<std::uint32_t>(missing_.size()))])) {
+      const double progress = static_cast<double>(result.trials) / static_cast<double>(search_.trials);
+      if (!step(first_heat * std::pow(last_heat / first_heat, progress))) {
         continue;
       }
-      find_missing();
-      if (state_.tabs() > result.tabs && (!search_.allowed || search_.allowed(net_.folds()))) {
+      find_cuts();
+      if (state_.tabs() > result.tabs) {
         result.tabs = state_.tabs();
         result.folds = net_.folds();
       }
@@ -52,56 +61,59 @@ class Search {
   }
 
  private:
-  void find_missing() {
+  void find_cuts() {
+    cuts_.clear();
     missing_.clear();
-    missing_seams_ = 0;
+    seams_ = 0;
     for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-      if (state_.is_cut(side) && state_.join_of(side) == side && !state_.has_tab(side)) {
-        if (patch_.twin[side] == nothing) {
-          ++missing_seams_;
-        } else {
-          missing_.push_back(side);
-        }
+      if (!state_.is_cut(side) || state_.join_of(side) != side) {
+        continue;
+      }
+      if (patch_.twin[side] == nothing) {
+        ++seams_;
+        continue;
+      }
+      cuts_.push_back(side);
+      if (!state_.has_tab(side)) {
+        missing_.push_back(side);
       }
     }
   }
 
-  /// Makes the cut a fold and a fold a cut; true when the tree has changed.
-  bool step(std::uint32_t side) {
+  std::uint32_t draw(const std::vector<std::uint32_t>& sides) {
+    return sides[random_.below(static_cast<std::uint32_t>(sides.size()))];
+  }
+
+  /// Makes a cut a fold and a fold a cut; true when the tree has changed.
+  bool step(double heat) {
+    const std::uint32_t side = draw(random_.unit() < missing_share ? missing_ : cuts_);
     const std::uint32_t below = choose_fold(side);
     if (below == nothing) {
       return false;
     }
-    const std::uint32_t removed = net_.side_above(below);
-    const std::uint32_t before = state_.tabs();
-    touched_ = {side / 3, patch_.twin[side] / 3, removed / 3, patch_.twin[removed] / 3};
-    net_.add_near_across(below, state_.reach(), touched_);
-    const std::uint32_t moved = net_.swap(below, side);
-    net_.add_near_across(moved, state_.reach(), touched_);
-    state_.begin();
-    state_.renew(touched_);
-    if (accept(static_cast<double>(state_.tabs()) - static_cast<double>(before))) {
+    const double before = state_.tabs();
+    state_.swap(below, side);
+    const double loss = before - state_.tabs();
+    if ((loss <= 0.0 || random_.unit() < std::exp(-loss / heat)) &&
+        (!search_.allowed || search_.allowed(net_.folds()))) {
       return true;
     }
-    net_.swap(moved, removed);
-    state_.roll_back();
+    state_.take_back();
     return false;
   }
 
-  /// A clean fold to remove, by preference one from which a tab may grow.
+  /// A clean fold on the path between the faces of a cut, by preference one from which a tab may grow.
   std::uint32_t choose_fold(std::uint32_t side) {
-    std::vector<std::uint32_t> path = net_.removable_between(side / 3, patch_.twin[side] / 3);
     struct Rated {
       double rating;
       std::uint32_t below;
     };
     std::vector<Rated> rated;
-    rated.reserve(path.size());
-    for (const std::uint32_t below : path) {
-      const std::uint32_t above = net_.side_above(below);
-      rated.push_back(
-          {state_.chances(above) + 0.02 * std::fmin(patch_.length[above], 50.0) + 1.5 * random_.unit(),
-           below});
+    for (const std::uint32_t below : net_.removable_between(side / 3, patch_.twin[side] / 3)) {
+      const std::uint32_t chances = state_.chances(net_.side_above(below));
+      if (chances > 0) {
+        rated.push_back({chances + chance_spread * random_.unit(), below});
+      }
     }
     const std::size_t count = std::min(folds_per_trial, rated.size());
     std::partial_sort(rated.begin(), rated.begin() + static_cast<std::ptrdiff_t>(count), rated.end(),
@@ -109,24 +121,24 @@ class Search {
                         return a.rating != b.rating ? a.rating > b.rating : a.below < b.below;
                       });
     for (std::size_t i = 0; i < count; ++i) {
-      if (state_.chances(net_.side_above(rated[i].below)) > 0 && net_.swap_is_clean(rated[i].below, side)) {
+      if (net_.swap_is_clean(rated[i].below, side)) {
         return rated[i].below;
       }
     }
     return nothing;
   }
 
-  /// Never worse but sometimes: probability 0.5 exp(-d / 0.3) for d tabs fewer.
-  bool accept(double gain) { return gain >= 0.0 || random_.unit() < 0.5 * std::exp(gain / 0.3); }
+  /// How far chance outweighs that a tab may grow from both sides instead of one.
+  static constexpr double chance_spread = 8.0;
 
   const Patch& patch_;
   const TabSearch& search_;
   Random random_;
   TreeSearch net_;
   TabState state_;
-  std::vector<std::uint32_t> missing_;  // cuts inside the patch that have no tab
-  std::uint32_t missing_seams_ = 0;
-  std::vector<std::uint32_t> touched_;
+  std::vector<std::uint32_t> cuts_;     // inside the patch
+  std::vector<std::uint32_t> missing_;  // those that have no tab
+  std::uint32_t seams_ = 0;             // cuts to other patches that should have their tab here
 };
 
 }  // namespace

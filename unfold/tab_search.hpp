@@ -17,7 +17,7 @@ namespace ridgecraft::unfold {
 struct TabSearch {
   double tolerance = 0.0;    ///< of overlap, mm
   std::uint64_t trials = 0;  ///< swaps that are tried
-  /// Asked of every tree that is about to be taken, if given: may it be (does it fit the sheet)?
+  /// Asked of every tree that is about to be gone on from, if given: may it be (does it fit the sheet)?
   std::function<bool(const Folds&)> allowed;
 };
 
@@ -29,9 +29,9 @@ struct TabSearchResult {
   std::uint64_t trials = 0;
 };
 
-/// Improves a clean tree of a connected patch: an edge without a tab becomes a fold, a fold on the tree path
-/// between its faces, from which a tab could grow, becomes a cut, if nothing overlaps then. Deterministic for
-/// one seed but for the context's deadline. Throws Error(interrupted).
+/// Improves a clean tree of a connected patch by simulated annealing: a cut becomes a fold, and a fold on the
+/// tree path between its faces, from which a tab could grow, becomes a cut, if nothing overlaps then.
+/// Deterministic for one seed but for the context's deadline. Throws Error(interrupted).
 [[nodiscard]] TabSearchResult search_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
                                           const Patch& patch, const Folds& folds, const TabOptions& options,
                                           const TabSearch& search, std::uint64_t seed,

@@ -2,9 +2,10 @@
 #include "unfold/tab_state.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
-#include "unfold/tab_assignment.hpp"
+#include "unfold/tab_shapes.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -15,28 +16,66 @@ constexpr double same_place_mm = 1e-6;
 /// How many tabs one may push aside.
 constexpr std::size_t most_pushed = 2;
 
+template <std::size_t n>
+Walled<n> moved(const Walled<n>& shape, const Frame& out, const Frame& in) {
+  Walled<n> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    result.corner[i] = in.in(out.out(shape.corner[i]));
+  }
+  result.build_walls();
+  return result;
+}
+
+/// The rule of clear_of (tab_trimming.hpp) and tabs_clear.
+template <std::size_t n>
+bool keeps_clear(const TabCandidate& tab, const Walled<n>& whole, const Walled<n>& upper, bool common_corner,
+                 double clearance) {
+  if (!common_corner) {
+    return walls_apart(tab.whole, whole, clearance);
+  }
+  return walls_apart(tab.whole, whole, -touching_mm) && walls_apart(tab.upper, upper, clearance);
+}
+
 }  // namespace
 
 TabState::TabState(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch,
                    TreeSearch& net, const TabOptions& options)
-    : surface_(surface),
-      patch_(patch),
+    : patch_(patch),
       net_(net),
       options_(options),
       targets_(find_tab_targets(surface, panels, patch, options)),
-      shapes_(patch.twin.size()),
-      chosen_(patch.twin.size()) {
+      candidates_(patch.twin.size()),
+      around_(patch.twin.size()),
+      free_(patch.twin.size(), 0),
+      chosen_(patch.twin.size()),
+      marked_in_(patch.twin.size(), 0) {
   vertex_.reserve(patch.twin.size());
   for (const FaceId f : patch.face) {
-    for (const VertexId v : surface_.vertices(f)) {
+    for (const VertexId v : surface.vertices(f)) {
       vertex_.push_back(v.value());
+    }
+  }
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    candidates_[side] = tab_candidates(targets_.largest[side], patch.length[side], options);
+    Box2 box;
+    for (const TabCandidate& tab : candidates_[side]) {
+      for (const Vec2 p : tab.whole.corner) {
+        box.add(p);
+        reach_ = std::fmax(reach_, length(p - Vec2{std::clamp(p.x, 0.0, patch.length[side]), 0.0}));
+      }
+    }
+    if (!candidates_[side].empty()) {
+      around_[side] = {0.5 * (box.low + box.high), 0.5 * length(box.size())};
     }
   }
 }
 
 Frame TabState::frame(std::uint32_t side) const {
-  const Vec2 along = start(side) - end(side);
-  return {end(side), along / length(along)};
+  return {end(side), (start(side) - end(side)) / patch_.length[side]};
+}
+
+Circle TabState::circle(std::uint32_t side) const {
+  return {frame(side).out(around_[side].centre), around_[side].radius};
 }
 
 /// Has the face a corner that is this vertex at this place?
@@ -50,267 +89,274 @@ bool TabState::shares(std::uint32_t vertex, Vec2 place, std::uint32_t face) cons
   return false;
 }
 
-/// The faces that a tab inside `room` might meet, those at its corners first.
-std::vector<Obstacle> TabState::obstacles(std::uint32_t side, const ConvexShape& room) {
+/// The candidates on a side that are clear of all faces.
+TabState::Mask TabState::free_among_faces(std::uint32_t side) {
+  const std::vector<TabCandidate>& tabs = candidates_[side];
+  if (!is_cut(side) || tabs.empty()) {
+    return 0;
+  }
   const Frame own = frame(side);
-  const Box2 box = room.box();
-  const Vec2 middle = 0.5 * (box.low + box.high);
-  const std::uint32_t left = vertex_[3 * (side / 3) + (side % 3 + 1) % 3];
-  const std::uint32_t right = vertex_[side];
-  std::vector<Obstacle> result = targets_.outline[side];
-  std::vector<Obstacle> others;
-  net_.visit_near(own.out(middle), 0.5 * length(box.size()) + options_.clearance_mm, [&](std::uint32_t face) {
-    if (face == side / 3) {
+  const Circle near = circle(side);
+  const double gap = options_.clearance_mm;
+  auto free = static_cast<Mask>((1U << tabs.size()) - 1U);
+  net_.visit_near(near.centre, near.radius + gap, [&](std::uint32_t face) {
+    if (face == side / 3 || free == 0) {
       return;
     }
-    const bool at_left = shares(left, end(side), face);
-    const bool at_right = shares(right, start(side), face);
-    Obstacle obstacle{own.in(ConvexShape(std::span<const Vec2>(net_.flat(face)))), Obstacle::Kind::thing};
-    if (at_left || at_right) {
-      obstacle.kind = at_left && at_right ? Obstacle::Kind::at_both
-                      : at_left           ? Obstacle::Kind::at_base_left
-                                          : Obstacle::Kind::at_base_right;
+    Walled<3> shape;
+    for (std::size_t k = 0; k < 3; ++k) {
+      shape.corner[k] = own.in(net_.flat(face)[k]);
     }
-    if (!clear_of(room, obstacle, options_.clearance_mm)) {
-      (at_left || at_right ? result : others).push_back(obstacle);
+    if (std::fmax(shape.corner[0].y, std::fmax(shape.corner[1].y, shape.corner[2].y)) <= -gap) {
+      return;
+    }
+    shape.build_walls();
+    const bool left = shares(vertex_[3 * (side / 3) + (side % 3 + 1) % 3], end(side), face);
+    const bool right = shares(vertex_[side], start(side), face);
+    for (Mask rest = free; rest != 0; rest = static_cast<Mask>(rest & (rest - 1U))) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+      const bool common = (left && tabs[i].at_left) || (right && tabs[i].at_right);
+      if (!keeps_clear(tabs[i], shape, shape, common, gap)) {
+        free = static_cast<Mask>(free & ~(1U << i));
+      }
     }
   });
-  result.insert(result.end(), others.begin(), others.end());
-  return result;
+  return free;
 }
 
-/// What fits on a side among the faces; a tab that stands there and no longer fits is taken away.
-void TabState::look_at(std::uint32_t side) {
-  const bool stands = chosen_[join_of(side)].side == side;
-  if (!is_cut(side) || targets_.largest[side].empty()) {
-    if (stands) {
-      choose(join_of(side), {});
-    }
-    if (!shapes_[side].empty()) {
-      set_shapes(side, {});
-    }
-    return;
+void TabState::set_free(std::uint32_t side, Mask free) {
+  if (free_[side] != free) {
+    old_free_.emplace_back(side, free_[side]);
+    free_[side] = free;
   }
-  const double edge = patch_.length[side];
-  const std::vector<Obstacle> things = obstacles(side, widest_tab(edge, options_));
-  const ConvexShape largest = largest_tab({0.0, edge, edge}, things, options_, TabNeed::usable);
-  std::vector<TabShape> shapes = tab_shapes(largest, edge, options_);
-  if (shapes.empty()) {
-    shapes = partial_tab_shapes(edge, things, options_);
-  }
-  if (stands) {
-    const ConvexShape& outline = chosen_[join_of(side)].outline;
-    const bool fits = std::all_of(things.begin(), things.end(), [&](const Obstacle& thing) {
-      return clear_of(outline, thing, options_.clearance_mm);
-    });
-    if (!fits) {
-      choose(join_of(side), {});
-    }
-  }
-  if (!shapes.empty() || !shapes_[side].empty()) {
-    set_shapes(side, std::move(shapes));
-  }
-}
-
-void TabState::set_shapes(std::uint32_t side, std::vector<TabShape> shapes) {
-  if (recording_) {
-    old_shapes_.emplace_back(side, std::move(shapes_[side]));
-  }
-  shapes_[side] = std::move(shapes);
 }
 
 void TabState::choose(std::uint32_t join, const Choice& choice) {
-  if (recording_) {
-    old_choices_.emplace_back(join, chosen_[join]);
+  old_choices_.emplace_back(join, chosen_[join]);
+  const bool had = chosen_[join].side != nothing;
+  const bool has = choice.side != nothing;
+  if (had != has) {
+    tabs_ += has ? 1U : static_cast<std::uint32_t>(-1);
   }
-  tabs_ += choice.side != nothing ? 1U : 0U;
-  tabs_ -= chosen_[join].side != nothing ? 1U : 0U;
   chosen_[join] = choice;
 }
 
-void TabState::begin() {
-  recording_ = true;
-  old_shapes_.clear();
-  old_choices_.clear();
+void TabState::mark(std::uint32_t side) {
+  if (marked_in_[side] != round_ && !candidates_[side].empty()) {
+    marked_in_[side] = round_;
+    marked_.push_back(side);
+  }
 }
 
-void TabState::roll_back() {
-  recording_ = false;
-  for (; !old_shapes_.empty(); old_shapes_.pop_back()) {
-    shapes_[old_shapes_.back().first] = std::move(old_shapes_.back().second);
+/// Marks the sides of a face whose tabs might meet another face.
+void TabState::mark_beside(std::uint32_t face, std::uint32_t other) {
+  for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
+    if (marked_in_[side] == round_ || candidates_[side].empty() || !is_cut(side)) {
+      continue;
+    }
+    const Frame own = frame(side);
+    Box2 box;
+    for (const Vec2 p : net_.flat(other)) {
+      box.add(own.in(p));
+    }
+    const Circle& tab = around_[side];
+    const double radius = tab.radius + options_.clearance_mm;
+    if (box.high.y > -options_.clearance_mm && box.low.y < options_.height_mm + options_.clearance_mm &&
+        box.low.x < tab.centre.x + radius && box.high.x > tab.centre.x - radius) {
+      mark(side);
+    }
   }
-  for (; !old_choices_.empty(); old_choices_.pop_back()) {
-    choose(old_choices_.back().first, old_choices_.back().second);
-  }
+}
+
+/// Marks what is near across the fold above `below`, and notes which tabs may have come together.
+void TabState::mark_near(std::uint32_t below, bool pairs) {
+  net_.visit_near_across(below, 2.0 * reach_ + options_.clearance_mm, [&](std::uint32_t f, std::uint32_t g) {
+    mark_beside(f, g);
+    mark_beside(g, f);
+    for (std::uint32_t a = 3 * f; pairs && a < 3 * f + 3; ++a) {
+      for (std::uint32_t b = 3 * g; tab_on(a) != nullptr && b < 3 * g + 3; ++b) {
+        if (tab_on(b) != nullptr) {
+          beside_.emplace_back(a, b);
+        }
+      }
+    }
+  });
 }
 
 void TabState::renew_all() {
-  std::vector<std::uint32_t> faces(patch_.size());
-  for (std::uint32_t f = 0; f < patch_.size(); ++f) {
-    faces[f] = f;
+  ++round_;
+  marked_.clear();
+  for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+    mark(side);
   }
-  renew(faces);
+  refresh();
+  fill_open();
 }
 
-void TabState::renew(std::vector<std::uint32_t>& faces) {
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  for (const std::uint32_t f : faces) {
-    for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      look_at(side);
+void TabState::swap(std::uint32_t below, std::uint32_t side) {
+  old_free_.clear();
+  old_choices_.clear();
+  ++round_;
+  marked_.clear();
+  beside_.clear();
+  const std::uint32_t removed = net_.side_above(below);
+  if (chosen_[join_of(side)].side != nothing) {
+    choose(join_of(side), {});
+  }
+  mark_near(below, false);
+  const std::uint32_t moved = net_.swap(below, side);
+  for (const std::uint32_t s : {side, patch_.twin[side], removed, patch_.twin[removed]}) {
+    mark(s);
+  }
+  mark_near(moved, true);
+  undo_below_ = moved;
+  undo_side_ = removed;
+  refresh();
+  drop_colliding();
+  fill_open();
+}
+
+void TabState::take_back() {
+  net_.swap(undo_below_, undo_side_);
+  for (; !old_free_.empty(); old_free_.pop_back()) {
+    free_[old_free_.back().first] = old_free_.back().second;
+  }
+  while (!old_choices_.empty()) {
+    const auto [join, choice] = old_choices_.back();
+    old_choices_.pop_back();
+    choose(join, choice);
+    old_choices_.pop_back();
+  }
+}
+
+/// Looks at the marked sides; tabs that no longer fit are taken away.
+void TabState::refresh() {
+  for (const std::uint32_t side : marked_) {
+    const Mask free = free_among_faces(side);
+    set_free(side, free);
+    const Choice& choice = chosen_[join_of(side)];
+    if (choice.side == side && (free >> choice.shape & 1U) == 0) {
+      choose(join_of(side), {});
     }
   }
-  // Tabs that the change brought onto each other, and the joins that have none.
-  std::vector<std::uint32_t> open;
-  for (const std::uint32_t f : faces) {
-    for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      if (!is_cut(side)) {
-        continue;
-      }
-      const std::uint32_t join = join_of(side);
-      if (chosen_[join].side == side) {
-        const ConvexShape outline = chosen_[join].outline;
-        for (const Near& near : tabs_near(side)) {
-          if (near.join != join && !clear(side, outline, near)) {
-            choose(join, {});
-            break;
-          }
-        }
-      }
-      if (chosen_[join].side == nothing) {
-        open.push_back(join);
-      }
+}
+
+/// Of two tabs that the change brought onto each other one goes.
+void TabState::drop_colliding() {
+  for (const auto& [a, b] : beside_) {
+    const TabCandidate* tab = tab_on(a);
+    if (tab != nullptr && tab_on(b) != nullptr && !clear(a, *tab, b)) {
+      choose(join_of(b), {});
+      mark(a);
+      mark(b);
     }
   }
-  std::sort(open.begin(), open.end());
-  open.erase(std::unique(open.begin(), open.end()), open.end());
+}
+
+/// Tabs for the marked cuts that have none, those with the fewest choices first.
+void TabState::fill_open() {
+  open_.clear();
+  for (const std::uint32_t side : marked_) {
+    if (is_cut(side) && free_[side] != 0 && !has_tab(side)) {
+      open_.push_back(join_of(side));
+    }
+  }
+  std::sort(open_.begin(), open_.end());
+  open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
   const auto choices = [this](std::uint32_t join) {
-    return shapes_[join].size() + (patch_.twin[join] == nothing ? 0 : shapes_[patch_.twin[join]].size());
+    const std::uint32_t twin = patch_.twin[join];
+    return std::popcount(free_[join]) + (twin == nothing ? 0 : std::popcount(free_[twin]));
   };
-  std::stable_sort(open.begin(), open.end(),
+  std::stable_sort(open_.begin(), open_.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return choices(a) < choices(b); });
-  for (const int may_push : {0, 1}) {
-    for (const std::uint32_t join : open) {
-      if (chosen_[join].side == nothing && choices(join) > 0) {
+  for (const bool may_push : {false, true}) {
+    for (const std::uint32_t join : open_) {
+      if (chosen_[join].side == nothing) {
         static_cast<void>(place(join, may_push));
       }
     }
   }
 }
 
-/// Chosen tabs that a tab on this side might meet.
-std::vector<TabState::Near> TabState::tabs_near(std::uint32_t side) {
-  const Frame own = frame(side);
-  const double edge = patch_.length[side];
-  const double radius = 0.5 * length(Vec2{edge, options_.height_mm}) + reach();
-  std::vector<Near> near;
-  net_.visit_near(own.out({0.5 * edge, 0.5 * options_.height_mm}), radius, [&](std::uint32_t face) {
+/// Sides with chosen tabs that a tab on this side might meet.
+void TabState::find_tabs_near(std::uint32_t side, std::vector<std::uint32_t>& sides) {
+  const Circle near = circle(side);
+  sides.clear();
+  net_.visit_near(near.centre, near.radius + reach_ + options_.clearance_mm, [&](std::uint32_t face) {
     for (std::uint32_t other = 3 * face; other < 3 * face + 3; ++other) {
       if (other != side && chosen_[join_of(other)].side == other) {
-        near.push_back({join_of(other), other});
+        sides.push_back(other);
       }
     }
   });
-  return near;
 }
 
-bool TabState::clear(std::uint32_t side, const ConvexShape& tab, const Near& other) const {
-  const ConvexShape& there = chosen_[other.join].outline;
-  const auto site = [this](std::uint32_t s) {
-    TabSite result;
-    result.own = frame(s);
-    result.length = patch_.length[s];
-    result.ends = {vertex_[3 * (s / 3) + (s % 3 + 1) % 3], vertex_[s]};
-    return result;
+/// Does a tab on side a keep clear of the tab that side b has?
+bool TabState::clear(std::uint32_t a, const TabCandidate& tab_a, std::uint32_t b) const {
+  const TabCandidate& tab_b = candidates_[b][chosen_[join_of(b)].shape];
+  const Frame here = frame(a);
+  const Frame there = frame(b);
+  const Walled<4> whole = moved(tab_b.whole, there, here);
+  const auto common = [&](bool at_a, std::uint32_t vertex_a, Vec2 place_a, bool at_b, std::uint32_t vertex_b,
+                          Vec2 place_b) {
+    const Vec2 away = place_a - place_b;
+    return at_a && at_b && vertex_a == vertex_b && dot(away, away) < same_place_mm * same_place_mm;
   };
-  const TabSite a = site(side);
-  TabSite b = site(other.side);
-  // One vertex at two places is no common corner.
-  for (std::uint32_t i = 0; i < 2; ++i) {
-    const Vec2 place = i == 0 ? end(other.side) : start(other.side);
-    if (!shares(b.ends[i], place, side / 3)) {
-      b.ends[i] = nothing;
-    }
-  }
-  return tabs_clear(a, tab, b, there, options_.clearance_mm);
+  const std::uint32_t left_a = vertex_[3 * (a / 3) + (a % 3 + 1) % 3];
+  const std::uint32_t left_b = vertex_[3 * (b / 3) + (b % 3 + 1) % 3];
+  const bool corner = common(tab_a.at_left, left_a, end(a), tab_b.at_left, left_b, end(b)) ||
+                      common(tab_a.at_left, left_a, end(a), tab_b.at_right, vertex_[b], start(b)) ||
+                      common(tab_a.at_right, vertex_[a], start(a), tab_b.at_left, left_b, end(b)) ||
+                      common(tab_a.at_right, vertex_[a], start(a), tab_b.at_right, vertex_[b], start(b));
+  return corner ? keeps_clear(tab_a, whole, moved(tab_b.upper, there, here), true, options_.clearance_mm)
+                : keeps_clear(tab_a, whole, whole, false, options_.clearance_mm);
 }
 
-/// Finds a join a tab: free, or in room that is left between others, or by pushing others aside.
-bool TabState::place(std::uint32_t join, int may_push) {
-  const std::uint32_t sides[2] = {join, patch_.twin[join]};
-  for (const std::uint32_t side : sides) {
-    if (side == nothing || shapes_[side].empty()) {
+/// Finds a join a tab: free, or by pushing others aside.
+bool TabState::place(std::uint32_t join, bool may_push) {
+  std::vector<std::uint32_t> near;
+  std::vector<std::uint32_t> others;
+  for (const std::uint32_t side : {join, patch_.twin[join]}) {
+    if (side == nothing || free_[side] == 0) {
       continue;
     }
-    const std::vector<Near> near = tabs_near(side);
-    for (const TabShape& shape : shapes_[side]) {
-      std::vector<std::uint32_t> others;
-      for (const Near& tab : near) {
-        if (tab.join != join && chosen_[tab.join].side == tab.side && !clear(side, shape.outline, tab)) {
-          others.push_back(tab.join);
-          if (may_push == 0 || others.size() > most_pushed) {
+    find_tabs_near(side, near);
+    for (std::uint32_t shape = 0; shape < candidates_[side].size(); ++shape) {
+      if ((free_[side] >> shape & 1U) == 0) {
+        continue;
+      }
+      others.clear();
+      for (const std::uint32_t other : near) {
+        if (join_of(other) != join && tab_on(other) != nullptr &&
+            !clear(side, candidates_[side][shape], other)) {
+          others.push_back(join_of(other));
+          if (!may_push || others.size() > most_pushed) {
             break;
           }
         }
       }
       if (others.empty()) {
-        choose(join, {side, shape.outline});
+        choose(join, {side, shape});
         return true;
       }
-      if (may_push > 0 && others.size() <= most_pushed &&
-          push_aside(join, side, ConvexShape(shape.outline), others, may_push)) {
+      if (may_push && others.size() <= most_pushed && push_aside(join, {side, shape}, others)) {
         return true;
       }
-    }
-    if (place_trimmed(side, near)) {
-      return true;
     }
   }
   return false;
 }
 
-bool TabState::place_trimmed(std::uint32_t side, const std::vector<Near>& near) {
-  const double edge = patch_.length[side];
-  const Frame own = frame(side);
-  ConvexShape tab = shapes_[side].back().outline;
-  for (const TabShape& shape : shapes_[side]) {
-    tab = shape.outline.area() > tab.area() ? shape.outline : tab;
-  }
-  for (const Near& other : near) {
-    if (other.join == join_of(side) || chosen_[other.join].side != other.side) {
-      continue;
-    }
-    const bool at_left = shares(vertex_[3 * (side / 3) + (side % 3 + 1) % 3], end(side), other.side / 3);
-    const bool at_right = shares(vertex_[side], start(side), other.side / 3);
-    Obstacle obstacle{own.in(frame(other.side).out(chosen_[other.join].outline)),
-                      at_left && at_right ? Obstacle::Kind::at_both
-                      : at_left           ? Obstacle::Kind::at_base_left
-                      : at_right          ? Obstacle::Kind::at_base_right
-                                          : Obstacle::Kind::thing};
-    tab = trimmed(tab, obstacle, options_.clearance_mm);
-    if (!is_usable(tab, edge, options_)) {
-      return false;
-    }
-  }
-  const bool free = std::all_of(near.begin(), near.end(), [&](const Near& other) {
-    return other.join == join_of(side) || chosen_[other.join].side != other.side || clear(side, tab, other);
-  });
-  if (free) {
-    choose(join_of(side), {side, tab});
-  }
-  return free;
-}
-
-bool TabState::push_aside(std::uint32_t join, std::uint32_t side, const ConvexShape& outline,
-                          const std::vector<std::uint32_t>& others, int may_push) {
+bool TabState::push_aside(std::uint32_t join, const Choice& choice,
+                          const std::vector<std::uint32_t>& others) {
   std::vector<Choice> old;
   for (const std::uint32_t other : others) {
     old.push_back(chosen_[other]);
     choose(other, {});
   }
-  choose(join, {side, outline});
-  const bool all = std::all_of(others.begin(), others.end(),
-                               [&](std::uint32_t other) { return place(other, may_push - 1); });
+  choose(join, choice);
+  const bool all =
+      std::all_of(others.begin(), others.end(), [&](std::uint32_t other) { return place(other, false); });
   if (!all) {
     choose(join, {});
     for (std::size_t i = 0; i < old.size(); ++i) {

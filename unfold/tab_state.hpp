@@ -3,21 +3,23 @@
 // change.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "mesh/surface.hpp"
-#include "unfold/tab_shapes.hpp"
+#include "unfold/tab_candidates.hpp"
 #include "unfold/tab_sites.hpp"
 #include "unfold/tab_targets.hpp"
 #include "unfold/tree_search.hpp"
 
 namespace ridgecraft::unfold {
 
-/// Usable tabs on the cuts of a net. Cuts to faces outside the patch are left out: what happens beyond isn't
-/// known. A simplification of place_tabs, which has the last word: corners are shared where they are one
-/// vertex of the surface and lie at one place, and tabs are counted, not weighed.
+/// Usable tabs on the cuts of a net, of few shapes (tab_candidates.hpp). Cuts to faces outside the patch
+/// count where this side should give the tab. A simplification of place_tabs, which has the last word: shapes
+/// are as small as usable ones can be, corners are shared where they are one vertex of the surface and lie at
+/// one place, and tabs are counted, not weighed.
 class TabState {
  public:
   TabState(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch, TreeSearch& net,
@@ -25,11 +27,11 @@ class TabState {
 
   /// Looks at all sides afresh.
   void renew_all();
-  /// Looks at the sides of these faces afresh and finds tabs for cuts that have none there.
-  void renew(std::vector<std::uint32_t>& faces);
-  /// Changes from here on can be taken back.
-  void begin();
-  void roll_back();
+  /// Makes the cut `side` a fold and the fold above `below`, which it crosses, a cut (TreeSearch::swap), and
+  /// looks afresh at the tabs that this brings near other things or frees of them.
+  void swap(std::uint32_t below, std::uint32_t side);
+  /// Takes the last swap back.
+  void take_back();
 
   /// Cuts with a usable tab.
   [[nodiscard]] std::uint32_t tabs() const { return tabs_; }
@@ -43,57 +45,65 @@ class TabState {
     return patch_.twin[side] < side ? patch_.twin[side] : side;
   }
   /// The tab that grows from a side, in the frame of tab shapes; nothing if there is none.
-  [[nodiscard]] const ConvexShape* tab_on(std::uint32_t side) const {
+  [[nodiscard]] const TabCandidate* tab_on(std::uint32_t side) const {
     const Choice& choice = chosen_[join_of(side)];
-    return choice.side == side ? &choice.outline : nullptr;
+    return choice.side == side ? &candidates_[side][choice.shape] : nullptr;
   }
   /// How many of the two sides of an edge inside the patch could give a usable tab if nothing were in the
   /// way.
   [[nodiscard]] std::uint32_t chances(std::uint32_t side) const {
-    return (targets_.largest[side].empty() ? 0U : 1U) +
-           (targets_.largest[patch_.twin[side]].empty() ? 0U : 1U);
+    return (candidates_[side].empty() ? 0U : 1U) + (candidates_[patch_.twin[side]].empty() ? 0U : 1U);
   }
-  /// How far from a face another one can still matter to its tabs, mm.
-  [[nodiscard]] double reach() const { return options_.height_mm + options_.clearance_mm; }
 
  private:
   struct Choice {
     std::uint32_t side = nothing;  ///< none: no tab
-    ConvexShape outline;
+    std::uint32_t shape = 0;
   };
-  /// A tab that stands near a side.
-  struct Near {
-    std::uint32_t join = 0;
-    std::uint32_t side = 0;
-  };
+  using Mask = std::uint8_t;
+  static_assert(most_candidates <= 8);
 
   [[nodiscard]] Vec2 start(std::uint32_t side) const { return net_.flat(side / 3)[side % 3]; }
   [[nodiscard]] Vec2 end(std::uint32_t side) const { return net_.flat(side / 3)[(side % 3 + 1) % 3]; }
   [[nodiscard]] Frame frame(std::uint32_t side) const;
+  [[nodiscard]] Circle circle(std::uint32_t side) const;
   [[nodiscard]] bool shares(std::uint32_t vertex, Vec2 place, std::uint32_t face) const;
-  [[nodiscard]] std::vector<Obstacle> obstacles(std::uint32_t side, const ConvexShape& room);
-  void look_at(std::uint32_t side);
-  void set_shapes(std::uint32_t side, std::vector<TabShape> shapes);
+  [[nodiscard]] Mask free_among_faces(std::uint32_t side);
+  void mark_near(std::uint32_t below, bool pairs);
+  void mark(std::uint32_t side);
+  void mark_beside(std::uint32_t face, std::uint32_t other);
+  void refresh();
+  void drop_colliding();
+  void fill_open();
+  void set_free(std::uint32_t side, Mask free);
   void choose(std::uint32_t join, const Choice& choice);
-  [[nodiscard]] std::vector<Near> tabs_near(std::uint32_t side);
-  [[nodiscard]] bool clear(std::uint32_t side, const ConvexShape& tab, const Near& other) const;
-  [[nodiscard]] bool place(std::uint32_t join, int may_push);
-  [[nodiscard]] bool place_trimmed(std::uint32_t side, const std::vector<Near>& near);
-  [[nodiscard]] bool push_aside(std::uint32_t join, std::uint32_t side, const ConvexShape& outline,
-                                const std::vector<std::uint32_t>& others, int may_push);
+  void find_tabs_near(std::uint32_t side, std::vector<std::uint32_t>& sides);
+  [[nodiscard]] bool clear(std::uint32_t a, const TabCandidate& tab_a, std::uint32_t b) const;
+  [[nodiscard]] bool place(std::uint32_t join, bool may_push);
+  [[nodiscard]] bool push_aside(std::uint32_t join, const Choice& choice,
+                                const std::vector<std::uint32_t>& others);
 
-  const mesh::Surface& surface_;
   const Patch& patch_;
   TreeSearch& net_;
   TabOptions options_;
+  double reach_ = 0.0;  ///< farther from its edge no tab gets, mm
   TabTargets targets_;
-  std::vector<std::uint32_t> vertex_;          ///< of the surface, at the start of each side
-  std::vector<std::vector<TabShape>> shapes_;  ///< per side, usable among the faces, best first
-  std::vector<Choice> chosen_;                 ///< per join (its smaller side)
+  std::vector<std::uint32_t> vertex_;                  ///< of the surface, at the start of each side
+  std::vector<std::vector<TabCandidate>> candidates_;  ///< per side
+  std::vector<Circle> around_;                         ///< per side, all of them, in the side's frame
+  std::vector<Mask> free_;                             ///< per side: candidates clear of all faces
+  std::vector<Choice> chosen_;                         ///< per join (its smaller side)
   std::uint32_t tabs_ = 0;
 
-  bool recording_ = false;
-  std::vector<std::pair<std::uint32_t, std::vector<TabShape>>> old_shapes_;
+  std::vector<std::uint32_t> marked_;  ///< sides to be looked at
+  std::vector<std::uint64_t> marked_in_;
+  std::uint64_t round_ = 1;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> beside_;  ///< sides whose tabs may have come together
+  std::vector<std::uint32_t> open_;
+
+  std::uint32_t undo_below_ = nothing;
+  std::uint32_t undo_side_ = nothing;
+  std::vector<std::pair<std::uint32_t, Mask>> old_free_;
   std::vector<std::pair<std::uint32_t, Choice>> old_choices_;
 };
 
