@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search over arrangements: simple orders first, then a random walk that accepts what is not worse (over
-// orders, or by emptying two pages and filling them again), then what people would like better at the same
-// number of pages.
+// orders, or by emptying two pages and filling them again). Of all that it meets, people get the fewest
+// pages, then the fullest ones, then groups that stay together. Coarse searches from two sides and a fine one
+// follow each other.
 #include "export/packing.hpp"
 
 #include <algorithm>
@@ -16,24 +17,66 @@
 namespace ridgecraft::paper {
 namespace {
 
-/// Words of bitmap read by the search over arrangements: some 0.06 s. Ten times as much saved no page of 90
-/// in a set of random jobs of 4 to 3000 shapes.
-constexpr std::uint64_t work_limit = 4'000'000;
-/// Arrangements tried without progress before the search ends.
-constexpr int patience = 400;
+/// Arrangements tried without progress before a search ends, at most and for each shape: two shapes have few.
+constexpr int patience = 2000;
+constexpr int patience_of_shape = 150;
 /// Pages that hold less than this share of their area in paper look forgotten, when there are others to share
 /// with.
-constexpr double lonely_fill = 0.1;
+constexpr double lonely_fill = 0.03;
 /// Such pages are filled up to this share.
 constexpr double shared_fill = 0.25;
+/// Of two arrangements on as many pages, differences below this share of a page's area, squared and summed
+/// over the pages, don't count against keeping groups together.
+constexpr double same_use = 0.02;
+/// A page that holds less than this share of what each other one does comes last.
+constexpr double emptier = 0.6;
+
+/// One search: how fine, from which side pages are filled, and how long (words of bitmap read; 4 million take
+/// some 0.05 s).
+struct Search {
+  PackingDetail detail;
+  bool sideways;
+  std::uint64_t work;
+};
+
+/// Few shapes: coarse searches with many turns find the orders that save a page, a fine one the places that
+/// only just suffice. Many: one order after the other takes all the time there is.
+std::vector<Search> searches_for(std::size_t shapes) {
+  if (shapes > 150) {
+    return {{{220.0, 4}, false, 4'000'000}};
+  }
+  if (shapes > 40) {
+    return {{{150.0, 12}, false, 5'000'000}, {{150.0, 12}, true, 5'000'000}, {{300.0, 8}, false, 4'000'000}};
+  }
+  return {{{150.0, 32}, false, 6'000'000}, {{150.0, 32}, true, 6'000'000}, {{300.0, 16}, false, 4'000'000}};
+}
 
 using Order = std::vector<std::uint32_t>;
 
+/// What people would choose by, the most important first; smaller is better.
+struct Merit {
+  std::size_t pages = SIZE_MAX;
+  double evenness = 0.0;  ///< pages less the sum of their squared use: full pages and one that is nearly
+                          ///< empty are better than all of them half full; in steps of same_use
+  std::size_t splits = 0;
+  double exact_evenness = 0.0;
+
+  friend auto operator<=>(const Merit&, const Merit&) = default;
+};
+
 class Packer {
  public:
-  Packer(const PackingTask& task, const Context& context)
-      : task_(task), context_(context), fill_(task, context), random_(context.seed) {}
-  [[nodiscard]] std::vector<Packed> run();
+  Packer(const PackingTask& task, const Search& search, const Context& context)
+      : task_(task),
+        context_(context),
+        work_limit_(search.work),
+        fill_(task, search.detail, context),
+        random_(context.seed) {}
+  void run();
+  [[nodiscard]] Merit merit() const { return merit(shown_); }
+  [[nodiscard]] std::vector<Packed> result() const;
+  /// No search can do with fewer pages, or make fewer of them fuller.
+  [[nodiscard]] bool is_least() const { return shown_.used.size() == 1; }
 
  private:
   [[nodiscard]] std::vector<Order> simple_orders() const;
@@ -42,7 +85,7 @@ class Packer {
   [[nodiscard]] Recipe changed(Recipe recipe, const Arrangement& at);
   [[nodiscard]] Arrangement refilled(const Arrangement& at);
   void offer(const Arrangement& candidate);
-  [[nodiscard]] bool shows_better(const Arrangement& a, const Arrangement& b) const;
+  [[nodiscard]] Merit merit(const Arrangement& a) const;
   [[nodiscard]] std::size_t splits(const Arrangement& a) const;
   [[nodiscard]] std::size_t lonely_pages(const Arrangement& a) const;
   void share_with_lonely_page(Arrangement& a);
@@ -50,6 +93,7 @@ class Packer {
 
   const PackingTask& task_;
   const Context& context_;
+  std::uint64_t work_limit_;
   PackingFill fill_;
   Random random_;
   Recipe recipe_;      ///< of best_, after start()
@@ -98,21 +142,18 @@ std::size_t Packer::lonely_pages(const Arrangement& a) const {
   return a.used.size() > 1 ? static_cast<std::size_t>(count) : 0;
 }
 
-bool Packer::shows_better(const Arrangement& a, const Arrangement& b) const {
-  if (a.used.size() != b.used.size()) {
-    return a.used.size() < b.used.size();
+Merit Packer::merit(const Arrangement& a) const {
+  Merit merit{a.used.size(), 0.0, splits(a), 0.0};
+  for (const double used : a.used) {
+    const double share = used / fill_.page_area();
+    merit.exact_evenness += 1.0 - share * share;
   }
-  if (const auto order = splits(a) <=> splits(b); order != 0) {
-    return order < 0;
-  }
-  if (const auto order = lonely_pages(a) <=> lonely_pages(b); order != 0) {
-    return order < 0;
-  }
-  return a.packs_better(b);
+  merit.evenness = std::round(merit.exact_evenness / same_use);
+  return merit;
 }
 
 void Packer::offer(const Arrangement& candidate) {
-  if (shown_.empty() || shows_better(candidate, shown_)) {
+  if (shown_.empty() || merit(candidate) < merit(shown_)) {
     shown_ = candidate;
   }
   if (best_.empty() || candidate.packs_better(best_)) {
@@ -139,11 +180,11 @@ void Packer::start() {
       if (context_.out_of_time()) {
         return;
       }
-      if (fill_.work() > work_limit && tried > 0) {
+      if (fill_.work() > work_limit_ && tried > 0) {
         break;
       }
     }
-    if (++tried >= 2 && fill_.work() > work_limit) {
+    if (++tried >= 2 && fill_.work() > work_limit_) {
       return;
     }
   }
@@ -209,11 +250,13 @@ Arrangement Packer::refilled(const Arrangement& at) {
 
 void Packer::walk() {
   const std::size_t fewest = fill_.fewest_pages();
-  const std::uint64_t limit = fill_.work() + work_limit;
+  const std::uint64_t limit = fill_.work() + work_limit_;
   Recipe recipe = recipe_;
   Arrangement current = best_;
+  const int most_idle = std::min(
+      patience, patience_of_shape * static_cast<int>(std::min<std::size_t>(1000, task_.shapes.size())));
   for (int idle = 0;
-       idle < patience && fill_.work() < limit && best_.used.size() > fewest && !context_.out_of_time();
+       idle < most_idle && fill_.work() < limit && best_.used.size() > fewest && !context_.out_of_time();
        ++idle) {
     // With two pages both ways empty everything, but the walk over orders remembers what was good.
     const bool by_order = current.used.size() == 2;
@@ -265,6 +308,7 @@ void Packer::share_with_lonely_page(Arrangement& a) {
   }
 }
 
+/// Pages in the order of the groups on them, but one that is much emptier than all others last.
 void Packer::order_pages(Arrangement& a) const {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> first;  // lowest group, page
   for (std::uint32_t page = 0; page < a.used.size(); ++page) {
@@ -273,6 +317,12 @@ void Packer::order_pages(Arrangement& a) const {
   for (std::size_t i = 0; i < a.places.size(); ++i) {
     auto& group = first[a.places[i].page].first;
     group = std::min(group, task_.group[i]);
+  }
+  std::vector<double> used = a.used;
+  std::sort(used.begin(), used.end());
+  if (used.size() > 1 && used[0] < emptier * used[1]) {
+    const auto emptiest = std::min_element(a.used.begin(), a.used.end()) - a.used.begin();
+    first[static_cast<std::size_t>(emptiest)].first = UINT32_MAX;
   }
   std::sort(first.begin(), first.end());
   std::vector<std::uint32_t> number(first.size());
@@ -284,11 +334,14 @@ void Packer::order_pages(Arrangement& a) const {
   }
 }
 
-std::vector<Packed> Packer::run() {
+void Packer::run() {
   start();
   walk();
   share_with_lonely_page(shown_);
   order_pages(shown_);
+}
+
+std::vector<Packed> Packer::result() const {
   std::vector<Packed> result;
   for (std::uint32_t i = 0; i < shown_.places.size(); ++i) {
     const Place& place = shown_.places[i];
@@ -301,13 +354,37 @@ std::vector<Packed> Packer::run() {
   return result;
 }
 
+/// A page of which the right side was the lower one, turned back.
+std::vector<Packed> turned_back(std::vector<Packed> packed, Vec2 area) {
+  for (Packed& p : packed) {
+    p.turn = {-p.turn.sine, p.turn.cosine};
+    p.shift = perpendicular(p.shift) + Vec2{area.x, 0.0};
+  }
+  return packed;
+}
+
 }  // namespace
 
 std::vector<Packed> pack(const PackingTask& task, const Context& context) {
   if (task.shapes.empty()) {
     return {};
   }
-  return Packer(task, context).run();
+  PackingTask sideways = task;
+  std::swap(sideways.area.x, sideways.area.y);
+  std::vector<Packed> best;
+  Merit least;
+  for (const Search& search : searches_for(task.shapes.size())) {
+    Packer packer(search.sideways ? sideways : task, search, context);
+    packer.run();
+    if (packer.merit() < least) {
+      least = packer.merit();
+      best = search.sideways ? turned_back(packer.result(), task.area) : packer.result();
+    }
+    if (packer.is_least() || context.out_of_time()) {
+      break;
+    }
+  }
+  return best;
 }
 
 }  // namespace ridgecraft::paper

@@ -17,15 +17,9 @@ constexpr double densest_packing = 0.92;
 /// larger difference that counts is a cell.
 constexpr double same_width_mm = 1e-6;
 
-/// Cells of the grid, mm: fine enough that rounding costs less than the gap, coarser where many shapes take
-/// long.
-double cell_size(Vec2 area, std::size_t shapes) {
-  return std::clamp(std::sqrt(area.x * area.y) / (shapes <= 150 ? 300.0 : 220.0), 0.5, 2.0);
-}
-
-/// Turns tried for each shape: all that help with few shapes, few with hundreds.
-std::size_t turn_count(std::size_t shapes) {
-  return shapes <= 40 ? 16 : shapes <= 150 ? 8 : 4;
+/// Cells of the grid, mm.
+double cell_size(Vec2 area, double cells) {
+  return std::clamp(std::sqrt(area.x * area.y) / cells, 0.5, 4.0);
 }
 
 double cells(const std::vector<Raster::Run>& runs) {
@@ -45,12 +39,11 @@ bool Arrangement::packs_better(const Arrangement& other) const {
   return squares(used) > squares(other.used);
 }
 
-PackingFill::PackingFill(const PackingTask& task, const Context& context)
-    : task_(&task), context_(&context), grid_(task.area, cell_size(task.area, task.shapes.size())) {
-  const std::size_t most = turn_count(task.shapes.size());
+PackingFill::PackingFill(const PackingTask& task, const PackingDetail& detail, const Context& context)
+    : task_(&task), context_(&context), grid_(task.area, cell_size(task.area, detail.cells)) {
   for (const PackingShape& shape : task.shapes) {
     std::vector<Raster> rasters;
-    for (const Turn& turn : promising_turns(shape.hull, task.area, most)) {
+    for (const Turn& turn : promising_turns(shape.hull, task.area, detail.turns)) {
       rasters.push_back(rasterize(shape, turn, grid_.cell, task.gap));
     }
     RIDGECRAFT_ASSERT(!rasters.empty());

@@ -38,10 +38,17 @@ struct Arrangement {
   [[nodiscard]] bool packs_better(const Arrangement& other) const;
 };
 
+/// How finely a page is looked at. Coarse grids cost room at each shape, and let many more arrangements be
+/// tried in the same time.
+struct PackingDetail {
+  double cells = 300.0;    ///< along the side of a square as large as the page
+  std::size_t turns = 16;  ///< of each shape, at most
+};
+
 /// The rasters of all shapes in all their turns, and the pages' grid.
 class PackingFill {
  public:
-  PackingFill(const PackingTask& task, const Context& context);
+  PackingFill(const PackingTask& task, const PackingDetail& detail, const Context& context);
 
   /// Places the shapes of the recipe on the pages of `base` (empty ones last) and new ones, each on the first
   /// page with room, as low as possible there (bottom-left: Baker, Coffman and Rivest 1980; bitmaps as in

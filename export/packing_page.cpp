@@ -177,11 +177,20 @@ std::optional<Spot> PackingPage::find(const Raster& raster, double limit, bool l
 }
 
 void PackingPage::take(const Raster& raster, Spot spot) {
+  const auto update = [&](std::int32_t y) {
+    std::uint64_t* bits = meets_.data() + static_cast<std::size_t>(y) * levels_ * grid_->words;
+    with_words(grid_->words, [&]<std::size_t N>() { update_row<N>(bits, levels_); });
+  };
+  std::int32_t changed = -1;  // the runs are sorted by rows: each row's levels are set once
   for (const Raster::Run& run : raster.padded) {
     const std::int32_t y = run.row + spot.row;
     if (y < 0 || y >= grid_->rows) {
       continue;
     }
+    if (y != changed && changed >= 0) {
+      update(changed);
+    }
+    changed = y;
     std::uint64_t* bits = meets_.data() + static_cast<std::size_t>(y) * levels_ * grid_->words;
     const std::int32_t begin = std::max(0, run.begin + spot.column);
     const std::int32_t end = std::min(grid_->columns, run.end + spot.column);
@@ -192,7 +201,9 @@ void PackingPage::take(const Raster& raster, Spot spot) {
       bits[x / 64] |= ones << static_cast<unsigned>(x % 64);
       x = stop;
     }
-    with_words(grid_->words, [&]<std::size_t N>() { update_row<N>(bits, levels_); });
+  }
+  if (changed >= 0) {
+    update(changed);
   }
 }
 

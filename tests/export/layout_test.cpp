@@ -47,6 +47,15 @@ class Pieces {
     }
     add(triangles, part);
   }
+  /// A triangle of paper beside the first side of the face that was added last.
+  void add_tab() {
+    const FaceId face(nets_.flat.size() - 1);
+    const auto& t = nets_.flat[face];
+    const Vec2 side = t[1] - t[0];
+    const Vec2 out = -5.0 / length(side) * perpendicular(side);
+    nets_.tabs.push_back(
+        {mesh::corner(face, 0), {}, {t[1], t[0], t[0] + 0.2 * side + out, t[1] - 0.2 * side + out}});
+  }
   [[nodiscard]] const Nets& nets() const { return nets_; }
 
  private:
@@ -78,9 +87,16 @@ bool inside(Vec2 p, const std::array<Vec2, 3>& t) {
          cross(t[0] - t[2], p - t[2]) > 0.0;
 }
 
-/// All pairs of faces of different pieces on one page, without any shortcut.
-double least_distance(const Nets& nets, const paper::Pages& pages) {
+/// All pairs of faces and tabs of different pieces on one page, without any shortcut.
+double least_distance(Nets nets, const paper::Pages& pages) {
   double least = INFINITY;
+  for (const unfold::Tab& tab : nets.tabs) {  // a tab is two triangles more
+    const PieceId piece = nets.piece[mesh::face_of(tab.side)];
+    for (std::size_t k = 2; k < tab.polygon.size(); ++k) {
+      nets.flat.push_back({tab.polygon[0], tab.polygon[k - 1], tab.polygon[k]});
+      nets.piece.push_back(piece);
+    }
+  }
   std::vector<std::array<Vec2, 3>> at;
   for (const FaceId f : ids<FaceId>(nets.flat.size())) {
     auto t = nets.flat[f];
@@ -121,6 +137,13 @@ void check_promises(const Nets& nets, const paper::Pages& pages, bool all_pairs 
     used[placement.page.value()] = true;
     for (const Vec2 corner : nets.flat[f]) {
       const Vec2 p = placement(corner);
+      in_box = in_box && p.x > box.low.x - 2e-4 && p.x < box.high.x + 2e-4 && p.y > box.low.y - 2e-4 &&
+               p.y < box.high.y + 2e-4;
+    }
+  }
+  for (const unfold::Tab& tab : nets.tabs) {
+    for (const Vec2 corner : tab.polygon) {
+      const Vec2 p = pages.placements[nets.piece[mesh::face_of(tab.side)]](corner);
       in_box = in_box && p.x > box.low.x - 2e-4 && p.x < box.high.x + 2e-4 && p.y > box.low.y - 2e-4 &&
                p.y < box.high.y + 2e-4;
     }
@@ -212,6 +235,42 @@ TEST_CASE("random blobs keep the gap, stay inside and beat shelves", "[layout]")
     check_promises(pieces.nets(), pages);
     CHECK(pages.count <= shelf_pages(pieces.nets(), {}));
   }
+}
+
+TEST_CASE("pieces with tabs and needles keep the gap on any paper", "[layout]") {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    Random random(100 + seed);
+    Pieces pieces;
+    paper::Paper paper = paper::parse_paper(seed % 3 == 0 ? "a5-landscape" : seed % 3 == 1 ? "a4" : "a6");
+    paper.gap = seed % 4 == 0 ? 0.0 : 5.0 * random.unit();
+    paper.margin = 12.0 * random.unit();
+    const std::uint32_t count = 2 + random.below(seed % 5 == 0 ? 60 : 14);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (random.below(6) == 0) {  // a needle: long, and narrower than a cell of any grid
+        const double angle = 6.0 * random.unit();
+        const Vec2 along{std::cos(angle), std::sin(angle)};
+        pieces.add_fan({{0, 0}, 60.0 * along, 59.0 * along + 0.3 * random.unit() * perpendicular(along)},
+                       i / 3);
+      } else {
+        pieces.add_fan(blob(random, 5.0 + 35.0 * random.unit()), i / 3);
+        pieces.add_tab();
+      }
+    }
+    INFO("seed " << seed << ", gap " << paper.gap << ", margin " << paper.margin);
+    check_promises(pieces.nets(), paper::layout(pieces.nets(), paper, {}));
+  }
+}
+
+TEST_CASE("of pages that can't be saved one stays as empty as it may", "[layout]") {
+  // Four fill a page; the fifth comes last, whatever groups they are of.
+  Pieces pieces;
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    pieces.add_boxes({{0, 0, 92, 130}}, i / 3);
+  }
+  const auto pages = paper::layout(pieces.nets(), {}, {});
+  check_promises(pieces.nets(), pages);
+  REQUIRE(pages.count == 2);
+  CHECK(std::ranges::count_if(pages.placements, [](const auto& p) { return p.page.value() == 1; }) == 1);
 }
 
 TEST_CASE("several pages are filled by half and more", "[layout]") {
