@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/pipeline.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -8,6 +10,7 @@
 
 #include "cli/targets.hpp"
 #include "mesh/error.hpp"
+#include "mesh/subdivide.hpp"
 #include "unfold/panel_parts.hpp"
 
 namespace ridgecraft::cli {
@@ -81,6 +84,30 @@ IdVector<FaceId, PartId> parts_for_paper(const mesh::Prepared& prepared, double 
     return one_part_per_component(prepared.model.surface);
   }
   return unfold::parts_of_whole_panels(prepared.model.surface, prepared.panels, found->part);
+}
+
+/// A sentence where the surface needs hundreds of pages; nothing otherwise. An estimate: pieces fill about
+/// half of their pages.
+std::string many_pages_warning(const mesh::Surface& surface, Vec2 page) {
+  constexpr double filled = 0.6;
+  constexpr double many = 100.0;
+  constexpr double few = 10.0;
+  double paper = 0.0;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    paper += surface.area(f);
+  }
+  const double pages = paper / (filled * page.x * page.y);
+  if (!(pages >= many)) {
+    return {};
+  }
+  const auto two_digits = [](double value) {
+    const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) - 1.0));
+    return std::round(value / unit) * unit;
+  };
+  const Vec3 size = surface.bounds().size();
+  const double largest = std::max({size.x, size.y, size.z});
+  return fmt::format("this takes about {:.0f} pages; --size {:.0f}mm would take about {:.0f}",
+                     two_digits(pages), two_digits(largest * std::sqrt(few / pages)), few);
 }
 
 std::size_t count_parts(const IdVector<FaceId, PartId>& part) {
@@ -172,7 +199,8 @@ double StageClock::total() const {
   return sum;
 }
 
-PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles& pending) {
+PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles& pending,
+                       const std::function<void(const std::string&)>& remark) {
   const Context& context = run.patient;
   const std::string stem = fs::path(job.model).stem().string();
   const std::vector<Target> targets = plan_targets(job.outputs, stem);
@@ -201,6 +229,10 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
     });
   });
   const mesh::Surface& surface = result.prepared.model.surface;
+  result.slivers = mesh::count_narrow_faces(surface, result.prepared.panels, sliver_mm);
+  if (const std::string warning = many_pages_warning(surface, area); !warning.empty()) {
+    remark(warning);
+  }
   std::vector<std::string> notes;
   const auto part =
       clock("segment", context, [&] { return parts_for_paper(result.prepared, job.concavity, run, notes); });
@@ -266,8 +298,7 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
   result.nets = clock("unfold", context, [&] {
     unfold::Options options;
     options.tabs.wanted = false;
-    options.panel_cuts =
-        job.whole ? unfold::PanelCuts::before_pieces : unfold::PanelCuts::only_if_too_large;
+    options.panel_cuts = job.whole ? unfold::PanelCuts::before_pieces : unfold::PanelCuts::only_if_too_large;
     return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });
   result.nets.notes.insert(result.nets.notes.begin(), notes.begin(), notes.end());

@@ -2,6 +2,7 @@
 // The jobs: stages called in order, their results kept for the summary.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,10 +40,14 @@ class StageClock {
   std::vector<std::pair<std::string, double>> seconds_;
 };
 
+/// Narrower strips of paper can neither be cut out nor folded by hand, mm.
+inline constexpr double sliver_mm = 1.0;
+
 /// What the main job made.
 struct PaperResult {
   mesh::Prepared prepared;
   std::size_t polygons = 0;  ///< in the file
+  std::size_t slivers = 0;   ///< faces on paper thinner than sliver_mm: nobody can cut or fold them
   std::size_t parts = 0;
   unfold::Nets nets;
   paper::Pages pages;
@@ -53,8 +58,10 @@ struct PaperResult {
 };
 
 /// ridgecraft MODEL: reads, prepares, segments, unfolds, lays out, checks and writes. Files appear only when
-/// all of them are complete. Throws Error.
-[[nodiscard]] PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles& pending);
+/// all of them are complete. Before the long work, `remark` is told what a user may want to stop for:
+/// hundreds of pages. Throws Error.
+[[nodiscard]] PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles& pending,
+                                     const std::function<void(const std::string&)>& remark);
 
 /// A segmentation beside others of the same model.
 struct Comparison {

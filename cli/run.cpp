@@ -80,6 +80,13 @@ class Session {
       }
     }
   }
+  /// A remark while the job goes on.
+  void warn(const std::string& line) {
+    progress_.clear();
+    if (!options_.quiet) {
+      remark(line);
+    }
+  }
   /// The result as the user wants it.
   template <class Text, class JsonText>
   void finish(const Text& text, const JsonText& json) {
@@ -123,8 +130,10 @@ ExitCode do_job(const PrintJob& job) {
 
 ExitCode do_job(const PaperJob& job) {
   Session session(job.common);
-  const PaperResult result =
-      about(job.model, [&] { return make_paper(job, session.run(), session.pending()); });
+  const PaperResult result = about(job.model, [&] {
+    return make_paper(job, session.run(), session.pending(),
+                      [&](const std::string& line) { session.warn(line); });
+  });
   session.report(result.prepared.model.repairs);
   session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
   return ExitCode::ok;

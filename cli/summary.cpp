@@ -227,6 +227,12 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
                         result.drawn.labels_outside, result.drawn.labels_left_out,
                         counted(result.drawn.names_left_out, "name"));
   }
+  if (result.slivers > 0) {
+    text += fmt::format(
+        "  slivers     {} thinner than {:g} mm, too thin to cut or fold; a larger --size or --faces N "
+        "helps\n",
+        counted(result.slivers, "face"), sliver_mm);
+  }
   text += bodies_text(result);
   text += notes_text(nets);
   text += fmt::format("  time        {}\n", seconds_text(result.clock));
@@ -251,6 +257,7 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["labels_left_out"] = result.drawn.labels_left_out;
   json["labels_outside"] = result.drawn.labels_outside;
   json["names_left_out"] = result.drawn.names_left_out;
+  json["slivers"] = result.slivers;
   json["bodies"] = bodies_json(result);
   json["paper"] = job.paper_name;
   json["simplified"] = {{"faces_before", simplified.faces_before},

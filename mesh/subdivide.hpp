@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces that are larger than the paper become smaller ones. Private to mesh/.
+// Faces that are larger than the paper become smaller ones; faces that are too narrow are counted.
 #pragma once
 
 #include "mesh/context.hpp"
