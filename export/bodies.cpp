@@ -18,10 +18,16 @@ constexpr std::size_t most_samples = 100;
 /// Names in a row before the rest is only counted.
 constexpr std::size_t most_names = 6;
 
-/// Smallest rectangles round a body's faces, and its vertices.
+/// A vertex and a face that has it.
+struct Sample {
+  Vec3 point;
+  FaceId face;
+};
+
+/// A body's smallest box, its vertices and its faces.
 struct Hull {
   Box3 box;
-  std::vector<Vec3> points;
+  std::vector<Sample> samples;
   std::vector<FaceId> faces;
 };
 
@@ -34,12 +40,22 @@ std::vector<Hull> hulls_of(const Surface& surface) {
     for (const VertexId v : surface.vertices(f)) {
       if (!seen[v.value()]) {
         seen[v.value()] = true;
-        hull.points.push_back(surface.point(v));
+        hull.samples.push_back({surface.point(v), f});
         hull.box.add(surface.point(v));
       }
     }
   }
   return hulls;
+}
+
+/// Fewer vertices, spread over all of them.
+void thin_out(std::vector<Sample>& samples, std::size_t most) {
+  const std::size_t step = (samples.size() + most - 1) / most;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < samples.size(); i += step) {
+    samples[kept++] = samples[i];
+  }
+  samples.resize(kept);
 }
 
 double squared_gap(const Box3& a, const Box3& b) {
@@ -56,41 +72,44 @@ struct Nearest {
   double squared = INFINITY;
 };
 
-/// The face of `other` nearest to some of the points.
-void look_at(const Surface& surface, const Hull& other, const std::vector<Vec3>& points, Nearest& nearest) {
-  for (const Vec3 p : points) {
+/// Vertices of one body against the faces of another one; the face of `other` is kept, whichever side it is
+/// on.
+void look_at(const Surface& surface, const Hull& corners, const Hull& sides, bool sides_are_other,
+             Nearest& nearest) {
+  for (const Sample& sample : corners.samples) {
     Box3 point;
-    point.add(p);
-    if (squared_gap(point, other.box) >= nearest.squared) {
+    point.add(sample.point);
+    if (squared_gap(point, sides.box) >= nearest.squared) {
       continue;
     }
-    for (const FaceId f : other.faces) {
+    for (const FaceId f : sides.faces) {
       const auto [a, b, c] = surface.vertices(f);
-      const double squared = mesh::squared_distance(surface.point(a), surface.point(b), surface.point(c), p);
-      if (squared < nearest.squared) {
-        nearest = {f, squared};
+      Box3 face;
+      for (const VertexId v : {a, b, c}) {
+        face.add(surface.point(v));
+      }
+      if (squared_gap(point, face) < nearest.squared) {
+        const double squared =
+            mesh::squared_distance(surface.point(a), surface.point(b), surface.point(c), sample.point);
+        nearest = squared < nearest.squared ? Nearest{sides_are_other ? f : sample.face, squared} : nearest;
       }
     }
   }
 }
 
-std::vector<Vec3> thinned(const std::vector<Vec3>& points, std::size_t most) {
-  std::vector<Vec3> some;
-  const std::size_t step = (points.size() + most - 1) / most;
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    some.push_back(points[i]);
-  }
-  return some;
-}
-
 void find_neighbours(const Surface& surface, const unfold::Nets& nets,
                      const std::vector<std::uint32_t>& component, std::vector<Body>& bodies) {
-  const std::vector<Hull> hulls = hulls_of(surface);
-  const std::size_t samples =
-      std::min(most_samples, most_pairs / (bodies.size() * std::max<std::size_t>(1, surface.face_count())));
-  for (std::size_t i = 0; samples > 0 && i < bodies.size(); ++i) {
+  std::vector<Hull> hulls = hulls_of(surface);
+  const std::size_t samples = std::min(
+      most_samples, most_pairs / (2 * bodies.size() * std::max<std::size_t>(1, surface.face_count())));
+  if (samples == 0) {
+    return;
+  }
+  for (Hull& hull : hulls) {
+    thin_out(hull.samples, samples);
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Hull& own = hulls[component[i]];
-    const std::vector<Vec3> points = thinned(own.points, samples);
     // The nearest boxes first: most of the others needn't be looked at then.
     std::vector<std::pair<double, std::uint32_t>> others;
     for (std::uint32_t other = 0; other < hulls.size(); ++other) {
@@ -102,7 +121,8 @@ void find_neighbours(const Surface& surface, const unfold::Nets& nets,
     Nearest nearest;
     for (const auto& [gap, other] : others) {
       if (gap < nearest.squared) {
-        look_at(surface, hulls[other], points, nearest);
+        look_at(surface, own, hulls[other], true, nearest);
+        look_at(surface, hulls[other], own, false, nearest);
       }
     }
     bodies[i].beside = nets.piece[nearest.face];

@@ -18,8 +18,7 @@ struct Body {
 };
 
 /// The components of the surface in the order of their first pieces; empty where there is only one. Distances
-/// are those of vertices of the body from the other bodies' faces, of as many vertices as a fixed amount of
-/// work allows.
+/// are those of vertices from faces, both ways, of as many vertices as a fixed amount of work allows.
 [[nodiscard]] std::vector<Body> find_bodies(const mesh::Prepared& model, const unfold::Nets& nets);
 
 /// "A to D", "A, C", "A, C and 7 more": names in the order of the pieces.

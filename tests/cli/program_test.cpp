@@ -139,6 +139,52 @@ TEST_CASE("hulls, cages, shells and deformed models are made from the command li
   CHECK_FALSE(fs::exists(folder / "x.obj"));
 }
 
+TEST_CASE("hundreds of pages are announced, with a size that needs few", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const auto pages = [&](const Outcome& outcome) {
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(outcome.out)["pages"].get<double>();
+  };
+  const Outcome large = run_program({"house.obj", "--size", "1500mm", "--json", "-o", "h.fold"}, in(folder));
+  INFO(large.err);
+  REQUIRE(large.err.starts_with("note: this takes about "));
+  CHECK(std::stod(large.err.substr(23)) == Approx(pages(large)).epsilon(0.35));
+  const std::size_t at = large.err.find("--size ");
+  REQUIRE(at != std::string::npos);
+  const std::string size = large.err.substr(at + 7, large.err.find("mm", at) + 2 - at - 7);
+  const Outcome small = run_program({"house.obj", "--size", size, "--json", "-o", "h.fold"}, in(folder));
+  CHECK(small.err.empty());
+  CHECK(pages(small) <= 20.0);
+  CHECK(pages(small) >= 4.0);
+}
+
+TEST_CASE("faces too thin for a knife are counted, loose bodies listed", "[program]") {
+  const TemporaryFolder folder;
+  // A bar of 100 x 0.5 x 20 with closed ends, and a triangle that stands beside it.
+  write_bytes(folder / "bar.obj",
+              "v 0 0 0\nv 100 0 0\nv 100 0.5 0\nv 0 0.5 0\nv 0 0 20\nv 100 0 20\nv 100 0.5 20\nv 0 0.5 20\n"
+              "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+              "v 20 5 0\nv 60 5 0\nv 40 5 15\nf 9 10 11\n");
+  const Outcome outcome =
+      run_program({"bar.obj", "--size", "100mm", "--faces", "keep", "--json", "-o", "b.fold"}, in(folder));
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const Json json = Json::parse(outcome.out);
+  CHECK(json["slivers"] == 8);  // four sides of two triangles
+  REQUIRE(json["bodies"].size() == 2);
+  std::size_t pieces = 0;
+  for (const Json& body : json["bodies"]) {
+    pieces += body["pieces"].size();
+    CHECK(body["distance_mm"].get<double>() == Approx(4.5));
+  }
+  CHECK(pieces == json["pieces"].get<std::size_t>());
+  const Outcome text =
+      run_program({"bar.obj", "--size", "100mm", "--faces", "keep", "-o", "b.fold"}, in(folder));
+  CHECK(text.out.find("slivers     8 faces thinner than 1 mm") != std::string::npos);
+  CHECK(text.out.find("bodies      2 that no join connects") != std::string::npos);
+}
+
 TEST_CASE("parts are compared with other people's", "[program]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
