@@ -11,7 +11,6 @@
 #include <cairo-pdf.h>
 #include <fmt/format.h>
 #include <qpdf/Buffer.hh>
-#include <qpdf/JSON.hh>  // clang wants it complete in the next
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFPageObjectHelper.hh>

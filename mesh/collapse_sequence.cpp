@@ -48,6 +48,13 @@ double shape(Vec3 a, Vec3 b, Vec3 c, double doubled) {
   return longest > 0.0 ? doubled / longest : 0.0;
 }
 
+/// Whether both ends of an edge have a quadric. A vertex among faces that are too small to have a normal has
+/// none, and CGAL demands one.
+template <class Policy, class Profile>
+bool has_quadrics(const Policy& policy, const Profile& profile) {
+  return !get(policy.vcm(), profile.v0()).isZero(0) && !get(policy.vcm(), profile.v1()).isZero(0);
+}
+
 /// CGAL's placement, or the middle of the edge where that is far off: so it is where the surface is nearly
 /// flat.
 class NearPlacement {
@@ -55,8 +62,11 @@ class NearPlacement {
   explicit NearPlacement(const Policies& policies) : policies_(&policies) {}
   template <class Profile>
   boost::optional<Place> operator()(const Profile& profile) const {
-    const auto best = policies_->get_placement()(profile);
     const Place middle = CGAL::midpoint(profile.p0(), profile.p1());
+    if (!has_quadrics(policies_->get_placement(), profile)) {
+      return middle;
+    }
+    const auto best = policies_->get_placement()(profile);
     const double reach = CGAL::squared_distance(profile.p0(), profile.p1());
     return best && CGAL::squared_distance(*best, middle) <= reach ? *best : middle;
   }
@@ -223,6 +233,9 @@ class WeightedCost {
   template <class Profile>
   boost::optional<EditKernel::FT> operator()(const Profile& profile,
                                              const boost::optional<Place>& place) const {
+    if (place && !has_quadrics(policies_->get_cost(), profile)) {
+      return 0.0;  // nothing is lost with faces that small
+    }
     const auto cost = policies_->get_cost()(profile, place);
     if (!cost || rules_.power == 0.0) {
       return cost;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -114,7 +115,11 @@ class Race {
     {
       std::vector<std::jthread> others;
       for (std::size_t t = 1; t < std::min<std::size_t>(context_.threads, runners_.size()); ++t) {
-        others.emplace_back(work);
+        try {
+          others.emplace_back(work);
+        } catch (const std::system_error&) {
+          break;  // no more threads to be had
+        }
       }
       work();
     }
