@@ -42,6 +42,8 @@ struct PaperJob {
   std::string paper_name = "A4";
   paper::Paper paper;
   unfold::TabOptions tabs;
+  std::string pieces_asked = "parts";  ///< --pieces
+  unfold::PieceRules pieces;
   paper::Style style;
 };
 

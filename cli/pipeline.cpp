@@ -11,6 +11,7 @@
 #include "cli/targets.hpp"
 #include "mesh/error.hpp"
 #include "mesh/subdivide.hpp"
+#include "unfold/objective.hpp"
 #include "unfold/panel_parts.hpp"
 
 namespace ridgecraft::cli {
@@ -51,6 +52,12 @@ paper::Settings settings_of(const PaperJob& job) {
   settings["tabs"] = job.tabs.wanted ? "true" : "false";
   settings["tab_height_mm"] = number(job.tabs.height_mm);
   settings["tab_angle_deg"] = fmt::format("{:.10g}", job.tabs.angle * 180.0 / std::numbers::pi);
+  settings["pieces"] = quoted(job.pieces_asked);
+  settings["max_faces"] = std::to_string(job.pieces.max_panels);
+  unfold::Weights weights = job.pieces.weights;
+  for (const std::string_view term : unfold::term_names()) {
+    settings["weigh_" + std::string(term)] = number(*unfold::weight_named(weights, term));
+  }
   settings["hide_folds_deg"] = fmt::format("{:.10g}", job.style.hidden_fold_angle * 180.0 / std::numbers::pi);
   return settings;
 }
@@ -238,7 +245,8 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
       clock("segment", context, [&] { return parts_for_paper(result.prepared, job.concavity, run, notes); });
   result.parts = count_parts(part);
   result.nets = clock("unfold", context, [&] {
-    const unfold::Options options{.sheet = unfold::Sheet{area.x, area.y}, .tabs = job.tabs};
+    const unfold::Options options{
+        .sheet = unfold::Sheet{area.x, area.y}, .tabs = job.tabs, .pieces = job.pieces};
     return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });
   result.nets.notes.insert(result.nets.notes.begin(), notes.begin(), notes.end());

@@ -117,6 +117,37 @@ std::string notes_text(const unfold::Nets& nets) {
   return text;
 }
 
+/// A line for each reason with the pieces that are there for it.
+std::string extra_pieces_text(const unfold::Nets& nets) {
+  std::map<unfold::PieceReason, std::vector<std::string>> names;
+  for (const unfold::Piece& piece : nets.pieces) {
+    if (piece.reason != unfold::PieceReason::part) {
+      names[piece.reason].push_back(piece.name);
+    }
+  }
+  std::string text;
+  for (const auto& [reason, list] : names) {
+    text += list.size() == 1 ? "  piece       " : "  pieces      ";
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      text += (i == 0 ? "" : ", ") + list[i];
+    }
+    text += fmt::format(": {}\n", unfold::sentence(reason));
+  }
+  return text;
+}
+
+Json extra_pieces_json(const unfold::Nets& nets) {
+  Json list = Json::array();
+  for (const unfold::Piece& piece : nets.pieces) {
+    if (piece.reason != unfold::PieceReason::part) {
+      list.push_back({{"name", piece.name},
+                      {"reason", unfold::name(piece.reason)},
+                      {"why", unfold::sentence(piece.reason)}});
+    }
+  }
+  return list;
+}
+
 std::string reasons_text(const unfold::Nets& nets) {
   std::map<std::string, std::size_t> reasons;
   for (const unfold::Piece& piece : nets.pieces) {
@@ -217,6 +248,7 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
   text += fmt::format("  nets        {}, {}{} on {}, {}\n", counted(result.parts, "part"),
                       counted(nets.pieces.size(), "piece"), reasons_text(nets),
                       counted(result.pages.count, "page"), job.paper_name);
+  text += extra_pieces_text(nets);
   const std::size_t without = joins_without_tab(nets);
   text += fmt::format("  tabs        {} for {}{}\n", nets.tabs.size(), counted(nets.joins.size(), "join"),
                       without > 0 ? fmt::format("; {} without ({})", without, without_tab_text(nets)) : "");
@@ -248,6 +280,7 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["parts"] = result.parts;
   json["pieces"] = result.nets.pieces.size();
   json["pages"] = result.pages.count;
+  json["extra_pieces"] = extra_pieces_json(result.nets);
   json["size_mm"] = size_json(model.surface);
   json["tabs"] = result.figures.tabs;
   json["joins"] = result.figures.joins;

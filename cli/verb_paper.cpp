@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/option_values.hpp"
+#include "cli/piece_options.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/verbs.hpp"
 
@@ -51,9 +52,11 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.example("ridgecraft scan.stl --size 30cm --paper A3 -o out", "Larger, on A3, into the folder out.");
   verb.example("ridgecraft house.obj --scale 1:87 --unit m -o house.pdf",
                "A house built in metres, as model railways want it.");
+  verb.example("ridgecraft fox.obj --pieces few", "As few pieces as the paper allows.");
   PaperJob job;
   CommonTexts common;
   std::string concavity;
+  PieceTexts pieces;
   SizeTexts size;
   std::string paper = "A4";
   std::string margin;
@@ -84,6 +87,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.option(
       "Parts", "--concavity", concavity, "TOLERANCE",
       "How far a part may be from convex, as a share of the radius of the model's bounding sphere (0.1).");
+  pieces.add_to(verb);
   common.add_to(verb);
   bool version = false;
   verb.flag("Common", "--version", version, "Print the program's version.");
@@ -111,6 +115,8 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
              " mm leaves no room for pieces");
     }
     job.concavity = concavity_or_refuse(concavity);
+    job.pieces = pieces.rules();
+    job.pieces_asked = pieces.mode;
     job.tabs.wanted = !no_tabs;
     if (!tab_height.empty()) {
       job.tabs.height_mm = length_or_refuse("--tab-height", tab_height);

@@ -23,6 +23,8 @@ enum class EdgeUse : std::uint8_t {
 /// Why a piece is a piece of its own; the words of nets-contract `reason`.
 enum class PieceReason { part, page, overlap, tabs, faces, time, request, component };
 [[nodiscard]] std::string_view name(PieceReason reason);
+/// The same as a sentence for people.
+[[nodiscard]] std::string_view sentence(PieceReason reason);
 
 /// One connected net. Its faces lie in a plane of its own: mm, y up, the printed side (the outside of the model) seen,
 /// so each face is counterclockwise.

@@ -3,11 +3,7 @@
 #include "unfold/unfold.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <system_error>
-#include <thread>
+#include <map>
 
 #include "mesh/error.hpp"
 #include "unfold/check.hpp"
@@ -15,8 +11,11 @@
 #include "unfold/fitting_panels.hpp"
 #include "unfold/joins.hpp"
 #include "unfold/layout.hpp"
+#include "unfold/parallel.hpp"
+#include "unfold/part_merging.hpp"
 #include "unfold/patch_nets.hpp"
 #include "unfold/sheet.hpp"
+#include "unfold/sub_patch.hpp"
 #include "unfold/tab_fit.hpp"
 #include "unfold/tab_pieces.hpp"
 #include "unfold/tabs.hpp"
@@ -32,19 +31,20 @@ struct Task {
   std::vector<FaceId> faces;
 };
 
-struct Done {
-  Layout layout;
-  Folds folds;
+/// The whole surface as a forest. Face i of the patch is face i of the surface.
+struct Forest {
   Patch patch;
-  std::vector<PieceReason> reason;
+  Folds folds;
+  std::vector<PieceReason> cause;  ///< per face: why the piece in which unfolding left it is one
   std::vector<std::string> notes;
 };
 
 /// A piece before it has its place in the order of all.
 struct Draft {
-  std::size_t task = 0;
-  std::uint32_t piece = 0;
+  std::vector<std::uint32_t> faces;
+  PartId part;  ///< most of its area belongs to
   double area = 0.0;
+  PieceReason reason = PieceReason::part;
 };
 
 std::vector<Task> make_tasks(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part) {
@@ -82,132 +82,165 @@ void refuse_large_faces(const mesh::Surface& surface, const Options& options) {
 }
 
 Room room_of(const Options& options) {
-  return {options.sheet, options.tabs.wanted ? options.tabs.height_mm : 0.0, options.max_panels};
+  return {options.sheet, options.tabs.wanted ? options.tabs.height_mm : 0.0, options.pieces.max_panels};
 }
 
-Done do_task(const mesh::Surface& surface, const mesh::Panels& panels, const Task& task,
-             const Options& options, std::uint64_t seed, const Context& context) {
-  Done done;
-  done.patch = make_patch(surface, panels, task.faces);
+/// Half of what the finished nets may show, whatever the model's size.
+double tolerance_of(const Patch& patch) {
+  return std::min(search_tolerance * patch.extent, 0.5 * overlap_tolerance_mm);
+}
+
+/// Each patch of each part by itself.
+Forest unfold_parts(const mesh::Surface& surface, const mesh::Panels& panels, const std::vector<Task>& tasks,
+                    const Options& options, const Context& context) {
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    faces.push_back(f);
+  }
+  Forest forest{make_patch(surface, panels, faces),
+                Folds(3 * faces.size(), 0),
+                std::vector<PieceReason>(faces.size(), PieceReason::part),
+                {}};
   const Room room = room_of(options);
-  // Half of what the finished nets may show, whatever the model's size.
-  const double tolerance = std::min(search_tolerance * done.patch.extent, 0.5 * overlap_tolerance_mm);
-  PatchNets nets = unfold_patch(done.patch, room, options.panel_cuts, tolerance, seed, context);
-  if (options.tabs.wanted) {
-    nets.folds =
-        improve_tabs(surface, panels, done.patch, nets.folds, room, options.tabs, tolerance, ~seed, context);
+  std::vector<PatchNets> nets(tasks.size());
+  do_in_parallel(
+      tasks.size(), context,
+      [&](std::size_t i, const Context& own) {
+        Random seed(context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
+        const Patch patch = make_patch(surface, panels, tasks[i].faces);
+        nets[i] = unfold_patch(patch, room, options.panel_cuts, tolerance_of(patch), seed.next(), own);
+        // Tasks have faces of their own, so they write to places of their own.
+        const Layout layout = lay_out(patch, nets[i].folds);
+        for (std::uint32_t f = 0; f < patch.size(); ++f) {
+          const std::uint32_t face = tasks[i].faces[f].value();
+          const PieceReason reason = nets[i].reason[layout.piece[f]];
+          forest.cause[face] =
+              reason == PieceReason::part && tasks[i].component > 0 ? PieceReason::component : reason;
+          for (std::uint32_t k = 0; k < 3; ++k) {
+            forest.folds[3 * face + k] = nets[i].folds[3 * f + k];
+          }
+        }
+      },
+      [&](std::size_t done) {
+        context.report("unfold", 0.7 * static_cast<double>(done) / static_cast<double>(tasks.size()));
+      });
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    for (const std::string& note : nets[t].notes) {
+      forest.notes.push_back("part " + std::to_string(tasks[t].part.value()) + ": " + note);
+    }
   }
-  done.folds = std::move(nets.folds);
-  done.reason = std::move(nets.reason);
-  done.notes = std::move(nets.notes);
-  done.layout = lay_out(done.patch, done.folds);
-  return done;
+  return forest;
 }
 
-/// Works on the tasks with as many threads as asked; each result has its own slot and each task its own seed,
-/// so the number of threads changes nothing.
-std::vector<Done> do_all(const mesh::Surface& surface, const mesh::Panels& panels,
-                         const std::vector<Task>& tasks, const Options& options, const Context& context) {
-  std::vector<Done> done(tasks.size());
-  std::atomic<std::size_t> next{0};
-  const std::size_t workers = std::min<std::size_t>(context.threads, std::max<std::size_t>(tasks.size(), 1));
-  // Threads that have no task of their own help where a task can use them.
-  Context own = context;
-  own.threads = static_cast<unsigned>(std::max<std::size_t>(context.threads / std::max<std::size_t>(workers, 1), 1));
-  std::size_t finished = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) {
-      try {
-        Random seed(context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
-        done[i] = do_task(surface, panels, tasks[i], options, seed.next(), own);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        failure = failure ? failure : std::current_exception();
-        next = tasks.size();
-        return;
-      }
-      const std::lock_guard lock(mutex);
-      context.report("unfold", static_cast<double>(++finished) / static_cast<double>(tasks.size()));
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < workers; ++t) {
-      try {
-        others.emplace_back(work);
-      } catch (const std::system_error&) {
-        break;  // no more threads to be had: those there are do it all
-      }
-    }
-    work();
+/// The tree of each piece once more, for tabs.
+void improve_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const Options& options,
+                      const Context& context, Forest& forest) {
+  std::vector<std::vector<std::uint32_t>> pieces = lay_out(forest.patch, forest.folds).faces;
+  std::vector<Folds> trees(pieces.size());
+  const Room room = room_of(options);
+  do_in_parallel(
+      pieces.size(), context,
+      [&](std::size_t i, const Context& own) {
+        Random seed(~context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
+        std::sort(pieces[i].begin(), pieces[i].end());
+        const Patch piece = sub_patch(forest.patch, pieces[i]);
+        trees[i] = improve_tabs(surface, panels, piece, sub_folds(forest.patch, forest.folds, pieces[i]),
+                                room, options.tabs, tolerance_of(piece), seed.next(), own);
+      },
+      [&](std::size_t done) {
+        context.report("unfold", 0.8 + 0.2 * static_cast<double>(done) / static_cast<double>(pieces.size()));
+      });
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    put_back(forest.patch, pieces[i], trees[i], forest.folds);
   }
-  if (failure) {
-    std::rethrow_exception(failure);
+}
+
+/// The cause that most of these faces have, those of pieces that stood for a part left out; `otherwise` where
+/// there is none.
+PieceReason most_frequent_cause(const Forest& forest, const std::vector<std::uint32_t>& faces,
+                                PieceReason otherwise) {
+  std::map<PieceReason, std::size_t> count;
+  for (const std::uint32_t f : faces) {
+    if (forest.cause[f] != PieceReason::part) {
+      ++count[forest.cause[f]];
+    }
   }
-  return done;
+  const auto most = std::max_element(count.begin(), count.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == count.end() ? otherwise : most->first;
+}
+
+/// The largest piece of each part stands for it; why is any other one there?
+void find_reasons(const Forest& forest, const IdVector<FaceId, PartId>& part, std::vector<Draft>& drafts) {
+  std::map<PartId, std::vector<std::uint32_t>> of_part;
+  for (const FaceId f : ids<FaceId>(part.size())) {
+    of_part[part[f]].push_back(f.value());
+  }
+  for (std::size_t i = 0; i < drafts.size(); ++i) {
+    if (i > 0 && drafts[i].part == drafts[i - 1].part) {
+      const PieceReason of_all = most_frequent_cause(forest, of_part[drafts[i].part], PieceReason::page);
+      drafts[i].reason = most_frequent_cause(forest, drafts[i].faces, of_all);
+    }
+  }
 }
 
 /// Pieces by part, large ones first.
-std::vector<Draft> order_pieces(const mesh::Surface& surface, const std::vector<Task>& tasks,
-                                const std::vector<Done>& done) {
+std::vector<Draft> order_pieces(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part,
+                                const Layout& layout) {
   std::vector<Draft> drafts;
-  for (std::size_t t = 0; t < tasks.size(); ++t) {
-    for (std::uint32_t p = 0; p < done[t].layout.faces.size(); ++p) {
-      Draft& draft = drafts.emplace_back(Draft{t, p, 0.0});
-      for (const std::uint32_t f : done[t].layout.faces[p]) {
-        draft.area += surface.area(tasks[t].faces[f]);
-      }
+  for (const auto& faces : layout.faces) {
+    Draft& draft = drafts.emplace_back();
+    draft.faces = faces;
+    std::sort(draft.faces.begin(), draft.faces.end());
+    std::map<PartId, double> area;
+    for (const std::uint32_t f : draft.faces) {
+      area[part[FaceId(f)]] += surface.area(FaceId(f));
+      draft.area += surface.area(FaceId(f));
     }
+    draft.part = std::max_element(area.begin(), area.end(), [](const auto& a, const auto& b) {
+                   return a.second < b.second;
+                 })->first;
   }
-  std::stable_sort(drafts.begin(), drafts.end(), [&](const Draft& a, const Draft& b) {
-    const PartId pa = tasks[a.task].part;
-    const PartId pb = tasks[b.task].part;
-    return pa != pb ? pa < pb : a.area > b.area;
+  std::stable_sort(drafts.begin(), drafts.end(), [](const Draft& a, const Draft& b) {
+    return a.part != b.part ? a.part < b.part : a.area > b.area;
   });
   return drafts;
 }
 
-Nets assemble(const mesh::Surface& surface, const std::vector<Task>& tasks, const std::vector<Done>& done) {
+Nets assemble(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part, const Forest& forest) {
   Nets nets;
   nets.use = IdVector<EdgeId, EdgeUse>(surface.edge_count(), EdgeUse::cut);
   nets.piece = IdVector<FaceId, PieceId>(surface.face_count());
   nets.flat = IdVector<FaceId, std::array<Vec2, 3>>(surface.face_count());
+  nets.notes = forest.notes;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     if (surface.is_border(e)) {
       nets.use[e] = EdgeUse::border;
     }
   }
-  for (const Draft& draft : order_pieces(surface, tasks, done)) {
-    const Task& task = tasks[draft.task];
-    const Done& from = done[draft.task];
+  const Layout layout = lay_out(forest.patch, forest.folds);
+  std::vector<Draft> drafts = order_pieces(surface, part, layout);
+  find_reasons(forest, part, drafts);
+  for (const Draft& draft : drafts) {
     Piece piece;
     piece.name = piece_name(nets.pieces.size());
-    piece.parts = {task.part};
-    piece.reason = from.reason[draft.piece];
-    if (piece.reason == PieceReason::part && task.component > 0) {
-      piece.reason = PieceReason::component;
-    }
+    piece.reason = draft.reason;
     const PieceId id(nets.pieces.size());
-    for (const std::uint32_t f : from.layout.faces[draft.piece]) {
-      const FaceId face = task.faces[f];
+    for (const std::uint32_t f : draft.faces) {
+      const FaceId face(f);
       piece.faces.push_back(face);
+      piece.parts.push_back(part[face]);
       nets.piece[face] = id;
-      nets.flat[face] = from.layout.flat[f];
+      nets.flat[face] = layout.flat[f];
       for (unsigned k = 0; k < 3; ++k) {
-        if (from.folds[3 * f + k] != 0) {
+        if (forest.folds[3 * f + k] != 0) {
           nets.use[surface.edge(mesh::corner(face, k))] = EdgeUse::fold;
         }
       }
     }
-    std::sort(piece.faces.begin(), piece.faces.end());
+    std::sort(piece.parts.begin(), piece.parts.end());
+    piece.parts.erase(std::unique(piece.parts.begin(), piece.parts.end()), piece.parts.end());
     nets.pieces.push_back(std::move(piece));
-  }
-  for (std::size_t t = 0; t < tasks.size(); ++t) {
-    for (const std::string& note : done[t].notes) {
-      nets.notes.push_back("part " + std::to_string(tasks[t].part.value()) + ": " + note);
-    }
   }
   return nets;
 }
@@ -236,8 +269,16 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   const std::vector<Task> tasks = make_tasks(surface, part);
   std::vector<std::string> notes;
   const mesh::Panels fitting = fitting_panels(surface, panels, room_of(options), context, notes);
-  Nets nets = assemble(surface, tasks, do_all(surface, fitting, tasks, options, context));
-  nets.notes.insert(nets.notes.begin(), notes.begin(), notes.end());
+  Forest forest = unfold_parts(surface, fitting, tasks, options, context);
+  forest.notes.insert(forest.notes.begin(), notes.begin(), notes.end());
+  if (options.pieces.merge) {
+    forest.folds = merge_parts(forest.patch, part.items(), forest.folds, room_of(options),
+                               options.pieces.weights, tolerance_of(forest.patch), context.seed, context);
+  }
+  if (options.tabs.wanted) {
+    improve_all_tabs(surface, fitting, options, context, forest);
+  }
+  Nets nets = assemble(surface, part, forest);
   close_flat_cuts(surface, panels, nets);
   count_holes(surface, nets);
   insist_on_no_overlap(nets);

@@ -35,19 +35,47 @@ enum class PanelCuts {
   before_pieces,      ///< a panel is cut before a piece is added: the fewest pieces
 };
 
+/// What makes pieces easy to build, in the worth of one edge to be glued; each term is a name that users can
+/// weigh (unfold/objective.hpp).
+struct Weights {
+  double cut = 1.0;      ///< each 100 mm of cut edges
+  double pieces = 6.0;   ///< each piece
+  double parts = 8.0;    ///< each part beyond the first that a piece has faces of
+  double compact = 4.0;  ///< each 100 cm2 of a piece's convex hull that are no paper
+  double thin = 0.5;     ///< necks: width of what hangs on one over its length, beyond three times
+  double small = 12.0;   ///< pieces less than 30 mm wide: by the share that is missing
+  double panels = 8.0;   ///< square of a piece's flat regions over 80
+};
+
+/// How a user wants the pieces.
+enum class PieceMode {
+  few,    ///< as few as overlap and paper allow
+  parts,  ///< the parts of the model; crumbs join their neighbours
+  small,  ///< small ones for short evenings
+};
+
+/// What a mode means.
+struct PieceRules {
+  Weights weights;
+  std::size_t max_panels = 0;  ///< flat regions that one piece may have; 0: any number
+  bool merge = false;          ///< join neighbouring pieces, of several parts too, where that costs less
+};
+[[nodiscard]] PieceRules rules_of(PieceMode mode);
+
 struct Options {
   std::optional<Sheet> sheet;  ///< none: a piece may be as large as it likes
   TabOptions tabs;
   PanelCuts panel_cuts = PanelCuts::only_if_too_large;
-  std::size_t max_panels = 0;  ///< flat regions that one piece may have; 0: any number
+  PieceRules pieces;
 };
 
 /// Unfolds each part into one net where one exists, splits those that don't fit the sheet in as few pieces as
 /// possible, and gives every cut edge that has room a tab. `part` gives each face its part (parts are
-/// connected over edges or are treated as several); panels larger than the sheet are cut, others as
-/// `panel_cuts` says. The result has no overlap deeper than overlap_tolerance_mm (unfold/tolerance.hpp): an
-/// all-pairs check of its own confirms it before it is returned. Deterministic for one seed as long as the
-/// deadline isn't reached. Throws Error(no_nets), Error(interrupted).
+/// connected over edges or are treated as several); neighbouring pieces are merged as `pieces` says; panels
+/// larger than the sheet are cut, others as `panel_cuts` says. The result has no overlap deeper than
+/// overlap_tolerance_mm (unfold/tolerance.hpp): an all-pairs check of its own confirms it before it is
+/// returned. Deterministic for one seed as long as the deadline isn't reached. Throws Error(no_nets),
+/// Error(interrupted).
 [[nodiscard]] Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels,
                           const IdVector<FaceId, PartId>& part, const Options& options,
                           const Context& context);

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/objective.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "unfold/forest.hpp"
+#include "unfold/layout.hpp"
+#include "unfold/page_split.hpp"
+#include "unfold/sheet.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Unit of the cut length, mm: about ten edges of a model for the hand.
+constexpr double cut_unit_mm = 100.0;
+/// Unit of the area that a piece wastes, mm2: a fifth of an A4 page.
+constexpr double hollow_unit_mm2 = 10000.0;
+/// A piece this wide is held without trouble, mm.
+constexpr double handy_mm = 30.0;
+/// A neck is thin when the branch behind it is this many times wider than it.
+constexpr double thin_ratio = 3.0;
+/// A piece of so many panels is an evening's work by itself.
+constexpr double many_panels = 80.0;
+
+struct Term {
+  std::string_view name;
+  double Weights::*weight;
+};
+constexpr std::array terms{Term{"cut", &Weights::cut},      Term{"pieces", &Weights::pieces},
+                           Term{"parts", &Weights::parts},  Term{"compact", &Weights::compact},
+                           Term{"thin", &Weights::thin},    Term{"small", &Weights::small},
+                           Term{"panels", &Weights::panels}};
+
+double area_of(const Triangle& t) {
+  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+}
+
+/// How thin the necks of a tree are: for each fold the width of the smaller side (the root of its area) over
+/// the fold's length, beyond what is harmless.
+double thinness(const Patch& piece, const Folds& tree) {
+  std::vector<std::uint32_t> place(piece.size(), nothing);
+  const RootedTree rooted = rooted_tree(piece, tree, 0, place);
+  std::vector<double> area(rooted.order.size(), 0.0);
+  for (std::size_t i = area.size(); i-- > 0;) {
+    area[i] += area_of(piece.shape[rooted.order[i]]);
+    if (i > 0) {
+      area[rooted.parent[i]] += area[i];
+    }
+  }
+  double thin = 0.0;
+  for (std::size_t i = 1; i < area.size(); ++i) {
+    if (piece.frozen[rooted.up[i]] == 0) {
+      const double width = std::sqrt(std::min(area[i], area[0] - area[i]));
+      thin += std::max(0.0, width / std::max(piece.length[rooted.up[i]], 1e-3 * width + 1e-9) - thin_ratio);
+    }
+  }
+  return thin;
+}
+
+double square(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+PieceRules rules_of(PieceMode mode) {
+  PieceRules rules;
+  rules.merge = true;
+  switch (mode) {
+    case PieceMode::few:
+      rules.weights.pieces = 100.0;
+      rules.weights.parts = 0.0;
+      rules.weights.panels = 0.0;
+      break;
+    case PieceMode::parts:
+      rules.max_panels = 80;
+      break;
+    case PieceMode::small:
+      rules.max_panels = 24;
+      rules.weights.pieces = 3.0;
+      rules.weights.small = 8.0;
+      break;
+  }
+  return rules;
+}
+
+double* weight_named(Weights& weights, std::string_view name) {
+  const auto* const term =
+      std::find_if(terms.begin(), terms.end(), [&](const Term& t) { return t.name == name; });
+  return term == terms.end() ? nullptr : &(weights.*(term->weight));
+}
+
+std::span<const std::string_view> term_names() {
+  static constexpr auto names = [] {
+    std::array<std::string_view, terms.size()> all;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      all[i] = terms[i].name;
+    }
+    return all;
+  }();
+  return names;
+}
+
+double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights& weights) {
+  double outline = 0.0;
+  for (std::size_t side = 0; side < piece.twin.size(); ++side) {
+    // Each cut has two sides; those of another piece count there.
+    outline += piece.twin[side] == nothing ? 0.5 * piece.length[side] : 0.0;
+  }
+  double area = 0.0;
+  for (const Triangle& t : piece.shape) {
+    area += area_of(t);
+  }
+  return weights.pieces + weights.cut * outline / cut_unit_mm +
+         weights.parts * static_cast<double>(parts - 1) +
+         weights.small * std::max(0.0, 1.0 - std::sqrt(area) / handy_mm) +
+         weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
+}
+
+double cost_of_piece(const Patch& piece, const Folds& tree, std::size_t parts, const Weights& weights) {
+  double cut = 0.0;
+  for (std::size_t side = 0; side < tree.size(); ++side) {
+    cut += tree[side] == 0 && piece.twin[side] != nothing ? 0.5 * piece.length[side] : 0.0;
+  }
+  double area = 0.0;
+  std::vector<Vec2> points;
+  for (const Triangle& t : lay_out(piece, tree).flat) {
+    area += area_of(t);
+    points.insert(points.end(), t.begin(), t.end());
+  }
+  const std::vector<Vec2> hull = convex_hull(std::move(points));
+  double hull_area = 0.0;
+  for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
+    hull_area += 0.5 * cross(hull[i] - hull[0], hull[i + 1] - hull[0]);
+  }
+  const double hollow = std::max(0.0, hull_area - area) / hollow_unit_mm2;
+  return least_cost_of_piece(piece, parts, weights) + weights.cut * cut / cut_unit_mm +
+         weights.compact * hollow + weights.thin * thinness(piece, tree);
+}
+
+}  // namespace ridgecraft::unfold

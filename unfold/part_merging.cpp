@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/part_merging.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "unfold/check.hpp"
+#include "unfold/forest.hpp"
+#include "unfold/layout.hpp"
+#include "unfold/objective.hpp"
+#include "unfold/one_piece.hpp"
+#include "unfold/sub_patch.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Cuts at which two pieces are tried to be joined as they are.
+constexpr std::size_t cuts_tried = 24;
+/// Faces of all unions that are unfolded afresh, and all that are joined as they are: about ten seconds each.
+constexpr std::size_t fresh_budget = 60'000;
+constexpr std::size_t join_budget = 4'000'000;
+/// Larger unions take too long.
+constexpr std::size_t most_faces = 1500;
+
+using Faces = std::vector<std::uint32_t>;
+
+struct Piece {
+  Faces faces;  ///< ascending
+  double area = 0.0;
+  double cost = 0.0;
+  std::size_t parts = 1;
+};
+
+struct Neighbours {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  double border = 0.0;  ///< mm
+};
+
+class PartMerger {
+ public:
+  PartMerger(const Patch& patch, std::span<const PartId> part, const Folds& folds, const Room& room,
+             const Weights& weights, double tolerance, std::uint64_t seed, const Context& context)
+      : patch_(patch),
+        part_(part),
+        folds_(folds),
+        room_(room),
+        weights_(weights),
+        random_(seed),
+        context_(context) {
+    search_.tolerance = tolerance;
+    search_.starts = 2;
+    for (Faces& faces : lay_out(patch, folds).faces) {
+      std::sort(faces.begin(), faces.end());
+      Piece& piece = pieces_.emplace_back();
+      piece.faces = std::move(faces);
+      renew(piece);
+    }
+  }
+
+  Folds run() {
+    for (bool again = true; again;) {
+      again = false;
+      for (const Neighbours& pair : neighbours()) {
+        context_.check();
+        if (context_.out_of_time()) {
+          return std::move(folds_);
+        }
+        if (merge(pair)) {
+          again = true;
+          break;
+        }
+      }
+    }
+    return std::move(folds_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t count_parts(const Faces& faces) const {
+    std::set<PartId> parts;
+    for (const std::uint32_t f : faces) {
+      parts.insert(part_[f]);
+    }
+    return parts.size();
+  }
+
+  void renew(Piece& piece) {
+    piece.parts = count_parts(piece.faces);
+    piece.area = 0.0;
+    for (const std::uint32_t f : piece.faces) {
+      const Triangle& t = patch_.shape[f];
+      piece.area += 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+    }
+    piece.cost = cost_of_piece(sub_patch(patch_, piece.faces), sub_folds(patch_, folds_, piece.faces),
+                               piece.parts, weights_);
+  }
+
+  /// Neighbouring pieces: the smallest first, each with its longest border first.
+  [[nodiscard]] std::vector<Neighbours> neighbours() const {
+    std::vector<std::uint32_t> of(patch_.size(), 0);
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
+      for (const std::uint32_t f : pieces_[p].faces) {
+        of[f] = p;
+      }
+    }
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> border;
+    for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+      if (patch_.twin[side] != nothing && of[side / 3] < of[patch_.twin[side] / 3]) {
+        border[{of[side / 3], of[patch_.twin[side] / 3]}] += patch_.length[side];
+      }
+    }
+    std::vector<Neighbours> pairs;
+    for (const auto& [ends, length] : border) {
+      pairs.push_back({ends.first, ends.second, length});
+    }
+    const auto smaller = [&](const Neighbours& n) { return std::min(pieces_[n.a].area, pieces_[n.b].area); };
+    std::stable_sort(pairs.begin(), pairs.end(), [&](const Neighbours& m, const Neighbours& n) {
+      return smaller(m) != smaller(n) ? smaller(m) < smaller(n) : m.border > n.border;
+    });
+    return pairs;
+  }
+
+  bool merge(const Neighbours& pair) {
+    Piece& a = pieces_[pair.a];
+    Piece& b = pieces_[pair.b];
+    Piece both;
+    std::merge(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
+               std::back_inserter(both.faces));
+    if (both.faces.size() > most_faces || failed_.contains(both.faces)) {
+      return false;
+    }
+    const double limit = a.cost + b.cost;
+    const Patch patch = sub_patch(patch_, both.faces);
+    const std::size_t parts = count_parts(both.faces);
+    std::optional<Folds> tree;
+    if (!too_large_for_one(patch, room_) && least_cost_of_piece(patch, parts, weights_) < limit) {
+      tree = join_as_they_are(patch, both.faces, parts, limit);
+      tree = tree ? tree : unfold_afresh(patch, parts, limit);
+    }
+    if (!tree) {
+      failed_.insert(std::move(both.faces));
+      return false;
+    }
+    put_back(patch_, both.faces, *tree, folds_);
+    renew(both);
+    a = std::move(both);
+    pieces_.erase(pieces_.begin() + pair.b);
+    return true;
+  }
+
+  /// Both nets stay as they are, one is laid against the other: over the cut between them that costs least.
+  std::optional<Folds> join_as_they_are(const Patch& patch, const Faces& faces, std::size_t parts,
+                                        double limit) {
+    const Folds apart = sub_folds(patch_, folds_, faces);
+    const Layout layout = lay_out(patch, apart);
+    std::vector<std::uint32_t> cuts;
+    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+      const std::uint32_t twin = patch.twin[side];
+      if (twin != nothing && side < twin && layout.piece[side / 3] != layout.piece[twin / 3]) {
+        cuts.push_back(side);
+      }
+    }
+    std::stable_sort(cuts.begin(), cuts.end(), [&](std::uint32_t s, std::uint32_t t) {
+      return patch.frozen[s] != patch.frozen[t] ? patch.frozen[s] > patch.frozen[t]
+                                                : patch.length[s] > patch.length[t];
+    });
+    cuts.resize(std::min(cuts.size(), cuts_tried));
+    std::optional<Folds> best;
+    for (const std::uint32_t side : cuts) {
+      if (joined_ >= join_budget) {
+        break;
+      }
+      joined_ += faces.size();
+      Folds trial = apart;
+      set_fold(patch, trial, side, true);
+      if (!all_fit(patch, trial, room_)) {
+        continue;
+      }
+      const double cost = cost_of_piece(patch, trial, parts, weights_);
+      if (cost < limit && find_overlaps(lay_out(patch, trial), search_.tolerance).empty()) {
+        limit = cost;
+        best = std::move(trial);
+      }
+    }
+    return best;
+  }
+
+  std::optional<Folds> unfold_afresh(const Patch& patch, std::size_t parts, double limit) {
+    if (fresh_ + patch.size() > fresh_budget) {
+      return std::nullopt;
+    }
+    fresh_ += patch.size();
+    auto tree = find_one_piece(patch, room_, search_, random_.next(), context_);
+    if (tree && !(cost_of_piece(patch, *tree, parts, weights_) < limit)) {
+      tree.reset();
+    }
+    return tree;
+  }
+
+  const Patch& patch_;
+  std::span<const PartId> part_;
+  Folds folds_;
+  const Room& room_;
+  const Weights& weights_;
+  Random random_;
+  const Context& context_;
+  OnePieceSearch search_;
+  std::vector<Piece> pieces_;
+  std::set<Faces> failed_;
+  std::size_t joined_ = 0;
+  std::size_t fresh_ = 0;
+};
+
+}  // namespace
+
+Folds merge_parts(const Patch& patch, std::span<const PartId> part, const Folds& folds, const Room& room,
+                  const Weights& weights, double tolerance, std::uint64_t seed, const Context& context) {
+  return PartMerger(patch, part, folds, room, weights, tolerance, seed, context).run();
+}
+
+}  // namespace ridgecraft::unfold
