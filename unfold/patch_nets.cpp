@@ -34,8 +34,7 @@ std::size_t attempts_for(std::uint32_t faces) {
 
 /// Changes of shape that are tried for a net that is larger than the sheet.
 constexpr std::uint64_t fit_trials = 400;
-/// Faces times iterations, about 0.5 s, after which no more of them are made: spiky solids take long each
-/// time.
+/// Faces times iterations, about 0.5 s, after which no more of them are made: spiky solids take long each time.
 constexpr std::uint64_t attempts_cost = 2'000'000;
 
 /// Start trees before a patch counts as having no single net.
