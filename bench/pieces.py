@@ -22,10 +22,12 @@ import tempfile
 SUFFIXES = {".obj", ".off", ".ply", ".stl"}
 MODES = ("parts", "few", "small")
 MOST_PANELS = 80
+# Folds no sharper than this, degrees, lie inside a panel (mesh/panels.hpp).
+FLAT_DEG = 0.1
 
 
 def largest_piece(fold):
-    """Panels of the piece with most of them: what its flat folds (F) leave apart."""
+    """Panels of the piece with most of them: what its folds without an angle leave apart."""
     owner = list(range(len(fold["faces_vertices"])))
 
     def top(face):
@@ -34,7 +36,8 @@ def largest_piece(fold):
             face = owner[face]
         return face
 
-    flat = {tuple(sorted(edge)) for edge, kind in zip(fold["edges_vertices"], fold["edges_assignment"]) if kind == "F"}
+    edges = zip(fold["edges_vertices"], fold["edges_assignment"], fold["edges_foldAngle"])
+    flat = {tuple(sorted(edge)) for edge, kind, angle in edges if kind in "MVF" and abs(angle or 0.0) <= FLAT_DEG}
     first = {}
     for face, ring in enumerate(fold["faces_vertices"]):
         for edge in zip(ring, ring[1:] + ring[:1]):
