@@ -3,6 +3,7 @@
 #include "segment/segment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdio>
 #include <ctime>
@@ -28,8 +29,9 @@ namespace fs = std::filesystem;
 struct Arguments {
   fs::path psb;
   fs::path json;
-  double concavity = 0.1;
+  segment::Options options;
   bool subset = false;
+  double damage = 0.0;  ///< share of the faces to remove at random
   std::vector<int> models;
 };
 
@@ -84,6 +86,33 @@ double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+/// The surface with each face removed at a probability: the paper's figure 15.
+mesh::Surface damaged(const mesh::Surface& whole, double share) {
+  Random random(1);
+  std::vector<std::array<VertexId, 3>> corners;
+  for (const FaceId f : ids<FaceId>(whole.face_count())) {
+    if (random.unit() >= share) {
+      corners.push_back(whole.vertices(f));
+    }
+  }
+  return {{whole.points().begin(), whole.points().end()}, std::move(corners)};
+}
+
+Row run_damaged(int model, const Arguments& arguments, const mesh::Surface& whole) {
+  Row row;
+  row.model = model;
+  row.category = category_of(model);
+  const Context context;
+  const mesh::Surface surface = damaged(whole, arguments.damage);
+  const double start = cpu_seconds();
+  const segment::Segmentation result = segment::segment(surface, {}, arguments.options, context);
+  row.seconds = cpu_seconds() - start;
+  row.faces = surface.face_count();
+  row.parts = static_cast<double>(result.parts.size());
+  row.worst = result.max_concavity();
+  return row;
+}
+
 Row run_model(int model, const Arguments& arguments) {
   Row row;
   row.model = model;
@@ -96,9 +125,11 @@ Row run_model(int model, const Arguments& arguments) {
       mesh::read(arguments.psb / "off" / (std::to_string(model) + ".off"), read_options, context);
   const mesh::Surface& surface = read.surface;
   row.reading = cpu_seconds() - start;
-  segment::Options options;
-  options.concavity = arguments.concavity;
-  const segment::Segmentation result = segment::segment(surface, read.polygon.items(), options, context);
+  if (arguments.damage > 0.0) {
+    return run_damaged(model, arguments, surface);
+  }
+  const segment::Segmentation result =
+      segment::segment(surface, read.polygon.items(), arguments.options, context);
   row.seconds = cpu_seconds() - start;
   row.faces = surface.face_count();
   row.parts = static_cast<double>(result.parts.size());
@@ -179,6 +210,10 @@ bool parse(int argc, char** argv, Arguments& arguments) {
       arguments.subset = true;
       continue;
     }
+    if (option == "--pockets") {
+      arguments.options.pockets = true;
+      continue;
+    }
     if (i + 1 >= argc) {
       return false;
     }
@@ -188,7 +223,13 @@ bool parse(int argc, char** argv, Arguments& arguments) {
     } else if (option == "--json") {
       arguments.json = value;
     } else if (option == "--concavity") {
-      arguments.concavity = std::stod(value);
+      arguments.options.concavity = std::stod(value);
+    } else if (option == "--damage") {
+      arguments.damage = std::stod(value);
+    } else if (option == "--effort") {
+      arguments.options.effort = std::stoi(value);
+    } else if (option == "--volume-weight") {
+      arguments.options.volume_weight = std::stod(value);
     } else if (option == "--model") {
       arguments.models.push_back(std::stoi(value));
     } else {
@@ -204,7 +245,8 @@ int main(int argc, char** argv) {
   Arguments arguments;
   if (!parse(argc, argv, arguments)) {
     std::fprintf(stderr,
-                 "usage: bench_segment --psb DIR [--json FILE] [--subset] [--model N]... [--concavity T]\n");
+                 "usage: bench_segment --psb DIR [--json FILE] [--subset] [--model N]... [--concavity T] "
+                 "[--effort 1..3] [--volume-weight W] [--pockets] [--damage SHARE]\n");
     return 2;
   }
   std::vector<int> models = arguments.models;

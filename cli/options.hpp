@@ -11,6 +11,7 @@
 #include "cli/manual.hpp"
 #include "export/export.hpp"
 #include "mesh/mesh.hpp"
+#include "segment/segment.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::cli {
@@ -55,7 +56,7 @@ struct InfoJob {
 struct SegmentJob {
   CommonOptions common;
   std::string model;
-  double concavity = 0.1;
+  segment::Options options;
   std::string labels;                ///< FILE.seg; empty: none
   std::vector<std::string> outputs;  ///< coloured PLY or OFF
   std::vector<std::string> compare;  ///< label files of others
@@ -124,7 +125,8 @@ struct PrintJob {
   std::string text;
 };
 
-using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, CageJob, ShellJob, DeformJob, VerifyJob, FormatsJob, PrintJob>;
+using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, CageJob, ShellJob, DeformJob,
+                         VerifyJob, FormatsJob, PrintJob>;
 
 /// Parses the arguments after the program's name. Throws Error(usage) with one sentence.
 [[nodiscard]] Job parse_arguments(const std::vector<std::string>& arguments);

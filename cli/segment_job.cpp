@@ -94,8 +94,7 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   }
   result.segmentation = clock("segment", context, [&] {
     return in_time(run, job.model + " was segmented", [&](const Context& strict) {
-      return segment::segment(result.model.surface, result.model.polygon.items(),
-                              {.concavity = job.concavity}, strict);
+      return segment::segment(result.model.surface, result.model.polygon.items(), job.options, strict);
     });
   });
   if (!job.compare.empty()) {

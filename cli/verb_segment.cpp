@@ -32,11 +32,44 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
   verb.option(
       "Parts", "--concavity", concavity, "TOLERANCE",
       "Largest concavity of a part, in the scale where the smallest enclosing ball has radius 1 (0.1).");
+  std::string effort;
+  std::string volume_weight;
+  verb.option(
+      "Parts", "--effort", effort, "1|2|3",
+      "How much work to spend: 2 and 3 cut finer pieces and put them together anew, for fewer parts and "
+      "smaller hulls, in about 5 and 15 times the time (1).");
+  verb.option("Parts", "--volume-weight", volume_weight, "WEIGHT",
+              "Parts to give for a volume ratio (hulls of the parts to the model) less by 1: 6 makes hulls "
+              "follow the model closely, 0 asks for the fewest parts whatever their hulls (0).");
+  verb.flag(
+      "Parts", "--pockets", job.options.pockets,
+      "Leave no pocket: no air deeper than the tolerance under a part's hull. Cups and boxes without lid "
+      "become sectors instead of one part; takes a closed model.");
+  std::string holes;
+  verb.option("Parts", "--holes", holes, "auto|keep|close",
+              "close: small holes of a damaged model don't divide parts, and crumbs join the part that they "
+              "touch; keep: holes are borders; auto: close where the model is full of holes (auto).");
   common.add_to(verb);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.model, "name the model to segment", "ridgecraft segment");
     job.common = common.checked();
-    job.concavity = concavity_or_refuse(concavity);
+    job.options.concavity = concavity_or_refuse(concavity);
+    if (!effort.empty()) {
+      job.options.effort = static_cast<int>(whole_number_or_refuse("--effort", effort, 1));
+      if (job.options.effort > 3) {
+        refuse("--effort takes 1, 2 or 3, not '" + effort + "'");
+      }
+    }
+    if (!holes.empty()) {
+      using Holes = segment::Options::Holes;
+      if (holes != "auto" && holes != "keep" && holes != "close") {
+        refuse("--holes takes auto, keep or close, not '" + holes + "'");
+      }
+      job.options.holes = holes == "keep" ? Holes::keep : holes == "close" ? Holes::close : Holes::automatic;
+    }
+    if (!volume_weight.empty()) {
+      job.options.volume_weight = number_or_refuse("--volume-weight", volume_weight, 0.0, 1000.0);
+    }
     return job;
   });
 }

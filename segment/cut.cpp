@@ -17,7 +17,12 @@ Cutter::Cutter(const ScaledSurface& surface, const EdgeWeights& weights)
       node_mark_(surface.facet_count(), 0) {}
 
 std::vector<Facets> Cutter::components(std::span<const std::uint32_t> facets) {
-  // label_ says what may be together; a facet is taken out of its set by its mark.
+  return components(facets, label_);
+}
+
+std::vector<Facets> Cutter::components(std::span<const std::uint32_t> facets,
+                                       std::span<const std::uint32_t> label) {
+  // The label says what may be together; a facet is taken out of its set by its mark.
   ++mark_;
   for (const std::uint32_t f : facets) {
     node_mark_[f] = mark_;
@@ -34,7 +39,7 @@ std::vector<Facets> Cutter::components(std::span<const std::uint32_t> facets) {
       for (std::size_t i = 0; i < nodes_.size(); ++i) {
         node_[nodes_[i]] = number;
         for (const std::uint32_t g : surface_->neighbors[nodes_[i]]) {
-          if (g != none && node_mark_[g] == open && label_[g] == label_[start]) {
+          if (g != none && node_mark_[g] == open && label[g] == label[start]) {
             node_mark_[g] = mark_;
             nodes_.push_back(g);
           }

@@ -34,6 +34,9 @@ class Cutter {
 
   /// Connected components of a set of facets in ascending order, ascending by smallest facet.
   [[nodiscard]] std::vector<Facets> components(std::span<const std::uint32_t> facets);
+  /// The same, where only neighbours with equal labels are together.
+  [[nodiscard]] std::vector<Facets> components(std::span<const std::uint32_t> facets,
+                                               std::span<const std::uint32_t> label);
 
  private:
   [[nodiscard]] std::vector<std::uint32_t> cut_order(std::span<const Ridge> ridges);

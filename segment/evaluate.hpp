@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How good a segmentation is: volume of the hulls of its parts (specification 20). Agreement with people is in
-// agreement.hpp.
+// How good a segmentation is: volume of the hulls of its parts (specification 20). Agreement with people is
+// in agreement.hpp.
 #pragma once
 
 #include <cstdint>

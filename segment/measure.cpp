@@ -15,10 +15,6 @@ namespace {
 constexpr double derivation_share = 0.5;
 /// The interval grows by this times the distance between the ends.
 constexpr double interval_growth = 2.0;
-/// How far the hull bulges over its flat faces, in radii of the ball: all their points become hull vertices
-/// and their triangles those of a Delaunay triangulation, so that a gap between two points in one plane has
-/// its bridge. Too small to be seen in any measure; large against the grid.
-constexpr double flat_face_lift = 1e-5;
 /// Bridges between two questions whether the user wants to stop.
 constexpr std::size_t check_interval = 64;
 

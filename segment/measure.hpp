@@ -15,6 +15,11 @@
 
 namespace ridgecraft::segment {
 
+/// How far the hull bulges over its flat faces, in radii of the ball: all their points become hull vertices
+/// and their triangles those of a Delaunay triangulation, so that a gap between two points in one plane has
+/// its bridge. Too small to be seen in any measure; large against the grid.
+inline constexpr double flat_face_lift = 1e-5;
+
 /// A bridge: edge number i of the hull.
 struct Bridge {
   enum class State : std::uint8_t { open, low, high };

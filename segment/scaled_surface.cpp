@@ -33,24 +33,30 @@ void copy_connections(const mesh::Surface& surface, ScaledSurface& out) {
   const std::size_t facets = surface.face_count();
   out.corners.resize(facets);
   out.neighbors.resize(facets);
-  out.vertex_first.assign(surface.vertex_count() + 1, 0);
   for (std::uint32_t f = 0; f < facets; ++f) {
     for (unsigned k = 0; k < 3; ++k) {
       const CornerId c = mesh::corner(FaceId(f), k);
-      const std::uint32_t v = surface.vertex(c).value();
-      out.corners[f][k] = v;
-      ++out.vertex_first[v + 1];
+      out.corners[f][k] = surface.vertex(c).value();
       out.neighbors[f][k] = surface.neighbor(c).value();
     }
   }
-  for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
-    out.vertex_first[v + 1] += out.vertex_first[v];
+}
+
+void index_vertices(ScaledSurface& s) {
+  s.vertex_first.assign(s.vertex_count() + 1, 0);
+  for (const auto& corners : s.corners) {
+    for (const std::uint32_t v : corners) {
+      ++s.vertex_first[v + 1];
+    }
   }
-  std::vector<std::uint32_t> fill(out.vertex_first.begin(), out.vertex_first.end() - 1);
-  out.vertex_facets.resize(3 * facets);
-  for (std::uint32_t f = 0; f < facets; ++f) {
-    for (const std::uint32_t v : out.corners[f]) {
-      out.vertex_facets[fill[v]++] = f;
+  for (std::size_t v = 0; v < s.vertex_count(); ++v) {
+    s.vertex_first[v + 1] += s.vertex_first[v];
+  }
+  std::vector<std::uint32_t> fill(s.vertex_first.begin(), s.vertex_first.end() - 1);
+  s.vertex_facets.resize(3 * s.facet_count());
+  for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
+    for (const std::uint32_t v : s.corners[f]) {
+      s.vertex_facets[fill[v]++] = f;
     }
   }
 }
@@ -116,11 +122,16 @@ void find_groups(std::span<const std::uint32_t> polygon, ScaledSurface& s) {
 
 }  // namespace
 
+void index_and_orient(ScaledSurface& surface) {
+  index_vertices(surface);
+  find_normals(surface);
+}
+
 ScaledSurface scale_surface(const mesh::Surface& surface, std::span<const std::uint32_t> polygon) {
   ScaledSurface scaled;
   scale_points(surface, scaled);
   copy_connections(surface, scaled);
-  find_normals(scaled);
+  index_and_orient(scaled);
   find_groups(polygon, scaled);
   return scaled;
 }

@@ -54,4 +54,7 @@ struct ScaledSurface {
 [[nodiscard]] ScaledSurface scale_surface(const mesh::Surface& surface,
                                           std::span<const std::uint32_t> polygon);
 
+/// Finds the facets at each vertex and all normals again, after points, corners or neighbours changed. O(n).
+void index_and_orient(ScaledSurface& surface);
+
 }  // namespace ridgecraft::segment

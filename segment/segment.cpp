@@ -3,15 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "mesh/error.hpp"
+#include "segment/assembly.hpp"
 #include "segment/cut.hpp"
 #include "segment/edge_weights.hpp"
 #include "segment/measure.hpp"
 #include "segment/merge.hpp"
 #include "segment/scaled_surface.hpp"
 #include "segment/vertex_graph.hpp"
+#include "segment/virtual_facets.hpp"
 
 namespace ridgecraft::segment {
 namespace {
@@ -20,6 +25,37 @@ namespace {
 constexpr double arc_sagitta_share = 0.25;
 /// From this depth on parts are halved, so that no input makes the recursion linear (specification 11.3).
 constexpr int deepest_cut = 60;
+/// A component with at most this part of the largest one's facets is a crumb of a damaged surface.
+constexpr std::size_t crumb_ratio = 20;
+
+/// What more effort buys; measured in docs/segmentation.md.
+AssemblySettings settings_of(const Options& options) {
+  AssemblySettings settings;
+  settings.volume_weight = options.volume_weight;
+  settings.pockets = options.pockets;
+  if (options.effort >= 2) {
+    settings.fineness = options.effort == 2 ? 0.5 : 0.35;
+    settings.rounds = options.effort == 2 ? 40 : 200;
+    settings.border_weight = 0.1;
+    settings.noise = 0.6;
+    settings.planes = options.volume_weight > 0.0;
+  }
+  return settings;
+}
+
+bool closes_holes(const mesh::Surface& surface, const Options& options) {
+  return options.holes == Options::Holes::close ||
+         (options.holes == Options::Holes::automatic && looks_damaged(surface));
+}
+
+ScaledSurface scaled_and_closed(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                                bool close) {
+  ScaledSurface scaled = scale_surface(surface, polygon);
+  if (close) {
+    close_holes(scaled);
+  }
+  return scaled;
+}
 
 struct Work {
   Facets facets;
@@ -30,19 +66,32 @@ struct Work {
 /// Everything one run needs, and its stages in order.
 class Run {
  public:
-  Run(const mesh::Surface& surface, std::span<const std::uint32_t> polygon, double tolerance,
+  Run(const mesh::Surface& surface, std::span<const std::uint32_t> polygon, const Options& options,
       const Context& context)
-      : scaled_(scale_surface(surface, polygon)),
+      : closed_(closes_holes(surface, options)),
+        real_facets_(surface.face_count()),
+        scaled_(scaled_and_closed(surface, polygon, closed_)),
         weights_(weigh_edges(scaled_)),
-        graph_(build_vertex_graph(scaled_, arc_sagitta_share * tolerance)),
-        measurer_(scaled_, graph_, tolerance, context),
+        graph_(build_vertex_graph(scaled_, arc_sagitta_share * options.concavity)),
+        measurer_(scaled_, graph_, options.concavity, context),
         cutter_(scaled_, weights_),
-        context_(&context) {}
+        context_(&context) {
+    if (options.effort > 1 || options.volume_weight > 0.0 || options.pockets) {
+      assembly_.emplace(scaled_, weights_, graph_, measurer_, cutter_, settings_of(options));
+    }
+  }
 
   Segmentation run() {
     cut_all();
-    merge_all();
+    if (assembly_) {
+      assemble_all();
+    } else {
+      merge_all();
+    }
     measure_all();
+    if (closed_) {
+      absorb_crumbs();
+    }
     return result();
   }
 
@@ -126,6 +175,23 @@ class Run {
     parts_.clear();
   }
 
+  std::vector<Facets> take_parts() {
+    std::vector<Facets> parts;
+    for (MergePart& part : parts_) {
+      parts.push_back(std::move(part.facets));
+    }
+    parts_.clear();
+    return parts;
+  }
+
+  void assemble_all() {
+    std::vector<AssembledPart> parts = assembly_->assemble(take_parts());
+    for (std::size_t i = parts.size(); i-- > 0;) {
+      stack_.push_back(
+          {std::move(parts[i].facets), 0, parts[i].joined ? PartReason::merged : PartReason::ridge});
+    }
+  }
+
   /// What is reported is measured from scratch; a part that turns out too concave is divided once more
   /// (12.6), and its pieces join each other and their neighbours where that holds from scratch, too.
   void measure_all() {
@@ -152,6 +218,15 @@ class Run {
   }
 
   void merge_divided() {
+    if (assembly_) {
+      final_.clear();
+      for (AssembledPart& part : assembly_->join_from_scratch(take_parts())) {
+        const Work work{std::move(part.facets), 0, part.joined ? PartReason::merged : PartReason::ridge};
+        measurer_.measure(work.facets, {}, MeasureMode::scratch, measurement_);
+        final_.push_back(describe(work));
+      }
+      return;
+    }
     merge_parts(measurer_, weights_, parts_, MeasureMode::test_scratch);
     std::vector<Part> remaining;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -182,11 +257,89 @@ class Run {
     return part;
   }
 
+  /// Small components that touch a larger one at a vertex join its part there, if that stays within the
+  /// tolerance (13.3). The smallest face at such a vertex decides which part.
+  void absorb_crumbs() {
+    std::vector<std::uint32_t> part_of(scaled_.facet_count(), none);
+    const auto note = [&](std::uint32_t p) {
+      for (const FaceId f : final_[p].faces) {
+        part_of[f.value()] = p;
+      }
+    };
+    for (std::uint32_t p = 0; p < final_.size(); ++p) {
+      note(p);
+    }
+    Facets all(scaled_.facet_count());
+    std::iota(all.begin(), all.end(), 0U);
+    const std::vector<std::uint32_t> together(scaled_.facet_count(), 0);
+    std::vector<Facets> components = cutter_.components(all, together);
+    std::vector<std::size_t> size_of(scaled_.facet_count(), 0);
+    for (const Facets& component : components) {
+      for (const std::uint32_t f : component) {
+        size_of[f] = component.size();
+      }
+    }
+    std::stable_sort(components.begin(), components.end(),
+                     [](const Facets& a, const Facets& b) { return a.size() > b.size(); });
+    for (const Facets& crumb : components) {
+      context_->check();
+      if (crumb.size() * crumb_ratio > components.front().size()) {
+        continue;
+      }
+      std::set<std::uint32_t> beside;
+      for (const std::uint32_t f : crumb) {
+        for (const std::uint32_t v : scaled_.corners[f]) {
+          for (const std::uint32_t g : scaled_.facets_at(v)) {
+            if (size_of[g] > size_of[f]) {
+              beside.insert(g);
+            }
+          }
+        }
+      }
+      std::set<std::uint32_t> tried;
+      for (const std::uint32_t g : beside) {
+        const std::uint32_t into = part_of[g];
+        if (tried.insert(into).second && take_in(crumb, into, part_of)) {
+          note(into);
+          break;
+        }
+      }
+    }
+    std::erase_if(final_, [](const Part& part) { return part.faces.empty(); });
+  }
+
+  /// Adds a crumb to a part; false, and nothing is changed, when the part would be too concave.
+  bool take_in(const Facets& crumb, std::uint32_t into, const std::vector<std::uint32_t>& part_of) {
+    Work work{crumb, 0, final_[into].reason};
+    for (const FaceId f : final_[into].faces) {
+      work.facets.push_back(f.value());
+    }
+    std::sort(work.facets.begin(), work.facets.end());
+    measurer_.measure(work.facets, {}, MeasureMode::scratch, measurement_);
+    if (measurement_.concavity > measurer_.tolerance()) {
+      return false;
+    }
+    for (const std::uint32_t f : crumb) {
+      final_[part_of[f]].faces.clear();
+    }
+    final_[into] = describe(work);
+    return true;
+  }
+
+  /// Virtual facets leave their parts; parts of nothing else are none.
+  void drop_virtual_facets() {
+    for (Part& part : final_) {
+      std::erase_if(part.faces, [&](FaceId f) { return f.value() >= real_facets_; });
+    }
+    std::erase_if(final_, [](const Part& part) { return part.faces.empty(); });
+  }
+
   Segmentation result() {
+    drop_virtual_facets();
     std::sort(final_.begin(), final_.end(),
               [](const Part& a, const Part& b) { return a.faces.front() < b.faces.front(); });
     Segmentation s;
-    s.part.resize(scaled_.facet_count());
+    s.part.resize(real_facets_);
     for (Part& part : final_) {
       const PartId id(s.parts.size());
       for (const FaceId f : part.faces) {
@@ -197,11 +350,14 @@ class Run {
     return s;
   }
 
+  bool closed_;  ///< holes were closed: facets from real_facets_ on are virtual
+  std::size_t real_facets_;
   ScaledSurface scaled_;
   EdgeWeights weights_;
   VertexGraph graph_;
   Measurer measurer_;
   Cutter cutter_;
+  std::optional<Assembly> assembly_;
   const Context* context_;
   Measurement measurement_;
   std::vector<Work> stack_;
@@ -217,11 +373,14 @@ Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t
   if (!std::isfinite(options.concavity) || !(options.concavity > 0.0)) {
     throw Error(ErrorKind::usage, "the concavity must be a number above 0");
   }
+  if (!std::isfinite(options.volume_weight) || options.volume_weight < 0.0) {
+    throw Error(ErrorKind::usage, "the weight of volume must be a number from 0 on");
+  }
   context.check();
   if (surface.face_count() == 0) {
     return {};
   }
-  return Run(surface, polygon, options.concavity, context).run();
+  return Run(surface, polygon, options, context).run();
 }
 
 }  // namespace ridgecraft::segment

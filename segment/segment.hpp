@@ -20,6 +20,23 @@ struct Options {
   /// Largest concavity of a part, as a length in the scale where the model's smallest enclosing ball has
   /// radius 1. Finite and above 0, else Error(usage).
   double concavity = 0.1;
+  /// 1: one pass. 2: parts are cut into smaller pieces, which are put together anew for few parts with small
+  /// hulls; about five times as long. 3: still smaller pieces and many more trials; about fifteen times as
+  /// long.
+  int effort = 1;
+  /// Parts that one would give for a volume ratio (volume of the union of the parts' hulls over the volume
+  /// that the surface encloses) less by 1. 0: fewest parts whatever their hulls. At least 0, else
+  /// Error(usage).
+  double volume_weight = 0.0;
+  /// No part's hull has a pocket: a point outside the solid that lies deeper under it than `concavity`. Takes
+  /// a surface without border edges, else Error(unusable_mesh). Cups become sectors.
+  bool pockets = false;
+  enum class Holes {
+    automatic,  ///< `close` where the surface looks damaged (virtual_facets.hpp), else `keep`
+    keep,       ///< holes are borders
+    close       ///< small holes are closed while segmenting, and crumbs join the part that they touch
+  };
+  Holes holes = Holes::automatic;
 };
 
 /// Why a part is a part of its own.

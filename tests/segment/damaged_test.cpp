@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Damaged surfaces: 45 % of the faces removed, holes, crumbs (specification 13; the paper's figure 15).
+#include <algorithm>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "mesh/context.hpp"
+#include "segment/segment.hpp"
+#include "segment/virtual_facets.hpp"
+#include "support/concave_shapes.hpp"
+#include "support/shapes.hpp"
+
+namespace ridgecraft {
+namespace {
+
+mesh::Surface without(const mesh::Surface& whole, const std::function<bool(std::uint32_t)>& missing) {
+  std::vector<std::array<VertexId, 3>> corners;
+  for (std::uint32_t f = 0; f < whole.face_count(); ++f) {
+    if (!missing(f)) {
+      corners.push_back(whole.vertices(FaceId(f)));
+    }
+  }
+  return {{whole.points().begin(), whole.points().end()}, std::move(corners)};
+}
+
+mesh::Surface damaged(const mesh::Surface& whole, double share, std::uint64_t seed) {
+  Random random(seed);
+  return without(whole, [&](std::uint32_t) { return random.unit() < share; });
+}
+
+std::size_t parts(const mesh::Surface& surface, segment::Options::Holes holes) {
+  segment::Options options;
+  options.holes = holes;
+  const auto s = segment::segment(surface, {}, options, Context{});
+  // Every face is in one part that says so, virtual facets are in none.
+  std::size_t faces = 0;
+  for (const PartId p : ids<PartId>(s.parts.size())) {
+    REQUIRE(!s.parts[p].faces.empty());
+    for (const FaceId f : s.parts[p].faces) {
+      REQUIRE(s.part[f] == p);
+    }
+    faces += s.parts[p].faces.size();
+    CHECK(s.parts[p].concavity <= options.concavity);
+  }
+  CHECK(faces == surface.face_count());
+  return s.parts.size();
+}
+
+}  // namespace
+
+TEST_CASE("With 45 % of its faces gone a shape has at most twice its parts, crumbs counted") {
+  using Holes = segment::Options::Holes;
+  const std::vector<mesh::Surface> shapes{test::dumbbell(), test::spiked_sphere(6, 0.02, 120, 60),
+                                          test::sphere(100, 50), test::torus(1.0, 0.3, 32, 80)};
+  for (const mesh::Surface& whole : shapes) {
+    const std::size_t undamaged = parts(whole, Holes::automatic);
+    for (const std::uint64_t seed : {1U, 2U}) {
+      const mesh::Surface broken = damaged(whole, 0.45, seed);
+      CHECK(segment::looks_damaged(broken));
+      CHECK(parts(broken, Holes::automatic) <= 2 * undamaged);
+    }
+    // That is worth something: without closing holes there are hundreds.
+    CHECK(parts(damaged(whole, 0.45, 1), Holes::keep) > 20 * undamaged);
+  }
+}
+
+TEST_CASE("Few holes don't divide a part, and large openings stay open") {
+  using Holes = segment::Options::Holes;
+  const mesh::Surface ball = test::sphere(48, 24);
+  CHECK_FALSE(segment::looks_damaged(ball));
+  const mesh::Surface pierced = without(ball, [](std::uint32_t f) { return f % 37 == 0; });
+  CHECK_FALSE(segment::looks_damaged(pierced));
+  CHECK(parts(pierced, Holes::close) == 1);
+  segment::ScaledSurface closed = segment::scale_surface(pierced, {});
+  segment::close_holes(closed);
+  for (const auto& beside : closed.neighbors) {
+    for (const std::uint32_t g : beside) {
+      CHECK(g != segment::none);
+    }
+  }
+  // A hemisphere's rim is longer than a hole: nothing is added.
+  const mesh::Surface half = without(ball, [&](std::uint32_t f) {
+    const auto [a, b, c] = ball.vertices(FaceId(f));
+    return ball.point(a).z + ball.point(b).z + ball.point(c).z > 0.0;
+  });
+  segment::ScaledSurface open = segment::scale_surface(half, {});
+  segment::close_holes(open);
+  CHECK(open.facet_count() == half.face_count());
+}
+
+TEST_CASE("Neighbours agree after holes are closed, also where fans meet in a vertex") {
+  for (const double share : {0.2, 0.45, 0.7}) {
+    segment::ScaledSurface s = segment::scale_surface(damaged(test::sphere(40, 20), share, 9), {});
+    segment::close_holes(s);
+    for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const std::uint32_t g = s.neighbors[f][k];
+        if (g == segment::none) {
+          continue;
+        }
+        REQUIRE(g != f);
+        REQUIRE(g < s.facet_count());
+        const std::set<std::uint32_t> edge{s.corners[f][k], s.corners[f][(k + 1) % 3]};
+        bool back = false;
+        for (unsigned j = 0; j < 3; ++j) {
+          back = back || (s.neighbors[g][j] == f &&
+                          edge == std::set<std::uint32_t>{s.corners[g][j], s.corners[g][(j + 1) % 3]});
+        }
+        REQUIRE(back);
+      }
+    }
+  }
+}
+
+}  // namespace ridgecraft
