@@ -14,7 +14,7 @@ namespace {
 /// Compact trees first: they are most likely to fit.
 constexpr std::array start_kinds{StartTree::short_cuts, StartTree::breadth_first, StartTree::flat_folds,
                                  StartTree::breadth_first, StartTree::depth_first};
-constexpr std::uint64_t least_iterations = 300;
+constexpr std::uint64_t least_iterations = 600;
 
 }  // namespace
 
@@ -31,10 +31,11 @@ bool too_large_for_one(const Patch& patch, const Room& room) {
   return area > room.sheet->width * room.sheet->height;
 }
 
-std::optional<Folds> find_one_piece(const Patch& patch, const Room& room, const OnePieceSearch& search,
-                                    std::uint64_t seed, const Context& context) {
+OnePieceFound find_one_piece(const Patch& patch, const Room& room, const OnePieceSearch& search,
+                             std::uint64_t seed, const Context& context) {
+  OnePieceFound result;
   if (too_large_for_one(patch, room)) {
-    return std::nullopt;
+    return result;
   }
   Random random(seed);
   NetSearch options;
@@ -46,20 +47,24 @@ std::optional<Folds> find_one_piece(const Patch& patch, const Room& room, const 
     context.check();
     options.start = start_kinds[static_cast<std::size_t>(start) % start_kinds.size()];
     NetFound found = find_net(patch, options, random.next(), context);
+    result.cost += found.iterations * patch.size();
     const std::uint64_t fit_seed = random.next();
     if (found.overlaps > 0) {
       continue;
     }
     if (all_fit(patch, found.folds, room)) {
-      return found.folds;
+      result.tree = std::move(found.folds);
+      return result;
     }
+    result.cost += search.fit_trials * patch.size();
     Folds shrunk =
         shrink_to_fit(patch, found.folds, room, search.tolerance, search.fit_trials, fit_seed, context);
     if (all_fit(patch, shrunk, room)) {
-      return shrunk;
+      result.tree = std::move(shrunk);
+      return result;
     }
   }
-  return std::nullopt;
+  return result;
 }
 
 }  // namespace ridgecraft::unfold

@@ -20,9 +20,10 @@ namespace {
 
 /// Cuts at which two pieces are tried to be joined as they are.
 constexpr std::size_t cuts_tried = 24;
-/// Faces of all unions that are unfolded afresh, and all that are joined as they are: about ten seconds each.
-constexpr std::size_t fresh_budget = 60'000;
-constexpr std::size_t join_budget = 4'000'000;
+/// Faces times iterations of all unions that are unfolded afresh, and faces of all that are joined as they
+/// are: about two seconds each.
+constexpr std::uint64_t fresh_budget = 8'000'000;
+constexpr std::size_t join_budget = 1'000'000;
 /// Larger unions take too long.
 constexpr std::size_t most_faces = 1500;
 
@@ -33,6 +34,7 @@ struct Piece {
   double area = 0.0;
   double cost = 0.0;
   std::size_t parts = 1;
+  bool merged = false;
 };
 
 struct Neighbours {
@@ -139,13 +141,17 @@ class PartMerger {
     std::optional<Folds> tree;
     if (!too_large_for_one(patch, room_) && least_cost_of_piece(patch, parts, weights_) < limit) {
       tree = join_as_they_are(patch, both.faces, parts, limit);
-      tree = tree ? tree : unfold_afresh(patch, parts, limit);
+      // Pieces of one part were unfolded together in vain when the part was (unite_pieces.hpp).
+      if (!tree && (parts > 1 || a.merged || b.merged)) {
+        tree = unfold_afresh(patch, parts, limit);
+      }
     }
     if (!tree) {
       failed_.insert(std::move(both.faces));
       return false;
     }
     put_back(patch_, both.faces, *tree, folds_);
+    both.merged = true;
     renew(both);
     a = std::move(both);
     pieces_.erase(pieces_.begin() + pair.b);
@@ -190,11 +196,12 @@ class PartMerger {
   }
 
   std::optional<Folds> unfold_afresh(const Patch& patch, std::size_t parts, double limit) {
-    if (fresh_ + patch.size() > fresh_budget) {
+    if (fresh_ >= fresh_budget) {
       return std::nullopt;
     }
-    fresh_ += patch.size();
-    auto tree = find_one_piece(patch, room_, search_, random_.next(), context_);
+    OnePieceFound found = find_one_piece(patch, room_, search_, random_.next(), context_);
+    fresh_ += found.cost;
+    std::optional<Folds> tree = std::move(found.tree);
     if (tree && !(cost_of_piece(patch, *tree, parts, weights_) < limit)) {
       tree.reset();
     }
@@ -212,7 +219,7 @@ class PartMerger {
   std::vector<Piece> pieces_;
   std::set<Faces> failed_;
   std::size_t joined_ = 0;
-  std::size_t fresh_ = 0;
+  std::uint64_t fresh_ = 0;
 };
 
 }  // namespace

@@ -14,8 +14,8 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// Unions that are tried, at most.
-constexpr int unions_tried = 200;
+/// Faces times iterations of all unions that are tried: about a second.
+constexpr std::uint64_t unions_cost = 4'000'000;
 /// Larger unions take too long for an attempt.
 constexpr std::size_t most_faces = 2000;
 
@@ -77,11 +77,11 @@ Folds unite_pieces(const Patch& patch, const Folds& folds, const Room& room, dou
   std::set<Faces> failed;
   OnePieceSearch search;
   search.tolerance = tolerance;
-  int tried = 0;
+  std::uint64_t cost = 0;
   for (bool again = true; again;) {
     again = false;
     for (Pair& pair : neighbours(patch, result)) {
-      if (tried >= unions_tried || context.out_of_time()) {
+      if (cost >= unions_cost || context.out_of_time()) {
         return result;
       }
       if (pair.faces.size() > most_faces || failed.contains(pair.faces)) {
@@ -89,9 +89,10 @@ Folds unite_pieces(const Patch& patch, const Folds& folds, const Room& room, dou
       }
       const Patch both = sub_patch(patch, pair.faces);
       if (!too_large_for_one(both, room)) {
-        ++tried;
-        if (const auto found = find_one_piece(both, room, search, random.next(), context)) {
-          put_back(patch, pair.faces, *found, result);
+        const OnePieceFound found = find_one_piece(both, room, search, random.next(), context);
+        cost += found.cost;
+        if (found.tree) {
+          put_back(patch, pair.faces, *found.tree, result);
           again = true;
           break;
         }
