@@ -34,7 +34,7 @@ constexpr std::uint64_t dense = 8;
 /// ... of which less than a tenth went in a round, ...
 constexpr double stuck_share = 0.9;
 /// ... for two start trees.
-constexpr std::ptrdiff_t stuck_enough = 2;
+constexpr std::ptrdiff_t stuck_enough = 2000;
 
 /// Searches from several start trees. Most nets are found by the first within a few thousand iterations, but
 /// some of its runs take a hundred times as long as others of the same patch; so after a while a second
