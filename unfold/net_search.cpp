@@ -27,15 +27,6 @@ StartTree kind_of_start(StartTree first, int start) {
   return kinds[(at + static_cast<std::size_t>(start)) % kinds.size()];
 }
 
-/// Surfaces that are curved negatively everywhere have no net at all, since each cut must end where faces
-/// come to less than a full turn. Their searches stand still with many overlaps left, which no search that
-/// ended well ever did: more than one per so many faces, ...
-constexpr std::uint64_t dense = 8;
-/// ... of which less than a tenth went in a round, ...
-constexpr double stuck_share = 0.9;
-/// ... for two start trees.
-constexpr std::ptrdiff_t stuck_enough = 2000;
-
 /// Searches from several start trees. Most nets are found by the first within a few thousand iterations, but
 /// some of its runs take a hundred times as long as others of the same patch; so after a while a second
 /// search goes on beside it in turns, then a third: the tail of a sum of tails is short (M. Luby, A.
@@ -74,7 +65,6 @@ class Race {
     std::uint64_t counted = 0;  ///< iterations when the last round began
     std::uint64_t overlaps = std::numeric_limits<std::uint64_t>::max();  ///< of its best tree
     bool running = true;
-    bool stuck = false;  ///< stopped far from a net
   };
 
   [[nodiscard]] bool finished() const {
@@ -84,10 +74,8 @@ class Race {
     const bool all_stopped =
         std::none_of(runners_.begin(), runners_.end(), [](const Runner& r) { return r.running; });
     const bool all_started = runners_.size() >= static_cast<std::size_t>(options_.starts);
-    const auto stuck =
-        std::count_if(runners_.begin(), runners_.end(), [](const Runner& r) { return r.stuck; });
-    return won_ || stuck >= stuck_enough || (all_stopped && all_started) ||
-           iterations_ >= options_.iterations || context_.out_of_time();
+    return won_ || (all_stopped && all_started) || iterations_ >= options_.iterations ||
+           context_.out_of_time();
   }
 
   void join() {
@@ -159,7 +147,6 @@ class Race {
   bool advance(Runner& runner, std::uint64_t slice) {
     TreeSearch& search = *runner.search;
     const std::uint64_t begin = search.iterations();
-    const std::uint64_t before = runner.overlaps;
     search.run({slice, idle_}, context_);
     runner.overlaps = search.best_overlaps();
     if (runner.overlaps == 0) {
@@ -168,9 +155,7 @@ class Race {
       runner.running = false;
       return runner.overlaps == 0;
     }
-    runner.stuck = dense * runner.overlaps > patch_.size() &&
-                   static_cast<double>(runner.overlaps) > stuck_share * static_cast<double>(before);
-    runner.running = search.iterations() - begin == slice && !runner.stuck;
+    runner.running = search.iterations() - begin == slice;
     return false;
   }
 
