@@ -57,6 +57,8 @@ struct SegmentJob {
   CommonOptions common;
   std::string model;
   segment::Options options;
+  std::size_t parts = 0;             ///< 0: as many as the concavity asks for
+  std::string hierarchy;             ///< FILE.json; empty: none
   std::string labels;                ///< FILE.seg; empty: none
   std::vector<std::string> outputs;  ///< coloured PLY or OFF
   std::vector<std::string> compare;  ///< label files of others

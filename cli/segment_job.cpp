@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft segment: reads, segments, compares, writes.
+#include <optional>
 #include <set>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/label_files.hpp"
 #include "cli/part_files.hpp"
@@ -9,6 +13,7 @@
 #include "mesh/error.hpp"
 #include "mesh/write.hpp"
 #include "segment/evaluate.hpp"
+#include "segment/hierarchy.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -32,8 +37,10 @@ void check_outputs(const SegmentJob& job) {
       throw Error(ErrorKind::usage, "-o " + file.string() + " is given twice");
     }
   }
-  if (!job.labels.empty()) {
-    files.emplace_back(job.labels);
+  for (const std::string& file : {job.labels, job.hierarchy}) {
+    if (!file.empty()) {
+      files.emplace_back(file);
+    }
   }
   for (const fs::path& file : files) {
     require_writable_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
@@ -57,6 +64,15 @@ Comparison compare_with(const std::vector<std::string>& files, const mesh::Model
   return comparison;
 }
 
+/// Labels and the like have no place for a mark: the same ones may stand there already, others are somebody's
+/// work.
+void add_unmarked(const std::string& file, std::string bytes, bool overwrite, SegmentResult& result,
+                  PendingFiles& pending) {
+  require_replaceable(file, {}, overwrite || holds(file, bytes));
+  pending.add(file, std::move(bytes));
+  result.files.push_back(file);
+}
+
 void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
   const mesh::FaceColours colours = part_colours(result.segmentation);
   for (const std::string& output : job.outputs) {
@@ -69,12 +85,62 @@ void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pendi
     result.files.push_back(output);
   }
   if (!job.labels.empty()) {
-    // Labels have no place for a mark: the same ones may stand there already, others are somebody's work.
-    const std::string labels = label_text(polygon_labels(result.model, result.segmentation));
-    require_replaceable(job.labels, {}, job.overwrite || holds(job.labels, labels));
-    pending.add(job.labels, labels);
-    result.files.push_back(job.labels);
+    add_unmarked(job.labels, label_text(polygon_labels(result.model, result.segmentation)), job.overwrite,
+                 result, pending);
   }
+}
+
+/// Throws Error(usage) when the hierarchy has no such number of parts.
+void require_possible(const std::string& model, std::size_t parts, const segment::Hierarchy& hierarchy) {
+  if (parts < hierarchy.fewest()) {
+    throw Error(ErrorKind::usage, fmt::format("--parts {}: {} has {} components, and parts hang together",
+                                              parts, model, hierarchy.fewest()));
+  }
+  if (parts > hierarchy.leaves) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--parts {}: {} can be cut along its concave places into {} at most", parts,
+                            model, hierarchy.leaves));
+  }
+}
+
+/// The file of --hierarchy: part of each polygon, and joinings.
+std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& hierarchy) {
+  nlohmann::ordered_json json;
+  json["by"] = program_and_version();
+  json["model"] = model.name;
+  json["leaves"] = hierarchy.leaves;
+  json["leaf_concavity"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < hierarchy.leaves; ++i) {
+    json["leaf_concavity"].push_back(hierarchy.nodes[i].concavity);
+  }
+  json["joinings"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < hierarchy.joinings.size(); ++i) {
+    const segment::Joining& joining = hierarchy.joinings[i];
+    json["joinings"].push_back({{"node", hierarchy.leaves + i},
+                                {"of", {joining.first, joining.second}},
+                                {"concavity", joining.concavity}});
+  }
+  json["leaf_of_polygon"] = nlohmann::ordered_json::array();
+  for (const std::uint32_t label : polygon_labels(model, hierarchy.parts(hierarchy.leaves))) {
+    if (label == no_part) {
+      json["leaf_of_polygon"].push_back(-1);
+    } else {
+      json["leaf_of_polygon"].push_back(label);
+    }
+  }
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+segment::Segmentation find_parts(const SegmentJob& job, const mesh::Model& model,
+                                 std::optional<segment::Hierarchy>& hierarchy, const Context& context) {
+  if (job.parts > 0 || !job.hierarchy.empty()) {
+    hierarchy = segment::find_hierarchy(model.surface, model.polygon.items(), job.parts, context);
+  }
+  if (job.parts > 0) {
+    require_possible(job.model, job.parts, *hierarchy);
+    return hierarchy->parts(job.parts);
+  }
+  return segment::segment(model.surface, model.polygon.items(), job.options, context);
 }
 
 }  // namespace
@@ -92,10 +158,10 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   for (const std::string& output : job.outputs) {
     require_replaceable(output, result.model.digest, job.overwrite);
   }
+  std::optional<segment::Hierarchy> hierarchy;
   result.segmentation = clock("segment", context, [&] {
-    return in_time(run, job.model + " was segmented", [&](const Context& strict) {
-      return segment::segment(result.model.surface, result.model.polygon.items(), job.options, strict);
-    });
+    return in_time(run, job.model + " was segmented",
+                   [&](const Context& strict) { return find_parts(job, result.model, hierarchy, strict); });
   });
   if (!job.compare.empty()) {
     result.comparison = clock("compare", context, [&] {
@@ -104,6 +170,9 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   }
   clock("write", context, [&] {
     add_files(job, result, pending);
+    if (!job.hierarchy.empty()) {
+      add_unmarked(job.hierarchy, hierarchy_text(result.model, *hierarchy), job.overwrite, result, pending);
+    }
     context.check();
     pending.commit();
     return true;

@@ -310,9 +310,9 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
 std::string summary(const SegmentJob& job, const SegmentResult& result) {
   std::string text = fmt::format("{}: {}, {}\n", job.model, counted(result.model.polygon_count, "polygon"),
                                  counted(result.model.surface.component_count(), "component"));
-  text += fmt::format("  parts       {}, concavity at most {:.4f} (asked: {:g})\n",
-                      result.segmentation.parts.size(), result.segmentation.max_concavity(),
-                      job.options.concavity);
+  text += fmt::format("  parts       {}, concavity at most {:.4f}{}\n", result.segmentation.parts.size(),
+                      result.segmentation.max_concavity(),
+                      job.parts > 0 ? "" : fmt::format(" (asked: {:g})", job.options.concavity));
   if (result.comparison) {
     text += comparison_text(*result.comparison);
   }
@@ -326,10 +326,14 @@ std::string summary_json(const SegmentJob& job, const SegmentResult& result) {
   json["faces"] = result.model.polygon_count;
   json["parts"] = result.segmentation.parts.size();
   json["max_concavity"] = result.segmentation.max_concavity();
-  json["concavity"] = job.options.concavity;
-  json["effort"] = job.options.effort;
-  json["volume_weight"] = job.options.volume_weight;
-  json["pockets"] = job.options.pockets;
+  if (job.parts > 0) {
+    json["parts_asked"] = job.parts;
+  } else {
+    json["concavity"] = job.options.concavity;
+    json["effort"] = job.options.effort;
+    json["volume_weight"] = job.options.volume_weight;
+    json["pockets"] = job.options.pockets;
+  }
   json["part"] = Json::array();
   for (const segment::Part& part : result.segmentation.parts) {
     json["part"].push_back({{"faces", part.faces.size()},

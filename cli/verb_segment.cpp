@@ -23,6 +23,9 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
       "Output", "--labels", job.labels, "FILE.seg",
       "One line per polygon of the input, in its order: the part's number, from 0; -1 for a polygon that "
       "repair dropped.");
+  verb.option("Output", "--hierarchy", job.hierarchy, "FILE.json",
+              "The parts for all tolerances at once: the finest ones, one number per polygon, and which of "
+              "them join at which concavity.");
   verb.list(
       "Output", "--compare", job.compare, "FILE.seg",
       "Another segmentation of the same polygons: how far ours disagrees with it (1 - Rand index, Hamming "
@@ -32,6 +35,10 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
   verb.option(
       "Parts", "--concavity", concavity, "TOLERANCE",
       "Largest concavity of a part, in the scale where the smallest enclosing ball has radius 1 (0.1).");
+  std::string parts;
+  verb.option("Parts", "--parts", parts, "N",
+              "Give N parts: the finest parts joined, the least concave unions first. In place of "
+              "--concavity, --effort, --volume-weight, --pockets and --holes.");
   std::string effort;
   std::string volume_weight;
   verb.option(
@@ -69,6 +76,13 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
     }
     if (!volume_weight.empty()) {
       job.options.volume_weight = number_or_refuse("--volume-weight", volume_weight, 0.0, 1000.0);
+    }
+    if (!parts.empty()) {
+      if (!concavity.empty() || !effort.empty() || !volume_weight.empty() || !holes.empty() ||
+          job.options.pockets) {
+        refuse("--parts goes with none of --concavity, --effort, --volume-weight, --pockets and --holes");
+      }
+      job.parts = whole_number_or_refuse("--parts", parts, 1);
     }
     return job;
   });

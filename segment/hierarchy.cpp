@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segment/hierarchy.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "segment/edge_weights.hpp"
+#include "segment/measure.hpp"
+#include "segment/scaled_surface.hpp"
+#include "segment/vertex_graph.hpp"
+
+namespace ridgecraft::segment {
+namespace {
+
+/// Tolerances of the finest parts: fine enough to slide through, and where to stop looking for more.
+constexpr double first_tolerance = 0.03;
+constexpr double least_tolerance = 0.005;
+/// As in segment().
+constexpr double arc_sagitta_share = 0.25;
+
+class Joiner {
+ public:
+  Joiner(const mesh::Surface& surface, std::span<const std::uint32_t> polygon, double tolerance,
+         const Context& context)
+      : scaled_(scale_surface(surface, polygon)),
+        weights_(weigh_edges(scaled_)),
+        graph_(build_vertex_graph(scaled_, arc_sagitta_share * tolerance)),
+        measurer_(scaled_, graph_, tolerance, context),
+        context_(&context) {}
+
+  Hierarchy run(const Segmentation& finest) {
+    out_.leaves = finest.parts.size();
+    out_.faces = scaled_.facet_count();
+    out_.nodes.assign(finest.parts.begin(), finest.parts.end());
+    find_borders(finest);
+    while (!borders_.empty()) {
+      context_->check();
+      const auto best = std::min_element(borders_.begin(), borders_.end(), comes_first);
+      const auto [a, b] = best->first;
+      if (!best->second.measured) {
+        measure(a, b, MeasureMode::split);
+        best->second.concavity = std::max(best->second.concavity, measurement_.concavity);
+        best->second.measured = true;
+        continue;
+      }
+      join(a, b);
+      context_->report("hierarchy",
+                       static_cast<double>(out_.joinings.size()) / static_cast<double>(out_.leaves));
+    }
+    sort_joinings();
+    return std::move(out_);
+  }
+
+ private:
+  struct Border {
+    double length = 0.0;
+    double smoothness = 0.0;
+    /// Of the union. Until it is measured, that of the parts whose union this one was before they grew:
+    /// unions of more are rarely less concave, so few have to be measured again before their turn.
+    double concavity = 0.0;
+    bool measured = false;
+
+    [[nodiscard]] double mean() const { return length > 0.0 ? smoothness / length : 0.0; }
+  };
+  using Borders = std::map<std::pair<std::uint32_t, std::uint32_t>, Border>;
+
+  static bool comes_first(const Borders::value_type& x, const Borders::value_type& y) {
+    const Border& a = x.second;
+    const Border& b = y.second;
+    if (a.concavity != b.concavity) {
+      return a.concavity < b.concavity;
+    }
+    return a.mean() != b.mean() ? a.mean() > b.mean() : x.first < y.first;
+  }
+
+  void find_borders(const Segmentation& finest) {
+    for (std::uint32_t f = 0; f < scaled_.facet_count(); ++f) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const std::uint32_t g = scaled_.neighbors[f][k];
+        if (g == none || g < f) {
+          continue;
+        }
+        const std::uint32_t p = finest.part[FaceId(f)].value();
+        const std::uint32_t q = finest.part[FaceId(g)].value();
+        if (p != q) {
+          Border& b = borders_[std::minmax(p, q)];
+          b.length += weights_.length[3 * f + k];
+          b.smoothness += weights_.smoothness[3 * f + k] * weights_.length[3 * f + k];
+        }
+      }
+    }
+  }
+
+  /// Leaves the facets in facets_ and the values in measurement_.
+  void measure(std::uint32_t a, std::uint32_t b, MeasureMode mode) {
+    facets_.clear();
+    hull_points_.clear();
+    for (const std::uint32_t node : {a, b}) {
+      for (const FaceId f : out_.nodes[node].faces) {
+        facets_.push_back(f.value());
+      }
+      for (const VertexId v : out_.nodes[node].hull_vertices) {
+        hull_points_.push_back(v.value());
+      }
+    }
+    std::sort(facets_.begin(), facets_.end());
+    std::sort(hull_points_.begin(), hull_points_.end());
+    hull_points_.erase(std::unique(hull_points_.begin(), hull_points_.end()), hull_points_.end());
+    if (mode == MeasureMode::scratch) {
+      hull_points_.clear();
+    }
+    measurer_.measure(facets_, hull_points_, mode, measurement_);
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    measure(a, b, MeasureMode::scratch);
+    Part part;
+    for (const std::uint32_t f : facets_) {
+      part.faces.emplace_back(f);
+    }
+    for (const std::uint32_t v : measurement_.hull.vertices) {
+      part.hull_vertices.emplace_back(v);
+    }
+    part.concavity = measurement_.concavity;
+    part.hull_volume = measurement_.hull.volume(scaled_.points) * scaled_.unit * scaled_.unit * scaled_.unit;
+    part.reason = PartReason::merged;
+    double least = part.concavity;
+    for (const std::uint32_t node : {a, b}) {
+      least = std::max(least, node < out_.leaves ? out_.nodes[node].concavity
+                                                 : out_.joinings[node - out_.leaves].concavity);
+    }
+    const auto node = static_cast<std::uint32_t>(out_.nodes.size());
+    out_.nodes.push_back(std::move(part));
+    out_.joinings.push_back({std::min(a, b), std::max(a, b), least});
+    redirect(a, b, node);
+  }
+
+  void redirect(std::uint32_t a, std::uint32_t b, std::uint32_t node) {
+    Borders changed;
+    for (auto it = borders_.begin(); it != borders_.end();) {
+      const auto [p, q] = it->first;
+      if (p != a && p != b && q != a && q != b) {
+        ++it;
+        continue;
+      }
+      const std::uint32_t other = p == a || p == b ? q : p;
+      if (other != a && other != b) {
+        Border& border = changed[std::minmax(node, other)];
+        border.length += it->second.length;
+        border.smoothness += it->second.smoothness;
+        border.concavity = std::max(border.concavity, it->second.concavity);
+      }
+      it = borders_.erase(it);
+    }
+    borders_.merge(changed);
+  }
+
+  /// Ascending by concavity; what a node is made of still comes before it, since it is no more concave.
+  void sort_joinings() {
+    const std::size_t made = out_.joinings.size();
+    std::vector<std::uint32_t> order(made);
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return out_.joinings[i].concavity < out_.joinings[j].concavity;
+    });
+    std::vector<std::uint32_t> becomes(made);
+    for (std::uint32_t i = 0; i < made; ++i) {
+      becomes[order[i]] = i;
+    }
+    const auto leaves = static_cast<std::uint32_t>(out_.leaves);
+    const auto renumbered = [&](std::uint32_t node) {
+      return node < leaves ? node : leaves + becomes[node - leaves];
+    };
+    std::vector<Joining> joinings;
+    std::vector<Part> nodes(out_.nodes.begin(), out_.nodes.begin() + static_cast<std::ptrdiff_t>(leaves));
+    for (const std::uint32_t i : order) {
+      const Joining& joining = out_.joinings[i];
+      const auto [first, second] = std::minmax({renumbered(joining.first), renumbered(joining.second)});
+      joinings.push_back({first, second, joining.concavity});
+      nodes.push_back(std::move(out_.nodes[leaves + i]));
+    }
+    out_.joinings = std::move(joinings);
+    out_.nodes = std::move(nodes);
+  }
+
+  ScaledSurface scaled_;
+  EdgeWeights weights_;
+  VertexGraph graph_;
+  Measurer measurer_;
+  const Context* context_;
+  Measurement measurement_;
+  Borders borders_;
+  std::vector<std::uint32_t> facets_;
+  std::vector<std::uint32_t> hull_points_;
+  Hierarchy out_;
+};
+
+}  // namespace
+
+Segmentation Hierarchy::parts(std::size_t count) const {
+  const std::size_t made = leaves - count;
+  std::vector<bool> alive(leaves + made, true);
+  for (std::size_t i = 0; i < made; ++i) {
+    alive[joinings[i].first] = alive[joinings[i].second] = false;
+  }
+  Segmentation s;
+  for (std::size_t i = 0; i < alive.size(); ++i) {
+    if (alive[i]) {
+      s.parts.push_back(nodes[i]);
+    }
+  }
+  std::sort(s.parts.begin(), s.parts.end(),
+            [](const Part& a, const Part& b) { return a.faces.front() < b.faces.front(); });
+  s.part.resize(faces);
+  for (const PartId p : ids<PartId>(s.parts.size())) {
+    for (const FaceId f : s.parts[p].faces) {
+      s.part[f] = p;
+    }
+  }
+  return s;
+}
+
+Hierarchy find_hierarchy(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                         std::size_t at_least, const Context& context) {
+  Options options;
+  options.concavity = first_tolerance;
+  options.holes = Options::Holes::keep;
+  Segmentation finest = segment(surface, polygon, options, context);
+  while (finest.parts.size() < at_least && options.concavity > least_tolerance) {
+    options.concavity = std::max(least_tolerance, 0.5 * options.concavity);
+    finest = segment(surface, polygon, options, context);
+  }
+  if (finest.parts.empty()) {
+    return {};
+  }
+  return Joiner(surface, polygon, options.concavity, context).run(finest);
+}
+
+}  // namespace ridgecraft::segment
