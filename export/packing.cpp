@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search over arrangements: simple orders first, then a random walk that accepts what is not worse (over
-// orders, or by emptying two pages and filling them again). Of all that it meets, people get the fewest
-// pages, then the fullest ones, then groups that stay together. Coarse searches from two sides and a fine one
-// follow each other.
+// orders, or by emptying two pages and filling them again), then the attempt to do with a page less by moving
+// shapes apart. Of all that it meets, people get the fewest pages, then the fullest ones, then groups that
+// stay together.
 #include "export/packing.hpp"
 
 #include <algorithm>
@@ -12,43 +12,35 @@
 #include <set>
 
 #include "export/packing_fill.hpp"
+#include "export/packing_finish.hpp"
+#include "export/packing_separate.hpp"
 #include "mesh/error.hpp"
 
 namespace ridgecraft::paper {
 namespace {
 
-/// Arrangements tried without progress before a search ends, at most and for each shape: two shapes have few.
+/// Arrangements tried without progress before a walk ends, at most and for each shape: two shapes have few.
 constexpr int patience = 2000;
 constexpr int patience_of_shape = 150;
-/// Pages that hold less than this share of their area in paper look forgotten, when there are others to share
-/// with.
-constexpr double lonely_fill = 0.03;
-/// Such pages are filled up to this share.
-constexpr double shared_fill = 0.25;
+/// Words of bitmap read by all simple orders, and by the walk after them; 2 million take some 8 ms.
+constexpr std::uint64_t walk_work = 2'000'000;
+/// Runs of cells that moving apart may look at in vain; some 8 ms.
+constexpr std::uint64_t separation_work = 4'000'000;
+/// Shapes, half the gap around them included, that fill more than this share of their pages can't be moved
+/// apart in any time that makers would wait.
+constexpr double densest_separation = 0.85;
 /// Of two arrangements on as many pages, differences below this share of a page's area, squared and summed
 /// over the pages, don't count against keeping groups together.
 constexpr double same_use = 0.02;
-/// A page that holds less than this share of what each other one does comes last.
-constexpr double emptier = 0.6;
 
-/// One search: how fine, from which side pages are filled, and how long (words of bitmap read; 4 million take
-/// some 0.05 s).
-struct Search {
-  PackingDetail detail;
-  bool sideways;
-  std::uint64_t work;
-};
-
-/// Few shapes: coarse searches with many turns find the orders that save a page, a fine one the places that
-/// only just suffice. Many: one order after the other takes all the time there is.
-std::vector<Search> searches_for(std::size_t shapes) {
-  if (shapes > 150) {
-    return {{{220.0, 4}, false, 4'000'000}};
+/// As fine as some 20 ms of drawing shapes into bitmaps allow: turns find room, where shapes are few.
+PackingDetail detail_for(const PackingTask& task) {
+  constexpr std::size_t most_drawn = 40'000;
+  std::size_t polygons = 1;
+  for (const PackingShape& shape : task.shapes) {
+    polygons += shape.convex.size();
   }
-  if (shapes > 40) {
-    return {{{150.0, 12}, false, 5'000'000}, {{150.0, 12}, true, 5'000'000}, {{300.0, 8}, false, 4'000'000}};
-  }
-  return {{{150.0, 32}, false, 6'000'000}, {{150.0, 32}, true, 6'000'000}, {{300.0, 16}, false, 4'000'000}};
+  return {task.shapes.size() > 150 ? 220.0 : 300.0, std::clamp<std::size_t>(most_drawn / polygons, 4, 64)};
 }
 
 using Order = std::vector<std::uint32_t>;
@@ -66,17 +58,9 @@ struct Merit {
 
 class Packer {
  public:
-  Packer(const PackingTask& task, const Search& search, const Context& context)
-      : task_(task),
-        context_(context),
-        work_limit_(search.work),
-        fill_(task, search.detail, context),
-        random_(context.seed) {}
-  void run();
-  [[nodiscard]] Merit merit() const { return merit(shown_); }
-  [[nodiscard]] std::vector<Packed> result() const;
-  /// No search can do with fewer pages, or make fewer of them fuller.
-  [[nodiscard]] bool is_least() const { return shown_.used.size() == 1; }
+  Packer(const PackingTask& task, const Context& context)
+      : task_(task), context_(context), fill_(task, detail_for(task), context), random_(context.seed) {}
+  [[nodiscard]] std::vector<Packed> run();
 
  private:
   [[nodiscard]] std::vector<Order> simple_orders() const;
@@ -84,16 +68,13 @@ class Packer {
   void walk();
   [[nodiscard]] Recipe changed(Recipe recipe, const Arrangement& at);
   [[nodiscard]] Arrangement refilled(const Arrangement& at);
+  bool separate();
   void offer(const Arrangement& candidate);
   [[nodiscard]] Merit merit(const Arrangement& a) const;
   [[nodiscard]] std::size_t splits(const Arrangement& a) const;
-  [[nodiscard]] std::size_t lonely_pages(const Arrangement& a) const;
-  void share_with_lonely_page(Arrangement& a);
-  void order_pages(Arrangement& a) const;
 
   const PackingTask& task_;
   const Context& context_;
-  std::uint64_t work_limit_;
   PackingFill fill_;
   Random random_;
   Recipe recipe_;      ///< of best_, after start()
@@ -136,12 +117,6 @@ std::size_t Packer::splits(const Arrangement& a) const {
   return seen.size();
 }
 
-std::size_t Packer::lonely_pages(const Arrangement& a) const {
-  const auto count = std::count_if(a.used.begin(), a.used.end(),
-                                   [&](double used) { return used < lonely_fill * fill_.page_area(); });
-  return a.used.size() > 1 ? static_cast<std::size_t>(count) : 0;
-}
-
 Merit Packer::merit(const Arrangement& a) const {
   Merit merit{a.used.size(), 0.0, splits(a), 0.0};
   for (const double used : a.used) {
@@ -180,11 +155,11 @@ void Packer::start() {
       if (context_.out_of_time()) {
         return;
       }
-      if (fill_.work() > work_limit_ && tried > 0) {
+      if (fill_.work() > walk_work && tried > 0) {
         break;
       }
     }
-    if (++tried >= 2 && fill_.work() > work_limit_) {
+    if (++tried >= 2 && fill_.work() > walk_work) {
       return;
     }
   }
@@ -250,7 +225,7 @@ Arrangement Packer::refilled(const Arrangement& at) {
 
 void Packer::walk() {
   const std::size_t fewest = fill_.fewest_pages();
-  const std::uint64_t limit = fill_.work() + work_limit_;
+  const std::uint64_t limit = fill_.work() + walk_work;
   Recipe recipe = recipe_;
   Arrangement current = best_;
   const int most_idle = std::min(
@@ -271,77 +246,39 @@ void Packer::walk() {
   }
 }
 
-void Packer::share_with_lonely_page(Arrangement& a) {
-  if (lonely_pages(a) == 0) {
-    return;
+/// Tries to do without the emptiest page: its shapes go onto the others, then all are moved apart.
+bool Packer::separate() {
+  const auto pages = static_cast<std::uint32_t>(shown_.used.size() - 1);
+  if (pages == 0 || fill_.needed_area() > densest_separation * pages * fill_.page_area() ||
+      context_.out_of_time()) {
+    return false;
   }
-  const auto lonely =
-      static_cast<std::uint32_t>(std::min_element(a.used.begin(), a.used.end()) - a.used.begin());
-  std::set<std::uint32_t> groups;
-  for (std::size_t i = 0; i < a.places.size(); ++i) {
-    if (a.places[i].page == lonely) {
-      groups.insert(task_.group[i]);
+  const auto emptiest = static_cast<std::uint32_t>(std::min_element(shown_.used.begin(), shown_.used.end()) -
+                                                   shown_.used.begin());
+  std::vector<Place> places = shown_.places;
+  for (Place& place : places) {
+    if (place.page == emptiest) {
+      place.page = random_.below(pages);
+      place.spot = {};
+    } else if (place.page > emptiest) {
+      --place.page;
     }
   }
-  // Shapes of the same groups first, then those of the nearest groups, large ones before small ones.
-  const auto distance = [&](std::uint32_t shape) {
-    std::uint32_t nearest = UINT32_MAX;
-    for (const std::uint32_t group : groups) {
-      nearest = std::min(
-          nearest, group > task_.group[shape] ? group - task_.group[shape] : task_.group[shape] - group);
-    }
-    return nearest;
-  };
-  Order order(a.places.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](auto p, auto q) {
-    return distance(p) != distance(q) ? distance(p) < distance(q)
-                                      : task_.shapes[p].area > task_.shapes[q].area;
-  });
-  for (const std::uint32_t shape : order) {
-    const double area = task_.shapes[shape].area;
-    const std::uint32_t from = a.places[shape].page;
-    if (a.used[lonely] < shared_fill * fill_.page_area() && from != lonely &&
-        a.used[from] - area >= a.used[lonely] + area) {
-      static_cast<void>(fill_.move(a, shape, lonely));
-    }
+  PackingSeparation separation(fill_, random_, context_);
+  if (!separation.run(places, pages, separation_work)) {
+    return false;
   }
+  offer(fill_.placed(places));
+  return true;
 }
 
-/// Pages in the order of the groups on them, but one that is much emptier than all others last.
-void Packer::order_pages(Arrangement& a) const {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> first;  // lowest group, page
-  for (std::uint32_t page = 0; page < a.used.size(); ++page) {
-    first.emplace_back(UINT32_MAX, page);
-  }
-  for (std::size_t i = 0; i < a.places.size(); ++i) {
-    auto& group = first[a.places[i].page].first;
-    group = std::min(group, task_.group[i]);
-  }
-  std::vector<double> used = a.used;
-  std::sort(used.begin(), used.end());
-  if (used.size() > 1 && used[0] < emptier * used[1]) {
-    const auto emptiest = std::min_element(a.used.begin(), a.used.end()) - a.used.begin();
-    first[static_cast<std::size_t>(emptiest)].first = UINT32_MAX;
-  }
-  std::sort(first.begin(), first.end());
-  std::vector<std::uint32_t> number(first.size());
-  for (std::uint32_t i = 0; i < first.size(); ++i) {
-    number[first[i].second] = i;
-  }
-  for (Place& place : a.places) {
-    place.page = number[place.page];
-  }
-}
-
-void Packer::run() {
+std::vector<Packed> Packer::run() {
   start();
   walk();
-  share_with_lonely_page(shown_);
-  order_pages(shown_);
-}
-
-std::vector<Packed> Packer::result() const {
+  while (separate()) {
+  }
+  share_with_lonely_page(fill_, shown_);
+  order_pages(task_, shown_);
   std::vector<Packed> result;
   for (std::uint32_t i = 0; i < shown_.places.size(); ++i) {
     const Place& place = shown_.places[i];
@@ -354,37 +291,10 @@ std::vector<Packed> Packer::result() const {
   return result;
 }
 
-/// A page of which the right side was the lower one, turned back.
-std::vector<Packed> turned_back(std::vector<Packed> packed, Vec2 area) {
-  for (Packed& p : packed) {
-    p.turn = {-p.turn.sine, p.turn.cosine};
-    p.shift = perpendicular(p.shift) + Vec2{area.x, 0.0};
-  }
-  return packed;
-}
-
 }  // namespace
 
 std::vector<Packed> pack(const PackingTask& task, const Context& context) {
-  if (task.shapes.empty()) {
-    return {};
-  }
-  PackingTask sideways = task;
-  std::swap(sideways.area.x, sideways.area.y);
-  std::vector<Packed> best;
-  Merit least;
-  for (const Search& search : searches_for(task.shapes.size())) {
-    Packer packer(search.sideways ? sideways : task, search, context);
-    packer.run();
-    if (packer.merit() < least) {
-      least = packer.merit();
-      best = search.sideways ? turned_back(packer.result(), task.area) : packer.result();
-    }
-    if (packer.is_least() || context.out_of_time()) {
-      break;
-    }
-  }
-  return best;
+  return task.shapes.empty() ? std::vector<Packed>{} : Packer(task, context).run();
 }
 
 }  // namespace ridgecraft::paper

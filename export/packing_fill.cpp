@@ -175,12 +175,30 @@ bool PackingFill::move(Arrangement& a, std::uint32_t shape, std::uint32_t page) 
   return true;
 }
 
-std::size_t PackingFill::fewest_pages() const {
+Arrangement PackingFill::placed(const std::vector<Place>& places) const {
+  Arrangement a = nothing();
+  std::uint32_t pages = 0;
+  for (const Place& place : places) {
+    pages = std::max(pages, place.page + 1);
+  }
+  a.pages.assign(pages, PackingPage(grid_));
+  a.used.assign(pages, 0.0);
+  for (std::uint32_t shape = 0; shape < places.size(); ++shape) {
+    put(a, shape, places[shape]);
+  }
+  return a;
+}
+
+double PackingFill::needed_area() const {
   double area = 0.0;
   for (const auto& rasters : rasters_) {
     area += 0.5 * (cells(rasters.front().solid) + cells(rasters.front().padded)) * grid_.cell * grid_.cell;
   }
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(densest_packing * area / page_area())));
+  return area;
+}
+
+std::size_t PackingFill::fewest_pages() const {
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(densest_packing * needed_area() / page_area())));
 }
 
 }  // namespace ridgecraft::paper

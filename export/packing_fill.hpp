@@ -55,6 +55,8 @@ class PackingFill {
   /// Burke et al. 2006).
   [[nodiscard]] Arrangement fill(Arrangement base, const Recipe& recipe);
   [[nodiscard]] Arrangement nothing() const;
+  /// The arrangement with these places.
+  [[nodiscard]] Arrangement placed(const std::vector<Place>& places) const;
   /// Without the shapes on those pages, which become empty; their shapes are added to `removed`, in ascending
   /// order.
   [[nodiscard]] Arrangement without(const Arrangement& a, const std::vector<std::uint32_t>& pages,
@@ -63,6 +65,7 @@ class PackingFill {
   [[nodiscard]] bool move(Arrangement& a, std::uint32_t shape, std::uint32_t page);
 
   [[nodiscard]] const PackingTask& task() const { return *task_; }
+  [[nodiscard]] const PackingGrid& grid() const { return grid_; }
   [[nodiscard]] double page_area() const { return task_->area.x * task_->area.y; }
   [[nodiscard]] const std::vector<Raster>& rasters(std::uint32_t shape) const { return rasters_[shape]; }
   /// Lower left corner, mm, of a shape placed there.
@@ -72,6 +75,8 @@ class PackingFill {
   /// Pages that would be needed if nothing were lost but half the gap around each shape; an estimate from
   /// below.
   [[nodiscard]] std::size_t fewest_pages() const;
+  /// Area of all shapes with half the gap around them, mm2.
+  [[nodiscard]] double needed_area() const;
 
  private:
   [[nodiscard]] std::optional<Place> fit(const PackingPage& page, std::uint32_t shape, const Recipe& recipe);

@@ -31,11 +31,6 @@ Words<N> shifted_down(const Words<N>& bits, std::uint32_t by) {
   return result;
 }
 
-/// How many whole cells the piece can be moved along a side.
-std::int32_t room(double side, double size, double cell) {
-  return static_cast<std::int32_t>(std::floor(std::max(0.0, side - size) / cell + 1e-9));
-}
-
 /// The first or the last column that isn't blocked; there is one.
 template <std::size_t N>
 std::int32_t free_column(const Words<N>& blocked, bool leftmost) {
@@ -60,25 +55,31 @@ Words<N> columns_beyond(std::int32_t last) {
   return outside;
 }
 
-/// The rows of one page with their levels; a row's levels are behind each other.
+/// The rows of one page with their levels; a row's levels are behind each other, and N + 1 words may be read
+/// behind the last one.
 struct RowTable {
   const std::uint64_t* bits;
   std::size_t levels;
 };
 
-/// Adds the columns at which the run meets a taken cell of the row; true when none is left.
+/// Adds the columns at which the run meets a taken cell of the row; true when none is left. Columns where the
+/// run would stick out get whatever stands behind the row: they are blocked anyway.
 template <std::size_t N>
 bool block(Words<N>& blocked, const RowTable& table, std::int32_t row, const Raster::Run& run) {
   const auto count = static_cast<std::uint32_t>(run.end - run.begin);
   const auto level = static_cast<std::size_t>(std::bit_width(count)) - 1;
-  Words<N> bits;
-  std::copy_n(table.bits + (static_cast<std::size_t>(row) * table.levels + level) * N, N, bits.begin());
+  const std::uint64_t* bits = table.bits + (static_cast<std::size_t>(row) * table.levels + level) * N;
   const auto begin = static_cast<std::uint32_t>(run.begin);
-  const Words<N> front = shifted_down<N>(bits, begin);
-  const Words<N> back = shifted_down<N>(bits, begin + count - (1U << level));
+  const std::uint32_t second = begin + count - (1U << level);
+  const std::uint64_t* front = bits + begin / 64;
+  const std::uint64_t* back = bits + second / 64;
+  const std::uint32_t front_rest = begin % 64;
+  const std::uint32_t back_rest = second % 64;
   std::uint64_t all = ~std::uint64_t{0};
   for (std::size_t i = 0; i < N; ++i) {
-    blocked[i] |= front[i] | back[i];
+    // Two steps, since a shift by 64 isn't defined.
+    blocked[i] |= (front[i] >> front_rest) | ((front[i + 1] << 1U) << (63U - front_rest)) |
+                  (back[i] >> back_rest) | ((back[i + 1] << 1U) << (63U - back_rest));
     all &= blocked[i];
   }
   return all == ~std::uint64_t{0};
@@ -87,7 +88,7 @@ bool block(Words<N>& blocked, const RowTable& table, std::int32_t row, const Ras
 template <std::size_t N>
 std::optional<Spot> lowest_spot(const PackingGrid& grid, const RowTable& table, const Raster& raster,
                                 std::int32_t up, bool leftmost, std::uint64_t& work) {
-  const Words<N> outside = columns_beyond<N>(room(grid.area.x, raster.size.x, grid.cell));
+  const Words<N> outside = columns_beyond<N>(cells_of_room(grid.area.x, raster.size.x, grid.cell));
   for (std::int32_t y = 0; y <= up; ++y) {
     Words<N> blocked = outside;
     bool full = false;
@@ -160,17 +161,22 @@ PackingGrid::PackingGrid(Vec2 area_mm, double cell_mm)
   words = words_for(columns);
 }
 
+std::int32_t cells_of_room(double side, double size, double cell) {
+  return static_cast<std::int32_t>(std::floor(std::max(0.0, side - size) / cell + 1e-9));
+}
+
 PackingPage::PackingPage(const PackingGrid& grid)
     : grid_(&grid),
       levels_(static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(grid.columns)))),
-      meets_(grid.words * levels_ * static_cast<std::size_t>(grid.rows)) {}
+      // Behind the last row there is room for block() to read.
+      meets_(grid.words * levels_ * static_cast<std::size_t>(grid.rows) + 2 * grid.words + 1) {}
 
 std::optional<Spot> PackingPage::find(const Raster& raster, double limit, bool leftmost,
                                       std::uint64_t& work) const {
   if (raster.size.y > limit) {
     return std::nullopt;
   }
-  const std::int32_t up = room(std::min(limit, grid_->area.y), raster.size.y, grid_->cell);
+  const std::int32_t up = cells_of_room(std::min(limit, grid_->area.y), raster.size.y, grid_->cell);
   return with_words(grid_->words, [&]<std::size_t N>() {
     return lowest_spot<N>(*grid_, {meets_.data(), levels_}, raster, up, leftmost, work);
   });

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "export/packing_shape.hpp"
+#include "export/packing_raster.hpp"
 
 namespace ridgecraft::paper {
 
@@ -20,6 +20,9 @@ struct PackingGrid {
 
   PackingGrid(Vec2 area_mm, double cell_mm);
 };
+
+/// How many whole cells a shape of this size can be moved along a side.
+[[nodiscard]] std::int32_t cells_of_room(double side, double size, double cell);
 
 /// A place for a raster: the cell in which its lower left corner comes to lie.
 struct Spot {

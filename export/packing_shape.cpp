@@ -12,8 +12,6 @@
 namespace ridgecraft::paper {
 namespace {
 
-/// A cell that a piece only touches within rounding isn't covered, mm. The gap has room for it.
-constexpr double touch = 1e-7;
 /// Turns nearer than this (radians, 2 degrees) to one already chosen bring nothing new.
 constexpr double turn_distance = 2.0 * std::numbers::pi / 180.0;
 
@@ -57,109 +55,6 @@ void add_limits(std::span<const Vec2> hull, double limit, double offset, std::ve
 
 /// Hulls beyond this many corners are thinned out for the search of limits, which is quadratic.
 constexpr std::size_t most_hull_corners = 48;
-
-/// Leftmost and rightmost x of a convex polygon, grown by `gap` all round, within the rows y0 .. y1.
-struct Reach {
-  double low = INFINITY;
-  double high = -INFINITY;
-
-  void add(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  /// The part of the segment p q inside the rows.
-  void add_clipped(Vec2 p, Vec2 q, double y0, double y1) {
-    if (p.y > q.y) {
-      std::swap(p, q);
-    }
-    if (q.y < y0 || p.y > y1) {
-      return;
-    }
-    const double slope = q.y > p.y ? (q.x - p.x) / (q.y - p.y) : 0.0;
-    add(p.y < y0 ? p.x + (y0 - p.y) * slope : p.x);
-    add(q.y > y1 ? p.x + (y1 - p.y) * slope : q.x);
-  }
-};
-
-Reach reach(std::span<const Vec2> polygon, double gap, double y0, double y1) {
-  Reach result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 p = polygon[i];
-    const Vec2 q = polygon[(i + 1) % polygon.size()];
-    const Vec2 along = q - p;
-    const double size = length(along);
-    if (gap == 0.0 || size == 0.0) {
-      result.add_clipped(p, q, y0, y1);
-    } else {
-      // Both sides of the edge: one is the border of the grown polygon, the other lies inside.
-      const Vec2 out = (gap / size) * perpendicular(along);
-      result.add_clipped(p + out, q + out, y0, y1);
-      result.add_clipped(p - out, q - out, y0, y1);
-    }
-    const double away = std::max({0.0, y0 - p.y, p.y - y1});
-    if (away <= gap) {
-      const double wide = std::sqrt(gap * gap - away * away);
-      result.add(p.x - wide);
-      result.add(p.x + wide);
-    }
-  }
-  return result;
-}
-
-std::int32_t cell_of(double x, double cell) {
-  return static_cast<std::int32_t>(std::floor(x / cell));
-}
-
-using Run = Raster::Run;
-
-/// Sorts runs and joins those that meet.
-void unite(std::vector<Run>& runs) {
-  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
-    return a.row != b.row ? a.row < b.row : a.begin != b.begin ? a.begin < b.begin : a.end < b.end;
-  });
-  std::size_t kept = 0;
-  for (const Run& run : runs) {
-    if (kept > 0 && runs[kept - 1].row == run.row && run.begin <= runs[kept - 1].end) {
-      runs[kept - 1].end = std::max(runs[kept - 1].end, run.end);
-    } else {
-      runs[kept++] = run;
-    }
-  }
-  runs.resize(kept);
-}
-
-void cover(std::span<const Vec2> polygon, double cell, double gap, std::vector<Run>& runs) {
-  double low = INFINITY;
-  double high = -INFINITY;
-  for (const Vec2 p : polygon) {
-    low = std::min(low, p.y - gap);
-    high = std::max(high, p.y + gap);
-  }
-  const std::int32_t first = cell_of(low + touch, cell);
-  const std::int32_t last = std::max(first, cell_of(high - touch, cell));
-  for (std::int32_t row = first; row <= last; ++row) {
-    const Reach r = reach(polygon, gap, row * cell, (row + 1) * cell);
-    if (r.low <= r.high) {
-      const std::int32_t begin = cell_of(r.low + touch, cell);
-      runs.push_back({row, begin, std::max(begin, cell_of(r.high - touch, cell)) + 1});
-    }
-  }
-}
-
-/// In the order of halving: the longest run, then ever finer steps over the rows, so that the first few say
-/// most.
-void spread(std::vector<Run>& runs) {
-  const auto longest = std::max_element(
-      runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.end - a.begin < b.end - b.begin; });
-  std::vector<Run> result{*longest};
-  runs.erase(longest);
-  for (std::size_t step = std::bit_ceil(runs.size() + 1); step >= 2; step /= 2) {
-    for (std::size_t i = step / 2; i <= runs.size(); i += step) {
-      result.push_back(runs[i - 1]);
-    }
-  }
-  runs = std::move(result);
-}
 
 }  // namespace
 
@@ -269,30 +164,6 @@ std::vector<Turn> promising_turns(std::span<const Vec2> hull, Vec2 area, std::si
     }
   }
   return turns;
-}
-
-Raster rasterize(const PackingShape& shape, Turn turn, double cell, double gap) {
-  Raster raster;
-  raster.turn = turn;
-  Box2 box;
-  for (const Vec2 p : shape.hull) {
-    box.add(turn(p));
-  }
-  raster.low = box.low;
-  raster.size = box.size();
-  std::vector<Vec2> turned;
-  for (const auto& polygon : shape.convex) {
-    turned.clear();
-    for (const Vec2 p : polygon) {
-      turned.push_back(turn(p) - box.low);
-    }
-    cover(turned, cell, 0.0, raster.solid);
-    cover(turned, cell, gap, raster.padded);
-  }
-  unite(raster.solid);
-  unite(raster.padded);
-  spread(raster.solid);
-  return raster;
 }
 
 }  // namespace ridgecraft::paper

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A piece as the packer sees it: convex bits of paper (faces and tabs), the turns that are worth a try, and
-// what the turned piece covers on a grid.
+// A piece as the packer sees it: convex bits of paper (faces and tabs), and the turns that are worth a try.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -48,25 +46,5 @@ struct PackingShape {
 /// enclosing rectangles along the page's sides, in all four directions, and some between. Empty where it fits
 /// in none.
 [[nodiscard]] std::vector<Turn> promising_turns(std::span<const Vec2> hull, Vec2 area, std::size_t most);
-
-/// What a turned piece covers on a grid, with its lower left corner in the grid's origin.
-struct Raster {
-  /// Cells begin .. end-1 of a row.
-  struct Run {
-    std::int32_t row;
-    std::int32_t begin;
-    std::int32_t end;
-  };
-  Turn turn;
-  Vec2 low;                 ///< lower left corner of the turned piece, before it is moved to the origin
-  Vec2 size;                ///< mm
-  std::vector<Run> solid;   ///< cells that the piece touches: the longest run, then those that say most
-  std::vector<Run> padded;  ///< cells within the gap of it; rows and columns may be negative
-};
-
-/// Rows of cells of the given size (mm) that the turned shape touches, and those that it comes nearer to than
-/// `gap`. Never leaves out a cell: two pieces have at least the gap between them where the solid cells of one
-/// and the padded ones of the other have none in common.
-[[nodiscard]] Raster rasterize(const PackingShape& shape, Turn turn, double cell, double gap);
 
 }  // namespace ridgecraft::paper
