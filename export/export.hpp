@@ -42,10 +42,10 @@ struct Pages {
   IdVector<PieceId, Placement> placements;
 };
 
-/// Packs the pieces by their true outlines, tabs included, with the gap between them, on as few pages as it
-/// can. Pieces of one part stay together where that costs no page. Deterministic, unless the
-/// context's deadline passes: then the best so far is taken. Throws Error(no_nets)
-/// naming a piece that fits no page.
+/// Packs the pieces by their true outlines, tabs included, with the gap between them (more where a page has
+/// room), on as few pages as it can. Pieces of one part stay together where that costs no page and leaves no
+/// page half empty. Deterministic, unless the context's deadline passes: then the best so far is taken.
+/// Throws Error(no_nets) naming a piece that fits no page.
 [[nodiscard]] Pages layout(const unfold::Nets& nets, const Paper& paper, const Context& context);
 
 struct Style {

@@ -6,6 +6,7 @@
 #include "export/packing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <numeric>
@@ -33,6 +34,14 @@ constexpr double densest_separation = 0.85;
 /// over the pages, don't count against keeping groups together.
 constexpr double same_use = 0.02;
 
+/// Pages that hold no more than this share in paper are tried with more room between the shapes, mm: numbers
+/// find places there, and scissors do.
+constexpr double loose_fill = 0.5;
+constexpr std::array<double, 2> loose_gaps{7.0, 4.5};
+constexpr PackingDetail loose_detail{200.0, 12};
+/// Shapes stay in the upper part of a page that isn't full, this far below its border, mm.
+constexpr double most_from_top = 8.0;
+
 /// As fine as some 20 ms of drawing shapes into bitmaps allow: turns find room, where shapes are few.
 PackingDetail detail_for(const PackingTask& task) {
   constexpr std::size_t most_drawn = 40'000;
@@ -58,14 +67,17 @@ struct Merit {
 
 class Packer {
  public:
-  Packer(const PackingTask& task, const Context& context)
-      : task_(task), context_(context), fill_(task, detail_for(task), context), random_(context.seed) {}
+  Packer(const PackingTask& task, const PackingDetail& detail, const Context& context)
+      : task_(task), context_(context), fill_(task, detail, context), random_(context.seed) {}
   [[nodiscard]] std::vector<Packed> run();
+  /// What the simple orders find, if that is one page.
+  [[nodiscard]] std::vector<Packed> run_for_one_page();
 
  private:
   [[nodiscard]] std::vector<Order> simple_orders() const;
   void start();
   void walk();
+  [[nodiscard]] std::vector<Packed> result() const;
   [[nodiscard]] Recipe changed(Recipe recipe, const Arrangement& at);
   [[nodiscard]] Arrangement refilled(const Arrangement& at);
   bool separate();
@@ -279,6 +291,15 @@ std::vector<Packed> Packer::run() {
   }
   share_with_lonely_page(fill_, shown_);
   order_pages(task_, shown_);
+  return result();
+}
+
+std::vector<Packed> Packer::run_for_one_page() {
+  start();
+  return shown_.used.size() == 1 ? result() : std::vector<Packed>{};
+}
+
+std::vector<Packed> Packer::result() const {
   std::vector<Packed> result;
   for (std::uint32_t i = 0; i < shown_.places.size(); ++i) {
     const Place& place = shown_.places[i];
@@ -291,10 +312,73 @@ std::vector<Packed> Packer::run() {
   return result;
 }
 
+/// Lays the shapes of a page further apart if they have room to be.
+void loosen(const PackingTask& task, const std::vector<std::uint32_t>& shapes, const Context& context,
+            std::vector<Packed>& packed) {
+  PackingTask page;
+  double used = 0.0;
+  for (const std::uint32_t shape : shapes) {
+    page.shapes.push_back(task.shapes[shape]);
+    page.group.push_back(0);
+    used += task.shapes[shape].area;
+  }
+  page.area = task.area;
+  if (shapes.size() < 2 || used > loose_fill * page.area.x * page.area.y) {
+    return;
+  }
+  for (const double gap : loose_gaps) {
+    if (gap <= task.gap || context.out_of_time()) {
+      return;
+    }
+    page.gap = gap;
+    const std::vector<Packed> loose = Packer(page, loose_detail, context).run_for_one_page();
+    for (std::size_t i = 0; i < loose.size(); ++i) {
+      packed[shapes[i]].turn = loose[i].turn;
+      packed[shapes[i]].shift = loose[i].shift;
+    }
+    if (!loose.empty()) {
+      return;
+    }
+  }
+}
+
+/// Moves all shapes of a page off its borders where there is room, for numbers beside them.
+void move_inwards(const PackingTask& task, const std::vector<std::uint32_t>& shapes,
+                  std::vector<Packed>& packed) {
+  Box2 box;
+  for (const std::uint32_t shape : shapes) {
+    for (const Vec2 p : task.shapes[shape].hull) {
+      box.add(packed[shape].turn(p) + packed[shape].shift);
+    }
+  }
+  const Vec2 left = task.area - box.size();
+  // Exact fits stay as they are: nothing may be moved over a border by rounding.
+  const double from_side = std::max(0.0, 0.5 * left.x);
+  const double from_top = std::clamp(0.5 * left.y, 0.0, most_from_top);
+  const Vec2 by{left.x > fit_tolerance_mm ? from_side - box.low.x : 0.0,
+                left.y > fit_tolerance_mm ? task.area.y - from_top - box.high.y : 0.0};
+  for (const std::uint32_t shape : shapes) {
+    packed[shape].shift += by;
+  }
+}
+
 }  // namespace
 
 std::vector<Packed> pack(const PackingTask& task, const Context& context) {
-  return task.shapes.empty() ? std::vector<Packed>{} : Packer(task, context).run();
+  if (task.shapes.empty()) {
+    return {};
+  }
+  std::vector<Packed> packed = Packer(task, detail_for(task), context).run();
+  std::vector<std::vector<std::uint32_t>> on_page;
+  for (std::uint32_t i = 0; i < packed.size(); ++i) {
+    on_page.resize(std::max<std::size_t>(on_page.size(), packed[i].page + 1));
+    on_page[packed[i].page].push_back(i);
+  }
+  for (const std::vector<std::uint32_t>& shapes : on_page) {
+    loosen(task, shapes, context, packed);
+    move_inwards(task, shapes, packed);
+  }
+  return packed;
 }
 
 }  // namespace ridgecraft::paper

@@ -25,10 +25,11 @@ struct Packed {
   Vec2 shift;
 };
 
-/// Packs all shapes on as few pages as it finds in a fixed amount of work. Deterministic. Pages are in the
-/// order of the groups on them. Distances are never less than the gap. The work is O(n) page searches for
-/// each order tried, and the orders after the first few stop at a fixed number of words read. Asks the
-/// context for interruption.
+/// Packs all shapes on as few pages as it finds in a fixed amount of work. Deterministic, unless the
+/// context's deadline passes. Pages are in the order of the groups on them, one that is much emptier than the
+/// others last. Distances are never less than the gap, and more on pages that have room. The work is O(n)
+/// page searches for each order tried, and the orders after the first few stop at a fixed number of words
+/// read. Asks the context for interruption.
 [[nodiscard]] std::vector<Packed> pack(const PackingTask& task, const Context& context);
 
 }  // namespace ridgecraft::paper
