@@ -21,6 +21,8 @@ namespace fs = std::filesystem;
 
 /// A face of this size fits every sheet; for jobs without pages.
 constexpr Vec2 boundless{1e9, 1e9};
+/// Trials for tabs where they are what was asked for: 1 to 2 s for 500 faces.
+constexpr double patient_trials_per_face = 60.0;
 
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump();
@@ -305,7 +307,8 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
   result.parts = count_parts(part);
   result.nets = clock("unfold", context, [&] {
     unfold::Options options;
-    options.tabs.wanted = false;
+    options.tabs.wanted = job.tabs;
+    options.tabs.trials_per_face = patient_trials_per_face;
     options.panel_cuts = job.whole ? unfold::PanelCuts::before_pieces : unfold::PanelCuts::only_if_too_large;
     return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/summary_blocks.hpp"
+#include "unfold/tabs.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -72,6 +73,13 @@ std::string without_tab_text(const unfold::Nets& nets) {
 std::size_t joins_without_tab(const unfold::Nets& nets) {
   return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(),
                                                 [](const auto& join) { return !join.tab.valid(); }));
+}
+
+/// "  tabs        20 for 22 joins; 2 without (2 too short)": a line.
+std::string tabs_text(const unfold::Nets& nets) {
+  const std::size_t without = joins_without_tab(nets);
+  return fmt::format("  tabs        {} for {}{}\n", nets.tabs.size(), counted(nets.joins.size(), "join"),
+                     without > 0 ? fmt::format("; {} without ({})", without, without_tab_text(nets)) : "");
 }
 
 /// "1 A to C; 2 D at B": which pieces make each separate body, and beside which piece it belongs.
@@ -249,9 +257,7 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
                       counted(nets.pieces.size(), "piece"), reasons_text(nets),
                       counted(result.pages.count, "page"), job.paper_name);
   text += extra_pieces_text(nets);
-  const std::size_t without = joins_without_tab(nets);
-  text += fmt::format("  tabs        {} for {}{}\n", nets.tabs.size(), counted(nets.joins.size(), "join"),
-                      without > 0 ? fmt::format("; {} without ({})", without, without_tab_text(nets)) : "");
+  text += tabs_text(nets);
   text += fmt::format("  lines       {} to cut, {} to fold\n", metres(result.figures.cut_mm),
                       metres(result.figures.fold_mm));
   if (result.drawn.labels_left_out + result.drawn.labels_outside + result.drawn.names_left_out > 0) {
@@ -283,6 +289,7 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["extra_pieces"] = extra_pieces_json(result.nets);
   json["size_mm"] = size_json(model.surface);
   json["tabs"] = result.figures.tabs;
+  json["tabs_usable"] = unfold::tabs_usable(model.surface, result.nets, job.tabs);
   json["joins"] = result.figures.joins;
   json["joins_without_tab"] = result.figures.joins_without_tab;
   json["cut_mm"] = rounded(result.figures.cut_mm);
@@ -361,12 +368,15 @@ std::string summary(const UnfoldJob& job, const UnfoldResult& result) {
   text += fmt::format("  nets        {}, {}{}, {} overlaps\n", counted(result.parts, "part"),
                       counted(result.nets.pieces.size(), "piece"), reasons_text(result.nets),
                       result.figures.overlaps);
+  if (job.tabs) {
+    text += tabs_text(result.nets);
+  }
   text += notes_text(result.nets);
   text += fmt::format("  time        {}\n", seconds_text(result.clock));
   return text + written_text(result.files);
 }
 
-std::string summary_json(const UnfoldJob&, const UnfoldResult& result) {
+std::string summary_json(const UnfoldJob& job, const UnfoldResult& result) {
   const mesh::Model& model = result.prepared.model;
   Json json;
   json["model"] = model.name;
@@ -375,6 +385,11 @@ std::string summary_json(const UnfoldJob&, const UnfoldResult& result) {
   json["pieces"] = result.nets.pieces.size();
   json["overlaps"] = result.figures.overlaps;
   json["joins"] = result.nets.joins.size();
+  if (job.tabs) {
+    json["tabs"] = result.nets.tabs.size();
+    json["tabs_usable"] = unfold::tabs_usable(model.surface, result.nets, {});
+    json["joins_without_tab"] = joins_without_tab(result.nets);
+  }
   json["size_mm"] = size_json(model.surface);
   json["cut_mm"] = rounded(result.figures.cut_mm);
   json["fold_mm"] = rounded(result.figures.fold_mm);

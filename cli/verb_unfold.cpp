@@ -7,7 +7,7 @@
 namespace ridgecraft::cli {
 
 Job build_unfold(const Arguments* arguments, Manual* manual) {
-  Verb verb("ridgecraft unfold", "unfolds a model into nets without overlap, without pages and tabs");
+  Verb verb("ridgecraft unfold", "unfolds a model into nets without overlap, without pages");
   verb.usage("ridgecraft unfold MODEL [--whole] -o NETS.fold [options]");
   verb.example("ridgecraft unfold gem.off --whole -o gem.fold",
                "The whole model as one net, if there is one.");
@@ -21,6 +21,8 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   verb.flag("Parts", "--whole", job.whole, "Don't cut the model into parts first.");
   verb.option("Parts", "--concavity", concavity, "TOLERANCE", "How far a part may be from convex (0.1).");
   size.add_to(verb, "keep");
+  verb.flag("Tabs", "--tabs", job.tabs,
+            "Search nets whose cut edges have room for 5 mm glue tabs, and draw these.");
   common.add_to(verb);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.model, "name the model to unfold", "ridgecraft unfold");

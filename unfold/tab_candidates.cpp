@@ -41,7 +41,7 @@ std::vector<TabCandidate> tab_candidates(const ConvexShape& largest, double leng
   }
   const double height = std::fmin(std::fmin(usable_height_mm, options.height_mm), largest.box().high.y);
   const Span room = span_at(largest, height);
-  const double width = std::fmin(std::fmax(0.5 * length, options.smallest_top_mm), room.to - room.from);
+  const double width = std::fmin(std::fmax(0.5 * length, least_top(length, options)), room.to - room.from);
   const double way = room.to - width - room.from;
   for (const double place : places) {
     const double left = room.from + place * way;

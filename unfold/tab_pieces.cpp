@@ -13,9 +13,8 @@ namespace {
 
 /// Below this there is no other tree worth looking at.
 constexpr std::size_t smallest_piece = 4;
-/// Trials for each face of a piece: six times as many gain two points at 500 faces (docs/tabs.md).
-constexpr double trials_per_face = 20.0;
-constexpr std::uint64_t most_trials = 40000;
+/// Faces beyond these bring no more trials.
+constexpr double most_faces = 2000.0;
 
 }  // namespace
 
@@ -41,8 +40,8 @@ Folds improve_tabs(const mesh::Surface& surface, const mesh::Panels& panels, con
     }
     TabSearch search;
     search.tolerance = tolerance;
-    search.trials = std::min(most_trials,
-                             static_cast<std::uint64_t>(trials_per_face * static_cast<double>(faces.size())));
+    search.trials = static_cast<std::uint64_t>(options.trials_per_face *
+                                               std::min(most_faces, static_cast<double>(faces.size())));
     if (room.sheet && all_fit(piece, tree, room)) {
       search.allowed = [&](const Folds& changed) { return all_fit(piece, changed, room); };
     }

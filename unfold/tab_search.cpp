@@ -17,7 +17,7 @@ constexpr std::size_t folds_per_trial = 12;
 /// Share of the trials that begin at a cut without a tab. Most begin at any cut: what stands in the way of a
 /// tab is often a cut that has one.
 constexpr double missing_share = 0.2;
-/// A change that loses d tabs is accepted with probability exp(-d / heat); the heat falls from trial to
+/// A change that loses tabs worth d is accepted with probability exp(-d / heat); the heat falls from trial to
 /// trial.
 constexpr double first_heat = 0.6;
 constexpr double last_heat = 0.15;
@@ -38,6 +38,7 @@ class Search {
     TabSearchResult result;
     result.folds = net_.folds();
     result.tabs_before = result.tabs = state_.tabs();
+    double best = state_.worth();
     find_cuts();
     result.cuts = static_cast<std::uint32_t>(cuts_.size()) + seams_;
     for (; result.trials < search_.trials && !missing_.empty(); ++result.trials) {
@@ -52,7 +53,8 @@ class Search {
         continue;
       }
       find_cuts();
-      if (state_.tabs() > result.tabs) {
+      if (state_.worth() > best) {
+        best = state_.worth();
         result.tabs = state_.tabs();
         result.folds = net_.folds();
       }
@@ -91,9 +93,9 @@ class Search {
     if (below == nothing) {
       return false;
     }
-    const double before = state_.tabs();
+    const double before = state_.worth();
     state_.swap(below, side);
-    const double loss = before - state_.tabs();
+    const double loss = before - state_.worth();
     if ((loss <= 0.0 || random_.unit() < std::exp(-loss / heat)) &&
         (!search_.allowed || search_.allowed(net_.folds()))) {
       return true;

@@ -37,9 +37,4 @@ struct TabSearchResult {
                                           const TabSearch& search, std::uint64_t seed,
                                           const Context& context);
 
-/// A spanning tree whose cuts lie on edges that tabs can grow from, in long strands with few free ends: the
-/// cuts follow a depth-first tree over the vertices. Has overlaps in general. O(n log n).
-[[nodiscard]] Folds tab_friendly_tree(const mesh::Surface& surface, const mesh::Panels& panels,
-                                      const Patch& patch, const TabOptions& options, Random& random);
-
 }  // namespace ridgecraft::unfold

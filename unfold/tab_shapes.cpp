@@ -12,8 +12,8 @@ namespace {
 
 /// Corners nearer than this to a corner of the base are that corner, mm: rounding of the layout.
 constexpr double same_place_mm = 1e-6;
-/// A tab may overhang the end of its base by as much as it is high, where the face behind it does.
-constexpr double widest_cotangent = -1.0;
+/// A tab may overhang the end of its base by twice as much as it is high, where the face behind it does.
+constexpr double widest_cotangent = -2.0;
 /// Share of an area within which a clipped shape counts as unclipped.
 constexpr double same_area = 1e-9;
 
@@ -79,9 +79,9 @@ ConvexShape without_double_corners(const ConvexShape& tab) {
   return result;
 }
 
-/// The shape in its final form, or empty when it is too small to be a tab.
-ConvexShape finished(const ConvexShape& tab, const TabOptions& options) {
-  const ConvexShape shape = without_double_corners(blunted(tab, options.smallest_top_mm));
+/// The shape in its final form, or empty when it is too small to be a tab on an edge of this length.
+ConvexShape finished(const ConvexShape& tab, double length, const TabOptions& options) {
+  const ConvexShape shape = without_double_corners(blunted(tab, least_top(length, options)));
   return shape.size() >= 4 && top_of(shape) >= options.smallest_height_mm ? shape : ConvexShape();
 }
 
@@ -156,8 +156,8 @@ void add_trapezoids(const ConvexShape& largest, double length, const TabOptions&
         }
         const ConvexShape shape =
             within(largest, all.heights[h], all.cotangents[i], all.cotangents[steep - i]);
-        if (shape.area() >= whole.area() * (1.0 - same_area) && !finished(whole, options).empty() &&
-            top_of(finished(whole, options)) >= all.heights[h] && is_usable(whole, length, options)) {
+        if (shape.area() >= whole.area() * (1.0 - same_area) && !finished(whole, length, options).empty() &&
+            top_of(finished(whole, length, options)) >= all.heights[h] && is_usable(whole, length, options)) {
           shapes.push_back({whole, true, tab_costs.steeper * steep + tab_costs.lower * h});
         }
       }
@@ -179,7 +179,7 @@ ConvexShape trapezoid(double left, double right, double height, double cot_left,
 ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstacles,
                         const TabOptions& options, TabNeed need) {
   const double steep = 1.0 / std::tan(options.steepest_angle);
-  const double top = (base.right - base.left - options.smallest_top_mm) / (2.0 * steep);
+  const double top = (base.right - base.left - least_top(base.edge, options)) / (2.0 * steep);
   if (top < options.smallest_height_mm) {
     return {};
   }
@@ -193,7 +193,7 @@ ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstac
       }
       tab = trimmed(tab, without_corners_off_base(obstacle, base), options.clearance_mm);
     }
-    return enough(tab) && !finished(tab, options).empty() ? tab : ConvexShape();
+    return enough(tab) && !finished(tab, base.edge, options).empty() ? tab : ConvexShape();
   };
   const ConvexShape upright =
       trim(trapezoid(base.left, base.right, std::fmin(options.height_mm, top), steep, steep));
@@ -215,12 +215,11 @@ bool is_usable(const ConvexShape& tab, double length, const TabOptions& options)
 
 bool long_enough(double length, const TabOptions& options) {
   const double cot = 1.0 / std::tan(options.steepest_angle);
-  return length - 2.0 * cot * options.smallest_height_mm >= options.smallest_top_mm;
+  return length - 2.0 * cot * options.smallest_height_mm >= least_top(length, options);
 }
 
-bool long_enough_for_usable(double length, const TabOptions& options) {
-  const double cot = 1.0 / std::tan(options.steepest_angle);
-  return length - 2.0 * cot * usable_height(options) >= std::fmax(0.5 * length, options.smallest_top_mm);
+double least_top(double length, const TabOptions& options) {
+  return std::fmin(options.smallest_top_mm, std::fmax(0.5 * length, options.narrowest_top_mm));
 }
 
 std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length, const TabOptions& options) {
@@ -230,7 +229,7 @@ std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length, cons
   }
   add_trapezoids(largest, length, options, shapes);
   const auto add = [&](double height, double cot_left, double cot_right, double cost) {
-    const ConvexShape shape = finished(within(largest, height, cot_left, cot_right), options);
+    const ConvexShape shape = finished(within(largest, height, cot_left, cot_right), length, options);
     if (is_usable(shape, length, options)) {
       shapes.push_back({shape, true, cost});
     }
@@ -243,7 +242,7 @@ std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length, cons
   // No more than a usable tab needs, upright or as far to one end as there is room.
   const double low = std::fmin(usable_height(options), top_of(largest));
   const auto [from, to] = span_at(largest, low);
-  const double least = std::fmin(std::fmax(0.5 * length, options.smallest_top_mm), to - from);
+  const double least = std::fmin(std::fmax(0.5 * length, least_top(length, options)), to - from);
   const double middle = 0.5 * (largest[0].x + largest[1].x - least);
   const double upright = std::clamp(middle, from, to - least);
   for (const double left : {upright, from, to - least}) {
@@ -279,8 +278,9 @@ std::vector<TabShape> partial_tab_shapes(double length, const std::vector<Obstac
 TabShape low_tab_shape(double length, const std::vector<Obstacle>& obstacles, const TabOptions& options) {
   TabShape best;
   const auto offer = [&](double from, double to) {
-    const ConvexShape shape = finished(
-        largest_tab({from * length, to * length, length}, obstacles, options, TabNeed::anything), options);
+    const ConvexShape shape =
+        finished(largest_tab({from * length, to * length, length}, obstacles, options, TabNeed::anything),
+                 length, options);
     if (!shape.empty() && (best.outline.empty() || shape.area() > 1.5 * best.outline.area())) {
       best = {shape, is_usable(shape, length, options), tab_costs.low + 100.0 * (1.0 - (to - from))};
     }

@@ -83,7 +83,8 @@ enum class TabNeed : std::uint8_t {
 
 /// Can an edge of this length carry any tab at all, with nothing around it?
 [[nodiscard]] bool long_enough(double length, const TabOptions& options);
-/// The same for a usable tab.
-[[nodiscard]] bool long_enough_for_usable(double length, const TabOptions& options);
+
+/// How wide the top of a tab on an edge of this length is at least, mm.
+[[nodiscard]] double least_top(double length, const TabOptions& options);
 
 }  // namespace ridgecraft::unfold

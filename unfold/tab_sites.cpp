@@ -84,7 +84,9 @@ class SiteFinder {
     site.ends = {vertices_[mesh::next(side).value()], vertices_[side.value()]};
     const ConvexShape widest = widest_tab(site.length, options_);
     if (!widest.empty()) {
-      add_target(site, twin, widest);
+      if (options_.inside_target) {
+        add_target(site, twin, widest);
+      }
       add_faces(site, widest);
     }
     return site;

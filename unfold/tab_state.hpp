@@ -35,6 +35,8 @@ class TabState {
 
   /// Cuts with a usable tab.
   [[nodiscard]] std::uint32_t tabs() const { return tabs_; }
+  /// The same weighed by how much each one is missed: what a search makes as great as it can.
+  [[nodiscard]] double worth() const { return worth_; }
   [[nodiscard]] bool is_cut(std::uint32_t side) const {
     return patch_.twin[side] == nothing ? targets_.seam[side] != 0
                                         : patch_.frozen[side] == 0 && net_.folds()[side] == 0;
@@ -94,6 +96,7 @@ class TabState {
   std::vector<Mask> free_;                             ///< per side: candidates clear of all faces
   std::vector<Choice> chosen_;                         ///< per join (its smaller side)
   std::uint32_t tabs_ = 0;
+  double worth_ = 0.0;
 
   std::vector<std::uint32_t> marked_;  ///< sides to be looked at
   std::vector<std::uint64_t> marked_in_;

@@ -19,7 +19,7 @@ class TargetFinder {
     const CornerId twin = surface_.twin(c);
     const ConvexShape widest = widest_tab(surface_.length(surface_.edge(c)), options_);
     const FaceId g = mesh::face_of(twin);
-    if (widest.empty()) {
+    if (widest.empty() || !options_.inside_target) {
       return result;
     }
     const Vec3 origin = surface_.point(surface_.vertex(twin));

@@ -93,11 +93,17 @@ void place_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const 
   }
 }
 
-std::size_t count_usable_tabs(const mesh::Surface& surface, const Nets& nets, const TabOptions& options) {
+bool is_usable(const mesh::Surface& surface, const Nets& nets, TabId tab, const TabOptions& options) {
+  const CornerId side = nets.tabs[tab].side;
+  const std::vector<Vec2>& polygon = nets.tabs[tab].polygon;
+  return is_usable(tab_frame(nets, side).in(ConvexShape(std::span<const Vec2>(polygon))),
+                   surface.length(surface.edge(side)), options);
+}
+
+std::size_t tabs_usable(const mesh::Surface& surface, const Nets& nets, const TabOptions& options) {
   std::size_t count = 0;
-  for (const Tab& tab : nets.tabs) {
-    const ConvexShape shape = tab_frame(nets, tab.side).in(ConvexShape(std::span<const Vec2>(tab.polygon)));
-    count += is_usable(shape, surface.length(surface.edge(tab.side)), options) ? 1U : 0U;
+  for (const TabId tab : ids<TabId>(nets.tabs.size())) {
+    count += is_usable(surface, nets, tab, options) ? 1U : 0U;
   }
   return count;
 }

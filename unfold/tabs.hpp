@@ -20,9 +20,12 @@ namespace ridgecraft::unfold {
 void place_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const TabOptions& options,
                 Nets& nets, const Context& context);
 
-/// How many joins have a tab that holds: at least usable_height_mm (tab_shapes.hpp) high along at least half
-/// of the edge. O(tabs).
-[[nodiscard]] std::size_t count_usable_tabs(const mesh::Surface& surface, const Nets& nets,
-                                            const TabOptions& options);
+/// Is a tab at least usable_height_mm (tab_shapes.hpp) high along at least half of its edge? O(1).
+[[nodiscard]] bool is_usable(const mesh::Surface& surface, const Nets& nets, TabId tab,
+                             const TabOptions& options);
+
+/// How many joins have a usable tab: `tabs_usable` in reports. O(tabs).
+[[nodiscard]] std::size_t tabs_usable(const mesh::Surface& surface, const Nets& nets,
+                                      const TabOptions& options);
 
 }  // namespace ridgecraft::unfold

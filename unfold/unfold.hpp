@@ -23,10 +23,15 @@ struct TabOptions {
   bool wanted = true;
   double height_mm = 5.0;
   double smallest_height_mm = 1.5;  ///< lower ones are left out
-  double smallest_top_mm = 2.0;
+  double smallest_top_mm = 2.0;   ///< but half of the edge where that is shorter than twice this, and ...
+  double narrowest_top_mm = 1.0;  ///< ... never less than this
   double angle = 0.78539816339744831;          ///< side angle at the base, radians (45 degrees)
   double steepest_angle = 1.3089969389957472;  ///< where the edge is short (75 degrees)
   double clearance_mm = 0.2;                   ///< distance kept from everything but the tab's own edge
+  /// Must a tab lie inside the flat region that it is glued behind? Without that it may show beyond it.
+  bool inside_target = true;
+  /// How long trees with room for more tabs are searched for, in trials per face; 0: not at all.
+  double trials_per_face = 20.0;
 };
 
 /// What may be cut where a part has no single net with all its flat regions (panels) whole.

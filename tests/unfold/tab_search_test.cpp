@@ -177,18 +177,3 @@ TEST_CASE("tabs that are kept up to date collide with nothing, and changes can b
   }
   CHECK(swaps >= 30);
 }
-
-TEST_CASE("a tree for tabs spans the patch and keeps panels whole", "[tab_search]") {
-  const Surface shape = test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}), 30.0);
-  const Example example(shape, 1);
-  Random random(2);
-  const Folds folds =
-      unfold::tab_friendly_tree(example.surface, example.panels, example.patch, TabOptions(), random);
-  CHECK(is_spanning_tree(example.patch, folds));
-  std::uint32_t frozen = 0;
-  for (std::uint32_t side = 0; side < folds.size(); ++side) {
-    frozen += folds[side] != 0 && example.patch.frozen[side] != 0 ? 1U : 0U;
-  }
-  // A panel of n faces holds n - 1 folds, each with two sides.
-  CHECK(frozen == 2 * (example.surface.face_count() - example.panels.count()));
-}
