@@ -83,7 +83,7 @@ void check_pdf_size(Vec2 page_mm);
 /// quotes).
 using Settings = std::map<std::string, std::string>;
 
-/// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own and the file has no tabs.
+/// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own.
 [[nodiscard]] std::string write_fold(const mesh::Prepared& model, const IdVector<FaceId, PartId>& part,
                                      const unfold::Nets& nets, const Pages* pages, const Mark& mark,
                                      const Settings& settings);

@@ -25,7 +25,7 @@ struct Gluing {
   IdVector<TabId, std::uint32_t> tab_number;
 };
 
-Gluing gluing(const Surface& surface, const Nets& nets, const NetFrame& frame, bool with_tabs) {
+Gluing gluing(const Surface& surface, const Nets& nets, const NetFrame& frame) {
   Gluing result;
   result.tab_number.resize(nets.tabs.size());
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
@@ -33,7 +33,7 @@ Gluing gluing(const Surface& surface, const Nets& nets, const NetFrame& frame, b
       result.joins.push_back(j);
     }
   }
-  for (const TabId t : ids<TabId>(with_tabs ? nets.tabs.size() : 0)) {
+  for (const TabId t : ids<TabId>(nets.tabs.size())) {
     if (!frame.is_slit(surface, surface.edge(nets.tabs[t].side))) {
       result.tab_number[t] = static_cast<std::uint32_t>(result.tabs.size());
       result.tabs.push_back(t);
@@ -120,7 +120,7 @@ void write_pages(JsonText& json, const NetFrame& frame, const Pages* pages) {
 }
 
 void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const NetFrame& frame,
-                 const Gluing& glue, bool with_tabs) {
+                 const Gluing& glue) {
   json.list("ridgecraft:joins", glue.joins.size(), [&](std::size_t i) {
     const unfold::Join& join = nets.joins[glue.joins[i]];
     const auto [c, d] = surface.sides(join.edge);
@@ -131,12 +131,11 @@ void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const
     json.raw(",");
     json.number(frame.edge[d]);
     json.raw("],\"tab\":");
-    if (with_tabs && join.tab.valid()) {
+    if (join.tab.valid()) {
       json.number(glue.tab_number[join.tab]);
     } else {
       json.raw("null,\"why\":");
-      json.string(join.tab.valid() ? "tabs belong to pages, and this file has none"
-                                   : unfold::sentence(join.no_tab));
+      json.string(unfold::sentence(join.no_tab));
     }
     json.raw("}");
   });
@@ -215,8 +214,7 @@ std::string write_fold(const mesh::Prepared& model, const IdVector<FaceId, PartI
   const Surface& surface = model.model.surface;
   RIDGECRAFT_ASSERT(part.size() == surface.face_count());
   const NetFrame frame = net_frame(surface, nets, pages);
-  const bool with_tabs = pages != nullptr;
-  const Gluing glue = gluing(surface, nets, frame, with_tabs);
+  const Gluing glue = gluing(surface, nets, frame);
   JsonText json;
   json.raw("{");
   write_head(json, mark, settings);
@@ -229,7 +227,7 @@ std::string write_fold(const mesh::Prepared& model, const IdVector<FaceId, PartI
             [&](std::size_t i) { json.number(nets.piece[FaceId(i)].value()); });
   write_pieces(json, nets, frame);
   write_pages(json, frame, pages);
-  write_joins(json, surface, nets, frame, glue, with_tabs);
+  write_joins(json, surface, nets, frame, glue);
   write_model(json, surface, part);
   json.raw("\n}\n");
   return std::move(json).take();
