@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ridgecraft::segment {
 namespace {
@@ -12,10 +11,6 @@ namespace {
 constexpr double parallel_cosine = 1e-9;
 /// A hull facet whose doubled area is below this share of its longest side squared carries no plane (2.5).
 constexpr double sliver_share = 1e-7;
-/// Difference of normals and offsets up to which two planes are one: rounding, a thousand triangles in a row.
-constexpr double same_plane = 1e-10;
-constexpr std::size_t lanes = 4;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -24,7 +19,7 @@ HullDepth::HullDepth(const ScaledSurface& surface)
 
 void HullDepth::select(const Hull& hull) {
   hull_ = &hull;
-  planes_known_ = false;
+  last_ = 0;
   ++current_;
   for (const std::uint32_t v : hull.vertices) {
     mark_[v] = current_;
@@ -32,83 +27,80 @@ void HullDepth::select(const Hull& hull) {
   }
 }
 
-void HullDepth::find_planes() {
-  planes_known_ = true;
-  x_.clear();
-  y_.clear();
-  z_.clear();
-  offset_.clear();
+std::uint32_t HullDepth::across(std::uint32_t triangle, std::size_t side) const {
+  const auto& [one, two] = hull_->edge_triangles[hull_->triangle_edges[triangle][side]];
+  return one == triangle ? two : one;
+}
+
+/// Infinite where the plane is behind or the triangle is too thin to have one.
+double HullDepth::to_plane(std::uint32_t triangle, Vec3 p, Vec3 n) const {
   const auto& points = surface_->points;
-  all_.assign(hull_->triangles.size(), Plane{});
-  for (std::uint32_t t = 0; t < all_.size(); ++t) {
+  const auto& [a, b, c] = hull_->triangles[triangle];
+  const Vec3 u = points[b] - points[a];
+  const Vec3 v = points[c] - points[a];
+  const Vec3 w = points[c] - points[b];
+  const Vec3 outward = cross(u, v);
+  const double size = length(outward);
+  const double cosine = dot(outward, n);
+  if (size <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)}) ||
+      cosine <= parallel_cosine * size) {
+    return INFINITY;
+  }
+  return std::max(0.0, dot(outward, points[a] - p)) / cosine;
+}
+
+/// The triangle through which the ray from p along n leaves the hull: seen from p, triangles tile the sphere
+/// of directions, and each step crosses a side that n lies beyond. Nothing where rounding sends the walk in
+/// circles or p isn't inside.
+std::optional<std::uint32_t> HullDepth::walk(Vec3 p, Vec3 n) {
+  const auto& points = surface_->points;
+  // A straight walk over a round hull of t triangles takes about their square root.
+  const std::size_t most_steps = 64 + 8 * static_cast<std::size_t>(std::sqrt(hull_->triangles.size()));
+  std::uint32_t t = last_;
+  for (std::size_t step = 0; step < most_steps; ++step) {
     const auto& [a, b, c] = hull_->triangles[t];
-    const Vec3 u = points[b] - points[a];
-    const Vec3 v = points[c] - points[a];
-    const Vec3 w = points[c] - points[b];
-    const Vec3 n = cross(u, v);
-    const double size = length(n);
-    if (size <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)})) {
-      continue;
+    const Vec3 to_a = points[a] - p;
+    const Vec3 to_b = points[b] - p;
+    const Vec3 to_c = points[c] - p;
+    const std::array<double, 3> beyond{dot(n, cross(to_a, to_b)), dot(n, cross(to_b, to_c)),
+                                       dot(n, cross(to_c, to_a))};
+    const auto side =
+        static_cast<std::size_t>(std::min_element(beyond.begin(), beyond.end()) - beyond.begin());
+    if (beyond[side] >= 0.0) {
+      last_ = t;
+      return t;
     }
-    all_[t] = {n / size, dot(n / size, points[a])};
-    if (!continues_neighbor(t)) {
-      x_.push_back(all_[t].normal.x);
-      y_.push_back(all_[t].normal.y);
-      z_.push_back(all_[t].normal.z);
-      offset_.push_back(all_[t].offset);
-    }
+    t = across(t, side);
   }
-  // Whole groups of lanes: a plane without normal limits nothing.
-  while (x_.size() % lanes != 0) {
-    x_.push_back(0.0);
-    y_.push_back(0.0);
-    z_.push_back(0.0);
-    offset_.push_back(0.0);
-  }
+  return std::nullopt;
 }
 
-/// Whether a triangle lies in the plane of one beside it that came before: one plane of a flat face is
-/// enough.
-bool HullDepth::continues_neighbor(std::uint32_t t) const {
-  for (const std::uint32_t e : hull_->triangle_edges[t]) {
-    const auto& [one, two] = hull_->edge_triangles[e];
-    const Plane& other = all_[one == t ? two : one];
-    if ((one == t ? two : one) < t && length(other.normal - all_[t].normal) < same_plane &&
-        std::abs(other.offset - all_[t].offset) < same_plane) {
-      return true;
-    }
-  }
-  return false;
-}
-
-double HullDepth::along_normal(std::uint32_t v) const {
+double HullDepth::along_normal(std::uint32_t v) {
   const Vec3 p = surface_->points[v];
   const Vec3 n = surface_->vertex_normals[v];
-  double best[lanes] = {INFINITY, INFINITY, INFINITY, INFINITY};
-  for (std::size_t i = 0; i < x_.size(); i += lanes) {
-    for (std::size_t j = 0; j < lanes; ++j) {
-      const double cosine = x_[i + j] * n.x + y_[i + j] * n.y + z_[i + j] * n.z;
-      const double gap = offset_[i + j] - (x_[i + j] * p.x + y_[i + j] * p.y + z_[i + j] * p.z);
-      // Divided first, chosen after: compilers then do all lanes at once.
-      const double depth = (gap > 0.0 ? gap : 0.0) / cosine;
-      const double limit = cosine > parallel_cosine ? depth : infinite;
-      best[j] = limit < best[j] ? limit : best[j];
+  if (const auto exit = walk(p, n)) {
+    // The hull is that of points lifted a little (hull.hpp), so a neighbour's plane may be a little nearer;
+    // and the triangle may be a sliver.
+    double depth = to_plane(*exit, p, n);
+    for (std::size_t side = 0; side < 3; ++side) {
+      depth = std::min(depth, to_plane(across(*exit, side), p, n));
+    }
+    if (std::isfinite(depth)) {
+      return depth;
     }
   }
-  return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
+  double depth = INFINITY;
+  for (std::uint32_t t = 0; t < hull_->triangles.size(); ++t) {
+    depth = std::min(depth, to_plane(t, p, n));
+  }
+  return depth;
 }
 
 double HullDepth::at(std::uint32_t v) {
   if (mark_[v] != current_) {
     mark_[v] = current_;
-    if (hull_->flat || surface_->vertex_normals[v] == Vec3{}) {
-      depth_[v] = INFINITY;
-    } else {
-      if (!planes_known_) {
-        find_planes();
-      }
-      depth_[v] = along_normal(v);
-    }
+    const bool unlimited = hull_->flat || surface_->vertex_normals[v] == Vec3{};
+    depth_[v] = unlimited ? INFINITY : along_normal(v);
   }
   return depth_[v];
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "segment/hull.hpp"
@@ -17,31 +17,23 @@ class HullDepth {
   explicit HullDepth(const ScaledSurface& surface);
   /// Must be called when the part changes; the hull must stay alive.
   void select(const Hull& hull);
-  /// Distance from v along its normal to the hull's boundary; 0 for hull vertices; infinite when v has no
-  /// normal or the hull is flat. O(hull) when first asked for a vertex.
+  /// Distance from v, a point in the hull, along its normal to the hull's boundary; 0 for hull vertices;
+  /// infinite when v has no normal or the hull is flat. When first asked for a vertex: a walk over the hull
+  /// from where the last one ended.
   [[nodiscard]] double at(std::uint32_t v);
 
  private:
-  struct Plane {
-    Vec3 normal;  ///< zero for a sliver
-    double offset = 0.0;
-  };
-
-  void find_planes();
-  [[nodiscard]] bool continues_neighbor(std::uint32_t t) const;
-  [[nodiscard]] double along_normal(std::uint32_t v) const;
+  [[nodiscard]] double along_normal(std::uint32_t v);
+  [[nodiscard]] std::optional<std::uint32_t> walk(Vec3 p, Vec3 n);
+  [[nodiscard]] double to_plane(std::uint32_t triangle, Vec3 p, Vec3 n) const;
+  [[nodiscard]] std::uint32_t across(std::uint32_t triangle, std::size_t side) const;
 
   const ScaledSurface* surface_;
   const Hull* hull_ = nullptr;
-  bool planes_known_ = false;
   std::uint32_t current_ = 0;
+  std::uint32_t last_ = 0;  ///< triangle at which the last walk ended
   std::vector<std::uint32_t> mark_;
   std::vector<double> depth_;
-  std::vector<Plane> all_;  ///< per triangle of the hull
-  std::vector<double> x_;   ///< planes x X + y Y + z Z = offset, unit normals outward
-  std::vector<double> y_;
-  std::vector<double> z_;
-  std::vector<double> offset_;
 };
 
 }  // namespace ridgecraft::segment

@@ -60,9 +60,7 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
   const bool test = mode == MeasureMode::test || mode == MeasureMode::test_scratch;
   const bool scratch = mode == MeasureMode::scratch || mode == MeasureMode::test_scratch;
   if (test) {
-    std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
-      return out.bridges[i].length > out.bridges[j].length;
-    });
+    longest_first(out.bridges);
   }
   std::size_t searched = 0;
   for (const std::uint32_t i : order_) {
@@ -83,6 +81,18 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
       out.stopped = true;
       return;
     }
+  }
+}
+
+void Measurer::longest_first(std::span<const Bridge> bridges) {
+  // Lengths are copied beside the numbers, so that sorting doesn't look them up all over memory.
+  ranked_.resize(bridges.size());
+  for (std::uint32_t i = 0; i < bridges.size(); ++i) {
+    ranked_[i] = {-bridges[i].length, i};
+  }
+  std::sort(ranked_.begin(), ranked_.end());
+  for (std::size_t i = 0; i < ranked_.size(); ++i) {
+    order_[i] = ranked_[i].second;
   }
 }
 

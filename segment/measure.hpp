@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mesh/context.hpp"
@@ -67,6 +68,7 @@ class Measurer {
   [[nodiscard]] const Context& context() const { return *context_; }
 
  private:
+  void longest_first(std::span<const Bridge> bridges);
   [[nodiscard]] bool is_zero(Bridge& bridge) const;
   bool derive(std::uint32_t index, Measurement& m) const;
   bool derive_from(Bridge& bridge, const Bridge& source, double moved) const;
@@ -91,6 +93,7 @@ class Measurer {
   std::vector<double> concavity_;
   std::vector<double> capped_;
   std::vector<std::uint32_t> order_;
+  std::vector<std::pair<double, std::uint32_t>> ranked_;
 };
 
 }  // namespace ridgecraft::segment

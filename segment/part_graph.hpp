@@ -73,6 +73,8 @@ class PartGraph {
   [[nodiscard]] bool jump_exists(std::uint32_t p, std::uint32_t q) const;
 
   [[nodiscard]] const ScaledSurface& surface() const { return *surface_; }
+  /// Of the whole surface; above 0.
+  [[nodiscard]] double mean_arc_length() const { return graph_->mean_length; }
 
  private:
   void find_loops();

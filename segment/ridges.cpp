@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace ridgecraft::segment {
 namespace {
@@ -56,11 +57,11 @@ std::vector<Ridge> find_ridges(const Measurement& m, std::span<const Vec3> point
   };
   Sets sets(hull.size());
   std::vector<double> reach(hull.size(), -1.0);
-  std::vector<std::uint32_t> low;
+  std::vector<std::pair<double, std::uint32_t>> low;  // length of the valley, number
   for (std::uint32_t i = 0; i < m.bridges.size(); ++i) {
     const Bridge& b = m.bridges[i];
     if (b.state == Bridge::State::low) {
-      low.push_back(i);
+      low.emplace_back(b.length, i);
       continue;
     }
     const std::uint32_t a = local(b.a);
@@ -69,10 +70,8 @@ std::vector<Ridge> find_ridges(const Measurement& m, std::span<const Vec3> point
     reach[a] = std::max(reach[a], b.reach_a);
     reach[c] = std::max(reach[c], b.reach_b);
   }
-  std::stable_sort(low.begin(), low.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return m.bridges[i].length < m.bridges[j].length;
-  });
-  for (const std::uint32_t i : low) {
+  std::sort(low.begin(), low.end());
+  for (const auto& [length, i] : low) {
     sets.join(local(m.bridges[i].a), local(m.bridges[i].b));
   }
   // Hull vertices ascend, so ridges are numbered by their smallest one.

@@ -2,64 +2,20 @@
 #include "segment/valley_search.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace ridgecraft::segment {
 namespace {
 
-/// Floats that aren't negative are ordered as their bits are.
-std::uint64_t heap_entry(float key, std::uint32_t v) {
-  return std::uint64_t{std::bit_cast<std::uint32_t>(key)} << 32U | v;
-}
+/// Width of the queue's buckets, in mean lengths of an arc: about a dozen buckets are then in use at once.
+constexpr double bucket_share = 0.125;
 
 }  // namespace
 
-ValleySearch::ValleySearch(const PartGraph& graph) : graph_(&graph), nodes_(graph.surface().vertex_count()) {}
-
-void ValleySearch::push(float key, std::uint32_t v) {
-  const std::uint64_t entry = heap_entry(key, v);
-  std::size_t i = heap_.size();
-  heap_.push_back(entry);
-  while (i > 0) {
-    const std::size_t up = (i - 1) / 4;
-    if (heap_[up] <= entry) {
-      break;
-    }
-    heap_[i] = heap_[up];
-    i = up;
-  }
-  heap_[i] = entry;
-}
-
-std::uint64_t ValleySearch::pop() {
-  const std::uint64_t top = heap_.front();
-  const std::uint64_t last = heap_.back();
-  heap_.pop_back();
-  const std::size_t n = heap_.size();
-  if (n == 0) {
-    return top;
-  }
-  std::size_t i = 0;
-  for (;;) {
-    const std::size_t child = 4 * i + 1;
-    if (child >= n) {
-      break;
-    }
-    std::size_t least = child;
-    const std::size_t end = std::min(child + 4, n);
-    for (std::size_t c = child + 1; c < end; ++c) {
-      least = heap_[c] < heap_[least] ? c : least;
-    }
-    if (heap_[least] >= last) {
-      break;
-    }
-    heap_[i] = heap_[least];
-    i = least;
-  }
-  heap_[i] = last;
-  return top;
-}
+ValleySearch::ValleySearch(const PartGraph& graph)
+    : graph_(&graph),
+      nodes_(graph.surface().vertex_count()),
+      bucket_width_(static_cast<float>(bucket_share * graph.mean_arc_length())) {}
 
 void ValleySearch::relax_jumps(std::uint32_t v, std::uint32_t target) {
   const std::uint32_t loop = graph_->loop_at(v);
@@ -86,23 +42,23 @@ void ValleySearch::relax_jumps(std::uint32_t v, std::uint32_t target) {
     node.key = reached;
     node.from = v;
     node.arc = jump_arc;
-    push(static_cast<float>(reached) + node.estimate, q);
+    queue_.push(static_cast<float>(reached) + node.estimate, q);
   }
 }
 
 double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step>& path) {
   ++search_;
-  heap_.clear();
   path.clear();
   const auto& points = graph_->surface().points;
   const Vec3 goal = points[to];
   nodes_[from] = {0.0, static_cast<float>(length(goal - points[from])), search_, none, none};
-  push(nodes_[from].estimate, from);
-  while (!heap_.empty()) {
-    const std::uint64_t entry = pop();
-    const auto v = static_cast<std::uint32_t>(entry & 0xffffffffU);
+  queue_.start(nodes_[from].estimate, bucket_width_);
+  queue_.push(nodes_[from].estimate, from);
+  BucketQueue::Entry entry = 0;
+  while (queue_.pop(entry)) {
+    const std::uint32_t v = BucketQueue::vertex(entry);
     const double key = nodes_[v].key;
-    if (heap_entry(static_cast<float>(key) + nodes_[v].estimate, v) != entry) {
+    if (BucketQueue::entry(static_cast<float>(key) + nodes_[v].estimate, v) != entry) {
       continue;  // a shorter way was found since
     }
     if (v == to) {
@@ -120,7 +76,7 @@ double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step
       node.key = reached;
       node.from = v;
       node.arc = i;
-      push(static_cast<float>(reached) + node.estimate, arc.target);
+      queue_.push(static_cast<float>(reached) + node.estimate, arc.target);
     });
     relax_jumps(v, to);
   }
@@ -136,7 +92,7 @@ double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step
 
 void ValleySearch::flood(std::span<const Start> starts, double limit, std::vector<std::uint32_t>& reached) {
   ++search_;
-  heap_.clear();
+  queue_.start(0.0F, bucket_width_);
   reached.clear();
   double least = 0.0;
   for (const Start& s : starts) {
@@ -147,14 +103,14 @@ void ValleySearch::flood(std::span<const Start> starts, double limit, std::vecto
     Node& node = nodes_[s.vertex];
     if (s.key < limit && (node.search != search_ || s.key < node.key)) {
       node = {s.key, 0.0F, search_, none, none};
-      push(static_cast<float>(s.key - least), s.vertex);
+      queue_.push(static_cast<float>(s.key - least), s.vertex);
     }
   }
-  while (!heap_.empty()) {
-    const std::uint64_t entry = pop();
-    const auto v = static_cast<std::uint32_t>(entry & 0xffffffffU);
+  BucketQueue::Entry entry = 0;
+  while (queue_.pop(entry)) {
+    const std::uint32_t v = BucketQueue::vertex(entry);
     Node& here = nodes_[v];
-    if (heap_entry(static_cast<float>(here.key - least), v) != entry || here.from == v) {
+    if (BucketQueue::entry(static_cast<float>(here.key - least), v) != entry || here.from == v) {
       continue;
     }
     here.from = v;  // settled
@@ -170,7 +126,7 @@ void ValleySearch::flood(std::span<const Start> starts, double limit, std::vecto
         return;  // settled; rounding of float keys only
       }
       node = {next, 0.0F, search_, none, none};
-      push(static_cast<float>(next - least), arc.target);
+      queue_.push(static_cast<float>(next - least), arc.target);
     });
   }
 }

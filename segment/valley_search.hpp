@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "segment/bucket_queue.hpp"
 #include "segment/part_graph.hpp"
 
 namespace ridgecraft::segment {
@@ -59,12 +60,11 @@ class ValleySearch {
   };
 
   void relax_jumps(std::uint32_t v, std::uint32_t target);
-  void push(float key, std::uint32_t v);
-  std::uint64_t pop();
 
   const PartGraph* graph_;
   std::vector<Node> nodes_;
-  std::vector<std::uint64_t> heap_;  ///< key as bits of a float, then vertex: four-way heap
+  BucketQueue queue_;
+  float bucket_width_ = 1.0F;
   std::uint32_t search_ = 0;
 };
 

@@ -115,6 +115,11 @@ VertexGraph build_vertex_graph(const ScaledSurface& s, double sagitta) {
       }
     }
   }
+  double sum = 0.0;
+  for (const Arc& arc : graph.arcs) {
+    sum += static_cast<double>(arc.length);
+  }
+  graph.mean_length = sum > 0.0 ? sum / static_cast<double>(total) : 1.0;
   return graph;
 }
 

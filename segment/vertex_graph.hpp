@@ -25,6 +25,7 @@ struct VertexGraph {
   std::vector<Arc> arcs;  ///< of vertex v: arcs[first[v]] ... arcs[first[v + 1]], along edges first
   std::vector<std::uint32_t> first;   ///< one longer than there are vertices
   std::vector<std::uint32_t> across;  ///< of vertex v: its first arc across an edge
+  double mean_length = 1.0;           ///< of an arc; 1 where all are points
 };
 
 /// `sagitta`: arcs across an edge that dip or rise by more than this from the straight line between their
