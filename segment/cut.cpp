@@ -7,6 +7,13 @@
 #include <numeric>
 
 namespace ridgecraft::segment {
+namespace {
+
+/// From so many facets on a cut is first looked for among clusters of them. No benchmark model has as many;
+/// below, the whole flow takes milliseconds.
+constexpr std::size_t coarse_from = 50000;
+
+}  // namespace
 
 Cutter::Cutter(const ScaledSurface& surface, const EdgeWeights& weights)
     : surface_(&surface),
@@ -96,13 +103,19 @@ std::vector<Facets> Cutter::cut(Measurer& measurer, const Measurement& measureme
 void Cutter::cut_off(const PartGraph& part, std::uint32_t ridge) {
   cut_off_[ridge] = true;
   flood_fuzzy(part, ridge);
-  build_flow(part, ridge);
-  flow_.run();
+  side_.assign(nodes_.size(), CutSide::open);
+  if (nodes_.size() >= coarse_from) {
+    narrow_down(part, ridge);
+  }
+  do {
+    build_flow(part, ridge);
+    flow_.run();
+  } while (touched_holds(part) && coarse_.widen(touched_, side_));
   for (const std::uint32_t f : regions_.must_link(ridge)) {
     label_[f] = ridge;
   }
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    if (flow_.on_source_side(i)) {
+    if (side_[i] == CutSide::source || (side_[i] == CutSide::open && flow_.on_source_side(flow_node_[i]))) {
       label_[nodes_[i]] = ridge;
     }
   }
@@ -129,28 +142,97 @@ void Cutter::flood_fuzzy(const PartGraph& part, std::uint32_t ridge) {
   }
 }
 
-void Cutter::build_flow(const PartGraph& part, std::uint32_t ridge) {
-  flow_.reset(static_cast<std::uint32_t>(nodes_.size()));
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    const std::uint32_t f = nodes_[i];
-    for (unsigned k = 0; k < 3; ++k) {
-      const std::uint32_t g = surface_->neighbors[f][k];
-      if (!part.has(g)) {
-        continue;
+/// Calls inner(side, other node, capacity) for each side of a node beyond which another one lies; gives what
+/// goes to the regions that are source and sink.
+template <class Inner>
+void Cutter::for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t node, Inner inner,
+                       std::int64_t& source, std::int64_t& sink) const {
+  const std::uint32_t f = nodes_[node];
+  source = 0;
+  sink = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    const std::uint32_t g = surface_->neighbors[f][k];
+    if (!part.has(g)) {
+      continue;
+    }
+    const std::int64_t capacity =
+        surface_->same_group(f, g) ? MaximumFlow::infinite_capacity : weights_->capacity[3 * f + k];
+    const std::uint32_t owner = regions_.owner(g);
+    if (owner == fuzzy) {
+      if (node_mark_[g] == mark_) {
+        inner(k, node_[g], capacity);
       }
-      const std::int64_t capacity =
-          surface_->same_group(f, g) ? MaximumFlow::infinite_capacity : weights_->capacity[3 * f + k];
-      const std::uint32_t owner = regions_.owner(g);
-      if (owner == fuzzy) {
-        if (node_mark_[g] == mark_) {
-          flow_.set_arc(i, k, node_[g], capacity);
-        }
-      } else if (owner == ridge) {
-        flow_.add_source(i, capacity);
-      } else if (!cut_off_[owner]) {
-        flow_.add_sink(i, capacity);
+    } else if (owner == ridge) {
+      source += capacity;
+    } else if (!cut_off_[owner]) {
+      sink += capacity;
+    }
+  }
+}
+
+/// Decides most nodes by a cut between clusters.
+void Cutter::narrow_down(const PartGraph& part, std::uint32_t ridge) {
+  coarse_graph_.reset(nodes_.size());
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const auto inner = [&](unsigned k, std::uint32_t other, std::int64_t capacity) {
+      coarse_graph_.sides[i][k] = {other, capacity, weights_->smoothness[3 * nodes_[i] + k] < 1.0};
+    };
+    for_sides(part, ridge, i, inner, coarse_graph_.source[i], coarse_graph_.sink[i]);
+  }
+  coarse_.run(coarse_graph_, side_);
+}
+
+/// Whether the cut runs against nodes that were decided among clusters: a better one may lie beyond.
+bool Cutter::touched_holds(const PartGraph& part) {
+  touched_.clear();
+  if (nodes_.size() < coarse_from) {
+    return false;
+  }
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    if (side_[i] != CutSide::open) {
+      continue;
+    }
+    const CutSide other_side = flow_.on_source_side(flow_node_[i]) ? CutSide::sink : CutSide::source;
+    for (const std::uint32_t g : surface_->neighbors[nodes_[i]]) {
+      if (part.has(g) && node_mark_[g] == mark_ && side_[node_[g]] == other_side) {
+        touched_.push_back(node_[g]);
       }
     }
+  }
+  return !touched_.empty();
+}
+
+void Cutter::build_flow(const PartGraph& part, std::uint32_t ridge) {
+  flow_node_.resize(nodes_.size());
+  std::uint32_t open = 0;
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    flow_node_[i] = open;
+    open += side_[i] == CutSide::open ? 1U : 0U;
+  }
+  flow_.reset(open);
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    if (side_[i] != CutSide::open) {
+      continue;
+    }
+    const std::uint32_t node = flow_node_[i];
+    const auto inner = [&](unsigned k, std::uint32_t other, std::int64_t capacity) {
+      switch (side_[other]) {
+        case CutSide::open:
+          flow_.set_arc(node, k, flow_node_[other], capacity);
+          break;
+        case CutSide::source:
+          flow_.add_source(node, capacity);
+          break;
+        case CutSide::sink:
+          flow_.add_sink(node, capacity);
+          break;
+      }
+    };
+    std::int64_t source = 0;
+    std::int64_t sink = 0;
+    for_sides(part, ridge, i, inner, source, sink);
+    flow_.add_source(node, source);
+    flow_.add_sink(node, sink);
   }
 }
 

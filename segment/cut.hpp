@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "segment/coarse_cut.hpp"
 #include "segment/edge_weights.hpp"
 #include "segment/maximum_flow.hpp"
 #include "segment/measure.hpp"
@@ -42,7 +43,12 @@ class Cutter {
   [[nodiscard]] std::vector<std::uint32_t> cut_order(std::span<const Ridge> ridges);
   void cut_off(const PartGraph& part, std::uint32_t ridge);
   void flood_fuzzy(const PartGraph& part, std::uint32_t ridge);
+  template <class Inner>
+  void for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t node, Inner inner,
+                 std::int64_t& source, std::int64_t& sink) const;
+  void narrow_down(const PartGraph& part, std::uint32_t ridge);
   void build_flow(const PartGraph& part, std::uint32_t ridge);
+  [[nodiscard]] bool touched_holds(const PartGraph& part);
 
   const ScaledSurface* surface_;
   const EdgeWeights* weights_;
@@ -50,10 +56,15 @@ class Cutter {
   MaximumFlow flow_;
   std::vector<std::uint32_t> label_;  ///< per facet: ridge that it was cut off with, or none
   std::vector<bool> cut_off_;         ///< per ridge
-  std::vector<std::uint32_t> node_;   ///< per facet: flow node when node_mark_ says so
+  std::vector<std::uint32_t> node_;   ///< per facet: its place in nodes_ when node_mark_ says so
   std::vector<std::uint32_t> node_mark_;
   std::uint32_t mark_ = 0;
-  std::vector<std::uint32_t> nodes_;  ///< facet of each flow node
+  std::vector<std::uint32_t> nodes_;  ///< facets that a cut may run through
+  CoarseCut coarse_;
+  CutGraph coarse_graph_;
+  std::vector<CutSide> side_;             ///< of each of nodes_
+  std::vector<std::uint32_t> touched_;    ///< places in nodes_
+  std::vector<std::uint32_t> flow_node_;  ///< of each of nodes_ that is open
 };
 
 }  // namespace ridgecraft::segment

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts narrowed down on clusters, against cuts through the whole graph.
+#include "segment/coarse_cut.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "mesh/context.hpp"
+
+namespace ridgecraft::segment {
+namespace {
+
+constexpr std::uint32_t rows = 60;
+constexpr std::uint32_t columns = 60;
+
+/// Triangles of a grid of squares, each cut in two: node 2 s lies below the diagonal of square s, node 2 s +
+/// 1 above. `price` of an arc by the squares at its ends; source along the left border, sink along the right
+/// one.
+template <class Price>
+CutGraph grid(Price price) {
+  CutGraph graph;
+  graph.reset(2 * rows * columns);
+  const auto join = [&](std::uint32_t i, unsigned k, std::uint32_t j, unsigned l) {
+    const std::int64_t capacity = price(i / 2, j / 2);
+    graph.sides[i][k] = {j, capacity, false};
+    graph.sides[j][l] = {i, capacity, false};
+  };
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    for (std::uint32_t column = 0; column < columns; ++column) {
+      const std::uint32_t s = row * columns + column;
+      join(2 * s, 0, 2 * s + 1, 0);
+      if (column + 1 < columns) {
+        join(2 * s, 1, 2 * (s + 1) + 1, 1);
+      }
+      if (row + 1 < rows) {
+        join(2 * s + 1, 2, 2 * (s + columns), 2);
+      }
+      graph.source[2 * s + 1] = column == 0 ? 1000 : 0;
+      graph.sink[2 * s] = column + 1 == columns ? 1000 : 0;
+    }
+  }
+  return graph;
+}
+
+/// Which nodes are on the source's side when those of `side` that aren't open are held.
+std::vector<bool> cut(const CutGraph& graph, const std::vector<CutSide>& side) {
+  const auto n = static_cast<std::uint32_t>(graph.sides.size());
+  MaximumFlow flow;
+  flow.reset(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const CutGraph::Side& arc = graph.sides[i][k];
+      if (arc.other != MaximumFlow::no_node) {
+        flow.set_arc(i, k, arc.other, arc.capacity);
+      }
+    }
+    flow.add_source(i, side[i] == CutSide::source ? MaximumFlow::infinite_capacity : graph.source[i]);
+    flow.add_sink(i, side[i] == CutSide::sink ? MaximumFlow::infinite_capacity : graph.sink[i]);
+  }
+  flow.run();
+  std::vector<bool> on_source(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    on_source[i] = flow.on_source_side(i);
+  }
+  return on_source;
+}
+
+std::int64_t price_of(const CutGraph& graph, const std::vector<bool>& on_source) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < on_source.size(); ++i) {
+    sum += on_source[i] ? graph.sink[i] : graph.source[i];
+    for (const CutGraph::Side& arc : graph.sides[i]) {
+      sum += on_source[i] && arc.other != MaximumFlow::no_node && !on_source[arc.other] ? arc.capacity : 0;
+    }
+  }
+  return sum;
+}
+
+/// Nodes that are held on one side and beside an open one that came to the other.
+std::vector<std::uint32_t> touched_holds(const CutGraph& graph, const std::vector<CutSide>& side,
+                                         const std::vector<bool>& on_source) {
+  std::vector<std::uint32_t> touched;
+  for (std::uint32_t i = 0; i < side.size(); ++i) {
+    for (const CutGraph::Side& arc : graph.sides[i]) {
+      if (arc.other != MaximumFlow::no_node && side[i] != CutSide::open && side[arc.other] == CutSide::open &&
+          on_source[i] != on_source[arc.other]) {
+        touched.push_back(i);
+        break;
+      }
+    }
+  }
+  return touched;
+}
+
+struct Compared {
+  std::int64_t whole;
+  std::int64_t narrowed;
+  std::size_t open;
+};
+
+Compared compare(const CutGraph& graph) {
+  CoarseCut coarse;
+  std::vector<CutSide> side;
+  coarse.run(graph, side);
+  std::vector<bool> narrowed;
+  std::vector<std::uint32_t> touched;
+  std::int64_t last_price = MaximumFlow::infinite_capacity;
+  do {
+    narrowed = cut(graph, side);
+    touched = touched_holds(graph, side, narrowed);
+    CHECK(price_of(graph, narrowed) <= last_price);
+    last_price = price_of(graph, narrowed);
+  } while (!touched.empty() && coarse.widen(touched, side));
+  const std::vector<CutSide> all_open(graph.sides.size(), CutSide::open);
+  return {price_of(graph, cut(graph, all_open)), price_of(graph, narrowed),
+          static_cast<std::size_t>(std::count(side.begin(), side.end(), CutSide::open))};
+}
+
+}  // namespace
+
+TEST_CASE("a cut along a cheap line is found among clusters", "[segment]") {
+  for (const std::uint32_t line : {5U, 29U, 52U}) {
+    CutGraph graph = grid([&](std::uint32_t s, std::uint32_t t) {
+      return std::int64_t{std::max(s % columns, t % columns) == line && s % columns != t % columns ? 30
+                                                                                                   : 100};
+    });
+    for (auto& sides : graph.sides) {
+      for (CutGraph::Side& arc : sides) {
+        arc.crease = arc.capacity == 30;
+      }
+    }
+    const Compared found = compare(graph);
+    CHECK(found.narrowed == found.whole);
+    CHECK(found.open < graph.sides.size());
+  }
+}
+
+TEST_CASE("narrowed cuts are the whole graph's or little dearer", "[segment]") {
+  Random random(3);
+  int equal = 0;
+  for (int round = 0; round < 20; ++round) {
+    const CutGraph graph =
+        grid([&](std::uint32_t, std::uint32_t) { return std::int64_t{85 + random.below(30)}; });
+    const Compared found = compare(graph);
+    CHECK(found.narrowed >= found.whole);
+    CHECK(static_cast<double>(found.narrowed) <= 1.05 * static_cast<double>(found.whole));
+    equal += found.narrowed == found.whole ? 1 : 0;
+  }
+  CHECK(equal >= 2);
+}
+
+TEST_CASE("clusters of one node, of no node, and arcs that can't be cut", "[segment]") {
+  CoarseCut coarse;
+  std::vector<CutSide> side;
+  CutGraph graph;
+  coarse.run(graph, side);
+  CHECK(side.empty());
+  // Creases everywhere: every node is its own cluster.
+  graph = grid([](std::uint32_t, std::uint32_t) { return std::int64_t{100}; });
+  for (auto& sides : graph.sides) {
+    for (CutGraph::Side& arc : sides) {
+      arc.crease = true;
+    }
+  }
+  const Compared creased = compare(graph);
+  CHECK(creased.narrowed == creased.whole);
+  // Infinite arcs in all but one column of squares: the cut must run there.
+  graph = grid([](std::uint32_t s, std::uint32_t t) {
+    const bool cheap = s % columns == 29 && t % columns == 30;
+    return cheap ? std::int64_t{100} : MaximumFlow::infinite_capacity;
+  });
+  const Compared held = compare(graph);
+  CHECK(held.whole == 60 * 100);
+  CHECK(held.narrowed == held.whole);
+}
+
+}  // namespace ridgecraft::segment
