@@ -95,28 +95,30 @@ IdVector<FaceId, PartId> parts_for_paper(const mesh::Prepared& prepared, double 
   return unfold::parts_of_whole_panels(prepared.model.surface, prepared.panels, found->part);
 }
 
-/// A sentence where the surface needs hundreds of pages; nothing otherwise. An estimate: pieces fill about
-/// half of their pages.
-std::string many_pages_warning(const mesh::Surface& surface, Vec2 page) {
+/// Where a user may want to stop, and where a maker's evening ends.
+constexpr double many_pages = 100.0;
+constexpr double few_pages = 10.0;
+
+/// Pages that the surface will need: pieces fill about half of them.
+double expected_pages(const mesh::Surface& surface, Vec2 page) {
   constexpr double filled = 0.6;
-  constexpr double many = 100.0;
-  constexpr double few = 10.0;
   double paper = 0.0;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     paper += surface.area(f);
   }
-  const double pages = paper / (filled * page.x * page.y);
-  if (!(pages >= many)) {
-    return {};
-  }
+  return paper / (filled * page.x * page.y);
+}
+
+std::string many_pages_warning(const mesh::Surface& surface, double pages, std::string_view about) {
   const auto two_digits = [](double value) {
     const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) - 1.0));
     return std::round(value / unit) * unit;
   };
   const Vec3 size = surface.bounds().size();
   const double largest = std::max({size.x, size.y, size.z});
-  return fmt::format("this takes about {:.0f} pages; --size {:.0f}mm would take about {:.0f}",
-                     two_digits(pages), two_digits(largest * std::sqrt(few / pages)), few);
+  return fmt::format("this takes {}{:.0f} pages; --size {:.0f}mm would take about {:.0f}", about,
+                     about.empty() ? pages : two_digits(pages),
+                     two_digits(largest * std::sqrt(few_pages / pages)), few_pages);
 }
 
 std::size_t count_parts(const IdVector<FaceId, PartId>& part) {
@@ -239,8 +241,9 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   });
   const mesh::Surface& surface = result.prepared.model.surface;
   result.slivers = mesh::count_narrow_faces(surface, result.prepared.panels, sliver_mm);
-  if (const std::string warning = many_pages_warning(surface, area); !warning.empty()) {
-    remark(warning);
+  const double expected = expected_pages(surface, area);
+  if (expected >= many_pages) {
+    remark(many_pages_warning(surface, expected, "about "));
   }
   std::vector<std::string> notes;
   const auto part =
@@ -253,6 +256,10 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   });
   result.nets.notes.insert(result.nets.notes.begin(), notes.begin(), notes.end());
   result.pages = clock("lay out", context, [&] { return paper::layout(result.nets, job.paper, context); });
+  if (const auto count = static_cast<double>(result.pages.count);
+      count >= many_pages && expected < many_pages) {
+    remark(many_pages_warning(surface, count, ""));
+  }
   const auto drawings = clock("draw", context, [&] {
     return paper::draw(result.prepared, result.nets, result.pages, job.style, &result.drawn);
   });

@@ -42,14 +42,16 @@ constexpr PackingDetail loose_detail{200.0, 12};
 /// Shapes stay in the upper part of a page that isn't full, this far below its border, mm.
 constexpr double most_from_top = 8.0;
 
-/// As fine as some 20 ms of drawing shapes into bitmaps allow: turns find room, where shapes are few.
+/// As fine as some 20 ms of drawing shapes into bitmaps allow; turns find room, where shapes are few.
 PackingDetail detail_for(const PackingTask& task) {
   constexpr std::size_t most_drawn = 40'000;
+  constexpr std::size_t most_turned = 4'000;
   std::size_t polygons = 1;
   for (const PackingShape& shape : task.shapes) {
     polygons += shape.convex.size();
   }
-  return {task.shapes.size() > 150 ? 220.0 : 300.0, std::clamp<std::size_t>(most_drawn / polygons, 4, 64)};
+  const std::size_t turns = std::min(most_drawn / polygons, most_turned / task.shapes.size());
+  return {task.shapes.size() > 150 ? 220.0 : 300.0, std::clamp<std::size_t>(turns, 4, 64)};
 }
 
 using Order = std::vector<std::uint32_t>;
