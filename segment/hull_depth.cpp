@@ -100,7 +100,7 @@ double HullDepth::at(std::uint32_t v) {
   if (mark_[v] != current_) {
     mark_[v] = current_;
     const bool unlimited = hull_->flat || surface_->vertex_normals[v] == Vec3{};
-    depth_[v] = unlimited ? INFINITY : along_normal(v);
+    depth_[v] = unlimited ? static_cast<double>(INFINITY) : along_normal(v);
   }
   return depth_[v];
 }
