@@ -2,14 +2,19 @@
 // Tabs that make a piece too large for the sheet.
 #pragma once
 
+#include "mesh/context.hpp"
+#include "mesh/panels.hpp"
+#include "mesh/surface.hpp"
 #include "unfold/nets.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::unfold {
 
-/// Takes tabs away, largest first, from each piece that fits the sheet without them but not with them (a face
-/// nearly as large as the sheet: splitting can't help there). Their joins say that there was no room.
-/// O(pieces h^2) where all fit.
-void drop_tabs_beyond_sheet(const Sheet& sheet, Nets& nets);
+/// Brings the tabs of each piece that fits the sheet without them, but not with them, onto the sheet: it is
+/// laid so that most of its tabs are on it, and all tabs are placed afresh, those of that piece inside the
+/// sheet: lower, or from the other side of their join. What finds no place says so (NoTab::no_room).
+/// `nets` has the tabs of place_tabs. O(pieces h^2) where all fit. Throws Error(interrupted).
+void fit_tabs_to_sheet(const mesh::Surface& surface, const mesh::Panels& panels, const TabOptions& options,
+                       const Sheet& sheet, Nets& nets, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -2,6 +2,7 @@
 #include "unfold/tabs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -49,6 +50,37 @@ std::vector<std::uint8_t> preferred_sides(const std::vector<TabSite>& sites, con
   return preferred;
 }
 
+/// How far the walls around a room reach, mm: farther than any tab.
+constexpr double wall_mm = 1000.0;
+
+/// What lies outside a room is in the way of a site's tab.
+void add_walls(const TabRoom& room, const TabOptions& options, TabSite& site) {
+  const ConvexShape widest = widest_tab(site.length, options);
+  if (widest.empty()) {
+    return;
+  }
+  const Vec2 x{std::cos(room.angle), -std::sin(room.angle)};
+  const Vec2 y = perpendicular(x);
+  // Tabs keep the clearance from the walls, and may touch the room's border.
+  const Vec2 low = room.box.low - Vec2{options.clearance_mm, options.clearance_mm};
+  const Vec2 high = room.box.high + Vec2{options.clearance_mm, options.clearance_mm};
+  const auto add = [&](Vec2 from, Vec2 to) {
+    ConvexShape wall;
+    for (const Vec2 p : {from, Vec2{to.x, from.y}, to, Vec2{from.x, to.y}}) {
+      wall.push_back(p.x * x + p.y * y);
+    }
+    const Obstacle obstacle{site.own.in(wall), Obstacle::Kind::thing};
+    if (!clear_of(widest, obstacle, options.clearance_mm)) {
+      site.obstacles.push_back(obstacle);
+    }
+  };
+  const Vec2 far{wall_mm, wall_mm};
+  add(low - far, {low.x, high.y + wall_mm});
+  add({high.x, low.y - wall_mm}, high + far);
+  add(low - far, {high.x + wall_mm, low.y});
+  add({low.x - wall_mm, high.y}, high + far);
+}
+
 /// Why neither side of a join has room.
 NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& options) {
   if (!long_enough(a.length, options)) {
@@ -68,7 +100,7 @@ NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& opti
 }  // namespace
 
 void place_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const TabOptions& options,
-                Nets& nets, const Context& context) {
+                Nets& nets, const Context& context, std::span<const std::optional<TabRoom>> rooms) {
   nets.tabs = {};
   for (Join& join : nets.joins) {
     join.tab = TabId();
@@ -77,7 +109,12 @@ void place_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const 
   if (!options.wanted) {
     return;
   }
-  const std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, options, context);
+  std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, options, context);
+  for (TabSite& site : sites) {
+    if (site.piece.value() < rooms.size() && rooms[site.piece.value()]) {
+      add_walls(*rooms[site.piece.value()], options, site);
+    }
+  }
   const auto chosen = assign_tabs(sites, preferred_sides(sites, nets), options, context);
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];

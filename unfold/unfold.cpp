@@ -286,7 +286,7 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   if (options.tabs.wanted) {
     place_tabs(surface, panels, options.tabs, nets, context);
     if (options.sheet) {
-      drop_tabs_beyond_sheet(*options.sheet, nets);
+      fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context);
     }
   }
   return nets;

@@ -235,6 +235,19 @@ TEST_CASE("tabs that stick out of the sheet are dropped, with the reason", "[unf
   }
 }
 
+TEST_CASE("tabs that stick out of the sheet go where there is room on it", "[unfold]") {
+  // Each square has room for a tab on one of two opposite sides.
+  const mesh::Surface cube = scaled(test::cube(), 60.0);
+  const Options options = on_sheet(65.5, 65.5);
+  const Nets nets = unfold::unfold(cube, test::flat_panels(cube), test::one_part(cube), options, {});
+  CHECK(nets.pieces.size() == 6);
+  CHECK(faults_of(cube, nets, options) == none);
+  CHECK(nets.tabs.size() >= 8);
+  for (const auto& join : nets.joins) {
+    CHECK(join.no_tab == (join.tab.valid() ? unfold::NoTab::has_tab : unfold::NoTab::no_room));
+  }
+}
+
 TEST_CASE("flat regions that are cut may lie in several pieces", "[unfold]") {
   // Rings whose holes hold too few walls, on a sheet that they don't fit: panels are cut and pieces are
   // split.
