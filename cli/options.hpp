@@ -32,6 +32,15 @@ struct SizeArguments {
   std::string asked;  ///< how the size was asked for, for the summary: "--size 150mm"
 };
 
+/// Files that name edges to be cut or kept; empty: none.
+struct EdgeArguments {
+  std::string cuts;  ///< pairs of points
+  std::string keep;
+  std::string from;  ///< nets made before
+
+  [[nodiscard]] bool any() const { return !cuts.empty() || !keep.empty() || !from.empty(); }
+};
+
 /// ridgecraft MODEL
 struct PaperJob {
   CommonOptions common;
@@ -45,6 +54,7 @@ struct PaperJob {
   unfold::TabOptions tabs;
   std::string pieces_asked = "parts";  ///< --pieces
   unfold::PieceRules pieces;
+  EdgeArguments edges;
   paper::Style style;
 };
 
@@ -72,6 +82,7 @@ struct UnfoldJob {
   double concavity = 0.1;
   bool whole = false;  ///< no segmentation: each component is one part
   bool tabs = false;   ///< glue tabs, and nets with room for them
+  EdgeArguments edges;
   std::string output;  ///< FILE.fold; empty: none
   bool overwrite = false;
 };

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/edge_options.hpp"
 #include "cli/targets.hpp"
 #include "mesh/error.hpp"
 #include "mesh/subdivide.hpp"
@@ -221,8 +222,9 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   PaperResult result;
   StageClock& clock = result.clock;
   mesh::Model model = clock("read", context, [&] {
-    return in_time(run, job.model + " was read",
-                   [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
+    return in_time(run, job.model + " was read", [&](const Context& strict) {
+      return mesh::read(job.model, {.keep_points = job.edges.any()}, strict);
+    });
   });
   const paper::Mark mark{program_and_version(), model.name, model.digest};
   // How many pages there will be isn't known yet; what is known is checked before the long work.
@@ -234,9 +236,12 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
 
   result.polygons = model.polygon_count;
   const Vec2 area = paper::piece_area(job.paper);
+  std::vector<std::string> notes;
+  SizeArguments size = job.size;
+  heed_lines(job.edges, model, size, notes);
   result.prepared = clock("prepare", context, [&] {
     return in_time(run, job.model + " was simplified", [&](const Context& strict) {
-      return mesh::prepare(std::move(model), job.size.size, job.size.simplify, area, strict);
+      return mesh::prepare(std::move(model), size.size, size.simplify, area, strict);
     });
   });
   const mesh::Surface& surface = result.prepared.model.surface;
@@ -245,13 +250,14 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   if (expected >= many_pages) {
     remark(many_pages_warning(surface, expected, "about "));
   }
-  std::vector<std::string> notes;
+  const unfold::EdgeWishes wishes = clock(
+      "prepare", context, [&] { return wishes_of(job.edges, job.model, result.prepared, context, notes); });
   const auto part =
       clock("segment", context, [&] { return parts_for_paper(result.prepared, job.concavity, run, notes); });
   result.parts = count_parts(part);
   result.nets = clock("unfold", context, [&] {
     const unfold::Options options{
-        .sheet = unfold::Sheet{area.x, area.y}, .tabs = job.tabs, .pieces = job.pieces};
+        .sheet = unfold::Sheet{area.x, area.y}, .tabs = job.tabs, .pieces = job.pieces, .wishes = wishes};
     return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });
   result.nets.notes.insert(result.nets.notes.begin(), notes.begin(), notes.end());
@@ -293,20 +299,25 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
   UnfoldResult result;
   StageClock& clock = result.clock;
   mesh::Model model = clock("read", context, [&] {
-    return in_time(run, job.model + " was read",
-                   [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
+    return in_time(run, job.model + " was read", [&](const Context& strict) {
+      return mesh::read(job.model, {.keep_points = job.edges.any()}, strict);
+    });
   });
   const paper::Mark mark{program_and_version(), model.name, model.digest};
   if (!job.output.empty()) {
     require_replaceable(job.output, mark.digest, job.overwrite);
   }
+  std::vector<std::string> notes;
+  SizeArguments size = job.size;
+  heed_lines(job.edges, model, size, notes);
   result.prepared = clock("prepare", context, [&] {
     return in_time(run, job.model + " was simplified", [&](const Context& strict) {
-      return mesh::prepare(std::move(model), job.size.size, job.size.simplify, boundless, strict);
+      return mesh::prepare(std::move(model), size.size, size.simplify, boundless, strict);
     });
   });
   const mesh::Surface& surface = result.prepared.model.surface;
-  std::vector<std::string> notes;
+  const unfold::EdgeWishes wishes = clock(
+      "prepare", context, [&] { return wishes_of(job.edges, job.model, result.prepared, context, notes); });
   const auto part = clock("segment", context, [&] {
     return job.whole ? one_part_per_component(surface)
                      : parts_for_paper(result.prepared, job.concavity, run, notes);
@@ -316,6 +327,7 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
     unfold::Options options;
     options.tabs.wanted = job.tabs;
     options.tabs.trials_per_face = patient_trials_per_face;
+    options.wishes = wishes;
     options.panel_cuts = job.whole ? unfold::PanelCuts::before_pieces : unfold::PanelCuts::only_if_too_large;
     return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/edge_options.hpp"
 #include "cli/option_values.hpp"
 #include "cli/piece_options.hpp"
 #include "cli/shared_options.hpp"
@@ -88,6 +89,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
       "Parts", "--concavity", concavity, "TOLERANCE",
       "How far a part may be from convex, as a share of the radius of the model's bounding sphere (0.1).");
   pieces.add_to(verb);
+  add_edge_options(verb, job.edges);
   common.add_to(verb);
   bool version = false;
   verb.flag("Common", "--version", version, "Print the program's version.");
@@ -116,6 +118,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     }
     job.concavity = concavity_or_refuse(concavity);
     job.pieces = pieces.rules();
+    keep_faces_for_wishes(job.edges, job.size);
     job.pieces_asked = pieces.mode;
     job.tabs.wanted = !no_tabs;
     if (!tab_height.empty()) {

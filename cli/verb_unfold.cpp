@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft unfold
+#include "cli/edge_options.hpp"
 #include "cli/option_values.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/verbs.hpp"
@@ -20,6 +21,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");
   verb.flag("Parts", "--whole", job.whole, "Don't cut the model into parts first.");
   verb.option("Parts", "--concavity", concavity, "TOLERANCE", "How far a part may be from convex (0.1).");
+  add_edge_options(verb, job.edges);
   size.add_to(verb, "keep");
   verb.flag("Tabs", "--tabs", job.tabs,
             "Search nets whose cut edges have room for 5 mm glue tabs, and draw these.");
@@ -28,6 +30,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
     require(job.model, "name the model to unfold", "ridgecraft unfold");
     job.common = common.checked();
     job.size = size.checked();
+    keep_faces_for_wishes(job.edges, job.size);
     job.concavity = concavity_or_refuse(concavity);
     return job;
   });

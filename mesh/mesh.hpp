@@ -24,6 +24,7 @@ struct ReadOptions {
   /// Collapse faces without area. Paper can't hold them; segmentation keeps them, since dropping them opens
   /// closed surfaces.
   bool collapse_flat_faces = true;
+  bool keep_points = false;  ///< fill Model::file_points
 };
 
 /// Reads OBJ, STL, PLY or OFF (content decides, the suffix only helps) and repairs it: points joined,

@@ -30,6 +30,12 @@ struct Model {
   /// Per face: texture coordinates of its corners; empty when the model has none.
   IdVector<FaceId, std::array<Vec2, 3>> texture;
 
+  /// Edges that the file marks (Soup::lines), from point to point; they needn't be edges of the surface any more.
+  std::vector<std::array<Vec3, 2>> lines;
+  /// The points of the file in its order; empty unless ReadOptions asks for them. Like lines and the surface's points
+  /// they are in the surface's frame, whatever repair made of them.
+  std::vector<Vec3> file_points;
+
   /// A point of the surface times this is a point of the file. An exact power of two, and 1 unless the file's numbers
   /// are so large or so small that their products would leave the range of a double.
   double file_scale = 1.0;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wavefront OBJ: points, polygons, texture coordinates and materials (Wavefront's "Advanced Visualizer"
-// manual, appendix B1). Curves, lines and the like are counted and ignored.
+// manual, appendix B1). Lines mark edges; curves, points and the like are counted and ignored.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -34,6 +36,8 @@ class ObjReader {
   void read_texture_point();
   void read_face(const char* line);
   void read_corner(const char* line);
+  void read_lines();
+  void finish_lines();
   void add_texture_corner(std::int64_t number);
   void read_usemtl();
   void finish();
@@ -58,6 +62,12 @@ class ObjReader {
   /// From this polygon on this material.
   std::vector<std::pair<std::size_t, std::uint32_t>> material_from_;
   std::vector<std::string_view> material_names_;  ///< of soup_.materials, as the file has them
+
+  struct Line {
+    std::array<std::int64_t, 2> points;  ///< counted from 1
+    const char* place;
+  };
+  std::vector<Line> lines_;
 
   Tally ignored_;
   Tally unknown_;
@@ -103,10 +113,12 @@ bool ObjReader::read_element(std::string_view keyword) {
       "vn",    "vp",       "g",        "o",          "s",         "mg",     "lod", "usemap", "maplib",
       "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg", "bmat",   "step",
       "parm",  "trim",     "hole",     "scrv",       "sp",        "end",    "con", "ctech",  "stech"};
-  static constexpr std::string_view counted[] = {"l",   "p",   "curv", "curv2", "surf", "call",
+  static constexpr std::string_view counted[] = {"p",   "curv", "curv2", "surf", "call",
                                                  "csh", "bzp", "bsp",  "cdc",   "cdp",  "res"};
   if (keyword == "usemtl") {
     read_usemtl();
+  } else if (keyword == "l") {
+    read_lines();
   } else if (keyword == "mtllib") {
     libraries_.push_back(text_.rest_of_line());
   } else if (std::find(std::begin(counted), std::end(counted), keyword) != std::end(counted)) {
@@ -215,6 +227,40 @@ void ObjReader::add_texture_corner(std::int64_t number) {
   soup_.corner_texture.push_back(static_cast<std::uint32_t>(number - 1));
 }
 
+/// POINT or POINT/TEXTURE, at least two of them. Lines are no part of the surface, so bad ones are left out.
+void ObjReader::read_lines() {
+  const char* const place = text_.place();
+  const auto count = static_cast<std::int64_t>(soup_.points.size());
+  std::optional<std::int64_t> before;
+  while (!text_.line_is_over()) {
+    std::int64_t point = 0;
+    if (!text_.integer(point)) {
+      ignored_.add(place);
+      return;
+    }
+    point += point < 0 ? count + 1 : 0;
+    if (before) {
+      lines_.push_back({{*before, point}, place});
+    }
+    before = point;
+    while (!text_.at_word_end()) {
+      text_.advance();
+    }
+  }
+}
+
+void ObjReader::finish_lines() {
+  const auto count = static_cast<std::int64_t>(soup_.points.size());
+  for (const Line& line : lines_) {
+    const auto [a, b] = line.points;
+    if (a >= 1 && b >= 1 && a <= count && b <= count && a != b) {
+      soup_.lines.push_back({static_cast<std::uint32_t>(a - 1), static_cast<std::uint32_t>(b - 1)});
+    } else {
+      ignored_.add(line.place);
+    }
+  }
+}
+
 void ObjReader::read_usemtl() {
   const std::string_view name = text_.rest_of_line();
   std::uint32_t number = Soup::none;
@@ -234,6 +280,7 @@ void ObjReader::finish() {
   if (soup_.points.empty() && soup_.polygon_count() == 0 && unknown_.count > 0) {
     refuse(unknown_.first, "this is no OBJ file, nor another known mesh format");
   }
+  finish_lines();
   ignored_.report(RepairKind::element_ignored, source_, soup_.remarks);
   unknown_.report(RepairKind::element_ignored, source_, soup_.remarks);
   finish_textures();

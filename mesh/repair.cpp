@@ -144,6 +144,17 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   report.add(RepairKind::unused_points_dropped,
              static_cast<std::size_t>(std::count(used.begin(), used.end(), false)));
   const double file_scale = scale_into_range(polygons, used);
+  std::vector<std::array<Vec3, 2>> lines;
+  for (const auto& [a, b] : soup.lines) {
+    lines.push_back({soup.points[a] / file_scale, soup.points[b] / file_scale});
+  }
+  std::vector<Vec3> file_points;
+  if (options.keep_points) {
+    file_points = soup.points;
+    for (Vec3& p : file_points) {
+      p = p / file_scale;
+    }
+  }
   const double diagonal = bounds(polygons).diagonal();
 
   const std::size_t joined = join_equal_points(polygons);
@@ -168,6 +179,8 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   turn_outwards(triangles, report, context);
   Model model = build(soup, std::move(triangles));
   model.file_scale = file_scale;
+  model.lines = std::move(lines);
+  model.file_points = std::move(file_points);
   model.repairs = std::move(report);
   note_borders(model);
   context.check();

@@ -32,8 +32,11 @@ double resize(Model& model, const SizeOptions& size) {
   }
   const Vec3 centre = 0.5 * box.low + 0.5 * box.high;
   std::vector<Vec3> points(model.surface.points().begin(), model.surface.points().end());
-  for (Vec3& p : points) {
-    p = factor * (p - centre);
+  const auto move = [&](Vec3& p) { p = factor * (p - centre); };
+  std::for_each(points.begin(), points.end(), move);
+  std::for_each(model.file_points.begin(), model.file_points.end(), move);
+  for (auto& line : model.lines) {
+    std::for_each(line.begin(), line.end(), move);
   }
   std::vector<std::array<VertexId, 3>> faces;
   faces.reserve(model.surface.face_count());

@@ -41,6 +41,9 @@ struct Soup {
   std::vector<std::uint32_t> corner_texture;  ///< index into texture_points or none; empty when no corner has one
   std::vector<std::uint32_t> polygon_material;  ///< index into materials or none; empty when no polygon has one
 
+  /// Edges that the lines of an OBJ file (l) name: indices into points, in range. Editors mark seams by them.
+  std::vector<std::array<std::uint32_t, 2>> lines;
+
   FileFormat format = FileFormat::obj;
   /// What the reader ignored, corrected or wants to be known.
   RepairReport remarks;

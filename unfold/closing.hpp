@@ -4,14 +4,17 @@
 
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
+#include "unfold/edge_wishes.hpp"
 #include "unfold/nets.hpp"
 
 namespace ridgecraft::unfold {
 
 /// Turns a cut into a fold where its two copies lie on each other (within closing_tolerance_mm) in one piece
 /// and either both faces belong to one panel, or it is the last cut at a vertex of which all faces lie in the
-/// piece: round a vertex without curvature the paper closes. Needs use, piece and flat of `nets`. O(n).
-void close_flat_cuts(const mesh::Surface& surface, const mesh::Panels& panels, Nets& nets);
+/// piece: round a vertex without curvature the paper closes. What is to be cut stays cut. Needs use, piece and flat
+/// of `nets`. O(n).
+void close_flat_cuts(const mesh::Surface& surface, const mesh::Panels& panels, const EdgeWishes& wishes,
+                     Nets& nets);
 
 /// Sets Piece::holes by Euler's number of each piece as it hangs together over its folds. O(n log n).
 void count_holes(const mesh::Surface& surface, Nets& nets);

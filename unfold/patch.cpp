@@ -32,6 +32,10 @@ std::uint32_t local_number(std::span<const FaceId> faces, FaceId f) {
   return at != faces.end() && *at == f ? static_cast<std::uint32_t>(at - faces.begin()) : nothing;
 }
 
+EdgeWish wish_at(std::span<const EdgeWish> wishes, EdgeId e) {
+  return wishes.empty() ? EdgeWish::none : wishes[e.value()];
+}
+
 }  // namespace
 
 Triangle flat_shape(Vec3 a, Vec3 b, Vec3 c) {
@@ -58,7 +62,8 @@ Triangle flat_shape(Vec3 a, Vec3 b, Vec3 c) {
   return flat;
 }
 
-Patch make_patch(const mesh::Surface& surface, const mesh::Panels& panels, std::span<const FaceId> faces) {
+Patch make_patch(const mesh::Surface& surface, const mesh::Panels& panels, std::span<const FaceId> faces,
+                 std::span<const EdgeWish> wishes) {
   Patch patch;
   patch.face.assign(faces.begin(), faces.end());
   const std::size_t sides = 3 * faces.size();
@@ -81,13 +86,15 @@ Patch make_patch(const mesh::Surface& surface, const mesh::Panels& panels, std::
       patch.length[side] = surface.length(surface.edge(c));
       patch.fold_angle[side] = surface.fold_angle(surface.edge(c));
       const CornerId t = surface.twin(c);
-      const std::uint32_t g = t.valid() ? local_number(faces, mesh::face_of(t)) : nothing;
+      const EdgeWish wish = wish_at(wishes, surface.edge(c));
+      const std::uint32_t g = t.valid() && wish != EdgeWish::cut ? local_number(faces, mesh::face_of(t)) : nothing;
       if (g == nothing) {
         continue;
       }
       const std::uint32_t j = t.value() % 3;
       patch.twin[side] = 3 * g + j;
-      patch.frozen[side] = panels.panel[patch.face[f]] == panels.panel[patch.face[g]] ? 1 : 0;
+      const bool within = panels.panel[patch.face[f]] == panels.panel[patch.face[g]];
+      patch.frozen[side] = within || wish == EdgeWish::keep ? 1 : 0;
       const Triangle& here = patch.shape[f];
       const Triangle& there = patch.shape[g];
       patch.across[side] = lay_across(here[k], here[(k + 1) % 3], there[j], there[(j + 1) % 3]);
@@ -96,7 +103,8 @@ Patch make_patch(const mesh::Surface& surface, const mesh::Panels& panels, std::
   return patch;
 }
 
-std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface, std::span<const FaceId> faces) {
+std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface, std::span<const FaceId> faces,
+                                           std::span<const EdgeWish> wishes) {
   std::vector<std::vector<FaceId>> components;
   std::vector<std::uint8_t> seen(faces.size(), 0);
   std::vector<std::uint32_t> stack;
@@ -112,8 +120,10 @@ std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface, std::sp
       stack.pop_back();
       component.push_back(f);
       for (unsigned k = 0; k < 3; ++k) {
-        const FaceId g = surface.neighbor(mesh::corner(f, k));
-        const std::uint32_t at = g.valid() ? local_number(faces, g) : nothing;
+        const CornerId c = mesh::corner(f, k);
+        const FaceId g = surface.neighbor(c);
+        const bool cut = wish_at(wishes, surface.edge(c)) == EdgeWish::cut;
+        const std::uint32_t at = g.valid() && !cut ? local_number(faces, g) : nothing;
         if (at != nothing && seen[at] == 0) {
           seen[at] = 1;
           stack.push_back(at);

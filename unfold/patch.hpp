@@ -9,6 +9,7 @@
 
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
+#include "unfold/edge_wishes.hpp"
 #include "unfold/rigid.hpp"
 #include "unfold/triangle.hpp"
 
@@ -22,7 +23,7 @@ struct Patch {
   std::vector<FaceId> face;  ///< of the surface, ascending
   std::vector<std::uint32_t>
       twin;  ///< per side: the side on the other face; nothing at a border of the patch
-  std::vector<std::uint8_t> frozen;  ///< per side: both its faces lie in one panel
+  std::vector<std::uint8_t> frozen;  ///< per side: always a fold; both its faces lie in one panel, or a user wants it
   std::vector<Triangle> shape;       ///< per face: its corners in its own frame, mm
   std::vector<Rigid>
       across;  ///< per side: the neighbour's frame seen from this face's, laid flat over the side
@@ -33,15 +34,17 @@ struct Patch {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(face.size()); }
 };
 
-/// Makes a patch of these faces (ascending). Sides between faces of the set are twins, all others border. O(n
+/// Makes a patch of these faces (ascending). Sides between faces of the set are twins, all others border; a side
+/// that is to be cut is border, too, and one that is to be kept is frozen. `wishes`: per edge, or empty. O(n
 /// log n).
 [[nodiscard]] Patch make_patch(const mesh::Surface& surface, const mesh::Panels& panels,
-                               std::span<const FaceId> faces);
+                               std::span<const FaceId> faces, std::span<const EdgeWish> wishes = {});
 
 /// The connected components (over twins) of a set of faces of the surface, each ascending, in the order of
-/// their first faces. O(n log n).
+/// their first faces; edges that are to be cut don't connect. O(n log n).
 [[nodiscard]] std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface,
-                                                         std::span<const FaceId> faces);
+                                                         std::span<const FaceId> faces,
+                                                         std::span<const EdgeWish> wishes = {});
 
 /// One flag per side: is it a fold? Both sides of an edge have the same flag. The folds of a patch make a
 /// forest.

@@ -5,6 +5,7 @@
 
 #include "unfold/check.hpp"
 #include "unfold/layout.hpp"
+#include "unfold/sub_patch.hpp"
 #include "unfold/tab_search.hpp"
 
 namespace ridgecraft::unfold {
@@ -29,11 +30,7 @@ Folds improve_tabs(const mesh::Surface& surface, const mesh::Panels& panels, con
       continue;
     }
     std::sort(faces.begin(), faces.end());
-    std::vector<FaceId> ids;
-    for (const std::uint32_t f : faces) {
-      ids.push_back(patch.face[f]);
-    }
-    const Patch piece = make_patch(surface, panels, ids);
+    const Patch piece = sub_patch(patch, faces);
     Folds tree(3 * faces.size());
     for (std::size_t side = 0; side < tree.size(); ++side) {
       tree[side] = folds[3 * faces[side / 3] + side % 3];

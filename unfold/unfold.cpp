@@ -10,7 +10,9 @@
 #include "unfold/closing.hpp"
 #include "unfold/fitting_panels.hpp"
 #include "unfold/joins.hpp"
+#include "unfold/kept_edges.hpp"
 #include "unfold/layout.hpp"
+#include "unfold/panel_parts.hpp"
 #include "unfold/parallel.hpp"
 #include "unfold/part_merging.hpp"
 #include "unfold/patch_nets.hpp"
@@ -26,9 +28,17 @@ namespace {
 
 /// One connected patch of one part.
 struct Task {
-  PartId part;
-  std::uint32_t component = 0;  ///< counted within the part
+  PartId part;                             ///< of its first face
+  PieceReason reason = PieceReason::part;  ///< why it isn't one with others of its part
   std::vector<FaceId> faces;
+};
+
+/// What is settled before anything is unfolded.
+struct Plan {
+  mesh::Panels panels;            ///< those that are larger than the sheet divided
+  EdgeWishes wishes;              ///< those that can come true
+  IdVector<FaceId, PartId> part;  ///< what is to be kept together lies in one
+  std::vector<std::string> notes;
 };
 
 /// The whole surface as a forest. Face i of the patch is face i of the surface.
@@ -47,20 +57,23 @@ struct Draft {
   PieceReason reason = PieceReason::part;
 };
 
-std::vector<Task> make_tasks(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part) {
+std::vector<Task> make_tasks(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part,
+                             const Plan& plan) {
   std::uint32_t parts = 0;
-  for (const PartId p : part) {
+  for (const PartId p : plan.part) {
     parts = std::max(parts, p.value() + 1);
   }
   IdVector<PartId, std::vector<FaceId>> faces(parts);
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    faces[part[f]].push_back(f);
+    faces[plan.part[f]].push_back(f);
   }
   std::vector<Task> tasks;
   for (const PartId p : ids<PartId>(parts)) {
-    std::uint32_t component = 0;
-    for (auto& patch : connected(surface, faces[p])) {
-      tasks.push_back({p, component++, std::move(patch)});
+    const bool in_one = plan.wishes.empty() || connected(surface, faces[p]).size() == 1;
+    PieceReason reason = PieceReason::part;
+    for (auto& patch : connected(surface, faces[p], plan.wishes.items())) {
+      tasks.push_back({part[patch.front()], reason, std::move(patch)});
+      reason = in_one && !plan.wishes.empty() ? PieceReason::request : PieceReason::component;
     }
   }
   return tasks;
@@ -90,14 +103,31 @@ double tolerance_of(const Patch& patch) {
   return std::min(search_tolerance * patch.extent, 0.5 * overlap_tolerance_mm);
 }
 
+Plan make_plan(const mesh::Surface& surface, const mesh::Panels& panels, const IdVector<FaceId, PartId>& part,
+               const Options& options, const Context& context) {
+  Plan plan;
+  plan.panels = fitting_panels(surface, panels, room_of(options), context, plan.notes);
+  plan.part = part;
+  if (options.wishes.empty()) {
+    return plan;
+  }
+  const Vec3 size = surface.bounds().size();
+  const double tolerance =
+      std::min(search_tolerance * std::max({size.x, size.y, size.z}), 0.5 * overlap_tolerance_mm);
+  KeptEdges kept = settle_wishes(surface, plan.panels, options.wishes, room_of(options), tolerance, context);
+  plan.wishes = std::move(kept.wishes);
+  plan.part = parts_of_whole_panels(surface, kept.groups, part);
+  return plan;
+}
+
 /// Each patch of each part by itself.
-Forest unfold_parts(const mesh::Surface& surface, const mesh::Panels& panels, const std::vector<Task>& tasks,
+Forest unfold_parts(const mesh::Surface& surface, const Plan& plan, const std::vector<Task>& tasks,
                     const Options& options, const Context& context) {
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     faces.push_back(f);
   }
-  Forest forest{make_patch(surface, panels, faces),
+  Forest forest{make_patch(surface, plan.panels, faces, plan.wishes.items()),
                 Folds(3 * faces.size(), 0),
                 std::vector<PieceReason>(faces.size(), PieceReason::part),
                 {}};
@@ -107,15 +137,14 @@ Forest unfold_parts(const mesh::Surface& surface, const mesh::Panels& panels, co
       tasks.size(), context,
       [&](std::size_t i, const Context& own) {
         Random seed(context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
-        const Patch patch = make_patch(surface, panels, tasks[i].faces);
+        const Patch patch = make_patch(surface, plan.panels, tasks[i].faces, plan.wishes.items());
         nets[i] = unfold_patch(patch, room, options.panel_cuts, tolerance_of(patch), seed.next(), own);
         // Tasks have faces of their own, so they write to places of their own.
         const Layout layout = lay_out(patch, nets[i].folds);
         for (std::uint32_t f = 0; f < patch.size(); ++f) {
           const std::uint32_t face = tasks[i].faces[f].value();
           const PieceReason reason = nets[i].reason[layout.piece[f]];
-          forest.cause[face] =
-              reason == PieceReason::part && tasks[i].component > 0 ? PieceReason::component : reason;
+          forest.cause[face] = reason == PieceReason::part ? tasks[i].reason : reason;
           for (std::uint32_t k = 0; k < 3; ++k) {
             forest.folds[3 * face + k] = nets[i].folds[3 * f + k];
           }
@@ -245,6 +274,17 @@ Nets assemble(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part
   return nets;
 }
 
+void note_broken_wishes(const EdgeWishes& wishes, Nets& nets) {
+  std::size_t broken = 0;
+  for (const EdgeId e : ids<EdgeId>(wishes.size())) {
+    broken += wishes[e] == EdgeWish::keep && nets.use[e] == EdgeUse::cut ? 1U : 0U;
+  }
+  if (broken > 0) {
+    nets.notes.push_back(std::to_string(broken) + (broken == 1 ? " edge that was" : " edges that were") +
+                         " to be kept are cut: as folds they would close a loop, overlap or fit no page");
+  }
+}
+
 /// The promise of the header, checked on what is about to be returned.
 void insist_on_no_overlap(const Nets& nets) {
   std::vector<Triangle> triangles;
@@ -266,20 +306,19 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   context.check();
   context.report("unfold", 0.0);
   refuse_large_faces(surface, options);
-  const std::vector<Task> tasks = make_tasks(surface, part);
-  std::vector<std::string> notes;
-  const mesh::Panels fitting = fitting_panels(surface, panels, room_of(options), context, notes);
-  Forest forest = unfold_parts(surface, fitting, tasks, options, context);
-  forest.notes.insert(forest.notes.begin(), notes.begin(), notes.end());
+  const Plan plan = make_plan(surface, panels, part, options, context);
+  Forest forest = unfold_parts(surface, plan, make_tasks(surface, part, plan), options, context);
+  forest.notes.insert(forest.notes.begin(), plan.notes.begin(), plan.notes.end());
   if (options.pieces.merge) {
     forest.folds = merge_parts(forest.patch, part.items(), forest.folds, room_of(options),
                                options.pieces.weights, tolerance_of(forest.patch), context.seed, context);
   }
   if (options.tabs.wanted) {
-    improve_all_tabs(surface, fitting, options, context, forest);
+    improve_all_tabs(surface, plan.panels, options, context, forest);
   }
   Nets nets = assemble(surface, part, forest);
-  close_flat_cuts(surface, panels, nets);
+  close_flat_cuts(surface, panels, plan.wishes, nets);
+  note_broken_wishes(options.wishes, nets);
   count_holes(surface, nets);
   insist_on_no_overlap(nets);
   number_joins(surface, nets);

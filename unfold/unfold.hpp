@@ -9,6 +9,7 @@
 #include "mesh/context.hpp"
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
+#include "unfold/edge_wishes.hpp"
 #include "unfold/nets.hpp"
 
 namespace ridgecraft::unfold {
@@ -72,6 +73,9 @@ struct Options {
   TabOptions tabs;
   PanelCuts panel_cuts = PanelCuts::only_if_too_large;
   PieceRules pieces;
+  /// Per edge of the surface, or empty. Cuts are always made but inside flat regions; what is to be kept is a fold
+  /// unless that would close a loop, overlap or fit no sheet (kept_edges.hpp); a note counts what couldn't be.
+  EdgeWishes wishes;
 };
 
 /// Unfolds each part into one net where one exists, splits those that don't fit the sheet in as few pieces as

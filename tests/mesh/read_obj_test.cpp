@@ -127,9 +127,15 @@ TEST_CASE("OBJ: materials are those that faces use, in the order of their use") 
   CHECK(soup.polygon_material == std::vector<std::uint32_t>{Soup::none, 0, 1, 1, 0, Soup::none});
 }
 
+TEST_CASE("OBJ: lines mark edges, those without two points of the file are left out") {
+  const Soup soup = parsed(std::string(three_points) + "l 3 1/7 -2\nf 1 2 3\nl 1 9\nl 0 1 2\nl 2\nl 1 x\n", "obj");
+  CHECK(soup.lines == std::vector<std::array<std::uint32_t, 2>>{{2, 0}, {0, 1}, {0, 1}});
+  CHECK(soup.remarks.count(RepairKind::element_ignored) == 3);
+}
+
 TEST_CASE("OBJ: what is no face is counted, what is no OBJ refused") {
   const Soup soup =
-      parsed(std::string(three_points) + "o a\ng b\ns 1\nl 1 2\np 1\ncurv 0 1 1 2\nf 1 2 3\n", "obj");
+      parsed(std::string(three_points) + "o a\ng b\ns 1\nres 1\np 1\ncurv 0 1 1 2\nf 1 2 3\n", "obj");
   CHECK(soup.remarks.count(RepairKind::element_ignored) == 3);
   CHECK(soup.remarks.entries()[0].detail == "first: line 7");
   CHECK(refusal("to whom it may concern\n", "obj").starts_with("3 model.obj, line 1: "));
