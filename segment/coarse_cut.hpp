@@ -14,8 +14,8 @@ namespace ridgecraft::segment {
 /// A cut problem on nodes with at most three arcs, as MaximumFlow takes it.
 struct CutGraph {
   struct Side {
-    std::uint32_t other = MaximumFlow::no_node;
     std::int64_t capacity = 0;
+    std::uint32_t other = MaximumFlow::no_node;
     bool crease = false;  ///< a likely place for the cut
   };
   std::vector<std::array<Side, 3>> sides;  ///< both ends of an arc have it, with the same capacity

@@ -20,6 +20,9 @@ constexpr double line_share = 1e-9;
 /// products and two sums: 30 eps U V = 6.7e-15 U V.
 constexpr double sign_bound = 1e-14;
 
+/// Facets that may be more than a hull's final ones while it grows.
+constexpr std::size_t spare_facets = 1024;
+
 double greatest_coordinate(Vec3 v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
@@ -73,6 +76,8 @@ void HullBuilder::build(std::span<const std::uint32_t> ids, Hull& out, double li
   next_.assign(ids.size(), none);
   slot_.assign(ids.size(), none);
   facets_.clear();
+  // 2 n facets at the end and hardly more before: doubling would take three times the memory for a while.
+  facets_.reserve(2 * ids.size() + spare_facets);
   free_.clear();
   pending_.clear();
   mark_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "segment/separators.hpp"
 #include "segment/valley_concavity.hpp"
@@ -15,6 +16,8 @@ namespace {
 constexpr double derivation_share = 0.5;
 /// The interval grows by this times the distance between the ends.
 constexpr double interval_growth = 2.0;
+/// Longest bridges that a test sorts and looks at first: most unions that fail do so there.
+constexpr std::size_t first_tested = 256;
 /// Bridges between two questions whether the user wants to stop.
 constexpr std::size_t check_interval = 64;
 
@@ -43,7 +46,7 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
                        MeasureMode mode, Measurement& out) {
   part_.select(facets);
   signature_ = signature_of(facets);
-  hulls_.build(hull_points.empty() ? part_.vertices() : hull_points, out.hull, flat_face_lift);
+  find_hull(hull_points, out.hull);
   depth_.select(out.hull);
   out.bridges.assign(out.hull.edges.size(), Bridge{});
   out.concavity = 0.0;
@@ -59,12 +62,16 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
   }
   const bool test = mode == MeasureMode::test || mode == MeasureMode::test_scratch;
   const bool scratch = mode == MeasureMode::scratch || mode == MeasureMode::test_scratch;
-  if (test) {
-    longest_first(out.bridges);
-  }
   std::size_t searched = 0;
-  for (const std::uint32_t i : order_) {
+  for (std::size_t n = 0; n < order_.size(); ++n) {
+    if (test && (n == 0 || n == first_tested)) {
+      sort_longest_first(n, out.bridges);
+    }
+    const std::uint32_t i = order_[n];
     Bridge& bridge = out.bridges[i];
+    if (bridge.state != Bridge::State::open) {
+      continue;  // known to be zero
+    }
     if (is_zero(bridge)) {
       bridge.state = Bridge::State::low;
       bridge.zero = true;
@@ -84,15 +91,44 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
   }
 }
 
-void Measurer::longest_first(std::span<const Bridge> bridges) {
-  // Lengths are copied beside the numbers, so that sorting doesn't look them up all over memory.
-  ranked_.resize(bridges.size());
-  for (std::uint32_t i = 0; i < bridges.size(); ++i) {
-    ranked_[i] = {-bridges[i].length, i};
+/// A hull that was kept is that of the same points in the same order.
+void Measurer::find_hull(std::span<const std::uint32_t> hull_points, Hull& hull) {
+  const auto kept = kept_hulls_.find(signature_);
+  if (hull_points.empty() && kept != kept_hulls_.end()) {
+    hull = std::move(kept->second);
+    kept_hulls_.erase(kept);
+    return;
   }
-  std::sort(ranked_.begin(), ranked_.end());
-  for (std::size_t i = 0; i < ranked_.size(); ++i) {
-    order_[i] = ranked_[i].second;
+  hulls_.build(hull_points.empty() ? part_.vertices() : hull_points, hull, flat_face_lift);
+}
+
+void Measurer::keep_hull(Measurement& measurement) {
+  kept_hulls_[signature_] = std::move(measurement.hull);
+}
+
+/// Puts the bridges of the order from number `from` on in order of length, at 0 the first_tested longest
+/// only. Nearly all the others are edges of the surface: those needn't be sorted.
+void Measurer::sort_longest_first(std::size_t from, std::span<Bridge> bridges) {
+  const auto at = [](std::size_t n) { return static_cast<std::ptrdiff_t>(n); };
+  if (from == 0) {
+    // Lengths are copied beside the numbers, so that sorting doesn't look them up all over memory.
+    ranked_.resize(bridges.size());
+    for (std::uint32_t i = 0; i < bridges.size(); ++i) {
+      ranked_[i] = {-bridges[i].length, i};
+    }
+    const std::size_t first = std::min(first_tested, ranked_.size());
+    std::partial_sort(ranked_.begin(), ranked_.begin() + at(first), ranked_.end());
+  } else {
+    const auto zeros_end = std::partition(ranked_.begin() + at(from), ranked_.end(), [&](const auto& ranked) {
+      Bridge& bridge = bridges[ranked.second];
+      bridge.zero = is_zero(bridge);
+      bridge.state = bridge.zero ? Bridge::State::low : Bridge::State::open;
+      return bridge.zero;
+    });
+    std::sort(zeros_end, ranked_.end());
+  }
+  for (std::size_t n = from; n < ranked_.size(); ++n) {
+    order_[n] = ranked_[n].second;
   }
 }
 

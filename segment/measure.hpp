@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -62,13 +63,18 @@ class Measurer {
   void measure(std::span<const std::uint32_t> facets, std::span<const std::uint32_t> hull_points,
                MeasureMode mode, Measurement& out);
 
+  /// Takes the hull out of the last measurement, for when this very part is measured again: once, and not
+  /// among given points. That measurement must have been among all points, too.
+  void keep_hull(Measurement& measurement);
+
   [[nodiscard]] PartGraph& graph() { return part_; }
   [[nodiscard]] ValleySearch& search() { return search_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] const Context& context() const { return *context_; }
 
  private:
-  void longest_first(std::span<const Bridge> bridges);
+  void find_hull(std::span<const std::uint32_t> hull_points, Hull& hull);
+  void sort_longest_first(std::size_t from, std::span<Bridge> bridges);
   [[nodiscard]] bool is_zero(Bridge& bridge) const;
   bool derive(std::uint32_t index, Measurement& m) const;
   bool derive_from(Bridge& bridge, const Bridge& source, double moved) const;
@@ -86,6 +92,7 @@ class Measurer {
   ValleyCache cache_;
   std::uint64_t signature_ = 0;  ///< of the part that the graph shows: a hash of its facets
   HullBuilder hulls_;
+  std::map<std::uint64_t, Hull> kept_hulls_;  ///< by signature
   HullDepth depth_;
   std::vector<Step> steps_;
   std::vector<Vec3> valley_points_;

@@ -146,6 +146,9 @@ class Run {
                        0.7 * static_cast<double>(done) / static_cast<double>(scaled_.facet_count()));
       parts_.push_back({std::move(work.facets), measurement_.hull.vertices, false, true});
       reasons_.push_back(work.reason);
+      if (!assembly_) {
+        measurer_.keep_hull(measurement_);
+      }
     }
   }
 

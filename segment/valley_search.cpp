@@ -54,6 +54,8 @@ double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step
   nodes_[from] = {0.0, static_cast<float>(length(goal - points[from])), search_, none, none};
   queue_.start(nodes_[from].estimate, bucket_width_);
   queue_.push(nodes_[from].estimate, from);
+  // Entries behind that of the goal are never taken: they aren't even pushed.
+  float bound = std::numeric_limits<float>::infinity();
   BucketQueue::Entry entry = 0;
   while (queue_.pop(entry)) {
     const std::uint32_t v = BucketQueue::vertex(entry);
@@ -67,18 +69,23 @@ double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step
     graph_->for_arcs(v, [&](std::uint32_t i, const Arc& arc) {
       const double reached = key + static_cast<double>(arc.length);
       Node& node = nodes_[arc.target];
-      if (node.search != search_) {
-        node.search = search_;
-        node.estimate = static_cast<float>(length(goal - points[arc.target]));
-      } else if (reached >= node.key) {
+      const bool fresh = node.search != search_;
+      if (!fresh && reached >= node.key) {
         return;
       }
-      node.key = reached;
-      node.from = v;
-      node.arc = i;
-      queue_.push(static_cast<float>(reached) + node.estimate, arc.target);
+      const float estimate = fresh ? static_cast<float>(length(goal - points[arc.target])) : node.estimate;
+      const float through = static_cast<float>(reached) + estimate;
+      if (through > bound) {
+        return;
+      }
+      node = {reached, estimate, search_, v, i};
+      queue_.push(through, arc.target);
+      if (arc.target == to) {
+        bound = through;
+      }
     });
     relax_jumps(v, to);
+    bound = nodes_[to].search == search_ ? static_cast<float>(nodes_[to].key) : bound;
   }
   if (nodes_[to].search != search_) {
     return infinite;

@@ -25,8 +25,8 @@ CutGraph grid(Price price) {
   graph.reset(2 * rows * columns);
   const auto join = [&](std::uint32_t i, unsigned k, std::uint32_t j, unsigned l) {
     const std::int64_t capacity = price(i / 2, j / 2);
-    graph.sides[i][k] = {j, capacity, false};
-    graph.sides[j][l] = {i, capacity, false};
+    graph.sides[i][k] = {capacity, j, false};
+    graph.sides[j][l] = {capacity, i, false};
   };
   for (std::uint32_t row = 0; row < rows; ++row) {
     for (std::uint32_t column = 0; column < columns; ++column) {
