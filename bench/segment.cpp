@@ -210,6 +210,10 @@ bool parse(int argc, char** argv, Arguments& arguments) {
       arguments.subset = true;
       continue;
     }
+    if (option == "--planes") {
+      arguments.options.planes = true;
+      continue;
+    }
     if (option == "--pockets") {
       arguments.options.pockets = true;
       continue;
@@ -246,7 +250,7 @@ int main(int argc, char** argv) {
   if (!parse(argc, argv, arguments)) {
     std::fprintf(stderr,
                  "usage: bench_segment --psb DIR [--json FILE] [--subset] [--model N]... [--concavity T] "
-                 "[--effort 1..3] [--volume-weight W] [--pockets] [--damage SHARE]\n");
+                 "[--effort 1..3] [--volume-weight W] [--planes] [--pockets] [--damage SHARE]\n");
     return 2;
   }
   std::vector<int> models = arguments.models;

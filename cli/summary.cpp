@@ -338,7 +338,8 @@ std::string summary_json(const SegmentJob& job, const SegmentResult& result) {
   } else {
     json["concavity"] = job.options.concavity;
     json["effort"] = job.options.effort;
-    json["volume_weight"] = job.options.volume_weight;
+    json["volume_weight"] = segment::volume_weight(job.options);
+    json["planes"] = job.options.planes;
     json["pockets"] = job.options.pockets;
   }
   json["part"] = Json::array();

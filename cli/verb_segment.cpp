@@ -38,16 +38,19 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
   std::string parts;
   verb.option("Parts", "--parts", parts, "N",
               "Give N parts: the finest parts joined, the least concave unions first. In place of "
-              "--concavity, --effort, --volume-weight, --pockets and --holes.");
+              "--concavity, --effort, --volume-weight, --planes, --pockets and --holes.");
   std::string effort;
   std::string volume_weight;
   verb.option(
       "Parts", "--effort", effort, "1|2|3",
-      "How much work to spend: 2 and 3 cut finer pieces and put them together anew, for fewer parts and "
-      "smaller hulls, in about 5 and 15 times the time (1).");
+      "How much work to spend: 2 and 3 also cut finer pieces and put them together anew, and keep the best "
+      "attempt, for fewer parts with smaller hulls in about 4 and 15 times the time (1).");
   verb.option("Parts", "--volume-weight", volume_weight, "WEIGHT",
-              "Parts to give for a volume ratio (hulls of the parts to the model) less by 1: 6 makes hulls "
-              "follow the model closely, 0 asks for the fewest parts whatever their hulls (0).");
+              "Parts to give for a volume ratio (hulls of the parts to the model) less by 1; 0 asks for the "
+              "fewest parts whatever their hulls (0, with --effort 2 and 3: 5).");
+  verb.flag("Parts", "--planes", job.options.planes,
+            "Cut by planes, too, where that saves more volume than its pieces are worth by --volume-weight: "
+            "cups and boxes without lid become sectors. For other uses than paper.");
   verb.flag(
       "Parts", "--pockets", job.options.pockets,
       "Leave no pocket: no air deeper than the tolerance under a part's hull. Cups and boxes without lid "
@@ -79,8 +82,10 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
     }
     if (!parts.empty()) {
       if (!concavity.empty() || !effort.empty() || !volume_weight.empty() || !holes.empty() ||
-          job.options.pockets) {
-        refuse("--parts goes with none of --concavity, --effort, --volume-weight, --pockets and --holes");
+          job.options.pockets || job.options.planes) {
+        refuse(
+            "--parts goes with none of --concavity, --effort, --volume-weight, --planes, --pockets and "
+            "--holes");
       }
       job.parts = whole_number_or_refuse("--parts", parts, 1);
     }

@@ -2,6 +2,7 @@
 #include "segment/assembly.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 
@@ -55,13 +56,31 @@ Assembly::Assembly(const ScaledSurface& surface, const EdgeWeights& weights, con
   }
 }
 
-std::vector<AssembledPart> Assembly::assemble(std::vector<Facets> parts) {
-  std::vector<Piece> pieces = cut_by_planes(std::move(parts));
-  return join(cut_finely(std::move(pieces)), MeasureMode::test, settings_.rounds);
+std::vector<AssembledPart> Assembly::assemble(const std::vector<Facets>& parts) {
+  std::vector<AssembledPart> best;
+  double least = INFINITY;
+  for (const Attempt& attempt : settings_.attempts) {
+    std::vector<Piece> pieces = cut_by_planes(parts, attempt.planes);
+    const bool by_plane =
+        std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.by_plane; });
+    if (attempt.planes && !by_plane && !best.empty()) {
+      continue;  // the same as without planes, which was tried
+    }
+    Partition joiner = partition(cut_finely(std::move(pieces), attempt.fineness), MeasureMode::test);
+    Random random(1);
+    std::vector<AssembledPart> found =
+        attempt.at_any_cost ? joiner.join_all() : joiner.run(attempt.rounds, settings_.noise, random);
+    if (best.empty() || joiner.cost() < least) {
+      best = std::move(found);
+      least = joiner.cost();
+    }
+  }
+  return best;
 }
 
 std::vector<AssembledPart> Assembly::join_from_scratch(std::vector<Facets> parts) {
-  return join(std::move(parts), MeasureMode::test_scratch, 0);
+  Random random(1);
+  return partition(std::move(parts), MeasureMode::test_scratch).run(0, 0.0, random);
 }
 
 /// Sets of parts whose hulls lie in each other.
@@ -114,9 +133,9 @@ bool Assembly::is_hollow(std::span<const std::uint32_t> facets) {
   return pockets_->has_pocket(planes_.hull());
 }
 
-std::vector<Assembly::Piece> Assembly::cut_by_planes(std::vector<Facets> parts) {
+std::vector<Assembly::Piece> Assembly::cut_by_planes(std::vector<Facets> parts, bool planes) {
   std::vector<Piece> done;
-  if (!settings_.planes && !pockets_) {
+  if (!planes && !pockets_) {
     for (Facets& facets : parts) {
       done.push_back({std::move(facets)});
     }
@@ -134,7 +153,7 @@ std::vector<Assembly::Piece> Assembly::cut_by_planes(std::vector<Facets> parts) 
     std::sort(all.begin(), all.end());
     std::vector<Facets> pieces;
     const double excess = planes_.hull_volume(all) - planes_.closed_volume(all);
-    if ((settings_.planes && excess > worth) || hollow) {
+    if ((planes && excess > worth) || hollow) {
       pieces = planes_.cut(*cutter_, all, hollow ? 0.0 : share_saved * worth, border_reach, true);
     }
     std::vector<Piece> open;
@@ -147,14 +166,14 @@ std::vector<Assembly::Piece> Assembly::cut_by_planes(std::vector<Facets> parts) 
         open.push_back({std::move(parts[i]), false, 0});
       }
     }
-    cut_further(std::move(open), done);
+    cut_further(std::move(open), planes, done);
   }
   return done;
 }
 
 /// Goes on with single planes where a piece has a pocket, or a plane saves enough in a piece that planes
 /// made.
-void Assembly::cut_further(std::vector<Piece> open, std::vector<Piece>& done) {
+void Assembly::cut_further(std::vector<Piece> open, bool planes, std::vector<Piece>& done) {
   const double price = settings_.volume_weight > 0.0 ? settings_.volume_weight : default_price;
   const double worth = unit_volume_ / price;
   while (!open.empty()) {
@@ -168,7 +187,7 @@ void Assembly::cut_further(std::vector<Piece> open, std::vector<Piece>& done) {
         measurer_->measure(piece.facets, {}, MeasureMode::split, measurement_);
         children = cutter_->split(*measurer_, measurement_, true);
       }
-    } else if (settings_.planes && piece.by_plane && piece.depth < deepest_plane &&
+    } else if (planes && piece.by_plane && piece.depth < deepest_plane &&
                planes_.hull_volume(piece.facets) - planes_.closed_volume(piece.facets) > worth) {
       children = planes_.cut(*cutter_, piece.facets, share_saved * worth, border_reach, false);
     }
@@ -184,10 +203,10 @@ void Assembly::cut_further(std::vector<Piece> open, std::vector<Piece>& done) {
 
 /// Cuts pieces between their ridges until they are within the finer tolerance; those that planes made, and so
 /// are in shape, within the tolerance itself.
-std::vector<Facets> Assembly::cut_finely(std::vector<Piece> pieces) {
+std::vector<Facets> Assembly::cut_finely(std::vector<Piece> pieces, double fineness) {
   std::optional<Measurer> fine;
-  if (settings_.fineness < 1.0) {
-    fine.emplace(*surface_, *graph_, settings_.fineness * measurer_->tolerance(), measurer_->context());
+  if (fineness < 1.0) {
+    fine.emplace(*surface_, *graph_, fineness * measurer_->tolerance(), measurer_->context());
   }
   std::vector<Facets> done;
   for (Piece& piece : pieces) {
@@ -223,16 +242,14 @@ std::vector<Facets> Assembly::cut_finely(std::vector<Piece> pieces) {
   return done;
 }
 
-std::vector<AssembledPart> Assembly::join(std::vector<Facets> pieces, MeasureMode mode, unsigned rounds) {
+Partition Assembly::partition(std::vector<Facets> pieces, MeasureMode mode) {
   std::sort(pieces.begin(), pieces.end(),
             [](const Facets& a, const Facets& b) { return a.front() < b.front(); });
   PartitionCost cost;
   cost.volume = settings_.volume_weight;
   cost.border = settings_.border_weight;
   cost.unit_volume = unit_volume_;
-  Partition partition(*measurer_, *weights_, cost, pockets_ ? &*pockets_ : nullptr, mode, std::move(pieces));
-  Random random(1);
-  return partition.run(rounds, settings_.noise, random);
+  return {*measurer_, *weights_, cost, pockets_ ? &*pockets_ : nullptr, mode, std::move(pieces)};
 }
 
 }  // namespace ridgecraft::segment

@@ -16,14 +16,20 @@
 
 namespace ridgecraft::segment {
 
-struct AssemblySettings {
+/// One way to cut parts into pieces and to join these.
+struct Attempt {
   /// Pieces are cut until they are within this share of the tolerance; 1 leaves the parts as they are.
   double fineness = 1.0;
-  unsigned rounds = 0;         ///< of tearing some parts up and joining their pieces anew
-  double volume_weight = 0.0;  ///< parts that one would give for a volume ratio less by 1
+  unsigned rounds = 0;       ///< of tearing some parts up and joining their pieces anew
+  bool planes = false;       ///< cut by planes where that saves more volume than the pieces are worth
+  bool at_any_cost = false;  ///< all joins that are possible: the merge pass
+};
+
+struct AssemblySettings {
+  std::vector<Attempt> attempts;  ///< the cheapest result counts, the first of equal ones
+  double volume_weight = 0.0;     ///< parts that one would give for a volume ratio less by 1
   double border_weight = 0.0;  ///< parts for a border shorter by one ball radius, concave edges counting less
   double noise = 0.0;          ///< of the order in which pieces are joined, in shares of a part
-  bool planes = false;         ///< cut by planes where that saves more volume than the pieces are worth
   bool pockets = false;        ///< no part has a pocket (pocket_test.hpp)
 };
 
@@ -36,7 +42,7 @@ class Assembly {
            Measurer& measurer, Cutter& cutter, const AssemblySettings& settings);
 
   /// Cuts parts into pieces and joins them. Parts ascend by smallest facet.
-  [[nodiscard]] std::vector<AssembledPart> assemble(std::vector<Facets> parts);
+  [[nodiscard]] std::vector<AssembledPart> assemble(const std::vector<Facets>& parts);
   /// Joins parts where their union is within the tolerance when measured from scratch.
   [[nodiscard]] std::vector<AssembledPart> join_from_scratch(std::vector<Facets> parts);
 
@@ -49,11 +55,10 @@ class Assembly {
 
   [[nodiscard]] std::vector<std::vector<std::size_t>> overlapping(const std::vector<Facets>& parts);
   [[nodiscard]] bool is_hollow(std::span<const std::uint32_t> facets);
-  [[nodiscard]] std::vector<Piece> cut_by_planes(std::vector<Facets> parts);
-  void cut_further(std::vector<Piece> open, std::vector<Piece>& done);
-  [[nodiscard]] std::vector<Facets> cut_finely(std::vector<Piece> pieces);
-  [[nodiscard]] std::vector<AssembledPart> join(std::vector<Facets> pieces, MeasureMode mode,
-                                                unsigned rounds);
+  [[nodiscard]] std::vector<Piece> cut_by_planes(std::vector<Facets> parts, bool planes);
+  void cut_further(std::vector<Piece> open, bool planes, std::vector<Piece>& done);
+  [[nodiscard]] std::vector<Facets> cut_finely(std::vector<Piece> pieces, double fineness);
+  [[nodiscard]] Partition partition(std::vector<Facets> pieces, MeasureMode mode);
 
   const ScaledSurface* surface_;
   const EdgeWeights* weights_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace ridgecraft::segment {
@@ -55,7 +56,8 @@ void Partition::gather(const Key& key) {
   std::sort(facets_.begin(), facets_.end());
 }
 
-PieceSet& Partition::hull_of(const Key& key) {
+/// `halves`: the two sets that the key unites, null when its pieces are to be looked up.
+PieceSet& Partition::hull_of(const Key& key, std::array<const PieceSet*, 2> halves) {
   const auto [at, fresh] = known_.try_emplace(key);
   PieceSet& set = at->second;
   if (!fresh) {
@@ -68,6 +70,10 @@ PieceSet& Partition::hull_of(const Key& key) {
       ids.insert(ids.end(), s.corners[f].begin(), s.corners[f].end());
     }
     set.measured = set.feasible = true;
+  } else if (halves[0] != nullptr) {
+    for (const PieceSet* half : halves) {
+      ids.insert(ids.end(), half->hull_vertices.begin(), half->hull_vertices.end());
+    }
   } else {
     for (const std::uint32_t p : key) {
       const PieceSet& one = hull_of({p});
@@ -96,7 +102,7 @@ bool Partition::feasible(const Key& key, PieceSet& set) {
   return set.feasible;
 }
 
-double Partition::cost(const Groups& groups) const {
+double Partition::cost_of(const Groups& groups) const {
   double sum = 0.0;
   for (const Group& g : groups) {
     if (g.pieces.empty()) {
@@ -223,9 +229,10 @@ void Partition::join(Groups& groups, double noise, Random& random) {
     const auto [g, h] = best->first;
     open.erase(best);
     Key key = united(groups[g].pieces, groups[h].pieces);
-    PieceSet& set = hull_of(key);
-    double gain = 1.0 + cost_.border * groups[g].beside.at(h).smoothness;
-    if (cost_.volume > 0.0) {
+    PieceSet& set = hull_of(key, {groups[g].set, groups[h].set});
+    double gain = at_any_cost_ ? std::numeric_limits<double>::infinity()
+                               : 1.0 + cost_.border * groups[g].beside.at(h).smoothness;
+    if (!at_any_cost_ && cost_.volume > 0.0) {
       gain -= cost_.volume * added_volume(set, g, h) / cost_.unit_volume;
     }
     if (gain <= 0.0 || !feasible(key, set)) {
@@ -277,35 +284,27 @@ std::vector<Partition::Key> Partition::torn(const std::vector<Key>& parts, Rando
   return keys;
 }
 
-std::vector<AssembledPart> Partition::run(unsigned rounds, double noise, Random& random) {
-  const auto keys_of = [](const Groups& groups) {
-    std::vector<Key> keys;
-    for (const Group& g : groups) {
-      if (!g.pieces.empty()) {
-        keys.push_back(g.pieces);
-      }
+std::vector<Partition::Key> Partition::keys_of(const Groups& groups) {
+  std::vector<Key> keys;
+  for (const Group& g : groups) {
+    if (!g.pieces.empty()) {
+      keys.push_back(g.pieces);
     }
-    return keys;
-  };
-  std::vector<Key> best;
+  }
+  return keys;
+}
+
+std::vector<Partition::Key> Partition::single_pieces() const {
+  std::vector<Key> keys;
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
-    best.push_back({p});
+    keys.push_back({p});
   }
-  Groups groups = groups_of(best);
-  join(groups, 0.0, random);
-  best = keys_of(groups);
-  double least = cost(groups);
-  for (unsigned round = 0; round < rounds && best.size() > 1; ++round) {
-    Groups tried = groups_of(torn(best, random));
-    join(tried, noise, random);
-    const double found = cost(tried);
-    if (found <= least) {
-      least = found;
-      best = keys_of(tried);
-    }
-  }
+  return keys;
+}
+
+std::vector<AssembledPart> Partition::parts_of(const std::vector<Key>& keys) {
   std::vector<AssembledPart> parts;
-  for (const Key& key : best) {
+  for (const Key& key : keys) {
     gather(key);
     parts.push_back({facets_, key.size() > 1});
   }
@@ -313,6 +312,33 @@ std::vector<AssembledPart> Partition::run(unsigned rounds, double noise, Random&
     return a.facets.front() < b.facets.front();
   });
   return parts;
+}
+
+std::vector<AssembledPart> Partition::join_all() {
+  Random unused(1);
+  Groups groups = groups_of(single_pieces());
+  at_any_cost_ = true;
+  join(groups, 0.0, unused);
+  at_any_cost_ = false;
+  least_ = cost_of(groups);
+  return parts_of(keys_of(groups));
+}
+
+std::vector<AssembledPart> Partition::run(unsigned rounds, double noise, Random& random) {
+  Groups groups = groups_of(single_pieces());
+  join(groups, 0.0, random);
+  std::vector<Key> best = keys_of(groups);
+  least_ = cost_of(groups);
+  for (unsigned round = 0; round < rounds && best.size() > 1; ++round) {
+    Groups tried = groups_of(torn(best, random));
+    join(tried, noise, random);
+    const double found = cost_of(tried);
+    if (found <= least_) {
+      least_ = found;
+      best = keys_of(tried);
+    }
+  }
+  return parts_of(best);
 }
 
 }  // namespace ridgecraft::segment

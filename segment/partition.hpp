@@ -2,6 +2,7 @@
 // Which pieces of a finely cut surface belong together: few parts, small hulls, borders along creases.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -48,6 +49,10 @@ class Partition {
   /// up in each round and joins their pieces in another order (`noise` is added to the smoothness of their
   /// borders), and keeps what costs less. Parts ascend by smallest facet.
   [[nodiscard]] std::vector<AssembledPart> run(unsigned rounds, double noise, Random& random);
+  /// Makes all joins that are possible, convex borders first, whatever they cost: the merge pass.
+  [[nodiscard]] std::vector<AssembledPart> join_all();
+  /// Of what was returned last.
+  [[nodiscard]] double cost() const { return least_; }
 
  private:
   using Key = std::vector<std::uint32_t>;  ///< pieces, ascending
@@ -62,14 +67,17 @@ class Partition {
   };
   using Groups = std::vector<Group>;
 
-  PieceSet& hull_of(const Key& key);
+  PieceSet& hull_of(const Key& key, std::array<const PieceSet*, 2> halves = {});
   bool feasible(const Key& key, PieceSet& set);
-  [[nodiscard]] double cost(const Groups& groups) const;
+  [[nodiscard]] double cost_of(const Groups& groups) const;
   void find_borders();
   [[nodiscard]] double added_volume(const PieceSet& set, std::uint32_t g, std::uint32_t h) const;
+  [[nodiscard]] static std::vector<Key> keys_of(const Groups& groups);
+  [[nodiscard]] std::vector<Key> single_pieces() const;
   void fill_cover(const Groups& groups);
   Groups groups_of(const std::vector<Key>& keys);
   void join(Groups& groups, double noise, Random& random);
+  [[nodiscard]] std::vector<AssembledPart> parts_of(const std::vector<Key>& keys);
   [[nodiscard]] std::vector<Key> torn(const std::vector<Key>& parts, Random& random);
   [[nodiscard]] static Key united(const Key& a, const Key& b);
   void unite(Groups& groups, std::uint32_t g, std::uint32_t h, Key key, PieceSet& set);
@@ -80,6 +88,8 @@ class Partition {
   PartitionCost cost_;
   PocketTest* pockets_;
   MeasureMode mode_;
+  bool at_any_cost_ = false;
+  double least_ = 0.0;
   std::vector<Facets> pieces_;
   std::vector<std::map<std::uint32_t, Border>> beside_;
   std::map<Key, PieceSet> known_;

@@ -28,17 +28,30 @@ constexpr int deepest_cut = 60;
 /// A component with at most this part of the largest one's facets is a crumb of a damaged surface.
 constexpr std::size_t crumb_ratio = 20;
 
-/// What more effort buys; measured in docs/segmentation.md.
+/// What more effort buys; measured in docs/segmentation.md. The planes' attempts come after the same ones
+/// without planes.
 AssemblySettings settings_of(const Options& options) {
   AssemblySettings settings;
-  settings.volume_weight = options.volume_weight;
+  settings.volume_weight = volume_weight(options);
   settings.pockets = options.pockets;
-  if (options.effort >= 2) {
-    settings.fineness = options.effort == 2 ? 0.5 : 0.35;
-    settings.rounds = options.effort == 2 ? 40 : 200;
-    settings.border_weight = 0.1;
-    settings.noise = 0.6;
-    settings.planes = options.volume_weight > 0.0;
+  if (options.effort == 1) {
+    settings.attempts.push_back({.planes = options.planes});
+    return settings;
+  }
+  settings.border_weight = 0.1;
+  settings.noise = 0.6;
+  settings.attempts.push_back({.at_any_cost = true});
+  std::vector<Attempt> attempts{{.fineness = 0.5, .rounds = 40}};
+  if (options.effort > 2) {
+    attempts.push_back({.fineness = 0.35, .rounds = 150});
+  }
+  for (const bool planes : {false, true}) {
+    for (Attempt attempt : attempts) {
+      attempt.planes = planes;
+      if (options.planes || !planes) {
+        settings.attempts.push_back(attempt);
+      }
+    }
   }
   return settings;
 }
@@ -76,7 +89,7 @@ class Run {
         measurer_(scaled_, graph_, options.concavity, context),
         cutter_(scaled_, weights_),
         context_(&context) {
-    if (options.effort > 1 || options.volume_weight > 0.0 || options.pockets) {
+    if (options.effort > 1 || volume_weight(options) > 0.0 || options.planes || options.pockets) {
       assembly_.emplace(scaled_, weights_, graph_, measurer_, cutter_, settings_of(options));
     }
   }
@@ -376,7 +389,7 @@ Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t
   if (!std::isfinite(options.concavity) || !(options.concavity > 0.0)) {
     throw Error(ErrorKind::usage, "the concavity must be a number above 0");
   }
-  if (!std::isfinite(options.volume_weight) || options.volume_weight < 0.0) {
+  if (const double weight = volume_weight(options); !std::isfinite(weight) || weight < 0.0) {
     throw Error(ErrorKind::usage, "the weight of volume must be a number from 0 on");
   }
   context.check();

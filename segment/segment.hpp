@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -20,14 +21,16 @@ struct Options {
   /// Largest concavity of a part, as a length in the scale where the model's smallest enclosing ball has
   /// radius 1. Finite and above 0, else Error(usage).
   double concavity = 0.1;
-  /// 1: one pass. 2: parts are cut into smaller pieces, which are put together anew for few parts with small
-  /// hulls; about five times as long. 3: still smaller pieces and many more trials; about fifteen times as
-  /// long.
+  /// 1: one pass. 2: also parts cut into smaller pieces that are put together anew, and the cheapest of both
+  /// in number of parts, volume and borders; about four times as long. 3: still smaller pieces and more
+  /// trials, too; about fifteen times as long.
   int effort = 1;
   /// Parts that one would give for a volume ratio (volume of the union of the parts' hulls over the volume
-  /// that the surface encloses) less by 1. 0: fewest parts whatever their hulls. At least 0, else
-  /// Error(usage).
-  double volume_weight = 0.0;
+  /// that the surface encloses) less by 1. 0: fewest parts whatever their hulls. None: 0 for effort 1, else
+  /// 5. At least 0, else Error(usage).
+  std::optional<double> volume_weight = std::nullopt;
+  /// Cut by planes, too, where that saves more volume than the pieces are worth: cups become sectors.
+  bool planes = false;
   /// No part's hull has a pocket: a point outside the solid that lies deeper under it than `concavity`. Takes
   /// a surface without border edges, else Error(unusable_mesh). Cups become sectors.
   bool pockets = false;
@@ -38,6 +41,9 @@ struct Options {
   };
   Holes holes = Holes::automatic;
 };
+
+/// The weight that counts: the one that was asked for, else that of the effort.
+[[nodiscard]] double volume_weight(const Options& options);
 
 /// Why a part is a part of its own.
 enum class PartReason {

@@ -157,6 +157,7 @@ segment::Segmentation without_pockets(const mesh::Surface& surface, int effort, 
   options.concavity = tolerance;
   options.effort = effort;
   options.volume_weight = volume_weight;
+  options.planes = volume_weight > 0.0;
   options.pockets = true;
   return segment::segment(surface, {}, options, Context{});
 }
