@@ -5,13 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "mesh/point_cells.hpp"
+#include "mesh/point_tree.hpp"
+#include "mesh/weld.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
-
-/// Steps along one edge when looking for points; longer edges are left alone rather than taking all the time.
-constexpr double most_steps = 10000.0;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -19,10 +17,29 @@ Edge edge(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
+/// Whether the line from a, `size` long, meets the box.
+bool meets(Vec3 a, Vec3 along, double size, const Box3& box) {
+  double first = 0.0;
+  double last = size;
+  const auto clip = [&](double from, double step, double low, double high) {
+    if (step == 0.0) {
+      return low <= from && from <= high;
+    }
+    const double s = (low - from) / step;
+    const double t = (high - from) / step;
+    first = std::max(first, std::min(s, t));
+    last = std::min(last, std::max(s, t));
+    return first <= last;
+  };
+  return clip(a.x, along.x, box.low.x, box.high.x) && clip(a.y, along.y, box.low.y, box.high.y) &&
+         clip(a.z, along.z, box.low.z, box.high.z);
+}
+
 /// One pass: each triangle is divided at one side at most.
 class Pass {
  public:
-  Pass(TriangleList& list, double distance) : list_(list), distance_(distance) {
+  Pass(TriangleList& list, double distance)
+      : list_(list), distance_(distance), reach_(list.points.size(), distance) {
     const std::vector<EdgeUse> uses = edge_uses(list.triangles);
     for_each_edge(uses, [&](std::size_t i, std::size_t j) {
       if (j - i == 1) {
@@ -30,7 +47,10 @@ class Pass {
         edges_.emplace_back(uses[i].low, uses[i].high);
         points_.push_back(uses[i].low);
         points_.push_back(uses[i].high);
-        total_ += length(list_.points[uses[i].high] - list_.points[uses[i].low]);
+        const double near = near_of_edge * length(list_.points[uses[i].high] - list_.points[uses[i].low]);
+        for (const std::uint32_t p : {uses[i].low, uses[i].high}) {
+          reach_[p] = std::min(reach_[p], near);
+        }
       }
     });
     std::sort(points_.begin(), points_.end());
@@ -41,8 +61,7 @@ class Pass {
     if (border_.empty()) {
       return 0;
     }
-    cell_ = std::max(total_ / static_cast<double>(border_.size()), 2.0 * distance_);
-    const PointCells cells(list_.points, points_, cell_);
+    const PointTree tree(list_.points, points_, reach_);
     std::vector<bool> divided(list_.triangles.size(), false);
     std::size_t count = 0;
     for (std::size_t i = 0; i < border_.size(); ++i) {
@@ -50,7 +69,7 @@ class Pass {
         context.check();
       }
       if (!divided[border_[i].triangle]) {
-        const std::vector<std::uint32_t> on = points_on(border_[i], cells);
+        const std::vector<std::uint32_t> on = points_on(border_[i], tree);
         if (closes_seam(border_[i], on)) {
           divided[border_[i].triangle] = true;
           divide(border_[i], on);
@@ -63,28 +82,31 @@ class Pass {
 
  private:
   /// Border points strictly between the ends, in order from corner `side` on.
-  [[nodiscard]] std::vector<std::uint32_t> points_on(const EdgeUse& use, const PointCells& cells) const {
+  [[nodiscard]] std::vector<std::uint32_t> points_on(const EdgeUse& use, const PointTree& tree) const {
     const Triangle& t = list_.triangles[use.triangle];
     const Vec3 a = list_.points[t.points[use.side]];
     const Vec3 b = list_.points[t.points[(use.side + 1U) % 3]];
     const double size = length(b - a);
-    if (!(size > 2.0 * distance_) || size > most_steps * cell_) {
+    if (!(size > 2.0 * distance_)) {
       return {};
     }
     const Vec3 along = (b - a) / size;
     std::vector<std::pair<double, std::uint32_t>> found;
-    const double steps = std::ceil(size / cell_);
-    for (double step = 0.0; step <= steps; step += 1.0) {
-      cells.near(a + step / steps * (b - a), [&](std::uint32_t p) {
-        const double t_along = dot(list_.points[p] - a, along);
-        if (std::find(t.points.begin(), t.points.end(), p) == t.points.end() && t_along > distance_ &&
-            t_along < size - distance_ && length(list_.points[p] - a - t_along * along) <= distance_) {
-          found.emplace_back(t_along, p);
-        }
-      });
-    }
+    tree.search(
+        a,
+        [&](const Box3& box, double reach) {
+          // Twice the reach: computed distances may be a little too small.
+          const Vec3 wider{2.0 * reach, 2.0 * reach, 2.0 * reach};
+          return meets(a, along, size, {box.low - wider, box.high + wider});
+        },
+        [&](std::uint32_t p) {
+          const double t_along = dot(list_.points[p] - a, along);
+          if (std::find(t.points.begin(), t.points.end(), p) == t.points.end() && t_along > distance_ &&
+              t_along < size - distance_ && length(list_.points[p] - a - t_along * along) <= reach_[p]) {
+            found.emplace_back(t_along, p);
+          }
+        });
     std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<std::uint32_t> on;
     for (const auto& [place, p] : found) {
       on.push_back(p);
@@ -126,8 +148,7 @@ class Pass {
 
   TriangleList& list_;
   double distance_;
-  double cell_ = 1.0;
-  double total_ = 0.0;
+  std::vector<double> reach_;  ///< of each point of the list: how near to an edge it lies on it
   std::vector<EdgeUse> border_;
   std::vector<Edge> edges_;  ///< of the border, sorted as edge_uses() sorts
   std::vector<std::uint32_t> points_;

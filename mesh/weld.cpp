@@ -2,14 +2,15 @@
 #include "mesh/weld.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
+#include <span>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/edge_order.hpp"
-#include "mesh/point_cells.hpp"
+#include "mesh/point_tree.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
@@ -55,13 +56,27 @@ std::size_t join_equal_points(PolygonList& list) {
 
 namespace {
 
+/// Companions of a point that one round looks at. Seams have one, corners of parts a few; more are joined in
+/// the next round, when these have become one.
+constexpr std::size_t most_companions = 16;
+/// A round leaves a sixteenth of the points of a heap or less: this is enough for all numbers of 32 bits.
+constexpr int most_rounds = 8;
+/// Squares of distances from boxes may be this much too large.
+constexpr double rounding = 1.0 + 1e-12;
+
 struct Edge {
   std::uint32_t low;
   std::uint32_t high;
 };
 
-/// Points on polygon sides that no other polygon has, ascending.
-std::vector<std::uint32_t> border_points(const PolygonList& list) {
+/// Points on polygon sides that no other polygon has.
+struct Border {
+  std::vector<std::uint32_t> points;  ///< ascending
+  std::vector<double> reach;          ///< of each point of the list: how near others count as the same
+};
+
+/// `distance` is the largest reach.
+Border find_border(const PolygonList& list, double distance) {
   std::vector<Edge> sides;
   sides.reserve(list.corners.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -74,21 +89,25 @@ std::vector<std::uint32_t> border_points(const PolygonList& list) {
   }
   const std::vector<Edge> edges = in_edge_order(std::span<const Edge>(sides),
                                                 [](const Edge& a, const Edge& b) { return a.high < b.high; });
-  std::vector<std::uint32_t> points;
+  Border border;
+  border.reach.assign(list.points.size(), distance);
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t j = i + 1;
     while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) {
       ++j;
     }
     if (j - i == 1) {
-      points.push_back(edges[i].low);
-      points.push_back(edges[i].high);
+      const double near = near_of_edge * length(list.points[edges[i].high] - list.points[edges[i].low]);
+      for (const std::uint32_t p : {edges[i].low, edges[i].high}) {
+        border.points.push_back(p);
+        border.reach[p] = std::min(border.reach[p], near);
+      }
     }
     i = j;
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
+  std::sort(border.points.begin(), border.points.end());
+  border.points.erase(std::unique(border.points.begin(), border.points.end()), border.points.end());
+  return border;
 }
 
 struct Pair {
@@ -98,29 +117,57 @@ struct Pair {
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-std::vector<Pair> near_pairs(const PolygonList& list, const std::vector<std::uint32_t>& border,
-                             double distance, const Context& context) {
-  const PointCells cells(list.points, border, distance);
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < border.size(); ++i) {
+struct Pairs {
+  std::vector<Pair> near;  ///< in order
+  bool complete = true;    ///< no point had more companions than are looked at
+};
+
+/// Each point with its nearest companions within reach of both.
+Pairs near_pairs(const PolygonList& list, const Border& border, const Context& context) {
+  const PointTree tree(list.points, border.points, border.reach);
+  Pairs pairs;
+  std::vector<Pair> nearest;  // a heap, the farthest on top
+  for (std::size_t i = 0; i < border.points.size(); ++i) {
     if (i % 1024 == 0) {
       context.check();
     }
-    cells.near(list.points[border[i]], [&](std::uint32_t q) {
-      const double apart = length(list.points[q] - list.points[border[i]]);
-      if (border[i] < q && apart <= distance) {
-        pairs.push_back({apart, border[i], q});
-      }
-    });
+    const std::uint32_t p = border.points[i];
+    const Vec3 at = list.points[p];
+    nearest.clear();
+    double within = border.reach[p];
+    tree.search(
+        at,
+        [&](const Box3& box, double reach) {
+          const double most = std::min(within, reach);
+          return PointTree::squared_distance(at, box) <= rounding * most * most;
+        },
+        [&](std::uint32_t q) {
+          const double apart = length(list.points[q] - at);
+          if (q == p || apart > std::min(border.reach[p], border.reach[q])) {
+            return;
+          }
+          nearest.push_back({apart, std::min(p, q), std::max(p, q)});
+          std::push_heap(nearest.begin(), nearest.end());
+          if (nearest.size() > most_companions) {
+            pairs.complete = false;
+            std::pop_heap(nearest.begin(), nearest.end());
+            nearest.pop_back();
+            within = nearest.front().distance;
+          }
+        });
+    pairs.near.insert(pairs.near.end(), nearest.begin(), nearest.end());
   }
-  std::sort(pairs.begin(), pairs.end());
+  std::sort(pairs.near.begin(), pairs.near.end());
+  pairs.near.erase(std::unique(pairs.near.begin(), pairs.near.end()), pairs.near.end());
   return pairs;
 }
 
 /// Sets of joined points, each with the polygons that it touches.
 class Clusters {
  public:
-  Clusters(const PolygonList& list, const std::vector<Pair>& pairs) : sets_(list.points.size()) {
+  Clusters(const PolygonList& list, const std::vector<Pair>& pairs)
+      : sets_(list.points.size()), label_(list.points.size()) {
+    std::iota(label_.begin(), label_.end(), 0U);
     std::vector<bool> wanted(list.points.size(), false);
     for (const Pair& pair : pairs) {
       wanted[pair.a] = wanted[pair.b] = true;
@@ -128,61 +175,77 @@ class Clusters {
     polygons_.resize(list.points.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       for (const std::uint32_t p : list.polygon(i)) {
-        if (wanted[p]) {
-          polygons_[p].push_back(static_cast<std::uint32_t>(i));
+        const auto polygon = static_cast<std::uint32_t>(i);
+        // A polygon that visits one point twice is in its list once.
+        if (wanted[p] && (polygons_[p].empty() || polygons_[p].back() != polygon)) {
+          polygons_[p].push_back(polygon);
+          touches_.insert(key(p, polygon));
         }
       }
     }
   }
-  /// Joins two sets unless a polygon would lose a corner by it.
+  /// Joins two sets unless a polygon would lose a corner by it. The smaller one goes into the larger one:
+  /// each polygon moves O(log n) times.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = sets_.find(a);
     b = sets_.find(b);
     if (a == b) {
       return false;
     }
-    std::vector<std::uint32_t> both;
-    std::merge(polygons_[a].begin(), polygons_[a].end(), polygons_[b].begin(), polygons_[b].end(),
-               std::back_inserter(both));
-    // A polygon that visits one point twice is in its list twice: only new repeats count.
-    const auto repeats = [](const std::vector<std::uint32_t>& v) {
-      std::size_t n = 0;
-      for (std::size_t i = 1; i < v.size(); ++i) {
-        n += v[i] == v[i - 1] ? 1U : 0U;
-      }
-      return n;
-    };
-    if (repeats(both) != repeats(polygons_[a]) + repeats(polygons_[b])) {
+    std::uint32_t large = label_[a];
+    std::uint32_t small = label_[b];
+    if (polygons_[large].size() < polygons_[small].size()) {
+      std::swap(large, small);
+    }
+    std::vector<std::uint32_t>& moved = polygons_[small];
+    if (std::any_of(moved.begin(), moved.end(),
+                    [&](std::uint32_t polygon) { return touches_.contains(key(large, polygon)); })) {
       return false;
     }
+    for (const std::uint32_t polygon : moved) {
+      polygons_[large].push_back(polygon);
+      touches_.insert(key(large, polygon));
+    }
+    moved = {};
     sets_.join(a, b);
-    polygons_[sets_.find(a)] = std::move(both);
+    label_[sets_.find(a)] = large;
     return true;
   }
   std::uint32_t find(std::uint32_t p) { return sets_.find(p); }
 
  private:
+  static std::uint64_t key(std::uint32_t label, std::uint32_t polygon) {
+    return std::uint64_t{label} << 32U | polygon;
+  }
   DisjointSets sets_;
-  std::vector<std::vector<std::uint32_t>> polygons_;
+  std::vector<std::uint32_t> label_;  ///< of each set's representative: its place in polygons_
+  std::vector<std::vector<std::uint32_t>> polygons_;  ///< each once
+  std::unordered_set<std::uint64_t> touches_;         ///< asked only whether a key is there
 };
 
 }  // namespace
 
 std::size_t join_border_points(PolygonList& list, double distance, const Context& context) {
-  if (!(distance > 0.0)) {
-    return 0;
-  }
-  const std::vector<Pair> pairs = near_pairs(list, border_points(list), distance, context);
-  if (pairs.empty()) {
-    return 0;
-  }
-  Clusters clusters(list, pairs);
   std::size_t gone = 0;
-  for (const Pair& pair : pairs) {
-    gone += clusters.join(pair.a, pair.b) ? 1U : 0U;
-  }
-  for (std::uint32_t& c : list.corners) {
-    c = clusters.find(c);
+  for (int round = 0; distance > 0.0 && round < most_rounds; ++round) {
+    const Pairs pairs = near_pairs(list, find_border(list, distance), context);
+    if (pairs.near.empty()) {
+      break;
+    }
+    Clusters clusters(list, pairs.near);
+    const std::size_t before_round = gone;
+    for (std::size_t i = 0; i < pairs.near.size(); ++i) {
+      if (i % 1024 == 0) {
+        context.check();
+      }
+      gone += clusters.join(pairs.near[i].a, pairs.near[i].b) ? 1U : 0U;
+    }
+    for (std::uint32_t& c : list.corners) {
+      c = clusters.find(c);
+    }
+    if (pairs.complete || gone == before_round) {
+      break;
+    }
   }
   return gone;
 }
