@@ -80,6 +80,21 @@ class AsciiReader {
 
  private:
   bool read_solid();
+  /// The blanks of this line before the place.
+  [[nodiscard]] std::string_view blanks_before(const char* place) const {
+    const char* first = place;
+    while (first != source_.bytes.data() && is_blank(first[-1])) {
+      --first;
+    }
+    return {first, place};
+  }
+  /// Whether another facet has begun with nothing but its indentation.
+  [[nodiscard]] bool ends_in_indentation() const {
+    const std::string_view text = source_.bytes;
+    const std::string_view last = blanks_before(text.data() + text.size());
+    return !last.empty() && last.size() < text.size() && is_line_end(text[text.size() - last.size() - 1]) &&
+           indentation_.starts_with(last);
+  }
   void read_facet(const char* start);
   void read_vertex();
   [[nodiscard]] std::string_view next_word() {
@@ -104,6 +119,7 @@ class AsciiReader {
   const Source& source_;
   Soup soup_;
   TextScanner text_;
+  std::string_view indentation_;  ///< of the last facet's first line
 };
 
 /// False at the end of the file.
@@ -121,6 +137,7 @@ bool AsciiReader::read_solid() {
   while (true) {
     word = next_word();
     if (equal_ignoring_case(word, "facet")) {
+      indentation_ = blanks_before(word.data());
       read_facet(word.data());
     } else if (equal_ignoring_case(word, "color")) {
       (void)text_.rest_of_line();
@@ -128,7 +145,7 @@ bool AsciiReader::read_solid() {
       (void)text_.rest_of_line();
       return true;
     } else if (word.empty() || equal_ignoring_case(word, "solid")) {
-      if (word.empty() && is_blank(source_.bytes.back())) {
+      if (word.empty() && ends_in_indentation()) {
         source_.refuse(
             ErrorKind::unreadable_input,
             fmt::format("is cut off: it ends within the line after facet {}", soup_.polygon_count()));

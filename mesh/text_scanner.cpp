@@ -99,8 +99,12 @@ void TextScanner::skip_space(char comment_mark) {
 }
 
 void TextScanner::next_line() {
-  for (; at_ != end_ && !is_line_end(*at_); ++at_) {
-    if (*at_ == '\\' && joins_lines_) {
+  const char* const start = at_;
+  for (; joins_lines_ && at_ != end_ && !is_line_end(*at_); ++at_) {
+    if (*at_ == '#' && (at_ == start || is_blank(at_[-1]))) {
+      break;
+    }
+    if (*at_ == '\\') {
       skip_joint();
     }
   }

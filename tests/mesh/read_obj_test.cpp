@@ -42,6 +42,10 @@ TEST_CASE("OBJ: line ends, tabs, comments and continued lines are white space") 
   }
   // A backslash at the end of a comment joins nothing.
   CHECK(parsed("# C:\\models\\\n" + points + "f 1 2 3", "obj").points.size() == 3);
+  CHECK(
+      parsed("v 0 0 0 # C:\\\nv 1 0 0\nv 0 1 0\nf 1 2 3 # \\\nf 1 3 2#\\\nf 2 3 1", "obj").polygon_count() ==
+      3);
+  CHECK(parsed("g a#b \\\n c\n" + points + "f 1 2 3", "obj").remarks.entries().empty());
   CHECK(parsed("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", "obj").points.size() == 3);
   CHECK(parsed("\xef\xbb\xbf" + points + "f 1 2 3", "obj").points.size() == 3);
 }

@@ -97,6 +97,16 @@ TEST_CASE("STL: an ASCII file that is cut off anywhere is refused or whole") {
   }
 }
 
+TEST_CASE("STL: blanks after the last facet are no reason to refuse a file, a facet's indentation is") {
+  const std::string indented = "solid a\n  " + std::string(facet);
+  for (const std::string_view end : {" ", "\t", "\n\t", "\n   ", "\n  \n"}) {
+    CHECK(parsed(indented.substr(0, indented.size() - 1) + std::string(end), "stl")
+              .remarks.count(RepairKind::missing_end) == 1);
+  }
+  CHECK(refusal(indented + "  ", "stl").starts_with("3 "));
+  CHECK(refusal(indented + " ", "stl").starts_with("3 "));
+}
+
 TEST_CASE("STL: refusals of ASCII files name the line") {
   const auto with = [&](std::string_view word, std::string_view other) {
     std::string text = "solid a\n" + std::string(facet) + "endsolid\n";
