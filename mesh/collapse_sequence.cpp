@@ -75,12 +75,28 @@ class NearPlacement {
   const Policies* policies_;
 };
 
+/// Asks now and then whether to stop: when costs are collected, and while no edge may be collapsed.
+class Watch {
+ public:
+  explicit Watch(const Context& context) : context_(context) {}
+  void count() {
+    if (++calls_ % 1024 == 0) {
+      context_.check();
+    }
+  }
+
+ private:
+  const Context& context_;
+  std::size_t calls_ = 0;
+};
+
 /// A placement that doesn't spoil the surface.
 class GuardedPlacement {
  public:
   /// `drift` is per vertex a bound of how far the original surface around it is from the present one.
-  GuardedPlacement(const Policies& policies, const CollapseRules& rules, const std::vector<double>& drift)
-      : near_(policies), rules_(rules), drift_(&drift) {}
+  GuardedPlacement(const Policies& policies, const CollapseRules& rules, const std::vector<double>& drift,
+                   Watch& watch)
+      : near_(policies), rules_(rules), drift_(&drift), watch_(&watch) {}
 
   /// As a placement: the best place, or another one on the edge where that would spoil something.
   template <class Profile>
@@ -104,6 +120,7 @@ class GuardedPlacement {
  private:
   template <class Profile>
   bool fits(const Profile& profile, const Place& p) const {
+    watch_->count();
     const Vec3 place{p.x(), p.y(), p.z()};
     const EditMesh& mesh = profile.surface_mesh();
     std::vector<Rim> rim;
@@ -212,6 +229,7 @@ class GuardedPlacement {
   NearPlacement near_;
   CollapseRules rules_;
   const std::vector<double>* drift_;
+  Watch* watch_;
 };
 
 /// CGAL's cost, weighted so that short edges come first.
@@ -228,11 +246,13 @@ class WeightedCost {
     policies_->update_after_collapse(profile, v);
   }
 
-  WeightedCost(const Policies& policies, const CollapseRules& rules) : policies_(&policies), rules_(rules) {}
+  WeightedCost(const Policies& policies, const CollapseRules& rules, Watch& watch)
+      : policies_(&policies), rules_(rules), watch_(&watch) {}
 
   template <class Profile>
   boost::optional<EditKernel::FT> operator()(const Profile& profile,
                                              const boost::optional<Place>& place) const {
+    watch_->count();
     if (place && !has_quadrics(policies_->get_cost(), profile)) {
       return 0.0;  // nothing is lost with faces that small
     }
@@ -251,6 +271,7 @@ class WeightedCost {
   static constexpr double flat_error = 1e-6;
   const Policies* policies_;
   CollapseRules rules_;
+  Watch* watch_;
 };
 
 /// Writes the collapses down as they happen. CGAL copies visitors.
@@ -314,8 +335,9 @@ std::vector<Collapse> collapse_sequence(const LooseFaces& loose, std::size_t fac
   const Policies policies(mesh);
   std::vector<double> drift(loose.points.size(), 0.0);
   const StopAt stop{&collapses, faces};
-  const WeightedCost cost(policies, rules);
-  const GuardedPlacement guard(policies, rules, drift);
+  Watch watch(context);
+  const WeightedCost cost(policies, rules, watch);
+  const GuardedPlacement guard(policies, rules, drift, watch);
   const Recorder recorder(collapses, drift, loose.faces.size(), context);
   namespace parameters = CGAL::parameters;
   if (rules.field != nullptr) {

@@ -12,6 +12,10 @@
 namespace ridgecraft::mesh {
 namespace {
 
+/// Where flat faces share an edge with a fan of others, each divides each: no more than this many times the
+/// triangles that there were. A surface without such edges gains less than one for each flat face.
+constexpr std::size_t most_growth = 4;
+
 struct Sides {
   std::array<double, 3> length;  ///< of the side from corner k to corner k + 1
   unsigned longest;
@@ -57,10 +61,12 @@ bool join_short_sides(TriangleList& list, const std::vector<std::size_t>& flat) 
 }
 
 /// Takes flat triangles away, the one with the longest side first, and divides the others at that side. The
-/// sum of the flat triangles' longest sides falls with each step, so it ends.
+/// sum of the flat triangles' longest sides falls with each step, so it ends. Once there are very many, the
+/// others stay whole, and a seam without width opens.
 class Divider {
  public:
-  explicit Divider(TriangleList& list) : list_(list), gone_(list.triangles.size(), false) {}
+  explicit Divider(TriangleList& list)
+      : list_(list), gone_(list.triangles.size(), false), most_(most_growth * list.triangles.size()) {}
 
   void run(const Context& context) {
     for (std::size_t i = 0; i < list_.triangles.size(); ++i) {
@@ -115,6 +121,9 @@ class Divider {
     const std::uint32_t b = flat.points[(k + 1) % 3];
     const std::uint32_t middle = flat.points[(k + 2) % 3];
     leave(i);
+    if (list_.triangles.size() > most_) {
+      return;
+    }
     const std::set<std::size_t> beyond = uses_[edge(a, b)];
     for (const std::size_t j : beyond) {
       const Triangle t = list_.triangles[j];
@@ -139,6 +148,7 @@ class Divider {
 
   TriangleList& list_;
   std::vector<bool> gone_;
+  std::size_t most_;  ///< triangles, those that are gone included
   std::map<Edge, std::set<std::size_t>> uses_;
   std::set<std::pair<double, std::size_t>> queue_;
 };

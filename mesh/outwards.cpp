@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/disjoint_sets.hpp"
+#include "mesh/near_boxes.hpp"
 #include "mesh/orient.hpp"
 
 namespace ridgecraft::mesh {
@@ -17,6 +18,8 @@ constexpr double no_volume = 1e-9;
 /// An open surface whose faces' vector areas add up to less than this share of its area is as good as closed:
 /// its holes are small, or it is a tube.
 constexpr double nearly_closed = 0.05;
+/// Triangles and pairs of boxes between two questions whether to stop.
+constexpr std::size_t check_interval = 1U << 16U;
 
 struct Component {
   std::vector<std::uint32_t> triangles;
@@ -100,18 +103,47 @@ bool box_inside(const Box3& inner, const Box3& outer) {
          outer.high.x >= inner.high.x && outer.high.y >= inner.high.y && outer.high.z >= inner.high.z;
 }
 
-/// The closed components around component i.
-std::vector<std::size_t> around(const TriangleList& list, const std::vector<Component>& components,
-                                std::size_t i) {
-  std::vector<std::size_t> result;
-  const Vec3 q = list.points[list.triangles[components[i].triangles[0]].points[0]];
-  for (std::size_t j = 0; j < components.size(); ++j) {
-    if (j != i && components[j].closed && components[j].outside_known &&
-        box_inside(components[i].box, components[j].box) && std::abs(winding(list, components[j], q)) > 0.5) {
-      result.push_back(j);
+/// Of each component whose volume tells the outside, the closed ones around it, ascending.
+std::vector<std::vector<std::size_t>> find_around(const TriangleList& list,
+                                                  const std::vector<Component>& components,
+                                                  const Context& context) {
+  std::vector<std::size_t> known;
+  std::vector<Box3> boxes;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    if (components[i].outside_known) {
+      known.push_back(i);
+      boxes.push_back(components[i].box);
     }
   }
-  return result;
+  std::vector<std::vector<std::size_t>> around(components.size());
+  std::size_t asked = 0;
+  const auto add = [&](std::size_t inner, std::size_t outer) {
+    const Component& c = components[outer];
+    if (!c.closed || !box_inside(components[inner].box, c.box)) {
+      return;
+    }
+    asked += c.triangles.size();
+    if (asked > check_interval) {
+      asked = 0;
+      context.check();
+    }
+    const Vec3 q = list.points[list.triangles[components[inner].triangles[0]].points[0]];
+    if (std::abs(winding(list, c, q)) > 0.5) {
+      around[inner].push_back(outer);
+    }
+  };
+  NearBoxes(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+    if (++asked > check_interval) {
+      asked = 0;
+      context.check();
+    }
+    add(known[i], known[j]);
+    add(known[j], known[i]);
+  });
+  for (std::vector<std::size_t>& outer : around) {
+    std::sort(outer.begin(), outer.end());
+  }
+  return around;
 }
 
 void turn(TriangleList& list, Component& c) {
@@ -131,11 +163,9 @@ void turn_by_volume(TriangleList& list, std::vector<Component>& components, cons
     return;
   }
   std::vector<std::pair<std::size_t, std::size_t>> by_depth;
-  std::vector<std::vector<std::size_t>> outer(components.size());
+  const std::vector<std::vector<std::size_t>> outer = find_around(list, components, context);
   for (std::size_t i = 0; i < components.size(); ++i) {
-    context.check();
     if (components[i].outside_known) {
-      outer[i] = around(list, components, i);
       by_depth.emplace_back(outer[i].size(), i);
     }
   }

@@ -319,6 +319,60 @@ TEST_CASE("faces without area go or stay as asked, and nothing opens", "[repair]
   test::check_invariants(kept.surface);
 }
 
+TEST_CASE("flat faces and a fan on one edge don't multiply", "[repair]") {
+  const std::uint32_t n = 300;
+  std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}};
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double t = 3.0 * i / n;
+    points.push_back({(i + 1.0) / (n + 1.0), 0, 0});
+    points.push_back({0.5, std::cos(t), std::sin(t)});
+    faces.push_back({0, 1, 2 * i + 2});
+    faces.push_back({1, 0, 2 * i + 3});
+  }
+  const Model model = repaired(soup(points, faces));
+  CHECK(model.surface.face_count() >= n);
+  CHECK(model.surface.face_count() <= 8 * n);
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    REQUIRE(model.surface.area(f) > 1e-9);
+  }
+  test::check_invariants(model.surface);
+}
+
+TEST_CASE("many bodies, nested and beside each other, are turned outwards", "[repair]") {
+  // Shells within shells: every other one is a cavity.
+  const std::uint32_t nested = 6;
+  const std::uint32_t beside = 500;
+  Random random(8);
+  std::vector<Vec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+  const auto add_box = [&](Vec3 low, Vec3 high, bool inverted) {
+    auto box = shifted(box_faces, static_cast<std::uint32_t>(points.size()));
+    for (auto& face : box) {
+      if (inverted) {
+        std::reverse(face.begin(), face.end());
+      }
+    }
+    faces = both(faces, box);
+    points = both(points, box_points(low, high));
+  };
+  double expected = 0.0;
+  for (std::uint32_t i = 0; i < nested; ++i) {
+    const double h = 10.0 - i;
+    add_box({-h, -h, -h}, {h, h, h}, i % 2 == 1);
+    expected += (i % 2 == 1 ? -8.0 : 8.0) * h * h * h;
+  }
+  for (std::uint32_t i = 0; i < beside; ++i) {
+    const double x = 20.0 + 2.0 * i;
+    const double size = 0.5 + random.unit();
+    add_box({x, 0, 0}, {x + size, size, size}, i == 0 || random.below(2) == 0);
+    expected += size * size * size;
+  }
+  const Model model = repaired(soup(points, faces));
+  CHECK(model.surface.component_count() == nested + beside);
+  CHECK(test::volume(model.surface) == Approx(expected));
+}
+
 TEST_CASE("a Moebius band is cut open once", "[repair]") {
   std::vector<Vec3> points;
   std::vector<std::vector<std::uint32_t>> faces;
