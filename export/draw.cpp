@@ -42,10 +42,12 @@ std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets,
   DrawReport sum;
   sum.bodies = find_bodies(model, nets);
   const auto notes = body_notes(model.model.surface, nets, sum.bodies);
+  const auto contents = piece_contents(model.model.surface, nets);
   std::vector<std::vector<PieceDrawing>> pieces(pages.count);
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
     const Placement& placement = pages.placements[piece];
-    pieces[placement.page.value()].push_back(piece_drawing(model, nets, piece, placement, style));
+    pieces[placement.page.value()].push_back(
+        piece_drawing(model, nets, piece, contents[piece], placement, style));
     pieces[placement.page.value()].back().notes = notes[piece];
   }
   std::vector<Drawing> drawings;

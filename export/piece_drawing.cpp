@@ -16,11 +16,12 @@ constexpr double flat_angle = 1e-4 * 3.14159265358979323846 / 180.0;
 class PieceDrawer {
  public:
   PieceDrawer(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
-              const Placement& placement, const Style& style)
+              const PieceContents& contents, const Placement& placement, const Style& style)
       : model_(model),
         surface_(model.model.surface),
         nets_(nets),
         piece_(piece),
+        contents_(contents),
         place_(placement),
         style_(style) {}
 
@@ -102,10 +103,8 @@ class PieceDrawer {
 
   void add_tabs() {
     std::vector<FoldSegment> bases;
-    for (const unfold::Tab& tab : nets_.tabs) {
-      if (nets_.piece[mesh::face_of(tab.side)] != piece_) {
-        continue;
-      }
+    for (const TabId id : contents_.tabs) {
+      const unfold::Tab& tab = nets_.tabs[id];
       std::vector<Vec2> area;
       for (const Vec2 p : tab.polygon) {
         area.push_back(place_(p));
@@ -119,7 +118,8 @@ class PieceDrawer {
   }
 
   void add_seams() {
-    for (const unfold::Join& join : nets_.joins) {
+    for (const JoinId id : contents_.joins) {
+      const unfold::Join& join = nets_.joins[id];
       for (const CornerId c : surface_.sides(join.edge)) {
         if (nets_.piece[mesh::face_of(c)] != piece_) {
           continue;
@@ -143,6 +143,7 @@ class PieceDrawer {
   const mesh::Surface& surface_;
   const unfold::Nets& nets_;
   PieceId piece_;
+  const PieceContents& contents_;
   const Placement& place_;
   const Style& style_;
   DrawnLines drawn_;
@@ -151,9 +152,25 @@ class PieceDrawer {
 
 }  // namespace
 
+IdVector<PieceId, PieceContents> piece_contents(const mesh::Surface& surface, const unfold::Nets& nets) {
+  IdVector<PieceId, PieceContents> contents(nets.pieces.size());
+  for (const TabId tab : ids<TabId>(nets.tabs.size())) {
+    contents[nets.piece[mesh::face_of(nets.tabs[tab].side)]].tabs.push_back(tab);
+  }
+  for (const JoinId join : ids<JoinId>(nets.joins.size())) {
+    for (const CornerId side : surface.sides(nets.joins[join].edge)) {
+      std::vector<JoinId>& joins = contents[nets.piece[mesh::face_of(side)]].joins;
+      if (joins.empty() || joins.back() != join) {
+        joins.push_back(join);
+      }
+    }
+  }
+  return contents;
+}
+
 PieceDrawing piece_drawing(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
-                           const Placement& placement, const Style& style) {
-  return PieceDrawer(model, nets, piece, placement, style).draw();
+                           const PieceContents& contents, const Placement& placement, const Style& style) {
+  return PieceDrawer(model, nets, piece, contents, placement, style).draw();
 }
 
 }  // namespace ridgecraft::paper

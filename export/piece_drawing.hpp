@@ -28,8 +28,19 @@ struct PieceDrawing {
   std::vector<std::array<Vec2, 3>> faces;
 };
 
+/// What lies on a piece; both ascending.
+struct PieceContents {
+  std::vector<TabId> tabs;
+  std::vector<JoinId> joins;
+};
+
+/// Of all pieces at once: linear.
+[[nodiscard]] IdVector<PieceId, PieceContents> piece_contents(const mesh::Surface& surface,
+                                                              const unfold::Nets& nets);
+
 /// Everything of a piece but its texts, in page coordinates. No stretch of line is drawn twice.
 [[nodiscard]] PieceDrawing piece_drawing(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
-                                         const Placement& placement, const Style& style);
+                                         const PieceContents& contents, const Placement& placement,
+                                         const Style& style);
 
 }  // namespace ridgecraft::paper

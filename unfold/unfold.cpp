@@ -205,11 +205,18 @@ void find_reasons(const Forest& forest, const IdVector<FaceId, PartId>& part, st
   for (const FaceId f : ids<FaceId>(part.size())) {
     of_part[part[f]].push_back(f.value());
   }
+  PieceReason of_all = PieceReason::page;  // of the part, once it is asked for
+  bool asked = false;
   for (std::size_t i = 0; i < drafts.size(); ++i) {
-    if (i > 0 && drafts[i].part == drafts[i - 1].part) {
-      const PieceReason of_all = most_frequent_cause(forest, of_part[drafts[i].part], PieceReason::page);
-      drafts[i].reason = most_frequent_cause(forest, drafts[i].faces, of_all);
+    if (i == 0 || drafts[i].part != drafts[i - 1].part) {
+      asked = false;
+      continue;
     }
+    if (!asked) {
+      of_all = most_frequent_cause(forest, of_part[drafts[i].part], PieceReason::page);
+      asked = true;
+    }
+    drafts[i].reason = most_frequent_cause(forest, drafts[i].faces, of_all);
   }
 }
 
