@@ -150,14 +150,6 @@ void require_all_replaceable(const std::vector<Target>& targets, std::size_t pag
   }
 }
 
-void create_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw Error(ErrorKind::cant_write, "can't create the folder " + folder.string() + ": " + error.message());
-  }
-}
-
 std::string printed(const fs::path& file) {
   return file.lexically_normal().string();
 }
@@ -165,7 +157,6 @@ std::string printed(const fs::path& file) {
 /// Writes one target's files under their temporary names.
 void add_target(const Target& target, const std::vector<paper::Drawing>& drawings, const std::string& fold,
                 const paper::Mark& mark, PendingFiles& pending, std::vector<std::string>& written) {
-  create_folder(target.folder);
   const std::vector<fs::path> files = files_of(target, drawings.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     switch (target.format) {
@@ -281,7 +272,9 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
     }
     remove_leftovers(targets, drawings.size(), mark.digest, pending);
     context.check();
-    pending.commit();
+    for (const std::string& note : pending.commit()) {
+      remark(note);
+    }
     return true;
   });
   return result;

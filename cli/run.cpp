@@ -120,6 +120,9 @@ auto about(const std::string& model, const Work& work) {
     throw Error(error.kind(), about_model && sentence.find(shown) == std::string::npos
                                   ? shown + ": " + sentence
                                   : sentence);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::unusable_mesh,
+                mesh::printable(model) + " needs more memory than this machine has");
   }
 }
 
@@ -161,8 +164,9 @@ ExitCode do_job(const UnfoldJob& job) {
 template <class SolidJob>
 ExitCode do_solid(const SolidJob& job, SolidResult (*make)(const SolidJob&, const Context&, PendingFiles&)) {
   Session session(job.common);
-  const SolidResult result = in_time(session.run(), "bodies were made", [&](const Context& strict) {
-    return make(job, strict, session.pending());
+  const SolidResult result = about(job.model, [&] {
+    return in_time(session.run(), "bodies were made",
+                   [&](const Context& strict) { return make(job, strict, session.pending()); });
   });
   session.report(result.model.repairs);
   session.finish([&] { return summary(job.model, result); }, [&] { return summary_json(job.model, result); });
@@ -184,8 +188,10 @@ ExitCode do_job(const DeformJob& job) {
 
 ExitCode do_job(const InfoJob& job) {
   Session session(job.common);
-  const mesh::Model model = in_time(session.run(), job.model + " was read",
-                                    [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
+  const mesh::Model model = about(job.model, [&] {
+    return in_time(session.run(), job.model + " was read",
+                   [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
+  });
   const mesh::Panels panels = mesh::find_panels(model.surface);
   session.finish([&] { return summary(job, model, panels); },
                  [&] { return summary_json(job, model, panels); });

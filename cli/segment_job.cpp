@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft segment: reads, segments, compares, writes.
+#include <array>
+#include <map>
 #include <optional>
-#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -30,19 +32,24 @@ void check_outputs(const SegmentJob& job) {
       throw Error(ErrorKind::usage, "-o " + output + ": parts are written as .ply or .off");
     }
   }
-  std::vector<fs::path> files(job.outputs.begin(), job.outputs.end());
-  std::set<fs::path> different;
-  for (const fs::path& file : files) {
-    if (!different.insert(file.lexically_normal()).second) {
-      throw Error(ErrorKind::usage, "-o " + file.string() + " is given twice");
+  std::vector<std::pair<const char*, fs::path>> files;
+  for (const std::string& output : job.outputs) {
+    files.emplace_back("-o ", output);
+  }
+  if (!job.labels.empty()) {
+    files.emplace_back("--labels ", job.labels);
+  }
+  if (!job.hierarchy.empty()) {
+    files.emplace_back("--hierarchy ", job.hierarchy);
+  }
+  std::map<fs::path, std::string> different;
+  for (const auto& [option, file] : files) {
+    const auto [first, added] = different.emplace(place_of(file), option + file.string());
+    if (!added) {
+      throw Error(ErrorKind::usage, option + file.string() + " names the same file as " + first->second);
     }
   }
-  for (const std::string& file : {job.labels, job.hierarchy}) {
-    if (!file.empty()) {
-      files.emplace_back(file);
-    }
-  }
-  for (const fs::path& file : files) {
+  for (const auto& [option, file] : files) {
     require_writable_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
   }
 }
@@ -73,14 +80,50 @@ void add_unmarked(const std::string& file, std::string bytes, bool overwrite, Se
   result.files.push_back(file);
 }
 
+/// The same before the work, when the bytes aren't known: what can't be the same ones is refused.
+void require_own_labels(const SegmentJob& job, std::size_t polygons) {
+  const auto refuse_foreign = [&](const std::string& file, const auto& is_like_ours) {
+    require_replaceable(file, {}, job.overwrite || is_like_ours());
+  };
+  if (!job.labels.empty()) {
+    refuse_foreign(job.labels, [&] {
+      try {
+        return read_labels(job.labels, polygons).size() == polygons;
+      } catch (const Error&) {
+        return false;
+      }
+    });
+  }
+  if (!job.hierarchy.empty()) {
+    refuse_foreign(job.hierarchy, [&] {
+      const std::string start = "{\"by\":" + nlohmann::json(program_and_version()).dump();
+      return begins_with(job.hierarchy, start);
+    });
+  }
+}
+
+/// Lengths leave as the file had them: repair divides extreme ones by file_scale.
+mesh::Surface in_file_numbers(const mesh::Model& model) {
+  std::vector<Vec3> points(model.surface.points().begin(), model.surface.points().end());
+  for (Vec3& p : points) {
+    p = model.file_scale * p;
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    faces.push_back(model.surface.vertices(f));
+  }
+  return {std::move(points), std::move(faces)};
+}
+
 void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
+  const mesh::Surface surface =
+      result.model.file_scale == 1.0 ? result.model.surface : in_file_numbers(result.model);
   const mesh::FaceColours colours = part_colours(result.segmentation);
   for (const std::string& output : job.outputs) {
     const std::string comment =
         paper::mark_word({program_and_version(), result.model.name, result.model.digest});
-    std::string bytes = suffix_of(output) == ".ply"
-                            ? mesh::write_ply(result.model.surface, colours, mesh::PlyKind::binary)
-                            : mesh::write_off(result.model.surface, colours);
+    std::string bytes = suffix_of(output) == ".ply" ? mesh::write_ply(surface, colours, mesh::PlyKind::binary)
+                                                    : mesh::write_off(surface, colours);
     pending.add(output, with_comment(std::move(bytes), comment));
     result.files.push_back(output);
   }
@@ -158,11 +201,16 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   for (const std::string& output : job.outputs) {
     require_replaceable(output, result.model.digest, job.overwrite);
   }
+  require_own_labels(job, result.model.polygon_count);
   std::optional<segment::Hierarchy> hierarchy;
   result.segmentation = clock("segment", context, [&] {
     return in_time(run, job.model + " was segmented",
                    [&](const Context& strict) { return find_parts(job, result.model, hierarchy, strict); });
   });
+  const double scale = result.model.file_scale;
+  for (segment::Part& part : result.segmentation.parts) {
+    part.hull_volume *= scale * scale * scale;
+  }
   if (!job.compare.empty()) {
     result.comparison = clock("compare", context, [&] {
       return compare_with(job.compare, result.model, result.segmentation, context);

@@ -81,14 +81,25 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
     }
   }
   std::vector<Target> different;
+  std::set<fs::path> places;
   for (Target& target : targets) {
     target.folder = (target.folder / "").lexically_normal();
-    if (std::find(different.begin(), different.end(), target) == different.end()) {
+    if (places.insert(place_of(target.folder / (target.stem + suffix(target.format)))).second) {
       require_writable_folder(target.folder);
       different.push_back(target);
     }
   }
   return different;
+}
+
+fs::path place_of(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::error_code error;
+  fs::path place = fs::weakly_canonical(fs::absolute(folder, error), error);
+  if (error) {
+    place = folder.lexically_normal();
+  }
+  return place / file.filename();
 }
 
 std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
@@ -144,6 +155,13 @@ bool holds(const fs::path& file, const std::string& bytes) {
   }
   std::ifstream in(file, std::ios::binary);
   return std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()} == bytes;
+}
+
+bool begins_with(const fs::path& file, const std::string& bytes) {
+  std::ifstream in(file, std::ios::binary);
+  std::string start(bytes.size(), '\0');
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return in && start == bytes;
 }
 
 void require_writable_folder(const fs::path& folder) {

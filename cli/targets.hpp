@@ -28,6 +28,10 @@ struct Target {
 [[nodiscard]] std::vector<Target> plan_targets(const std::vector<std::string>& outputs,
                                                const std::string& model_name);
 
+/// The same for all names of one place in the file system: the folder without links, dots and the like. A
+/// link as last name stays, since a file that is written replaces it.
+[[nodiscard]] std::filesystem::path place_of(const std::filesystem::path& file);
+
 /// The files of a target: one, or for SVG and PNG one per page.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const Target& target, std::size_t pages);
 
@@ -43,6 +47,9 @@ void require_replaceable(const std::filesystem::path& file, const std::string& d
 
 /// True where the file exists and holds just these bytes.
 [[nodiscard]] bool holds(const std::filesystem::path& file, const std::string& bytes);
+
+/// True where the file exists and these are its first bytes.
+[[nodiscard]] bool begins_with(const std::filesystem::path& file, const std::string& bytes);
 
 /// Throws Error(cant_write) unless the file's folder exists (or can be created) and can be written to.
 void require_writable_folder(const std::filesystem::path& folder);

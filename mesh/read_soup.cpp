@@ -53,7 +53,7 @@ Soup parse_soup(std::string_view bytes, std::string_view file_name,
     }
     return soup;
   } catch (const std::bad_alloc&) {
-    source.refuse(ErrorKind::unreadable_input, "is too large for this machine's memory");
+    source.refuse(ErrorKind::unusable_mesh, "needs more memory than this machine has");
   }
 }
 
@@ -62,8 +62,8 @@ Soup read_soup(const std::filesystem::path& file, const Context& context) {
   try {
     bytes = read_file(file);
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::unreadable_input,
-                fmt::format("{} is too large for this machine's memory", printable(file.string())));
+    throw Error(ErrorKind::unusable_mesh,
+                fmt::format("{} needs more memory than this machine has", printable(file.string())));
   }
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   return parse_soup(bytes, file.string(), folder, context);

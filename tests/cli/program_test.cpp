@@ -383,6 +383,109 @@ TEST_CASE("pages left over from an earlier run of the same model are removed", "
         std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold", "house-9.svg"});
 }
 
+TEST_CASE("a file that is asked for twice is written once", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  fs::create_directory(folder / "real");
+  fs::create_directory_symlink("real", folder / "link");
+  const Outcome outcome = run_program(
+      {"house.obj", "--size", "8cm", "-o", "real/h.pdf", "-o", "link/h.pdf", "-o", "link/../real/h.fold"},
+      in(folder));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(read_bytes(folder / "real/h.pdf").starts_with("%PDF"));
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "real", "link"});
+}
+
+TEST_CASE("exit code 2: two results in one file", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  fs::create_directory(folder / "real");
+  fs::create_directory_symlink("real", folder / "link");
+  check_refusal(run_program({"segment", "house.obj", "-o", "p.ply", "--labels", "p.ply"}, in(folder)), 2,
+                "p.ply");
+  check_refusal(
+      run_program({"segment", "house.obj", "-o", "real/p.ply", "--labels", "link/p.ply"}, in(folder)), 2,
+      "link/p.ply");
+  check_refusal(
+      run_program({"segment", "house.obj", "--hierarchy", "new/a", "--labels", "new/../new/a"}, in(folder)),
+      2, "new/a");
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "real", "link"});
+}
+
+TEST_CASE("names as long as the file system allows", "[program]") {
+  const TemporaryFolder folder;
+  const std::string stem(240, 'x');
+  write_bytes(folder / "house.obj", house);
+  const Outcome outcome = run_program({"house.obj", "--size", "8cm", "-o", stem + ".pdf"}, in(folder));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", stem + ".pdf"});
+}
+
+TEST_CASE("folders are made for results, and go again when there are none", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  RunOptions options = in(folder);
+  options.largest_file = 1000;
+  check_refusal(run_program({"house.obj", "-o", "a/b/h.pdf"}, options), 7, "h.pdf");
+  CHECK(folder.names() == std::set<std::string>{"house.obj"});
+  CHECK(run_program({"segment", "house.obj", "-o", "a/b/h.ply"}, in(folder)).exit_code == 0);
+  CHECK(fs::exists(folder / "a/b/h.ply"));
+}
+
+TEST_CASE("parts leave in the numbers of the file, however extreme", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "far.obj",
+              "v 0 0 0\nv 1e71 0 0\nv 0 1e71 0\nv 0 0 1e71\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const Outcome outcome =
+      run_program({"segment", "far.obj", "-o", "p.off", "-o", "p.ply", "--json"}, in(folder));
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(read_bytes(folder / "p.off").find("\n1e+71 0 0\n") != std::string::npos);
+  CHECK(Json::parse(outcome.out)["part"][0]["hull_volume"].get<double>() == Approx(1e213 / 6.0));
+  const Json ply = Json::parse(run_program({"info", "p.ply", "--json"}, in(folder)).out);
+  CHECK(ply["size"][0].get<double>() == Approx(1e71));
+}
+
+TEST_CASE("a file that is no label file is refused before the work", "[program]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  write_bytes(folder / "notes", "somebody's own");
+  // After the segmentation, other people's labels would have been missed first.
+  for (const char* option : {"--labels", "--hierarchy"}) {
+    check_refusal(
+        run_program({"segment", "house.obj", option, "notes", "--compare", "missing.seg"}, in(folder)), 7,
+        "notes");
+  }
+  REQUIRE(run_program({"segment", "house.obj", "--labels", "l", "--hierarchy", "h"}, in(folder)).exit_code ==
+          0);
+  CHECK(run_program({"segment", "house.obj", "--labels", "l", "--hierarchy", "h"}, in(folder)).exit_code ==
+        0);
+}
+
+TEST_CASE("more than the memory holds", "[program]") {
+  const TemporaryFolder folder;
+  std::string cloud = "OFF\n1500000 1 0\n";
+  for (int i = 0; i < 1500000; ++i) {
+    cloud += "0 1 2\n";
+  }
+  write_bytes(folder / "cloud.off", cloud + "3 0 1 2\n");
+  const auto with_kilobytes = [&](const std::string& kilobytes, const std::string& arguments) {
+    return run_command(
+        {"/bin/sh", "-c", "ulimit -v " + kilobytes + " && exec " + RIDGECRAFT_PROGRAM + " " + arguments},
+        in(folder));
+  };
+  if (with_kilobytes("120000", "formats").exit_code != 0) {
+    WARN("skipped: the program doesn't start in little memory here");
+    return;
+  }
+  for (const char* verb : {"", "segment ", "unfold ", "info ", "shell -o s.ply "}) {
+    CAPTURE(verb);
+    check_refusal(with_kilobytes("120000", verb + std::string("cloud.off --threads 1")), 4, "cloud.off");
+  }
+}
+
 TEST_CASE("names with spaces and letters of any script work", "[program]") {
   const TemporaryFolder folder;
   write_bytes(folder / "Füchsin 狐 & <co>.obj", house);
