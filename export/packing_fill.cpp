@@ -127,6 +127,10 @@ Arrangement PackingFill::fill(Arrangement base, const Recipe& recipe) {
         return std::find(groups[page].begin(), groups[page].end(), task_->group[shape]) != groups[page].end();
       });
     }
+    // After the time limit a page for each shape is enough: the last one, or a new one.
+    if (candidates.size() > 1 && context_->out_of_time()) {
+      candidates.erase(candidates.begin(), candidates.end() - 1);
+    }
     candidates.push_back(static_cast<std::uint32_t>(base.pages.size()));
     for (const std::uint32_t page : candidates) {
       const bool is_new = page == base.pages.size();

@@ -26,7 +26,6 @@ class PartGraph {
   [[nodiscard]] std::span<const std::uint32_t> facets() const { return facets_; }
   /// In order of first appearance.
   [[nodiscard]] std::span<const std::uint32_t> vertices() const { return vertices_; }
-  [[nodiscard]] bool has_vertex(std::uint32_t v) const { return vertex_mark_[v] == current_; }
 
   /// Calls visit(arc number, Arc) for each arc of the part at v.
   template <class Visit>
