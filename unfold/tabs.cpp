@@ -22,13 +22,12 @@ bool clearly_less(double a, double b) {
 
 /// Which side of each join should give the tab: the smaller flat region; where they are equal, the piece that
 /// gives more of the seam already, so that the other piece has a clean edge there.
-std::vector<std::uint8_t> preferred_sides(const std::vector<TabSite>& sites, const Nets& nets) {
+std::vector<std::uint8_t> preferred_sides(const std::vector<TabSite>& sites) {
   using Seam = std::pair<PieceId, PieceId>;
   const auto seam_of = [&](std::size_t join) {
     return Seam(std::minmax(sites[2 * join].piece, sites[2 * join + 1].piece));
   };
   std::map<Seam, double> gives_more;  // length given by the first piece minus that given by the second
-  std::vector<double> area(nets.pieces.size(), 0.0);
   std::vector<std::uint8_t> preferred(sites.size() / 2, 0);
   for (std::size_t join = 0; join < preferred.size(); ++join) {
     const TabSite& a = sites[2 * join];
@@ -115,7 +114,7 @@ void place_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const 
       add_walls(*rooms[site.piece.value()], options, site);
     }
   }
-  const auto chosen = assign_tabs(sites, preferred_sides(sites, nets), options, context);
+  const auto chosen = assign_tabs(sites, preferred_sides(sites), options, context);
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];
     const auto& tab = chosen[j.value()];
