@@ -83,8 +83,8 @@ TEST_CASE("a time limit that is too short to read stops with a sentence", "[limi
 
 TEST_CASE("segmentation has no half result; the main job says what it did without one", "[limits]") {
   const TemporaryFolder folder;
-  write_bytes(folder / "sheet.off", wavy_sheet(60));
-  // Long enough to read, far too short to segment 7200 wavy faces to this tolerance.
+  write_bytes(folder / "sheet.off", wavy_sheet(120));
+  // Long enough to read, far too short to segment 28,800 wavy faces to this tolerance.
   const Outcome parts = run_program(
       {"segment", "sheet.off", "--concavity", "0.005", "--time-limit", "1", "-o", "p.ply"}, in(folder));
   CHECK(parts.exit_code == 130);
