@@ -100,6 +100,23 @@ void write_pieces(JsonText& json, const Nets& nets, const NetFrame& frame) {
   });
 }
 
+/// Per piece: lists of edges that are folded together, in order. Flat folds aren't in them.
+void write_fold_order(JsonText& json, const Nets& nets, const NetFrame& frame) {
+  json.list("ridgecraft:fold_order", nets.pieces.size(), [&](std::size_t i) {
+    json.raw("[");
+    const auto& steps = nets.pieces[PieceId(i)].folding.steps;
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+      json.raw(s == 0 ? "[" : ",[");
+      for (std::size_t k = 0; k < steps[s].size(); ++k) {
+        json.raw(k == 0 ? "" : ",");
+        json.number(frame.edge[steps[s][k]]);
+      }
+      json.raw("]");
+    }
+    json.raw("]");
+  });
+}
+
 void write_pages(JsonText& json, const NetFrame& frame, const Pages* pages) {
   json.list("ridgecraft:pages", frame.origins.size(), [&](std::size_t i) {
     json.raw("\n{\"origin\":");
@@ -226,6 +243,7 @@ std::string write_fold(const mesh::Prepared& model, const IdVector<FaceId, PartI
   json.list("ridgecraft:faces_piece", frame.faces.size(),
             [&](std::size_t i) { json.number(nets.piece[FaceId(i)].value()); });
   write_pieces(json, nets, frame);
+  write_fold_order(json, nets, frame);
   write_pages(json, frame, pages);
   write_joins(json, surface, nets, frame, glue);
   write_model(json, surface, part);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which boxes of a list touch each other. Private to mesh/.
+// Which boxes of a list touch each other.
 #pragma once
 
 #include <array>

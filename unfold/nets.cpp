@@ -37,8 +37,9 @@ std::string_view sentence(NoTab reason) {
   switch (reason) {
     case NoTab::has_tab: return "";
     case NoTab::edge_too_short: return "the edge is too short for a tab";
-    case NoTab::no_room: return "a tab on either side would lie over a face or another tab, or beyond the paper";
+    case NoTab::no_room: return "a tab on either side would lie over a face or another tab";
     case NoTab::target_too_small: return "a tab would stick out behind the face it is glued to";
+    case NoTab::beyond_sheet: return "the piece with the tab would not fit the paper";
     case NoTab::not_wanted: return "tabs are switched off";
   }
   return "";

@@ -26,23 +26,38 @@ enum class PieceReason { part, page, overlap, tabs, faces, time, request, compon
 /// The same as a sentence for people.
 [[nodiscard]] std::string_view sentence(PieceReason reason);
 
-/// One connected net. Its faces lie in a plane of its own: mm, y up, the printed side (the outside of the model) seen,
-/// so each face is counterclockwise.
+/// How a piece can be folded without running through itself (unfold/fold_order.hpp).
+enum class FoldWay : std::uint8_t {
+  together,      ///< all creases at a time
+  leaves_first,  ///< one after the other, from the tips inwards
+  middle_first,  ///< one after the other, from the middle outwards
+  with_care,     ///< none of these: some face has to be bent out of the way
+};
+struct FoldOrder {
+  FoldWay way = FoldWay::together;
+  /// Folds in the order in which they are made, those of one list together: a side of each folded edge.
+  std::vector<std::vector<CornerId>> steps;
+};
+
+/// One connected net. Its faces lie in a plane of its own: mm, y up, the printed side (the outside of the
+/// model) seen, so each face is counterclockwise.
 struct Piece {
   std::string name;           ///< as printed, unique: A, B, ... Z, AA, ...
   std::vector<FaceId> faces;  ///< ascending
   std::vector<PartId> parts;  ///< parts that it has faces of, ascending
   std::uint32_t holes = 0;    ///< holes of the patch its faces make
   PieceReason reason = PieceReason::part;
+  FoldOrder folding = {};
 };
 
 /// Why a join has no tab.
 enum class NoTab {
   has_tab,
-  edge_too_short,   ///< no trapezoid of usable size stands on it
-  no_room,          ///< any tab would lie over a face or another tab, on either side
-  target_too_small, ///< no tab fits inside the face that it would be glued behind
-  not_wanted,       ///< tabs are switched off
+  edge_too_short,    ///< no trapezoid of usable size stands on it
+  no_room,           ///< any tab would lie over a face or another tab, on either side
+  target_too_small,  ///< no tab fits inside the face that it would be glued behind
+  beyond_sheet,      ///< the piece with this tab would not fit the sheet
+  not_wanted,        ///< tabs are switched off
 };
 /// A sentence for people: the contract's `why`.
 [[nodiscard]] std::string_view sentence(NoTab reason);
@@ -57,18 +72,18 @@ struct Join {
 
 /// A glue tab, in the plane of the piece that it grows from.
 struct Tab {
-  CornerId side;              ///< side of a face that it grows from; its target is twin(side)
+  CornerId side;  ///< side of a face that it grows from; its target is twin(side)
   JoinId join;
   /// First two corners on the side, in the order opposite to the face's; counterclockwise, simple, convex.
   std::vector<Vec2> polygon;
 };
 
 struct Nets {
-  IdVector<EdgeId, EdgeUse> use;                     ///< of each edge of the surface
-  IdVector<FaceId, PieceId> piece;                   ///< of each face
-  IdVector<FaceId, std::array<Vec2, 3>> flat;        ///< corners of each face in its piece's plane, mm
+  IdVector<EdgeId, EdgeUse> use;               ///< of each edge of the surface
+  IdVector<FaceId, PieceId> piece;             ///< of each face
+  IdVector<FaceId, std::array<Vec2, 3>> flat;  ///< corners of each face in its piece's plane, mm
   IdVector<PieceId, Piece> pieces;
-  IdVector<JoinId, Join> joins;                      ///< one for each cut edge, in the order of their numbers
+  IdVector<JoinId, Join> joins;  ///< one for each cut edge, in the order of their numbers
   IdVector<TabId, Tab> tabs;
   /// Facts about the search that a report tells: seconds are kept out, so that two runs give the same bytes.
   std::vector<std::string> notes;

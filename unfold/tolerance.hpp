@@ -20,4 +20,8 @@ inline constexpr double closing_tolerance_mm = 1e-6;
 /// a tenth of what the contract allows a model of 100 mm to be off when it is folded again.
 inline constexpr double closing_lever_mm = 1e-4;
 
+/// Faces that run into each other less deep than this while a piece is folded pass each other, mm: card bends that far
+/// out of the way.
+inline constexpr double fold_give_mm = 0.3;
+
 }  // namespace ridgecraft::unfold

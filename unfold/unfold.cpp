@@ -9,6 +9,7 @@
 #include "unfold/check.hpp"
 #include "unfold/closing.hpp"
 #include "unfold/fitting_panels.hpp"
+#include "unfold/fold_order.hpp"
 #include "unfold/joins.hpp"
 #include "unfold/kept_edges.hpp"
 #include "unfold/layout.hpp"
@@ -322,12 +323,18 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   }
   if (options.tabs.wanted) {
     improve_all_tabs(surface, plan.panels, options, context, forest);
+    if (context.out_of_time()) {
+      forest.notes.emplace_back("the time given was up before all nets with more tabs were tried");
+    }
   }
   Nets nets = assemble(surface, part, forest);
   close_flat_cuts(surface, panels, plan.wishes, nets);
   note_broken_wishes(options.wishes, nets);
   count_holes(surface, nets);
   insist_on_no_overlap(nets);
+  for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
+    nets.pieces[piece].folding = find_fold_order(surface, nets, piece, context);
+  }
   number_joins(surface, nets);
   if (options.tabs.wanted) {
     place_tabs(surface, panels, options.tabs, nets, context);
