@@ -51,14 +51,14 @@ Job parse_arguments(const std::vector<std::string>& arguments) {
     }
   }
   const std::string& first = arguments.front();
+  if ((first == "help" || first == "version") && !std::filesystem::exists(first)) {
+    const Arguments asked{"--" + first};
+    return build_paper(&asked, nullptr);
+  }
   if (first.find_first_of("./-") == std::string::npos && !std::filesystem::exists(first)) {
     if (const std::string verb = nearest_word(first, known); !verb.empty()) {
       refuse("there is no verb '" + first + "', did you mean '" + verb + "'?");
     }
-  }
-  if (arguments.front() == "help") {
-    const Arguments help{"--help"};
-    return build_paper(&help, nullptr);
   }
   Job job = build_paper(&arguments, nullptr);
   if (const auto* print = std::get_if<PrintJob>(&job); print != nullptr && print->text == man_page_wanted) {

@@ -11,7 +11,7 @@
 #include "cli/edge_options.hpp"
 #include "cli/targets.hpp"
 #include "mesh/error.hpp"
-#include "mesh/subdivide.hpp"
+#include "mesh/narrow_faces.hpp"
 #include "unfold/objective.hpp"
 #include "unfold/panel_parts.hpp"
 
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A face of this size fits every sheet; for jobs without pages.
-constexpr Vec2 boundless{1e9, 1e9};
+constexpr mesh::Page boundless{1e9, 1e9};
 /// Trials for tabs where they are what was asked for: 1 to 2 s for 500 faces.
 constexpr double patient_trials_per_face = 60.0;
 
@@ -100,26 +100,48 @@ IdVector<FaceId, PartId> parts_for_paper(const mesh::Prepared& prepared, double 
 constexpr double many_pages = 100.0;
 constexpr double few_pages = 10.0;
 
-/// Pages that the surface will need: pieces fill about half of them.
-double expected_pages(const mesh::Surface& surface, Vec2 page) {
+/// Pages that as much paper takes: pieces fill about half of them.
+double pages_of(double paper, Vec2 page) {
   constexpr double filled = 0.6;
-  double paper = 0.0;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    paper += surface.area(f);
-  }
   return paper / (filled * page.x * page.y);
 }
 
-std::string many_pages_warning(const mesh::Surface& surface, double pages, std::string_view about) {
+double area_of(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
+  double area = 0.0;
+  for (const FaceId f : faces) {
+    area += surface.area(f);
+  }
+  return area;
+}
+
+/// Pages that the surface will need; a flat region that is larger than half of one takes it whole.
+double expected_pages(const mesh::Prepared& prepared, Vec2 page) {
+  double alone = 0.0;
+  double paper = 0.0;
+  for (const auto& faces : prepared.panels.faces) {
+    const double area = area_of(prepared.model.surface, faces);
+    (area > 0.5 * page.x * page.y ? alone : paper) += area > 0.5 * page.x * page.y ? 1.0 : area;
+  }
+  return alone + pages_of(paper, page);
+}
+
+std::string many_pages_warning(const mesh::Surface& surface, Vec2 page, double pages,
+                               std::string_view about) {
   const auto two_digits = [](double value) {
     const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) - 1.0));
     return std::round(value / unit) * unit;
   };
   const Vec3 size = surface.bounds().size();
   const double largest = std::max({size.x, size.y, size.z});
+  // A smaller model has no flat regions that fill pages.
+  double paper = 0.0;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    paper += surface.area(f);
+  }
+  const double small = std::max(pages, pages_of(paper, page));
   return fmt::format("this takes {}{:.0f} pages; --size {:.0f}mm would take about {:.0f}", about,
                      about.empty() ? pages : two_digits(pages),
-                     two_digits(largest * std::sqrt(few_pages / pages)), few_pages);
+                     two_digits(largest * std::sqrt(few_pages / small)), few_pages);
 }
 
 std::size_t count_parts(const IdVector<FaceId, PartId>& part) {
@@ -232,17 +254,22 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   heed_lines(job.edges, model, size, notes);
   result.prepared = clock("prepare", context, [&] {
     return in_time(run, job.model + " was simplified", [&](const Context& strict) {
-      return mesh::prepare(std::move(model), size.size, size.simplify, area, strict);
+      const mesh::Page page{area.x, area.y, job.tabs.wanted ? job.tabs.height_mm : 0.0};
+      return mesh::prepare(std::move(model), size.size, size.simplify, page, strict);
     });
   });
   const mesh::Surface& surface = result.prepared.model.surface;
   result.slivers = mesh::count_narrow_faces(surface, result.prepared.panels, sliver_mm);
-  const double expected = expected_pages(surface, area);
+  const double expected = expected_pages(result.prepared, area);
   if (expected >= many_pages) {
-    remark(many_pages_warning(surface, expected, "about "));
+    remark(many_pages_warning(surface, area, expected, "about "));
   }
   const unfold::EdgeWishes wishes = clock(
       "prepare", context, [&] { return wishes_of(job.edges, job.model, result.prepared, context, notes); });
+  if (const std::size_t n = result.prepared.divided_panels; n > 0) {
+    notes.push_back(
+        fmt::format("{} flat region{} larger than the printable area, so cut", n, n == 1 ? " is" : "s are"));
+  }
   const auto part =
       clock("segment", context, [&] { return parts_for_paper(result.prepared, job.concavity, run, notes); });
   result.parts = count_parts(part);
@@ -255,7 +282,7 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   result.pages = clock("lay out", context, [&] { return paper::layout(result.nets, job.paper, context); });
   if (const auto count = static_cast<double>(result.pages.count);
       count >= many_pages && expected < many_pages) {
-    remark(many_pages_warning(surface, count, ""));
+    remark(many_pages_warning(surface, area, count, ""));
   }
   const auto drawings = clock("draw", context, [&] {
     return paper::draw(result.prepared, result.nets, result.pages, job.style, &result.drawn);

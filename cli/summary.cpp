@@ -8,23 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/summary_blocks.hpp"
+#include "cli/summary_pieces.hpp"
 #include "unfold/tabs.hpp"
 
 namespace ridgecraft::cli {
 namespace {
 
-/// "1 part", "3 parts"
-std::string counted(std::size_t count, const std::string& word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 std::string metres(double mm) {
   return mm < 1000.0 ? fmt::format("{:.0f} mm", mm) : fmt::format("{:.2f} m", mm / 1000.0);
-}
-
-/// Rounded to a thousandth, so that JSON shows no noise.
-double rounded(double value) {
-  return std::round(value * 1000.0) / 1000.0;
 }
 
 Json size_json(const mesh::Surface& surface) {
@@ -37,11 +28,27 @@ std::string size_text(const mesh::Surface& surface) {
   return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z);
 }
 
-std::string simplified_text(const mesh::SimplifyReport& report, const SizeArguments& size) {
+/// A surface that moved by more than this share of the largest extent has lost some of its shape.
+constexpr double far_moved = 0.04;
+
+double largest_extent(const mesh::Surface& surface) {
+  const Vec3 size = surface.bounds().size();
+  return std::max({size.x, size.y, size.z});
+}
+
+std::string simplified_text(const mesh::SimplifyReport& report, const SizeArguments& size,
+                            const mesh::Surface& surface) {
   std::string text;
   if (report.faces_after < report.faces_before && report.deviation_mm > 0.0) {
     text += fmt::format("  simplified  from {} to {} faces, the surface moved by at most {:.2f} mm\n",
                         report.faces_before, report.faces_after, report.deviation_mm);
+    const double largest = largest_extent(surface);
+    if (report.deviation_mm > far_moved * largest) {
+      text += fmt::format(
+          "  coarse      that is {:.0f} % of the size: parts that stand out may be gone; more --faces keep "
+          "them\n",
+          100.0 * report.deviation_mm / largest);
+    }
   }
   if (report.specks_dropped > 0) {
     text +=
@@ -82,92 +89,12 @@ std::string tabs_text(const unfold::Nets& nets) {
                      without > 0 ? fmt::format("; {} without ({})", without, without_tab_text(nets)) : "");
 }
 
-/// "1 A to C; 2 D at B": which pieces make each separate body, and beside which piece it belongs.
-std::string bodies_text(const PaperResult& result) {
-  constexpr std::size_t most = 8;
-  const std::vector<paper::Body>& bodies = result.drawn.bodies;
-  if (bodies.empty()) {
-    return {};
-  }
-  std::string text = fmt::format("  bodies      {} that no join connects: ", bodies.size());
-  for (std::size_t i = 0; i < std::min(most, bodies.size()); ++i) {
-    text +=
-        fmt::format("{}{} {}", i == 0 ? "" : "; ", i + 1, paper::piece_names(result.nets, bodies[i].pieces));
-    if (bodies[i].beside.valid() && i > 0) {
-      text += " at " + result.nets.pieces[bodies[i].beside].name;
-    }
-  }
-  return text + (bodies.size() > most ? fmt::format("; {} more\n", bodies.size() - most) : "\n");
-}
-
-Json bodies_json(const PaperResult& result) {
-  Json list = Json::array();
-  for (const paper::Body& body : result.drawn.bodies) {
-    Json pieces = Json::array();
-    for (const PieceId piece : body.pieces) {
-      pieces.push_back(result.nets.pieces[piece].name);
-    }
-    Json item{{"pieces", pieces}};
-    if (body.beside.valid()) {
-      item["beside"] = result.nets.pieces[body.beside].name;
-      item["distance_mm"] = rounded(body.distance_mm);
-    }
-    list.push_back(item);
-  }
-  return list;
-}
-
 std::string notes_text(const unfold::Nets& nets) {
   std::string text;
   for (const std::string& note : nets.notes) {
     text += "  note        " + note + "\n";
   }
   return text;
-}
-
-/// A line for each reason with the pieces that are there for it.
-std::string extra_pieces_text(const unfold::Nets& nets) {
-  std::map<unfold::PieceReason, std::vector<std::string>> names;
-  for (const unfold::Piece& piece : nets.pieces) {
-    if (piece.reason != unfold::PieceReason::part) {
-      names[piece.reason].push_back(piece.name);
-    }
-  }
-  std::string text;
-  for (const auto& [reason, list] : names) {
-    text += list.size() == 1 ? "  piece       " : "  pieces      ";
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      text += (i == 0 ? "" : ", ") + list[i];
-    }
-    text += fmt::format(": {}\n", unfold::sentence(reason));
-  }
-  return text;
-}
-
-Json extra_pieces_json(const unfold::Nets& nets) {
-  Json list = Json::array();
-  for (const unfold::Piece& piece : nets.pieces) {
-    if (piece.reason != unfold::PieceReason::part) {
-      list.push_back({{"name", piece.name},
-                      {"reason", unfold::name(piece.reason)},
-                      {"why", unfold::sentence(piece.reason)}});
-    }
-  }
-  return list;
-}
-
-std::string reasons_text(const unfold::Nets& nets) {
-  std::map<std::string, std::size_t> reasons;
-  for (const unfold::Piece& piece : nets.pieces) {
-    if (piece.reason != unfold::PieceReason::part) {
-      ++reasons[std::string(unfold::name(piece.reason))];
-    }
-  }
-  std::string text;
-  for (const auto& [reason, count] : reasons) {
-    text += fmt::format("{}{} because of {}", text.empty() ? " (" : ", ", count, reason);
-  }
-  return text.empty() ? text : text + ")";
 }
 
 Json disagreement_json(const segment::Disagreement& d) {
@@ -252,7 +179,7 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
                                  counted(model.surface.face_count(), "face"),
                                  counted(model.surface.component_count(), "component"));
   text += fmt::format("  size        {} ({})\n", size_text(model.surface), job.size.asked);
-  text += simplified_text(result.prepared.simplified, job.size);
+  text += simplified_text(result.prepared.simplified, job.size, result.prepared.model.surface);
   text += fmt::format("  nets        {}, {}{} on {}, {}\n", counted(result.parts, "part"),
                       counted(nets.pieces.size(), "piece"), reasons_text(nets),
                       counted(result.pages.count, "page"), job.paper_name);
@@ -261,9 +188,12 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
   text += fmt::format("  lines       {} to cut, {} to fold\n", metres(result.figures.cut_mm),
                       metres(result.figures.fold_mm));
   if (result.drawn.labels_left_out + result.drawn.labels_outside + result.drawn.names_left_out > 0) {
-    text += fmt::format("  numbers     {} beside their piece, {} without a place; {} without a place\n",
-                        result.drawn.labels_outside, result.drawn.labels_left_out,
-                        counted(result.drawn.names_left_out, "name"));
+    text +=
+        fmt::format("  numbers     {} beside their piece, {} without a place{}\n",
+                    result.drawn.labels_outside, result.drawn.labels_left_out,
+                    result.drawn.names_left_out > 0
+                        ? fmt::format("; {} without a place", counted(result.drawn.names_left_out, "name"))
+                        : "");
   }
   if (result.slivers > 0) {
     text += fmt::format(
@@ -271,7 +201,9 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
         "helps\n",
         counted(result.slivers, "face"), sliver_mm);
   }
-  text += bodies_text(result);
+  text += folding_text(nets);
+  text += colours_text(model);
+  text += bodies_text(result.nets, result.drawn.bodies);
   text += notes_text(nets);
   text += fmt::format("  time        {}\n", seconds_text(result.clock));
   return text + written_text(result.files);
@@ -298,7 +230,8 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["labels_outside"] = result.drawn.labels_outside;
   json["names_left_out"] = result.drawn.names_left_out;
   json["slivers"] = result.slivers;
-  json["bodies"] = bodies_json(result);
+  json["pieces_to_fold_with_care"] = folding_json(result.nets);
+  json["bodies"] = bodies_json(result.nets, result.drawn.bodies);
   json["paper"] = job.paper_name;
   json["simplified"] = {{"faces_before", simplified.faces_before},
                         {"faces_after", simplified.faces_after},
@@ -365,13 +298,14 @@ std::string summary(const UnfoldJob& job, const UnfoldResult& result) {
   std::string text =
       fmt::format("{}: {}, {}\n", job.model, counted(result.prepared.model.surface.face_count(), "face"),
                   counted(result.prepared.model.surface.component_count(), "component"));
-  text += simplified_text(result.prepared.simplified, job.size);
+  text += simplified_text(result.prepared.simplified, job.size, result.prepared.model.surface);
   text += fmt::format("  nets        {}, {}{}, {} overlaps\n", counted(result.parts, "part"),
                       counted(result.nets.pieces.size(), "piece"), reasons_text(result.nets),
                       result.figures.overlaps);
   if (job.tabs) {
     text += tabs_text(result.nets);
   }
+  text += folding_text(result.nets);
   text += notes_text(result.nets);
   text += fmt::format("  time        {}\n", seconds_text(result.clock));
   return text + written_text(result.files);
@@ -398,6 +332,7 @@ std::string summary_json(const UnfoldJob& job, const UnfoldResult& result) {
   for (const unfold::Piece& piece : result.nets.pieces) {
     json["reasons"].push_back(unfold::name(piece.reason));
   }
+  json["pieces_to_fold_with_care"] = folding_json(result.nets);
   json["seconds"] = result.clock.total();
   json["stages"] = seconds_json(result.clock);
   json["repairs"] = repairs_json(model.repairs);

@@ -7,6 +7,14 @@
 
 namespace ridgecraft::cli {
 
+std::string counted(std::size_t count, const std::string& word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+double rounded(double value) {
+  return std::round(value * 1000.0) / 1000.0;
+}
+
 Json repairs_json(const mesh::RepairReport& report) {
   Json list = Json::array();
   for (const mesh::Repair& repair : report.entries()) {

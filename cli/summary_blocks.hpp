@@ -14,6 +14,12 @@ namespace ridgecraft::cli {
 
 using Json = nlohmann::ordered_json;
 
+/// "1 part", "3 parts"
+[[nodiscard]] std::string counted(std::size_t count, const std::string& word);
+
+/// Rounded to a thousandth, so that JSON shows no noise.
+[[nodiscard]] double rounded(double value);
+
 [[nodiscard]] Json repairs_json(const mesh::RepairReport& report);
 
 /// Seconds by stage, and "total".

@@ -51,8 +51,8 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.example("ridgecraft whale.obj",
                "Pages for a whale of 150 mm: whale.pdf, whale.svg and whale.fold in this folder.");
   verb.example("ridgecraft scan.stl --size 30cm --paper A3 -o out", "Larger, on A3, into the folder out.");
-  verb.example("ridgecraft house.obj --scale 1:87 --unit m -o house.pdf",
-               "A house built in metres, as model railways want it.");
+  verb.example("ridgecraft house.obj --scale 1:500 --unit m -o house.pdf",
+               "A house drawn in metres, at a scale.");
   verb.example("ridgecraft fox.obj --pieces few", "As few pieces as the paper allows.");
   PaperJob job;
   CommonTexts common;

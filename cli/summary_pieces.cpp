@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/summary_pieces.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace ridgecraft::cli {
+namespace {
+
+std::vector<PieceId> pieces_with_care(const unfold::Nets& nets) {
+  std::vector<PieceId> found;
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    if (nets.pieces[p].folding.way == unfold::FoldWay::with_care) {
+      found.push_back(p);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string extra_pieces_text(const unfold::Nets& nets) {
+  std::map<unfold::PieceReason, std::vector<PieceId>> names;
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    if (nets.pieces[p].reason != unfold::PieceReason::part) {
+      names[nets.pieces[p].reason].push_back(p);
+    }
+  }
+  std::string text;
+  for (const auto& [reason, list] : names) {
+    text += fmt::format("  {:<11} {}: {}\n", list.size() == 1 ? "piece" : "pieces",
+                        paper::piece_names(nets, list), unfold::sentence(reason));
+  }
+  return text;
+}
+
+Json extra_pieces_json(const unfold::Nets& nets) {
+  Json list = Json::array();
+  for (const unfold::Piece& piece : nets.pieces) {
+    if (piece.reason != unfold::PieceReason::part) {
+      list.push_back({{"name", piece.name},
+                      {"reason", unfold::name(piece.reason)},
+                      {"why", unfold::sentence(piece.reason)}});
+    }
+  }
+  return list;
+}
+
+std::string reasons_text(const unfold::Nets& nets) {
+  std::map<std::string, std::size_t> reasons;
+  for (const unfold::Piece& piece : nets.pieces) {
+    if (piece.reason != unfold::PieceReason::part) {
+      ++reasons[std::string(unfold::name(piece.reason))];
+    }
+  }
+  std::string text;
+  for (const auto& [reason, count] : reasons) {
+    text += fmt::format("{}{} because of {}", text.empty() ? " (" : ", ", count, reason);
+  }
+  return text.empty() ? text : text + ")";
+}
+
+std::string bodies_text(const unfold::Nets& nets, const std::vector<paper::Body>& bodies) {
+  constexpr std::size_t most = 8;
+  if (bodies.empty()) {
+    return {};
+  }
+  std::string text = fmt::format("  bodies      {} that no join connects: ", bodies.size());
+  for (std::size_t i = 0; i < std::min(most, bodies.size()); ++i) {
+    text += fmt::format("{}{} {}", i == 0 ? "" : "; ", i + 1, paper::piece_names(nets, bodies[i].pieces));
+    if (bodies[i].beside.valid() && i > 0) {
+      text += " at " + nets.pieces[bodies[i].beside].name;
+    }
+  }
+  return text + (bodies.size() > most ? fmt::format("; {} more\n", bodies.size() - most) : "\n");
+}
+
+Json bodies_json(const unfold::Nets& nets, const std::vector<paper::Body>& bodies) {
+  Json list = Json::array();
+  for (const paper::Body& body : bodies) {
+    Json pieces = Json::array();
+    for (const PieceId piece : body.pieces) {
+      pieces.push_back(nets.pieces[piece].name);
+    }
+    Json item{{"pieces", pieces}};
+    if (body.beside.valid()) {
+      item["beside"] = nets.pieces[body.beside].name;
+      item["distance_mm"] = rounded(body.distance_mm);
+    }
+    list.push_back(item);
+  }
+  return list;
+}
+
+std::string folding_text(const unfold::Nets& nets) {
+  const std::vector<PieceId> pieces = pieces_with_care(nets);
+  return pieces.empty()
+             ? ""
+             : fmt::format("  folding     {}: faces are in each other's way and have to be bent aside\n",
+                           paper::piece_names(nets, pieces));
+}
+
+Json folding_json(const unfold::Nets& nets) {
+  Json list = Json::array();
+  for (const PieceId p : pieces_with_care(nets)) {
+    list.push_back(nets.pieces[p].name);
+  }
+  return list;
+}
+
+std::string colours_text(const mesh::Model& model) {
+  const bool coloured =
+      std::any_of(model.materials.begin(), model.materials.end(), [](const mesh::Material& m) {
+        return !m.texture_file.empty() || (m.colour && *m.colour != mesh::Colour{1.0, 1.0, 1.0});
+      });
+  return coloured ? "  colours     of the model aren't printed: pages show lines only\n" : "";
+}
+
+}  // namespace ridgecraft::cli

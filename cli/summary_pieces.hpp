@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the summaries tell of single pieces: why they are there, how they fold, which bodies they make.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/summary_blocks.hpp"
+#include "export/bodies.hpp"
+#include "mesh/model.hpp"
+#include "unfold/nets.hpp"
+
+namespace ridgecraft::cli {
+
+/// " (2 because of overlap)"; empty where every piece is a part.
+[[nodiscard]] std::string reasons_text(const unfold::Nets& nets);
+/// A line for each reason with the pieces that are there for it.
+[[nodiscard]] std::string extra_pieces_text(const unfold::Nets& nets);
+[[nodiscard]] Json extra_pieces_json(const unfold::Nets& nets);
+
+/// The pieces that have to be bent while they are folded.
+[[nodiscard]] std::string folding_text(const unfold::Nets& nets);
+[[nodiscard]] Json folding_json(const unfold::Nets& nets);
+
+/// A line where the model has colours or pictures, since pages show none.
+[[nodiscard]] std::string colours_text(const mesh::Model& model);
+
+/// "1 A to C; 2 D at B": which pieces make each separate body, and beside which piece it belongs.
+[[nodiscard]] std::string bodies_text(const unfold::Nets& nets, const std::vector<paper::Body>& bodies);
+[[nodiscard]] Json bodies_json(const unfold::Nets& nets, const std::vector<paper::Body>& bodies);
+
+}  // namespace ridgecraft::cli
