@@ -67,20 +67,28 @@ struct SimplifyReport {
   bool still_too_fine = false;  ///< automatic couldn't reach its aim within the deviation allowed
 };
 
+/// What a flat region should fit: the printable area, mm, and the height of tabs on either side of it.
+struct Page {
+  double width_mm = 0.0;
+  double height_mm = 0.0;
+  double tab_mm = 0.0;
+};
+
 /// A model ready for paper.
 struct Prepared {
   Model model;    ///< in mm, centred on the origin; not turned, not mirrored
-  Panels panels;  ///< flat regions of model.surface
+  Panels panels;  ///< flat regions of model.surface; those that no page holds in cells that pages hold
   double mm_per_unit = 1.0;
   SimplifyReport simplified;
+  std::size_t divided_panels = 0;  ///< flat regions that are in cells
 };
 
 /// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight sides that
-/// only two panels share. `largest_face_mm` = {width, height} of the printable area: a face that fits no page in any
-/// rotation is subdivided until it does. Cost O(n log n). Throws no_nets where every face is narrower than 0.005 mm
-/// (below 0.05 mm they are noted as narrow_faces), or where the model would be larger than 100 m or than a million
-/// faces of this paper.
+/// only two panels share, but for where a panel that fits no page in any rotation is cut: by straight lines, as few as
+/// possible, into cells that fit with tabs, each a panel of its own. Cost O(n log n). Throws no_nets where every face is
+/// narrower than 0.005 mm (below 0.05 mm they are noted as narrow_faces), or where the model would be larger than 100 m
+/// or than a million faces of this paper.
 [[nodiscard]] Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& simplify,
-                               Vec2 largest_face_mm, const Context& context);
+                               const Page& page, const Context& context);
 
 }  // namespace ridgecraft::mesh

@@ -2,16 +2,17 @@
 // From a model in the file's unit to one that can be made of paper.
 #include <utility>
 
+#include "mesh/divide_panels.hpp"
 #include "mesh/error.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/narrow_faces.hpp"
 #include "mesh/remesh_panels.hpp"
 #include "mesh/simplify.hpp"
 #include "mesh/size.hpp"
-#include "mesh/subdivide.hpp"
 
 namespace ridgecraft::mesh {
 
-Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& simplify, Vec2 largest_face_mm,
+Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& simplify, const Page& page,
                  const Context& context) {
   context.report("preparing", 0.0);
   Prepared prepared;
@@ -27,8 +28,8 @@ Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& si
     prepared.mm_per_unit *= factor;
     prepared.simplified.deviation_mm *= factor;
   }
-  subdivide(prepared.model, largest_face_mm, context);
   prepared.panels = find_panels(prepared.model.surface);
+  prepared.divided_panels = divide_panels(prepared.model, prepared.panels, page, context);
   const Surface& surface = prepared.model.surface;
   if (count_narrow_faces(surface, prepared.panels, nothing_mm) == surface.face_count()) {
     throw Error(ErrorKind::no_nets, "every face is too narrow to be cut from paper at this size");

@@ -38,11 +38,15 @@ struct AffineMap {
 
 class Remesher {
  public:
-  Remesher(const Model& model, const Context& context)
+  Remesher(const Model& model, const Panels& panels, const Context& context)
       : surface_(model.surface),
+        panels_(panels),
         old_(take_apart(model)),
         context_(context),
         tolerance_(straight * model.surface.bounds().diagonal()) {}
+
+  /// Which panel each face of the result belongs to.
+  [[nodiscard]] const std::vector<std::uint32_t>& panel_of_faces() const { return new_panel_; }
 
   /// None where nothing is to be done or no safe result was found.
   std::optional<LooseFaces> run() {
@@ -63,7 +67,6 @@ class Remesher {
 
  private:
   void find_regions() {
-    const Panels panels = find_panels(surface_);
     DisjointSets sets(surface_.face_count());
     for (const EdgeId e : ids<EdgeId>(surface_.edge_count())) {
       const auto [c, d] = surface_.sides(e);
@@ -72,7 +75,7 @@ class Remesher {
         const FaceId g = face_of(d);
         const bool one_material =
             old_.material.empty() || old_.material[f.value()] == old_.material[g.value()];
-        if (panels.panel[f] == panels.panel[g] && one_material) {
+        if (panels_.panel[f] == panels_.panel[g] && one_material) {
           sets.join(f.value(), g.value());
         }
       }
@@ -265,6 +268,7 @@ class Remesher {
   /// True when all regions came out well; else the ones that didn't are frozen.
   bool triangulate_regions() {
     new_ = {};
+    new_panel_.clear();
     new_.points = old_.points;
     bool all_well = true;
     bool changed = false;
@@ -276,13 +280,14 @@ class Remesher {
         for (const std::uint32_t f : region_faces_[r]) {
           new_.add(old_, f, old_.faces[f], old_.texture.empty() ? std::array<Vec2, 3>{} : old_.texture[f]);
         }
-        continue;
+      } else {
+        changed = true;
+        if (!triangulate_region(r)) {
+          frozen_[r] = true;
+          all_well = false;
+        }
       }
-      changed = true;
-      if (!triangulate_region(r)) {
-        frozen_[r] = true;
-        all_well = false;
-      }
+      new_panel_.resize(new_.faces.size(), panels_.panel[FaceId(region_faces_[r].front())].value());
     }
     if (all_well && changed && !is_surface(new_)) {
       // Two regions agreed on something that no surface can be; not seen in practice.
@@ -474,6 +479,7 @@ class Remesher {
   }
 
   const Surface& surface_;
+  const Panels& panels_;
   LooseFaces old_;
   LooseFaces new_;
   const Context& context_;
@@ -484,12 +490,36 @@ class Remesher {
   std::vector<bool> frozen_;                              ///< regions that keep all their vertices
   std::vector<std::vector<std::uint32_t>> chains_;        ///< of the present choice
   std::vector<bool> keep_;                                ///< vertices
+  std::vector<std::uint32_t> new_panel_;                  ///< of each new face
 };
 
 }  // namespace
 
+Panels panels_by_label(const std::vector<std::uint32_t>& label) {
+  Panels panels;
+  panels.panel = IdVector<FaceId, PanelId>(label.size());
+  std::vector<PanelId> number;
+  for (const FaceId f : ids<FaceId>(label.size())) {
+    const std::uint32_t own = label[f.value()];
+    number.resize(std::max<std::size_t>(number.size(), own + 1));
+    if (!number[own].valid()) {
+      number[own] = panels.faces.push_back({});
+    }
+    panels.panel[f] = number[own];
+    panels.faces[number[own]].push_back(f);
+  }
+  return panels;
+}
+
 void remesh_panels(Model& model, const Context& context) {
-  if (auto faces = Remesher(model, context).run()) {
+  Panels panels = find_panels(model.surface);
+  remesh_panels(model, panels, context);
+}
+
+void remesh_panels(Model& model, Panels& panels, const Context& context) {
+  Remesher remesher(model, panels, context);
+  if (auto faces = remesher.run()) {
+    panels = panels_by_label(remesher.panel_of_faces());
     put_together(model, std::move(*faces));
   }
 }

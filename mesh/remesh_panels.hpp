@@ -2,8 +2,12 @@
 // Flat regions get along with their corners. Private to mesh/.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "mesh/context.hpp"
 #include "mesh/model.hpp"
+#include "mesh/panels.hpp"
 
 namespace ridgecraft::mesh {
 
@@ -13,5 +17,11 @@ namespace ridgecraft::mesh {
 /// a region where that can't be done safely stays as it is. Models with textures stay as they are where a
 /// region's picture isn't laid on it by one affine map. O(n log n).
 void remesh_panels(Model& model, const Context& context);
+/// The same with other regions than those in one plane; `panels` then has the new faces.
+void remesh_panels(Model& model, Panels& panels, const Context& context);
+
+/// Faces with one label become one panel; panels are numbered in the order of their smallest faces. O(n +
+/// largest label).
+[[nodiscard]] Panels panels_by_label(const std::vector<std::uint32_t>& label);
 
 }  // namespace ridgecraft::mesh

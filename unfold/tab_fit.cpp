@@ -2,13 +2,13 @@
 #include "unfold/tab_fit.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "mesh/surface.hpp"
 #include "unfold/sheet.hpp"
+#include "unfold/tab_rooms.hpp"
+#include "unfold/tab_sites.hpp"
 #include "unfold/tabs.hpp"
 
 namespace ridgecraft::unfold {
@@ -35,15 +35,13 @@ void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets) {
   for (Join& join : nets.joins) {
     if (join.tab.valid()) {
       join.tab = number[join.tab];
-      join.no_tab = join.tab.valid() ? NoTab::has_tab : NoTab::no_room;
+      join.no_tab = join.tab.valid() ? NoTab::has_tab : NoTab::beyond_sheet;
     }
   }
 }
 
-/// Slack of the fit, mm, as angle_to_fit has it.
-constexpr double fit_slack = 1e-7;
 /// Rounds of placing tabs: a tab that moves to another piece may be too much for that one.
-constexpr int most_rounds = 3;
+constexpr int most_rounds = 8;
 
 using TabsOfPiece = IdVector<PieceId, std::vector<TabId>>;
 
@@ -64,97 +62,6 @@ std::vector<Vec2> outline_points(const Nets& nets, PieceId piece, const std::vec
     points.insert(points.end(), nets.tabs[t].polygon.begin(), nets.tabs[t].polygon.end());
   }
   return points;
-}
-
-Box2 turned_box(const std::vector<Vec2>& points, double angle) {
-  const Vec2 x{std::cos(angle), -std::sin(angle)};
-  Box2 box;
-  for (const Vec2 p : points) {
-    box.add({dot(x, p), dot(perpendicular(x), p)});
-  }
-  return box;
-}
-
-struct Interval {
-  double low = 0.0;
-  double high = 0.0;
-};
-
-/// Where a window of this size that holds `whole` holds most of the others; none where it can't hold it.
-std::optional<Interval> best_window(const Interval& whole, double size, const std::vector<Interval>& others) {
-  const double first = whole.high - size;
-  if (first > whole.low + fit_slack) {
-    return {};
-  }
-  std::vector<double> starts{std::fmin(first, whole.low), whole.low};
-  for (const Interval& other : others) {
-    for (const double start : {other.low, other.high - size}) {
-      if (start > first && start < whole.low) {
-        starts.push_back(start);
-      }
-    }
-  }
-  std::optional<Interval> best;
-  std::ptrdiff_t most = -1;
-  for (const double start : starts) {
-    const auto held = std::count_if(others.begin(), others.end(), [&](const Interval& other) {
-      return other.low >= start - fit_slack && other.high <= start + size + fit_slack;
-    });
-    if (held > most) {
-      most = held;
-      best = Interval{start, start + size};
-    }
-  }
-  return best;
-}
-
-/// The sheet laid over a piece so that all faces are on it, and as many tabs as possible; none where there is
-/// no such place among those that are tried.
-std::optional<TabRoom> best_room(const Nets& nets, PieceId piece, const std::vector<TabId>& tabs,
-                                 const Sheet& sheet) {
-  const std::vector<Vec2> hull = convex_hull(outline_points(nets, piece, {}));
-  std::vector<double> angles;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vec2 edge = hull[(i + 1) % hull.size()] - hull[i];
-    angles.push_back(-std::atan2(edge.y, edge.x));
-    angles.push_back(angles.back() + 0.5 * std::numbers::pi);
-  }
-  if (const auto angle = angle_to_fit(hull, sheet)) {
-    angles.push_back(*angle);
-  }
-  std::optional<TabRoom> best;
-  std::size_t most = 0;
-  for (const double angle : angles) {
-    const Box2 faces = turned_box(hull, angle);
-    std::vector<Box2> boxes;
-    std::vector<Interval> x;
-    for (const TabId t : tabs) {
-      boxes.push_back(turned_box(nets.tabs[t].polygon, angle));
-      x.push_back({boxes.back().low.x, boxes.back().high.x});
-    }
-    const auto across = best_window({faces.low.x, faces.high.x}, sheet.width, x);
-    if (!across) {
-      continue;
-    }
-    std::vector<Interval> y;
-    for (const Box2& box : boxes) {
-      if (box.low.x >= across->low - fit_slack && box.high.x <= across->high + fit_slack) {
-        y.push_back({box.low.y, box.high.y});
-      }
-    }
-    const auto along = best_window({faces.low.y, faces.high.y}, sheet.height, y);
-    if (!along) {
-      continue;
-    }
-    const auto held = static_cast<std::size_t>(std::count_if(y.begin(), y.end(), [&](const Interval& i) {
-      return i.low >= along->low - fit_slack && i.high <= along->high + fit_slack;
-    }));
-    if (!best || held > most) {
-      most = held;
-      best = TabRoom{angle, {{across->low, along->low}, {across->high, along->high}}};
-    }
-  }
-  return best;
 }
 
 /// Takes tabs away, largest first, from each piece that fits the sheet without them but not with them.
@@ -182,6 +89,14 @@ void drop_tabs_beyond_sheet(const Sheet& sheet, Nets& nets) {
 
 void fit_tabs_to_sheet(const mesh::Surface& surface, const mesh::Panels& panels, const TabOptions& options,
                        const Sheet& sheet, Nets& nets, const Context& context) {
+  const TabsOfPiece tabs = tabs_of_pieces(nets);
+  const auto fits = [&](PieceId p) {
+    return angle_to_fit(convex_hull(outline_points(nets, p, tabs[p])), sheet).has_value();
+  };
+  const auto pieces = ids<PieceId>(nets.pieces.size());
+  if (std::all_of(pieces.begin(), pieces.end(), fits)) {
+    return;
+  }
   std::vector<std::optional<TabRoom>> rooms(nets.pieces.size());
   std::vector<JoinId> had;
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
@@ -189,23 +104,13 @@ void fit_tabs_to_sheet(const mesh::Surface& surface, const mesh::Panels& panels,
       had.push_back(j);
     }
   }
-  for (int round = 0; round < most_rounds; ++round) {
-    const TabsOfPiece tabs = tabs_of_pieces(nets);
-    bool changed = false;
-    for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
-      if (!rooms[p.value()] && !angle_to_fit(convex_hull(outline_points(nets, p, tabs[p])), sheet)) {
-        rooms[p.value()] = best_room(nets, p, tabs[p], sheet);
-        changed = changed || rooms[p.value()].has_value();
-      }
-    }
-    if (!changed) {
-      break;
-    }
+  const std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, options, context);
+  for (int round = 0; round < most_rounds && add_rooms(sheet, options, sites, nets, rooms); ++round) {
     place_tabs(surface, panels, options, nets, context, rooms);
   }
   for (const JoinId j : had) {
     if (!nets.joins[j].tab.valid()) {
-      nets.joins[j].no_tab = NoTab::no_room;
+      nets.joins[j].no_tab = NoTab::beyond_sheet;
     }
   }
   drop_tabs_beyond_sheet(sheet, nets);

@@ -2,7 +2,6 @@
 // Size, subdivision, and what is too small to be cut.
 #include "mesh/error.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/subdivide.hpp"
 #include "soups.hpp"
 #include "support/shapes.hpp"
 
@@ -13,12 +12,12 @@ using mesh::SizeOptions;
 
 namespace {
 
-constexpr Vec2 page{190.0, 270.0};
+constexpr mesh::Page page{190.0, 270.0};
 
-Prepared prepared(const mesh::Surface& surface, SizeOptions size = {}, Vec2 largest = page) {
+Prepared prepared(const mesh::Surface& surface, SizeOptions size = {}) {
   SimplifyOptions keep;
   keep.mode = mesh::Simplification::keep;
-  return mesh::prepare(test::repaired(test::soup_of(surface)), size, keep, largest, {});
+  return mesh::prepare(test::repaired(test::soup_of(surface)), size, keep, page, {});
 }
 
 }  // namespace
@@ -53,30 +52,6 @@ TEST_CASE("sizes that no paper has are refused", "[prepare]") {
     } catch (const Error& error) {
       CHECK(error.kind() == ErrorKind::no_nets);
     }
-  }
-}
-
-TEST_CASE("a triangle fits a rectangle where some turn of it does", "[prepare]") {
-  CHECK(mesh::fits_rectangle(3, 4, 5, {4.001, 3.001}));
-  CHECK(mesh::fits_rectangle(3, 4, 5, {3.001, 4.001}));
-  CHECK_FALSE(mesh::fits_rectangle(3, 4, 5, {4, 2.3}));
-  CHECK(mesh::fits_rectangle(300, 299, 2, {190, 270}));
-  CHECK_FALSE(mesh::fits_rectangle(331, 330, 2, {190, 270}));
-}
-
-TEST_CASE("faces larger than the paper are divided until they fit", "[prepare]") {
-  SizeOptions size;
-  size.largest_extent_mm = 900.0;
-  const Prepared p = prepared(test::cube(), size);
-  test::check_invariants(p.model.surface);
-  CHECK(test::volume(p.model.surface) == Approx(900.0 * 900.0 * 900.0));
-  CHECK(p.panels.count() == 6);
-  for (const FaceId f : ids<FaceId>(p.model.surface.face_count())) {
-    std::array<double, 3> side{};
-    for (unsigned k = 0; k < 3; ++k) {
-      side[k] = p.model.surface.length(p.model.surface.edge(mesh::corner(f, k)));
-    }
-    CHECK(mesh::fits_rectangle(side[0], side[1], side[2], page));
   }
 }
 

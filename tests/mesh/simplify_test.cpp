@@ -14,7 +14,7 @@ using mesh::SimplifyOptions;
 
 namespace {
 
-constexpr Vec2 page{190.0, 270.0};
+constexpr mesh::Page page{190.0, 270.0};
 
 Prepared prepared(const mesh::Surface& surface, const SimplifyOptions& options = {},
                   const mesh::SizeOptions& size = {}) {

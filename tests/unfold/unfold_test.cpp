@@ -231,7 +231,7 @@ TEST_CASE("tabs that stick out of the sheet are dropped, with the reason", "[unf
   CHECK(faults_of(cube, nets, options) == none);
   CHECK(nets.tabs.empty());
   for (const auto& join : nets.joins) {
-    CHECK(join.no_tab == unfold::NoTab::no_room);
+    CHECK(join.no_tab == unfold::NoTab::beyond_sheet);
   }
 }
 
@@ -244,7 +244,7 @@ TEST_CASE("tabs that stick out of the sheet go where there is room on it", "[unf
   CHECK(faults_of(cube, nets, options) == none);
   CHECK(nets.tabs.size() >= 8);
   for (const auto& join : nets.joins) {
-    CHECK(join.no_tab == (join.tab.valid() ? unfold::NoTab::has_tab : unfold::NoTab::no_room));
+    CHECK(join.no_tab == (join.tab.valid() ? unfold::NoTab::has_tab : unfold::NoTab::beyond_sheet));
   }
 }
 
