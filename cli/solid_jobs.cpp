@@ -57,8 +57,16 @@ mesh::Surface surface_of(const solid::Body& body) {
   return {body.points, faces};
 }
 
-mesh::Model read_model(const std::string& file, const Context& context, StageClock& clock) {
-  return clock("read", context, [&] { return mesh::read(file, {.collapse_flat_faces = false}, context); });
+/// What every job begins with: refuses an output that can't be written before the long work, and reads.
+template <class SolidJob>
+SolidResult begin(const SolidJob& job, const std::vector<std::string>& suffixes, const char* formats,
+                  const Context& context) {
+  check_output(job.output, suffixes, formats);
+  SolidResult result;
+  result.model = result.clock("read", context,
+                              [&] { return mesh::read(job.model, {.collapse_flat_faces = false}, context); });
+  require_replaceable(job.output, result.model.digest, job.overwrite);
+  return result;
 }
 
 /// Lengths leave as the file had them.
@@ -149,10 +157,7 @@ solid::Body read_cage(const std::string& file, const Context& context) {
 }  // namespace
 
 SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles& pending) {
-  check_output(job.output, {".obj", ".urdf"}, "hulls are written as .obj or .urdf");
-  SolidResult result;
-  result.model = read_model(job.model, context, result.clock);
-  require_replaceable(job.output, result.model.digest, job.overwrite);
+  SolidResult result = begin(job, {".obj", ".urdf"}, "hulls are written as .obj or .urdf", context);
   find_hulls(result, job.concavity, job.max_vertices, context);
   result.clock("write", context, [&] {
     undo_file_scale(result.bodies, result.model.file_scale);
@@ -170,10 +175,7 @@ SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles
 }
 
 SolidResult make_cage(const CageJob& job, const Context& context, PendingFiles& pending) {
-  check_output(job.output, mesh_suffixes, mesh_formats);
-  SolidResult result;
-  result.model = read_model(job.model, context, result.clock);
-  require_replaceable(job.output, result.model.digest, job.overwrite);
+  SolidResult result = begin(job, mesh_suffixes, mesh_formats, context);
   find_hulls(result, job.concavity, 0, context);
   const solid::Body cage = result.clock(
       "cage", context, [&] { return solid::cage(result.bodies, {.faces = job.faces}, context); });
@@ -183,10 +185,7 @@ SolidResult make_cage(const CageJob& job, const Context& context, PendingFiles& 
 }
 
 SolidResult make_shell(const ShellJob& job, const Context& context, PendingFiles& pending) {
-  check_output(job.output, mesh_suffixes, mesh_formats);
-  SolidResult result;
-  result.model = read_model(job.model, context, result.clock);
-  require_replaceable(job.output, result.model.digest, job.overwrite);
+  SolidResult result = begin(job, mesh_suffixes, mesh_formats, context);
   result.bodies = {result.clock("shell", context, [&] {
     return solid::shell(result.model.surface, {.opening = job.opening, .offset = job.offset}, context);
   })};
@@ -195,10 +194,7 @@ SolidResult make_shell(const ShellJob& job, const Context& context, PendingFiles
 }
 
 SolidResult make_deformed(const DeformJob& job, const Context& context, PendingFiles& pending) {
-  check_output(job.output, mesh_suffixes, mesh_formats);
-  SolidResult result;
-  result.model = read_model(job.model, context, result.clock);
-  require_replaceable(job.output, result.model.digest, job.overwrite);
+  SolidResult result = begin(job, mesh_suffixes, mesh_formats, context);
   const solid::Body before = read_cage(job.cage, context);
   const solid::Body after = read_cage(job.to, context);
   if (before.points.size() != after.points.size() || before.triangles != after.triangles) {

@@ -65,7 +65,7 @@ PackingShape packing_shape(std::vector<std::vector<Vec2>> convex) {
     shape.area += area_of(polygon);
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
-  shape.hull = unfold::convex_hull(std::move(points));
+  shape.hull = convex_hull(std::move(points));
   shape.convex = std::move(convex);
   return shape;
 }

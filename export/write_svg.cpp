@@ -14,31 +14,13 @@
 #include "export/line_style.hpp"
 #include "export/stroke_font.hpp"
 #include "export/utf8.hpp"
+#include "mesh/xml_text.hpp"
 
 namespace ridgecraft::paper {
 namespace {
 
 std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : printable_utf8(text)) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
+  return xml_escaped(printable_utf8(text));
 }
 
 /// At most four decimals (0.1 micrometre), no trailing zeros, no negative zero.

@@ -110,32 +110,6 @@ std::vector<Vec2> FlatShape::points() const {
   return all;
 }
 
-std::vector<Vec2> hull_of(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(),
-            [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) {
-    return points;
-  }
-  // Andrew's monotone chain (A. Andrew, Information Processing Letters 9, 1979).
-  std::vector<Vec2> hull;
-  const auto add = [&hull](Vec2 p, std::size_t keep) {
-    while (hull.size() > keep && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0) {
-      hull.pop_back();
-    }
-    hull.push_back(p);
-  };
-  for (const Vec2 p : points) {
-    add(p, 1);
-  }
-  const std::size_t lower = hull.size();
-  for (std::size_t i = points.size() - 1; i-- > 0;) {
-    add(points[i], lower);
-  }
-  hull.pop_back();
-  return hull;
-}
-
 Reach reach(const std::vector<Vec2>& points, Vec2 direction) {
   Reach found{INFINITY, -INFINITY};
   for (const Vec2 p : points) {

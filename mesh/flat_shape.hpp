@@ -32,9 +32,6 @@ struct Cuts {
   std::vector<double> at;
 };
 
-/// Corners of the convex hull, counterclockwise, no three collinear.
-[[nodiscard]] std::vector<Vec2> hull_of(std::vector<Vec2> points);
-
 struct Reach {
   double low = 0.0;
   double high = 0.0;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "mesh/convex_hull.hpp"
+
 namespace ridgecraft::mesh {
 namespace {
 
@@ -53,7 +55,7 @@ bool fits_along(const std::vector<Vec2>& hull, Vec2 right, Vec2 page) {
 }
 
 bool is_sliver(const FlatShape& shape) {
-  const std::vector<Vec2> hull = hull_of(shape.points());
+  const std::vector<Vec2> hull = convex_hull(shape.points());
   double longest = 0.0;
   for (const Vec2 p : hull) {
     for (const Vec2 q : hull) {
@@ -251,7 +253,7 @@ std::vector<Cuts> corner_cuts(const Sides& sides) {
 }  // namespace
 
 bool fits_page(const std::vector<Vec2>& points, Vec2 page) {
-  const std::vector<Vec2> hull = hull_of(points);
+  const std::vector<Vec2> hull = convex_hull(points);
   const double diagonal = length(page) + fit_slack_mm;
   for (const Vec2 p : hull) {
     if (length(p - hull[0]) > diagonal) {
@@ -277,7 +279,7 @@ bool fits_page(const std::vector<Vec2>& points, Vec2 page) {
 }
 
 Cuts plan_cuts(const FlatShape& shape, const Sides& sides, Vec2 page, const Context& context) {
-  const std::vector<Vec2> hull = hull_of(shape.points());
+  const std::vector<Vec2> hull = convex_hull(shape.points());
   const std::vector<Vec2> directions = directions_of(hull, sides);
   const Planner planner(page, context);
   Plan best = planner.plan(shape, directions);

@@ -11,6 +11,7 @@
 #include <CGAL/convex_hull_3.h>
 
 #include "mesh/error.hpp"
+#include "solid/body_of.hpp"
 
 namespace ridgecraft::solid {
 namespace {
@@ -72,21 +73,7 @@ Body convex_hull(std::span<const Vec3> points, double thickness) {
   }
   HullMesh mesh;
   CGAL::convex_hull_3(input.begin(), input.end(), mesh);
-  Body body;
-  for (const auto v : mesh.vertices()) {
-    const Point& p = mesh.point(v);
-    body.points.push_back({p.x(), p.y(), p.z()});
-  }
-  for (const auto f : mesh.faces()) {
-    std::array<std::uint32_t, 3> triangle{};
-    auto h = mesh.halfedge(f);
-    for (std::uint32_t& corner : triangle) {
-      corner = static_cast<std::uint32_t>(mesh.target(h));
-      h = mesh.next(h);
-    }
-    body.triangles.push_back(triangle);
-  }
-  return body;
+  return body_of(mesh);
 }
 
 bool encloses(const Body& convex, std::span<const Vec3> points) {

@@ -11,6 +11,7 @@
 #include <CGAL/alpha_wrap_3.h>
 
 #include "mesh/error.hpp"
+#include "solid/body_of.hpp"
 #include "solid/solid.hpp"
 
 namespace ridgecraft::solid {
@@ -56,21 +57,7 @@ Wrapped all_of(const std::vector<Body>& bodies) {
 Body wrap(const Wrapped& input, double probe, double offset) {
   WrapMesh mesh;
   CGAL::alpha_wrap_3(input.points, input.triangles, probe, offset, mesh);
-  Body body;
-  for (const auto v : mesh.vertices()) {
-    const auto& p = mesh.point(v);
-    body.points.push_back({p.x(), p.y(), p.z()});
-  }
-  for (const auto f : mesh.faces()) {
-    std::array<std::uint32_t, 3> triangle{};
-    auto h = mesh.halfedge(f);
-    for (std::uint32_t& corner : triangle) {
-      corner = static_cast<std::uint32_t>(mesh.target(h));
-      h = mesh.next(h);
-    }
-    body.triangles.push_back(triangle);
-  }
-  return body;
+  return body_of(mesh);
 }
 
 }  // namespace

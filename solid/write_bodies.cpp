@@ -6,32 +6,10 @@
 #include <fmt/format.h>
 
 #include "mesh/error.hpp"
+#include "mesh/xml_text.hpp"
 
 namespace ridgecraft::solid {
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 /// "--" ends an XML comment.
 std::string in_comment(std::string text) {
@@ -42,8 +20,8 @@ std::string in_comment(std::string text) {
 }
 
 std::string geometry(const std::string& file, double scale) {
-  return fmt::format("      <geometry><mesh filename=\"{}\" scale=\"{} {} {}\"/></geometry>\n", escaped(file),
-                     scale, scale, scale);
+  return fmt::format("      <geometry><mesh filename=\"{}\" scale=\"{} {} {}\"/></geometry>\n",
+                     xml_escaped(file), scale, scale, scale);
 }
 
 }  // namespace
@@ -75,8 +53,8 @@ std::string write_urdf(const std::vector<Body>& bodies, const UrdfOptions& optio
   const auto inertia = [&](std::size_t i) { return inertia_scale * of_units.inertia[i]; };
   std::string text =
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {} -->\n<robot name=\"{}\">\n",
-                  in_comment(options.comment), escaped(options.name));
-  text += fmt::format("  <link name=\"{}\">\n", escaped(options.name));
+                  in_comment(options.comment), xml_escaped(options.name));
+  text += fmt::format("  <link name=\"{}\">\n", xml_escaped(options.name));
   text += fmt::format("    <inertial>\n      <origin xyz=\"{} {} {}\"/>\n      <mass value=\"{}\"/>\n",
                       center.x, center.y, center.z, mass);
   text += fmt::format(

@@ -65,8 +65,8 @@ class TreeSearch {
   /// Calls use(face) for each face whose circle comes nearer than `radius` to a point.
   template <class Use>
   void visit_near(Vec2 centre, double radius, Use use);
-  /// Calls use(f, g) for the pairs of a face on either side of the fold above `below` whose circles come nearer
-  /// than `reach`.
+  /// Calls use(f, g) for the pairs of a face on either side of the fold above `below` whose circles come
+  /// nearer than `reach`.
   template <class Use>
   void visit_near_across(std::uint32_t below, double reach, Use use);
 
@@ -125,6 +125,8 @@ class TreeSearch {
 
   void find_path(std::uint32_t f, std::uint32_t g);
   [[nodiscard]] std::uint32_t pairs_across(std::uint32_t below);
+  template <class Use>
+  void visit_pairs_across(const Span& moved, Use use);
   std::uint32_t new_pairs(const Move& move, std::uint32_t limit);
   void consider(const Move& move, std::uint32_t old_pairs, bool ties, Chosen& chosen);
   void reconsider(Chosen& chosen);

@@ -164,7 +164,7 @@ std::size_t shelf_pages(const Nets& nets, const paper::Paper& paper) {
     for (const FaceId f : piece.faces) {
       points.insert(points.end(), nets.flat[f].begin(), nets.flat[f].end());
     }
-    const auto hull = unfold::convex_hull(points);
+    const auto hull = convex_hull(points);
     Vec2 best{INFINITY, INFINITY};
     for (std::size_t i = 0; i < hull.size(); ++i) {
       const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];

@@ -4,23 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/shapes.hpp"
 #include "support/simple_nets.hpp"
 #include "unfold/outline.hpp"
 
 namespace ridgecraft::test {
 namespace {
-
-mesh::Surface scaled(const mesh::Surface& surface, double scale) {
-  std::vector<Vec3> points(surface.points().begin(), surface.points().end());
-  for (Vec3& p : points) {
-    p = scale * p;
-  }
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    faces.push_back(surface.vertices(f));
-  }
-  return {std::move(points), std::move(faces)};
-}
 
 /// Panels over edges that aren't folded: enough for shapes made of exact flat regions.
 mesh::Panels flat_panels(const mesh::Surface& surface) {

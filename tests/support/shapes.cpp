@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace ridgecraft::test {
 namespace {
@@ -38,7 +39,9 @@ class Lattice {
 
 }  // namespace
 
-mesh::Surface cube() { return voxels({{0, 0, 0}}); }
+mesh::Surface cube() {
+  return voxels({{0, 0, 0}});
+}
 
 mesh::Surface tetrahedron() {
   return {{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}},
@@ -126,6 +129,18 @@ mesh::Surface sphere(int longitudes, int latitudes) {
     profile.push_back({pole ? 0.0 : std::sin(angle), -std::cos(angle)});
   }
   return revolve(profile, longitudes);
+}
+
+mesh::Surface scaled(const mesh::Surface& surface, double factor) {
+  std::vector<Vec3> points;
+  for (const Vec3 p : surface.points()) {
+    points.push_back(factor * p);
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    faces.push_back(surface.vertices(f));
+  }
+  return {std::move(points), std::move(faces)};
 }
 
 }  // namespace ridgecraft::test

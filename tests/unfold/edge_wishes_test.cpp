@@ -15,6 +15,7 @@
 
 using namespace ridgecraft;
 using test::faults_of;
+using test::scaled;
 using unfold::EdgeUse;
 using unfold::EdgeWish;
 using unfold::EdgeWishes;
@@ -26,18 +27,6 @@ using unfold::Segment;
 namespace {
 
 const std::vector<std::string> none;
-
-mesh::Surface scaled(const mesh::Surface& s, double factor) {
-  std::vector<Vec3> points;
-  for (const Vec3 p : s.points()) {
-    points.push_back(factor * p);
-  }
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    faces.push_back(s.vertices(f));
-  }
-  return {std::move(points), std::move(faces)};
-}
 
 Segment segment_of(const mesh::Surface& s, EdgeId e) {
   const CornerId c = s.sides(e)[0];

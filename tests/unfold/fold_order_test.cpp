@@ -195,16 +195,7 @@ TEST_CASE("an order of folding has each folded edge once", "[unfold]") {
 }
 
 TEST_CASE("a cube folds up with all creases at a time", "[unfold]") {
-  std::vector<Vec3> points;
-  const mesh::Surface unit = test::cube();
-  for (const Vec3 p : unit.points()) {
-    points.push_back(50.0 * p);
-  }
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : ids<FaceId>(unit.face_count())) {
-    faces.push_back(unit.vertices(f));
-  }
-  const mesh::Surface cube(points, faces);
+  const mesh::Surface cube = test::scaled(test::cube(), 50.0);
   const Nets nets = nets_of(cube);
   CHECK(nets.pieces[PieceId(0)].folding.way == FoldWay::together);
 }

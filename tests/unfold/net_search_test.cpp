@@ -164,7 +164,7 @@ TEST_CASE("turned rectangles fit the sheet they are made for and no smaller one"
       corners.push_back(
           {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
     }
-    const auto hull = unfold::convex_hull(corners);
+    const auto hull = convex_hull(corners);
     CHECK(unfold::angle_to_fit(hull, {width, height}).has_value());
     CHECK(unfold::angle_to_fit(hull, {height, width}).has_value());
     CHECK_FALSE(unfold::angle_to_fit(hull, {width - 0.01, height - 0.01}).has_value());

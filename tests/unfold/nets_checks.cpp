@@ -225,6 +225,12 @@ std::vector<std::string> faults_of(const mesh::Surface& surface, const Nets& net
   return faults.list;
 }
 
+unfold::Options on_sheet(double width, double height) {
+  unfold::Options options;
+  options.sheet = unfold::Sheet{width, height};
+  return options;
+}
+
 mesh::Panels no_panels(const mesh::Surface& surface) {
   mesh::Panels panels;
   panels.panel.resize(surface.face_count());

@@ -14,6 +14,9 @@ namespace ridgecraft::test {
 [[nodiscard]] std::vector<std::string> faults_of(const mesh::Surface& surface, const unfold::Nets& nets,
                                                  const unfold::Options& options);
 
+/// Default options on a sheet of this size, mm.
+[[nodiscard]] unfold::Options on_sheet(double width, double height);
+
 /// Every face in a panel of its own.
 [[nodiscard]] mesh::Panels no_panels(const mesh::Surface& surface);
 /// Panels by equal normals of neighbours (within 1e-9): enough for shapes made in code.

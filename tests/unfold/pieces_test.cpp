@@ -23,6 +23,7 @@
 
 using namespace ridgecraft;
 using test::faults_of;
+using test::scaled;
 using unfold::Nets;
 using unfold::Options;
 using unfold::PieceMode;
@@ -31,18 +32,6 @@ using unfold::PieceReason;
 namespace {
 
 const std::vector<std::string> none;
-
-mesh::Surface scaled(const mesh::Surface& s, double factor) {
-  std::vector<Vec3> points;
-  for (const Vec3 p : s.points()) {
-    points.push_back(factor * p);
-  }
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    faces.push_back(s.vertices(f));
-  }
-  return {std::move(points), std::move(faces)};
-}
 
 /// The same surface with points moved by a rigid motion and faces in the reverse order.
 mesh::Surface turned_and_renumbered(const mesh::Surface& s) {
@@ -270,7 +259,7 @@ TEST_CASE("a net that is too long is bent until it fits, without an overlap", "[
     for (const auto& t : unfold::lay_out(patch, folds).flat) {
       points.insert(points.end(), t.begin(), t.end());
     }
-    return unfold::excess(unfold::convex_hull(std::move(points)), {180.0, 267.0});
+    return unfold::excess(convex_hull(std::move(points)), {180.0, 267.0});
   };
   CHECK(unfold::find_overlaps(unfold::lay_out(patch, bent), 2e-6).empty());
   CHECK(unfold::cost_of(patch, bent).pieces == 1);

@@ -8,18 +8,13 @@
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
+using test::on_sheet;
 using unfold::Nets;
 using unfold::Options;
 
 namespace {
 
 const std::vector<std::string> none;
-
-Options on_sheet(double width, double height) {
-  Options options;
-  options.sheet = unfold::Sheet{width, height};
-  return options;
-}
 
 /// Every piece lies on the sheet with its tabs; how many joins have none.
 std::size_t missing_tabs(const mesh::Surface& surface, const Options& options) {
@@ -35,7 +30,7 @@ std::size_t missing_tabs(const mesh::Surface& surface, const Options& options) {
         points.insert(points.end(), tab.polygon.begin(), tab.polygon.end());
       }
     }
-    CHECK(unfold::angle_to_fit(unfold::convex_hull(points), *options.sheet).has_value());
+    CHECK(unfold::angle_to_fit(convex_hull(points), *options.sheet).has_value());
   }
   std::size_t missing = 0;
   for (const unfold::Join& join : nets.joins) {

@@ -220,18 +220,6 @@ Surface random_hull(int count, std::uint64_t seed) {
   return Surface(std::move(points), std::move(faces));
 }
 
-Surface scaled(const Surface& s, double factor) {
-  std::vector<Vec3> points;
-  for (const Vec3 p : s.points()) {
-    points.push_back(factor * p);
-  }
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    faces.push_back(s.vertices(f));
-  }
-  return Surface(std::move(points), std::move(faces));
-}
-
 Surface flat_grid(int k) {
   std::vector<Vec3> points;
   for (int y = 0; y <= k; ++y) {

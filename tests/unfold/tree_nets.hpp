@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/surface.hpp"
+#include "support/shapes.hpp"
 #include "unfold/nets.hpp"
 
 namespace ridgecraft::test {
@@ -28,8 +29,6 @@ using FoldOrder = std::vector<EdgeId>;
 
 /// Convex hull of `count` random points of the unit sphere.
 [[nodiscard]] mesh::Surface random_hull(int count, std::uint64_t seed);
-/// The same surface, `factor` times as large.
-[[nodiscard]] mesh::Surface scaled(const mesh::Surface& surface, double factor);
 /// A flat square grid of 2 k * k triangles with side 1 per square, from (0, 0) to (k, k).
 [[nodiscard]] mesh::Surface flat_grid(int k);
 /// The edge between two vertices.

@@ -11,6 +11,8 @@
 
 using namespace ridgecraft;
 using test::faults_of;
+using test::on_sheet;
+using test::scaled;
 using unfold::Nets;
 using unfold::Options;
 using unfold::PieceReason;
@@ -18,24 +20,6 @@ using unfold::PieceReason;
 namespace {
 
 const std::vector<std::string> none;
-
-Options on_sheet(double width, double height) {
-  Options options;
-  options.sheet = unfold::Sheet{width, height};
-  return options;
-}
-
-mesh::Surface scaled(const mesh::Surface& s, double factor) {
-  std::vector<Vec3> points;
-  for (const Vec3 p : s.points()) {
-    points.push_back(factor * p);
-  }
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    faces.push_back(s.vertices(f));
-  }
-  return {std::move(points), std::move(faces)};
-}
 
 bool same(const Nets& a, const Nets& b) {
   bool equal = a.use == b.use && a.piece == b.piece && a.flat == b.flat && a.notes == b.notes &&
