@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "cli/option_values.hpp"
-#include "unfold/objective.hpp"
+#include "unfold/piece_rules.hpp"
 
 namespace ridgecraft::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "mesh/context.hpp"
-#include "unfold/page_split.hpp"
 #include "unfold/patch.hpp"
+#include "unfold/room.hpp"
 
 namespace ridgecraft::unfold {
 

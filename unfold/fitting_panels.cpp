@@ -3,11 +3,8 @@
 
 #include <algorithm>
 
-#include "unfold/check.hpp"
 #include "unfold/layout.hpp"
 #include "unfold/patch_nets.hpp"
-#include "unfold/sheet.hpp"
-#include "unfold/start_tree.hpp"
 #include "unfold/tolerance.hpp"
 
 namespace ridgecraft::unfold {
@@ -23,18 +20,14 @@ mesh::Panels single_faces(const mesh::Surface& surface) {
   return panels;
 }
 
-/// Whether a panel can lie flat, whole, on the sheet.
+/// Whether a panel can lie flat, in one, on the sheet.
 bool lies_whole(const mesh::Surface& surface, const mesh::Panels& panels, const std::vector<FaceId>& faces,
                 const Room& room) {
-  const Patch patch = make_patch(surface, panels, faces);
-  Random random(1);
-  const Layout layout = lay_out(patch, start_tree(patch, StartTree::short_cuts, random));
-  std::vector<Vec2> points;
-  for (const Triangle& t : layout.flat) {
-    points.insert(points.end(), t.begin(), t.end());
+  if (faces.size() == 1) {
+    return true;  // a face that no sheet holds is refused elsewhere
   }
-  return layout.faces.size() == 1 && room.holds(convex_hull(std::move(points)), 1) &&
-         find_overlaps(layout, 0.5 * overlap_tolerance_mm).empty();
+  const Patch patch = make_patch(surface, panels, faces);
+  return lies_as_one(patch, 1, room, net_tolerance(patch.extent));
 }
 
 }  // namespace
@@ -49,13 +42,13 @@ mesh::Panels fitting_panels(const mesh::Surface& surface, const mesh::Panels& pa
   for (const std::vector<FaceId>& faces : panels.faces) {
     context.check();
     std::vector<std::vector<FaceId>> shares{faces};
-    if (faces.size() > 1 && !lies_whole(surface, panels, faces, room)) {
+    if (!lies_whole(surface, panels, faces, room)) {
       ++divided;
       shares.clear();
       for (const std::vector<FaceId>& component : connected(surface, faces)) {
         const Patch patch = make_patch(surface, single, component);
-        const double tolerance = std::min(search_tolerance * patch.extent, 0.5 * overlap_tolerance_mm);
-        const PatchNets nets = unfold_patch(patch, bits, PanelCuts::only_if_too_large, tolerance, 1, context);
+        const PatchNets nets =
+            unfold_patch(patch, bits, PanelCuts::only_if_too_large, net_tolerance(patch.extent), 1, context);
         for (const auto& piece : lay_out(patch, nets.folds).faces) {
           std::vector<FaceId>& share = shares.emplace_back();
           for (const std::uint32_t f : piece) {

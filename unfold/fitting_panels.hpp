@@ -9,7 +9,7 @@
 #include "mesh/context.hpp"
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
-#include "unfold/page_split.hpp"
+#include "unfold/room.hpp"
 
 namespace ridgecraft::unfold {
 

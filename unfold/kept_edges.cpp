@@ -6,11 +6,7 @@
 #include <vector>
 
 #include "mesh/disjoint_sets.hpp"
-#include "unfold/check.hpp"
-#include "unfold/layout.hpp"
 #include "unfold/patch.hpp"
-#include "unfold/sheet.hpp"
-#include "unfold/start_tree.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -115,16 +111,9 @@ class Keeper {
 
   /// Whether what frozen sides hold together is one net without overlap that fits the room.
   [[nodiscard]] bool lies_well(const std::vector<FaceId>& faces) const {
-    const Patch patch = make_patch(surface_, panels_, faces, result_.wishes.items());
-    Random random(1);
-    const Layout layout = lay_out(patch, start_tree(patch, StartTree::short_cuts, random));
-    std::vector<Vec2> points;
-    for (const Triangle& t : layout.flat) {
-      points.insert(points.end(), t.begin(), t.end());
-    }
     constexpr std::size_t several = 2;  // the strip for tabs is kept free
-    return layout.faces.size() == 1 && room_.holds(convex_hull(std::move(points)), several) &&
-           find_overlaps(layout, tolerance_).empty();
+    return lies_as_one(make_patch(surface_, panels_, faces, result_.wishes.items()), several, room_,
+                       tolerance_);
   }
 
   [[nodiscard]] mesh::Panels groups() const {

@@ -8,7 +8,7 @@
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
 #include "unfold/edge_wishes.hpp"
-#include "unfold/page_split.hpp"
+#include "unfold/room.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/layout.hpp"
 
+#include "mesh/convex_hull.hpp"
 #include "mesh/error.hpp"
 
 namespace ridgecraft::unfold {
@@ -38,6 +39,15 @@ Layout lay_out(const Patch& patch, const Folds& folds) {
     }
   }
   return layout;
+}
+
+std::vector<Vec2> hull_of(const Layout& layout, std::span<const std::uint32_t> faces) {
+  std::vector<Vec2> points;
+  points.reserve(3 * faces.size());
+  for (const std::uint32_t f : faces) {
+    points.insert(points.end(), layout.flat[f].begin(), layout.flat[f].end());
+  }
+  return convex_hull(std::move(points));
 }
 
 }  // namespace ridgecraft::unfold

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "unfold/patch.hpp"
@@ -20,5 +21,8 @@ struct Layout {
 /// Places every face by one chain of folds from its tree's root, breadth first (short chains, small errors).
 /// O(n).
 [[nodiscard]] Layout lay_out(const Patch& patch, const Folds& folds);
+
+/// The convex hull of these faces of one piece.
+[[nodiscard]] std::vector<Vec2> hull_of(const Layout& layout, std::span<const std::uint32_t> faces);
 
 }  // namespace ridgecraft::unfold

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "mesh/convex_hull.hpp"
 #include "unfold/circle_tree.hpp"
 #include "unfold/forest.hpp"
 #include "unfold/layout.hpp"
-#include "unfold/sheet.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -16,20 +16,16 @@ class Merger {
   Merger(const Patch& patch, const Folds& folds, const Room& room, double tolerance, std::uint64_t budget)
       : patch_(patch), folds_(folds), room_(room), tolerance_(tolerance), budget_(budget) {
     Layout layout = lay_out(patch, folds);
+    for (const auto& faces : layout.faces) {
+      hulls_.push_back(hull_of(layout, faces));
+      panels_.push_back(panels_of(patch, folds, faces));
+    }
     flat_ = std::move(layout.flat);
     piece_ = std::move(layout.piece);
     faces_ = std::move(layout.faces);
     circles_.reserve(flat_.size());
     for (const Triangle& t : flat_) {
       circles_.push_back(smallest_circle(t[0], t[1], t[2]));
-    }
-    for (const auto& faces : faces_) {
-      std::vector<Vec2> points;
-      for (const std::uint32_t f : faces) {
-        points.insert(points.end(), flat_[f].begin(), flat_[f].end());
-      }
-      hulls_.push_back(convex_hull(std::move(points)));
-      panels_.push_back(panels_of(patch, folds, faces));
     }
   }
 

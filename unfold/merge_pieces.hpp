@@ -3,8 +3,8 @@
 #pragma once
 
 #include "mesh/context.hpp"
-#include "unfold/page_split.hpp"
 #include "unfold/patch.hpp"
+#include "unfold/room.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -12,7 +12,6 @@ namespace ridgecraft::unfold {
 /// fits the room, cuts in panels and long cuts first, until no more can be joined. Stops after `pair_budget`
 /// pairs of faces were compared. With `random` the order is blurred, so that another call may end otherwise.
 [[nodiscard]] Folds merge_pieces(const Patch& patch, const Folds& folds, const Room& room, double tolerance,
-                                 std::uint64_t pair_budget, const Context& context,
-                                 Random* random = nullptr);
+                                 std::uint64_t pair_budget, const Context& context, Random* random = nullptr);
 
 }  // namespace ridgecraft::unfold

@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <exception>
 #include <limits>
 #include <memory>
-#include <mutex>
-#include <system_error>
-#include <thread>
 #include <vector>
 
 #include "unfold/check.hpp"
 #include "unfold/layout.hpp"
+#include "unfold/parallel.hpp"
 #include "unfold/tree_search.hpp"
 
 namespace ridgecraft::unfold {
@@ -94,38 +91,14 @@ class Race {
     const std::uint64_t slice =
         runners_.size() == 1 ? std::max<std::uint64_t>(n, 500) : std::max<std::uint64_t>(n / 2, 250);
     const std::uint64_t left = options_.iterations - std::min(options_.iterations, iterations_);
-    std::atomic<std::size_t> next{0};
     std::atomic<std::size_t> winner{runners_.size()};
-    std::exception_ptr failure;
-    std::mutex mutex;
-    const auto work = [&] {
-      for (std::size_t i = next++; i < runners_.size() && i < winner; i = next++) {
-        try {
-          if (runners_[i].running && advance(runners_[i], std::min(slice, left))) {
-            for (std::size_t best = winner; i < best && !winner.compare_exchange_weak(best, i);) {
-            }
-          }
-        } catch (...) {
-          const std::lock_guard lock(mutex);
-          failure = failure ? failure : std::current_exception();
-          next = runners_.size();
+    do_in_parallel(runners_.size(), context_, [&](std::size_t i, const Context&) {
+      // Those behind a winner needn't run; who is before it may still win instead.
+      if (i < winner && runners_[i].running && advance(runners_[i], std::min(slice, left))) {
+        for (std::size_t best = winner; i < best && !winner.compare_exchange_weak(best, i);) {
         }
       }
-    };
-    {
-      std::vector<std::jthread> others;
-      for (std::size_t t = 1; t < std::min<std::size_t>(context_.threads, runners_.size()); ++t) {
-        try {
-          others.emplace_back(work);
-        } catch (const std::system_error&) {
-          break;  // no more threads to be had
-        }
-      }
-      work();
-    }
-    if (failure) {
-      std::rethrow_exception(failure);
-    }
+    });
     settle(winner);
   }
 

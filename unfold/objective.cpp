@@ -2,14 +2,13 @@
 #include "unfold/objective.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
+#include "mesh/convex_hull.hpp"
 #include "unfold/forest.hpp"
 #include "unfold/layout.hpp"
-#include "unfold/page_split.hpp"
-#include "unfold/sheet.hpp"
+#include "unfold/room.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -24,19 +23,6 @@ constexpr double handy_mm = 30.0;
 constexpr double thin_ratio = 3.0;
 /// A piece of so many panels is an evening's work by itself.
 constexpr double many_panels = 80.0;
-
-struct Term {
-  std::string_view name;
-  double Weights::*weight;
-};
-constexpr std::array terms{Term{"cut", &Weights::cut},      Term{"pieces", &Weights::pieces},
-                           Term{"parts", &Weights::parts},  Term{"compact", &Weights::compact},
-                           Term{"thin", &Weights::thin},    Term{"small", &Weights::small},
-                           Term{"panels", &Weights::panels}};
-
-double area_of(const Triangle& t) {
-  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
-}
 
 /// How thin the necks of a tree are: for each fold the width of the smaller side (the root of its area) over
 /// the fold's length, beyond what is harmless.
@@ -66,57 +52,15 @@ double square(double x) {
 
 }  // namespace
 
-PieceRules rules_of(PieceMode mode) {
-  PieceRules rules;
-  rules.merge = true;
-  switch (mode) {
-    case PieceMode::few:
-      rules.weights.pieces = 100.0;
-      rules.weights.parts = 0.0;
-      rules.weights.panels = 0.0;
-      break;
-    case PieceMode::parts:
-      rules.max_panels = 80;
-      break;
-    case PieceMode::small:
-      rules.max_panels = 24;
-      rules.weights.pieces = 3.0;
-      rules.weights.small = 8.0;
-      break;
-  }
-  return rules;
-}
-
-double* weight_named(Weights& weights, std::string_view name) {
-  const auto* const term =
-      std::find_if(terms.begin(), terms.end(), [&](const Term& t) { return t.name == name; });
-  return term == terms.end() ? nullptr : &(weights.*(term->weight));
-}
-
-std::span<const std::string_view> term_names() {
-  static constexpr auto names = [] {
-    std::array<std::string_view, terms.size()> all;
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-      all[i] = terms[i].name;
-    }
-    return all;
-  }();
-  return names;
-}
-
 double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights& weights) {
   double outline = 0.0;
   for (std::size_t side = 0; side < piece.twin.size(); ++side) {
     // Each cut has two sides; those of another piece count there.
     outline += piece.twin[side] == nothing ? 0.5 * piece.length[side] : 0.0;
   }
-  double area = 0.0;
-  for (const Triangle& t : piece.shape) {
-    area += area_of(t);
-  }
   return weights.pieces + weights.cut * outline / cut_unit_mm +
          weights.parts * static_cast<double>(parts - 1) +
-         weights.small * std::max(0.0, 1.0 - std::sqrt(area) / handy_mm) +
+         weights.small * std::max(0.0, 1.0 - std::sqrt(area_of(piece)) / handy_mm) +
          weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
 }
 

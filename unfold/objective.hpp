@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes a set of pieces easy to build: terms with names and weights.
+// What a piece costs its maker: the terms of piece_rules.hpp, measured.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
+#include <cstddef>
 
 #include "unfold/patch.hpp"
-#include "unfold/unfold.hpp"
+#include "unfold/piece_rules.hpp"
 
 namespace ridgecraft::unfold {
-
-/// A term's weight by its name ("cut", "pieces", "parts", "compact", "thin", "small", "panels"); null where
-/// there is no such term.
-[[nodiscard]] double* weight_named(Weights& weights, std::string_view name);
-
-/// The names of all terms, in the order of Weights.
-[[nodiscard]] std::span<const std::string_view> term_names();
 
 /// The cost of one piece: the sum of its terms, each times its weight. `tree`: its folds; `parts`: of how
 /// many parts it has faces. O(n log n).

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/one_piece.hpp"
 
-#include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "unfold/fit_search.hpp"
 #include "unfold/net_search.hpp"
@@ -18,23 +16,10 @@ constexpr std::uint64_t least_iterations = 600;
 
 }  // namespace
 
-bool too_large_for_one(const Patch& patch, const Room& room) {
-  if (room.max_panels > 0 && panel_count(patch) > room.max_panels) {
-    return true;
-  }
-  if (!room.sheet) {
-    return false;
-  }
-  const double area = std::accumulate(
-      patch.shape.begin(), patch.shape.end(), 0.0,
-      [](double sum, const Triangle& t) { return sum + 0.5 * cross(t[1] - t[0], t[2] - t[0]); });
-  return area > room.sheet->width * room.sheet->height;
-}
-
 OnePieceFound find_one_piece(const Patch& patch, const Room& room, const OnePieceSearch& search,
                              std::uint64_t seed, const Context& context) {
   OnePieceFound result;
-  if (too_large_for_one(patch, room)) {
+  if (least_pieces(patch, room) > 1) {
     return result;
   }
   Random random(seed);

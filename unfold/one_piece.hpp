@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "mesh/context.hpp"
-#include "unfold/page_split.hpp"
 #include "unfold/patch.hpp"
+#include "unfold/room.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -27,8 +27,5 @@ struct OnePieceFound {
 /// finds none. The first that is found is taken.
 [[nodiscard]] OnePieceFound find_one_piece(const Patch& patch, const Room& room, const OnePieceSearch& search,
                                            std::uint64_t seed, const Context& context);
-
-/// Whether size alone forbids one piece: more area, or more panels, than the room has.
-[[nodiscard]] bool too_large_for_one(const Patch& patch, const Room& room);
 
 }  // namespace ridgecraft::unfold

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
 
-#include "mesh/disjoint_sets.hpp"
+#include "mesh/convex_hull.hpp"
 #include "unfold/forest.hpp"
 #include "unfold/layout.hpp"
-#include "unfold/sheet.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -62,7 +64,7 @@ void peel(const Patch& patch, const Layout& layout, const RootedTree& tree, cons
   for (std::uint32_t i = 0; i < n; ++i) {
     const Triangle& flat = layout.flat[tree.order[i]];
     own[top[i]].insert(own[top[i]].end(), flat.begin(), flat.end());
-    branch[top[i]].area += 0.5 * cross(flat[1] - flat[0], flat[2] - flat[0]);
+    branch[top[i]].area += area_of(flat);
     if (i > 0 && top[i] == i) {
       children[top[tree.parent[i]]].push_back(i);
     }
@@ -98,7 +100,7 @@ struct Sides {
   std::vector<std::size_t> panels_below;
 };
 
-Sides measure_sides(const Patch& patch, const Layout& layout, const RootedTree& tree) {
+Sides measure_sides(const Patch& patch, std::span<const Triangle> laid, const RootedTree& tree) {
   const std::size_t n = tree.order.size();
   Sides sides;
   sides.below.resize(n);
@@ -107,9 +109,9 @@ Sides measure_sides(const Patch& patch, const Layout& layout, const RootedTree& 
   sides.panels_below.assign(n, 1);
   std::vector<std::vector<std::uint32_t>> children(n);
   for (std::size_t i = n; i-- > 0;) {
-    const Triangle& flat = layout.flat[tree.order[i]];
+    const Triangle& flat = laid[tree.order[i]];
     sides.below[i] = hull_of(flat);
-    sides.area_below[i] += 0.5 * cross(flat[1] - flat[0], flat[2] - flat[0]);
+    sides.area_below[i] += area_of(flat);
     for (const std::uint32_t child : children[i]) {
       sides.below[i] = joined(sides.below[i], sides.below[child]);
     }
@@ -122,7 +124,7 @@ Sides measure_sides(const Patch& patch, const Layout& layout, const RootedTree& 
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (const std::uint32_t child : children[i]) {
-      Hull hull = joined(sides.above[i], hull_of(layout.flat[tree.order[i]]));
+      Hull hull = joined(sides.above[i], hull_of(laid[tree.order[i]]));
       for (const std::uint32_t other : children[i]) {
         if (other != child) {
           hull = joined(hull, sides.below[other]);
@@ -143,24 +145,27 @@ double badness(const Patch& patch, std::uint32_t side, double area_a, double are
          balance_weight * imbalance * std::sqrt(total) + (patch.frozen[side] != 0 ? panel_penalty : 0.0);
 }
 
+/// What each move of a cut needs, with a slot for each face of the patch.
+struct Scratch {
+  std::vector<std::uint32_t> place;
+  std::vector<Triangle> flat;
+};
+
 /// Moves the cut between the two pieces at `side` to the best fold of their union. True when it moved.
-bool move_cut(const Patch& patch, const Room& room, std::uint32_t side, Folds& folds,
-              std::vector<std::uint32_t>& place) {
+bool move_cut(const Patch& patch, const Room& room, std::uint32_t side, Folds& folds, Scratch& scratch) {
   set_fold(patch, folds, side, true);
-  const RootedTree tree = rooted_tree(patch, folds, side / 3, place);
+  const RootedTree tree = rooted_tree(patch, folds, side / 3, scratch.place);
   // Laid flat by itself: the two pieces needn't lie in one plane yet.
-  Layout layout;
-  layout.flat.resize(patch.size());
   std::vector<Rigid> at(tree.order.size());
   for (std::uint32_t i = 0; i < tree.order.size(); ++i) {
     if (i > 0) {
       at[i] = at[tree.parent[i]] * patch.across[patch.twin[tree.up[i]]];
     }
     for (unsigned k = 0; k < 3; ++k) {
-      layout.flat[tree.order[i]][k] = at[i](patch.shape[tree.order[i]][k]);
+      scratch.flat[tree.order[i]][k] = at[i](patch.shape[tree.order[i]][k]);
     }
   }
-  const Sides sides = measure_sides(patch, layout, tree);
+  const Sides sides = measure_sides(patch, scratch.flat, tree);
   const std::size_t n = tree.order.size();
   double least = INFINITY;
   std::uint32_t best = side;
@@ -184,13 +189,13 @@ bool move_cut(const Patch& patch, const Room& room, std::uint32_t side, Folds& f
 /// `cuts`: the folds of the tree that was split. They bound neighbouring pieces and stay a tree of pieces.
 void balance(const Patch& patch, const Folds& before, const Room& room, Folds& folds,
              const Context& context) {
-  std::vector<std::uint32_t> place(patch.size(), nothing);
+  Scratch scratch{std::vector<std::uint32_t>(patch.size(), nothing), std::vector<Triangle>(patch.size())};
   for (int pass = 0; pass < balance_passes; ++pass) {
     bool moved = false;
     for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
       if (before[side] != 0 && folds[side] == 0 && side < patch.twin[side]) {
         context.check();
-        moved = move_cut(patch, room, side, folds, place) || moved;
+        moved = move_cut(patch, room, side, folds, scratch) || moved;
       }
     }
     if (!moved) {
@@ -200,30 +205,6 @@ void balance(const Patch& patch, const Folds& before, const Room& room, Folds& f
 }
 
 }  // namespace
-
-bool Room::holds(std::span<const Vec2> hull, std::size_t panels) const {
-  if (max_panels > 0 && panels > max_panels) {
-    return false;
-  }
-  if (!sheet) {
-    return true;
-  }
-  if (angle_to_fit(hull, {sheet->width - 2.0 * strip, sheet->height - 2.0 * strip})) {
-    return true;
-  }
-  return panels == 1 && angle_to_fit(hull, *sheet).has_value();
-}
-
-std::size_t panel_count(const Patch& patch) {
-  DisjointSets sets(patch.size());
-  std::size_t panels = patch.size();
-  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (patch.frozen[side] != 0 && side < patch.twin[side] && sets.join(side / 3, patch.twin[side] / 3)) {
-      --panels;
-    }
-  }
-  return panels;
-}
 
 SplitCost cost_of(const Patch& patch, const Folds& folds) {
   SplitCost cost;
@@ -245,42 +226,13 @@ SplitCost cost_of(const Patch& patch, const Folds& folds) {
   return cost;
 }
 
-/// Flat regions of one piece.
-std::size_t panels_of(const Patch& patch, const Folds& folds, const std::vector<std::uint32_t>& faces) {
-  std::size_t panels = 1;
-  for (const std::uint32_t f : faces) {
-    for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      panels += folds[side] != 0 && patch.frozen[side] == 0 && side < patch.twin[side] ? 1U : 0U;
-    }
-  }
-  return panels;
-}
-
-bool all_fit(const Patch& patch, const Folds& folds, const Room& room) {
-  if (!room.sheet && room.max_panels == 0) {
-    return true;
-  }
-  const Layout layout = lay_out(patch, folds);
-  return std::all_of(layout.faces.begin(), layout.faces.end(), [&](const auto& faces) {
-    std::vector<Vec2> points;
-    for (const std::uint32_t f : faces) {
-      points.insert(points.end(), layout.flat[f].begin(), layout.flat[f].end());
-    }
-    return room.holds(convex_hull(std::move(points)), panels_of(patch, folds, faces));
-  });
-}
-
 Folds split_to_fit(const Patch& patch, const Folds& folds, const Room& room, Random& random,
                    const Context& context) {
   Folds result = folds;
   const Layout layout = lay_out(patch, folds);
   std::vector<std::uint32_t> place(patch.size(), nothing);
   for (const auto& faces : layout.faces) {
-    std::vector<Vec2> points;
-    for (const std::uint32_t f : faces) {
-      points.insert(points.end(), layout.flat[f].begin(), layout.flat[f].end());
-    }
-    if (room.holds(convex_hull(std::move(points)), panels_of(patch, folds, faces))) {
+    if (room.holds(hull_of(layout, faces), panels_of(patch, folds, faces))) {
       continue;
     }
     std::optional<SplitCost> least;

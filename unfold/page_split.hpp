@@ -2,25 +2,13 @@
 // A net that is larger than the sheet becomes as few pieces as possible.
 #pragma once
 
-#include <optional>
-#include <span>
+#include <cstddef>
 
 #include "mesh/context.hpp"
 #include "unfold/patch.hpp"
-#include "unfold/unfold.hpp"
+#include "unfold/room.hpp"
 
 namespace ridgecraft::unfold {
-
-/// What a piece must keep to: the sheet, with a strip for tabs all round, and a number of panels. A single
-/// panel may use the strip.
-struct Room {
-  std::optional<Sheet> sheet;
-  double strip = 0.0;          ///< mm
-  std::size_t max_panels = 0;  ///< flat regions in one piece; 0: as many as it likes
-
-  /// `panels`: how many flat regions the piece has.
-  [[nodiscard]] bool holds(std::span<const Vec2> hull, std::size_t panels) const;
-};
 
 /// What a forest costs: compared from the first figure to the last.
 struct SplitCost {
@@ -41,16 +29,6 @@ struct SplitCost {
 
 /// The cost of a forest: its cuts between faces of the patch.
 [[nodiscard]] SplitCost cost_of(const Patch& patch, const Folds& folds);
-
-/// How many flat regions a connected patch has: what its frozen sides leave apart.
-[[nodiscard]] std::size_t panel_count(const Patch& patch);
-
-/// How many flat regions the piece of these faces has.
-[[nodiscard]] std::size_t panels_of(const Patch& patch, const Folds& folds,
-                                    const std::vector<std::uint32_t>& faces);
-
-/// Whether each tree of the forest fits.
-[[nodiscard]] bool all_fit(const Patch& patch, const Folds& folds, const Room& room);
 
 /// Removes folds until every piece fits. From several roots, each tree is cut from its
 /// leaves upwards only where a branch no longer fits; the forest with the fewest pieces is kept. Then, for

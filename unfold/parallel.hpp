@@ -60,4 +60,10 @@ void do_in_parallel(std::size_t count, const Context& context, Work work, Finish
   }
 }
 
+/// The same without a word about what is done.
+template <class Work>
+void do_in_parallel(std::size_t count, const Context& context, Work work) {
+  do_in_parallel(count, context, work, [](std::size_t) {});
+}
+
 }  // namespace ridgecraft::unfold

@@ -2,7 +2,6 @@
 #include "unfold/part_merging.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "unfold/layout.hpp"
 #include "unfold/objective.hpp"
 #include "unfold/one_piece.hpp"
+#include "unfold/piece_borders.hpp"
 #include "unfold/sub_patch.hpp"
 
 namespace ridgecraft::unfold {
@@ -31,16 +31,9 @@ using Faces = std::vector<std::uint32_t>;
 
 struct Piece {
   Faces faces;  ///< ascending
-  double area = 0.0;
   double cost = 0.0;
   std::size_t parts = 1;
   bool merged = false;
-};
-
-struct Neighbours {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-  double border = 0.0;  ///< mm
 };
 
 class PartMerger {
@@ -67,12 +60,12 @@ class PartMerger {
   Folds run() {
     for (bool again = true; again;) {
       again = false;
-      for (const Neighbours& pair : neighbours()) {
+      for (const PieceBorder& border : borders()) {
         context_.check();
         if (context_.out_of_time()) {
           return std::move(folds_);
         }
-        if (merge(pair)) {
+        if (merge(border)) {
           again = true;
           break;
         }
@@ -92,43 +85,23 @@ class PartMerger {
 
   void renew(Piece& piece) {
     piece.parts = count_parts(piece.faces);
-    piece.area = 0.0;
-    for (const std::uint32_t f : piece.faces) {
-      const Triangle& t = patch_.shape[f];
-      piece.area += 0.5 * cross(t[1] - t[0], t[2] - t[0]);
-    }
     piece.cost = cost_of_piece(sub_patch(patch_, piece.faces), sub_folds(patch_, folds_, piece.faces),
                                piece.parts, weights_);
   }
 
-  /// Neighbouring pieces: the smallest first, each with its longest border first.
-  [[nodiscard]] std::vector<Neighbours> neighbours() const {
-    std::vector<std::uint32_t> of(patch_.size(), 0);
+  [[nodiscard]] std::vector<PieceBorder> borders() const {
+    std::vector<std::uint32_t> piece(patch_.size(), 0);
     for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
       for (const std::uint32_t f : pieces_[p].faces) {
-        of[f] = p;
+        piece[f] = p;
       }
     }
-    std::map<std::pair<std::uint32_t, std::uint32_t>, double> border;
-    for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-      if (patch_.twin[side] != nothing && of[side / 3] < of[patch_.twin[side] / 3]) {
-        border[{of[side / 3], of[patch_.twin[side] / 3]}] += patch_.length[side];
-      }
-    }
-    std::vector<Neighbours> pairs;
-    for (const auto& [ends, length] : border) {
-      pairs.push_back({ends.first, ends.second, length});
-    }
-    const auto smaller = [&](const Neighbours& n) { return std::min(pieces_[n.a].area, pieces_[n.b].area); };
-    std::stable_sort(pairs.begin(), pairs.end(), [&](const Neighbours& m, const Neighbours& n) {
-      return smaller(m) != smaller(n) ? smaller(m) < smaller(n) : m.border > n.border;
-    });
-    return pairs;
+    return piece_borders(patch_, piece);
   }
 
-  bool merge(const Neighbours& pair) {
-    Piece& a = pieces_[pair.a];
-    Piece& b = pieces_[pair.b];
+  bool merge(const PieceBorder& border) {
+    Piece& a = pieces_[border.a];
+    Piece& b = pieces_[border.b];
     Piece both;
     std::merge(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
                std::back_inserter(both.faces));
@@ -139,7 +112,7 @@ class PartMerger {
     const Patch patch = sub_patch(patch_, both.faces);
     const std::size_t parts = count_parts(both.faces);
     std::optional<Folds> tree;
-    if (!too_large_for_one(patch, room_) && least_cost_of_piece(patch, parts, weights_) < limit) {
+    if (least_pieces(patch, room_) == 1 && least_cost_of_piece(patch, parts, weights_) < limit) {
       tree = join_as_they_are(patch, both.faces, parts, limit);
       // Pieces of one part were unfolded together in vain when the part was (unite_pieces.hpp).
       if (!tree && (parts > 1 || a.merged || b.merged)) {
@@ -154,7 +127,7 @@ class PartMerger {
     both.merged = true;
     renew(both);
     a = std::move(both);
-    pieces_.erase(pieces_.begin() + pair.b);
+    pieces_.erase(pieces_.begin() + border.b);
     return true;
   }
 

@@ -8,9 +8,9 @@
 
 #include "mesh/context.hpp"
 #include "mesh/id.hpp"
-#include "unfold/page_split.hpp"
 #include "unfold/patch.hpp"
-#include "unfold/unfold.hpp"
+#include "unfold/piece_rules.hpp"
+#include "unfold/room.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -87,7 +87,8 @@ Patch make_patch(const mesh::Surface& surface, const mesh::Panels& panels, std::
       patch.fold_angle[side] = surface.fold_angle(surface.edge(c));
       const CornerId t = surface.twin(c);
       const EdgeWish wish = wish_at(wishes, surface.edge(c));
-      const std::uint32_t g = t.valid() && wish != EdgeWish::cut ? local_number(faces, mesh::face_of(t)) : nothing;
+      const std::uint32_t g =
+          t.valid() && wish != EdgeWish::cut ? local_number(faces, mesh::face_of(t)) : nothing;
       if (g == nothing) {
         continue;
       }
@@ -101,6 +102,22 @@ Patch make_patch(const mesh::Surface& surface, const mesh::Panels& panels, std::
     }
   }
   return patch;
+}
+
+double area_of(const Patch& patch, std::span<const std::uint32_t> faces) {
+  double area = 0.0;
+  for (const std::uint32_t f : faces) {
+    area += area_of(patch.shape[f]);
+  }
+  return area;
+}
+
+double area_of(const Patch& patch) {
+  double area = 0.0;
+  for (const Triangle& t : patch.shape) {
+    area += area_of(t);
+  }
+  return area;
 }
 
 std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface, std::span<const FaceId> faces,

@@ -23,8 +23,9 @@ struct Patch {
   std::vector<FaceId> face;  ///< of the surface, ascending
   std::vector<std::uint32_t>
       twin;  ///< per side: the side on the other face; nothing at a border of the patch
-  std::vector<std::uint8_t> frozen;  ///< per side: always a fold; both its faces lie in one panel, or a user wants it
-  std::vector<Triangle> shape;       ///< per face: its corners in its own frame, mm
+  std::vector<std::uint8_t>
+      frozen;  ///< per side: always a fold; both its faces lie in one panel, or a user wants it
+  std::vector<Triangle> shape;  ///< per face: its corners in its own frame, mm
   std::vector<Rigid>
       across;  ///< per side: the neighbour's frame seen from this face's, laid flat over the side
   std::vector<double> length;      ///< per side, mm
@@ -34,9 +35,9 @@ struct Patch {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(face.size()); }
 };
 
-/// Makes a patch of these faces (ascending). Sides between faces of the set are twins, all others border; a side
-/// that is to be cut is border, too, and one that is to be kept is frozen. `wishes`: per edge, or empty. O(n
-/// log n).
+/// Makes a patch of these faces (ascending). Sides between faces of the set are twins, all others border; a
+/// side that is to be cut is border, too, and one that is to be kept is frozen. `wishes`: per edge, or empty.
+/// O(n log n).
 [[nodiscard]] Patch make_patch(const mesh::Surface& surface, const mesh::Panels& panels,
                                std::span<const FaceId> faces, std::span<const EdgeWish> wishes = {});
 
@@ -49,6 +50,12 @@ struct Patch {
 /// One flag per side: is it a fold? Both sides of an edge have the same flag. The folds of a patch make a
 /// forest.
 using Folds = std::vector<std::uint8_t>;
+
+/// Paper that these faces take, mm2.
+[[nodiscard]] double area_of(const Patch& patch, std::span<const std::uint32_t> faces);
+
+/// Paper that the whole patch takes, mm2.
+[[nodiscard]] double area_of(const Patch& patch);
 
 /// A face laid flat from the length of its sides: corner k at shape[k], counterclockwise.
 [[nodiscard]] Triangle flat_shape(Vec3 a, Vec3 b, Vec3 c);

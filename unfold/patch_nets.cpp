@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "unfold/check.hpp"
@@ -34,7 +32,8 @@ std::size_t attempts_for(std::uint32_t faces) {
 
 /// Changes of shape that are tried for a net that is larger than the sheet.
 constexpr std::uint64_t fit_trials = 400;
-/// Faces times iterations, about 0.5 s, after which no more of them are made: spiky solids take long each time.
+/// Faces times iterations, about 0.5 s, after which no more of them are made: spiky solids take long each
+/// time.
 constexpr std::uint64_t attempts_cost = 2'000'000;
 
 /// Start trees before a patch counts as having no single net.
@@ -56,7 +55,13 @@ class PatchUnfolder {
  public:
   PatchUnfolder(const Patch& patch, const Room& room, PanelCuts cuts, double tolerance, std::uint64_t seed,
                 const Context& context)
-      : patch_(patch), room_(room), cuts_(cuts), tolerance_(tolerance), random_(seed), context_(context) {
+      : patch_(patch),
+        room_(room),
+        cuts_(cuts),
+        tolerance_(tolerance),
+        random_(seed),
+        context_(context),
+        least_pieces_(least_pieces(patch, room)) {
     has_panels_ =
         std::any_of(patch.frozen.begin(), patch.frozen.end(), [](std::uint8_t f) { return f != 0; });
   }
@@ -80,10 +85,11 @@ class PatchUnfolder {
     refine();
     unite();
     insist_on_clean();
-    if (no_single_net_) {
+    const std::size_t pieces = cost_of(patch_, best_->folds).pieces;
+    if (no_single_net_ && pieces > 1) {
       notes_.push_back("no single net" + std::string(has_panels_ ? " with all flat regions whole" : "") +
                        " was found" + (out_of_time_ ? " in the time given" : "") + ", so it becomes " +
-                       std::to_string(lay_out(patch_, best_->folds).faces.size()) + " pieces");
+                       std::to_string(pieces) + " pieces");
     }
     return {best_->folds, reasons(), std::move(notes_)};
   }
@@ -125,7 +131,7 @@ class PatchUnfolder {
     const bool single = cost_of(patch_, folds).pieces == 1;
     if (single && room_.sheet && !all_fit(patch_, folds, room_)) {
       // Where even one piece might do, a net is bent a little before it is split.
-      if (!too_large_for_one(patch_, room_)) {
+      if (least_pieces_ == 1) {
         folds = shrink_to_fit(patch_, folds, room_, tolerance_, fit_trials, random_.next(), context_);
       }
     }
@@ -145,7 +151,7 @@ class PatchUnfolder {
   void refine() {
     const Folds panels = panel_folds();
     for (int round = 0; round < refine_rounds(patch_.size()); ++round) {
-      if (best_->cost.pieces <= least_pieces() || context_.out_of_time()) {
+      if (best_->cost.pieces <= least_pieces_ || context_.out_of_time()) {
         return;
       }
       context_.check();
@@ -159,25 +165,9 @@ class PatchUnfolder {
     }
   }
 
-  /// Pieces that no arrangement can do without.
-  [[nodiscard]] std::size_t least_pieces() const {
-    std::size_t least = 1;
-    if (room_.sheet) {
-      const double area = std::accumulate(
-          patch_.shape.begin(), patch_.shape.end(), 0.0,
-          [](double sum, const Triangle& t) { return sum + 0.5 * cross(t[1] - t[0], t[2] - t[0]); });
-      least = std::max(
-          least, static_cast<std::size_t>(std::ceil(area / (room_.sheet->width * room_.sheet->height))));
-    }
-    if (room_.max_panels > 0) {
-      least = std::max(least, (panel_count(patch_) + room_.max_panels - 1) / room_.max_panels);
-    }
-    return least;
-  }
-
-  /// Neighbours are unfolded afresh together, where that makes one piece of two or two of three.
+  /// Neighbours are unfolded afresh together, where that makes one piece of two.
   void unite() {
-    if (best_->cost.pieces <= least_pieces() || context_.out_of_time()) {
+    if (best_->cost.pieces <= least_pieces_ || context_.out_of_time()) {
       return;
     }
     Folds folds = unite_pieces(patch_, best_->folds, room_, tolerance_, random_.next(), context_);
@@ -280,6 +270,7 @@ class PatchUnfolder {
   double tolerance_;
   Random random_;
   const Context& context_;
+  std::size_t least_pieces_;  ///< that no arrangement can do without
   bool has_panels_ = false;
   bool out_of_time_ = false;
   bool no_single_net_ = false;

@@ -16,6 +16,11 @@ namespace ridgecraft::unfold {
 /// Corners counterclockwise. Triangles without area are allowed: they are segments or points.
 using Triangle = std::array<Vec2, 3>;
 
+/// Of a counterclockwise triangle, in the corners' unit squared.
+[[nodiscard]] constexpr double area_of(const Triangle& t) {
+  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+}
+
 /// The greatest signed separation of a and b over the normals of a's edges: for each edge the distance from
 /// a's farthest point along its outward normal to b's nearest. Edges without length have no normal and are
 /// passed over.

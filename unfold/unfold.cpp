@@ -70,11 +70,12 @@ std::vector<Task> make_tasks(const mesh::Surface& surface, const IdVector<FaceId
   }
   std::vector<Task> tasks;
   for (const PartId p : ids<PartId>(parts)) {
-    const bool in_one = plan.wishes.empty() || connected(surface, faces[p]).size() == 1;
+    const bool one_without_wishes = !plan.wishes.empty() && connected(surface, faces[p]).size() == 1;
+    const PieceReason beside_first = one_without_wishes ? PieceReason::request : PieceReason::component;
     PieceReason reason = PieceReason::part;
     for (auto& patch : connected(surface, faces[p], plan.wishes.items())) {
       tasks.push_back({part[patch.front()], reason, std::move(patch)});
-      reason = in_one && !plan.wishes.empty() ? PieceReason::request : PieceReason::component;
+      reason = beside_first;
     }
   }
   return tasks;
@@ -99,11 +100,6 @@ Room room_of(const Options& options) {
   return {options.sheet, options.tabs.wanted ? options.tabs.height_mm : 0.0, options.pieces.max_panels};
 }
 
-/// Half of what the finished nets may show, whatever the model's size.
-double tolerance_of(const Patch& patch) {
-  return std::min(search_tolerance * patch.extent, 0.5 * overlap_tolerance_mm);
-}
-
 Plan make_plan(const mesh::Surface& surface, const mesh::Panels& panels, const IdVector<FaceId, PartId>& part,
                const Options& options, const Context& context) {
   Plan plan;
@@ -113,8 +109,7 @@ Plan make_plan(const mesh::Surface& surface, const mesh::Panels& panels, const I
     return plan;
   }
   const Vec3 size = surface.bounds().size();
-  const double tolerance =
-      std::min(search_tolerance * std::max({size.x, size.y, size.z}), 0.5 * overlap_tolerance_mm);
+  const double tolerance = net_tolerance(std::max({size.x, size.y, size.z}));
   KeptEdges kept = settle_wishes(surface, plan.panels, options.wishes, room_of(options), tolerance, context);
   plan.wishes = std::move(kept.wishes);
   plan.part = parts_of_whole_panels(surface, kept.groups, part);
@@ -139,7 +134,8 @@ Forest unfold_parts(const mesh::Surface& surface, const Plan& plan, const std::v
       [&](std::size_t i, const Context& own) {
         Random seed(context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
         const Patch patch = make_patch(surface, plan.panels, tasks[i].faces, plan.wishes.items());
-        nets[i] = unfold_patch(patch, room, options.panel_cuts, tolerance_of(patch), seed.next(), own);
+        nets[i] =
+            unfold_patch(patch, room, options.panel_cuts, net_tolerance(patch.extent), seed.next(), own);
         // Tasks have faces of their own, so they write to places of their own.
         const Layout layout = lay_out(patch, nets[i].folds);
         for (std::uint32_t f = 0; f < patch.size(); ++f) {
@@ -175,7 +171,7 @@ void improve_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels, 
         std::sort(pieces[i].begin(), pieces[i].end());
         const Patch piece = sub_patch(forest.patch, pieces[i]);
         trees[i] = improve_tabs(surface, panels, piece, sub_folds(forest.patch, forest.folds, pieces[i]),
-                                room, options.tabs, tolerance_of(piece), seed.next(), own);
+                                room, options.tabs, net_tolerance(piece.extent), seed.next(), own);
       },
       [&](std::size_t done) {
         context.report("unfold", 0.8 + 0.2 * static_cast<double>(done) / static_cast<double>(pieces.size()));
@@ -202,22 +198,18 @@ PieceReason most_frequent_cause(const Forest& forest, const std::vector<std::uin
 
 /// The largest piece of each part stands for it; why is any other one there?
 void find_reasons(const Forest& forest, const IdVector<FaceId, PartId>& part, std::vector<Draft>& drafts) {
-  std::map<PartId, std::vector<std::uint32_t>> of_part;
+  std::map<PartId, std::vector<std::uint32_t>> faces_of;
   for (const FaceId f : ids<FaceId>(part.size())) {
-    of_part[part[f]].push_back(f.value());
+    faces_of[part[f]].push_back(f.value());
   }
-  PieceReason of_all = PieceReason::page;  // of the part, once it is asked for
-  bool asked = false;
-  for (std::size_t i = 0; i < drafts.size(); ++i) {
-    if (i == 0 || drafts[i].part != drafts[i - 1].part) {
-      asked = false;
-      continue;
+  std::map<PartId, PieceReason> usual;
+  for (const auto& [p, faces] : faces_of) {
+    usual[p] = most_frequent_cause(forest, faces, PieceReason::page);
+  }
+  for (std::size_t i = 1; i < drafts.size(); ++i) {
+    if (drafts[i].part == drafts[i - 1].part) {
+      drafts[i].reason = most_frequent_cause(forest, drafts[i].faces, usual[drafts[i].part]);
     }
-    if (!asked) {
-      of_all = most_frequent_cause(forest, of_part[drafts[i].part], PieceReason::page);
-      asked = true;
-    }
-    drafts[i].reason = most_frequent_cause(forest, drafts[i].faces, of_all);
   }
 }
 
@@ -318,8 +310,9 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   Forest forest = unfold_parts(surface, plan, make_tasks(surface, part, plan), options, context);
   forest.notes.insert(forest.notes.begin(), plan.notes.begin(), plan.notes.end());
   if (options.pieces.merge) {
-    forest.folds = merge_parts(forest.patch, part.items(), forest.folds, room_of(options),
-                               options.pieces.weights, tolerance_of(forest.patch), context.seed, context);
+    forest.folds =
+        merge_parts(forest.patch, part.items(), forest.folds, room_of(options), options.pieces.weights,
+                    net_tolerance(forest.patch.extent), context.seed, context);
   }
   if (options.tabs.wanted) {
     improve_all_tabs(surface, plan.panels, options, context, forest);

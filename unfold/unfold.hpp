@@ -4,13 +4,13 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "mesh/context.hpp"
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
 #include "unfold/edge_wishes.hpp"
 #include "unfold/nets.hpp"
+#include "unfold/piece_rules.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -24,8 +24,8 @@ struct TabOptions {
   bool wanted = true;
   double height_mm = 5.0;
   double smallest_height_mm = 1.5;  ///< lower ones are left out
-  double smallest_top_mm = 2.0;   ///< but half of the edge where that is shorter than twice this, and ...
-  double narrowest_top_mm = 1.0;  ///< ... never less than this
+  double smallest_top_mm = 2.0;     ///< but half of the edge where that is shorter than twice this, and ...
+  double narrowest_top_mm = 1.0;    ///< ... never less than this
   double angle = 0.78539816339744831;          ///< side angle at the base, radians (45 degrees)
   double steepest_angle = 1.3089969389957472;  ///< where the edge is short (75 degrees)
   double clearance_mm = 0.2;                   ///< distance kept from everything but the tab's own edge
@@ -41,40 +41,14 @@ enum class PanelCuts {
   before_pieces,      ///< a panel is cut before a piece is added: the fewest pieces
 };
 
-/// What makes pieces easy to build, in the worth of one edge to be glued; each term is a name that users can
-/// weigh (unfold/objective.hpp).
-struct Weights {
-  double cut = 1.0;      ///< each 100 mm of cut edges
-  double pieces = 6.0;   ///< each piece
-  double parts = 8.0;    ///< each part beyond the first that a piece has faces of
-  double compact = 4.0;  ///< each 100 cm2 of a piece's convex hull that are no paper
-  double thin = 0.5;     ///< necks: width of what hangs on one over its length, beyond three times
-  double small = 12.0;   ///< pieces less than 30 mm wide: by the share that is missing
-  double panels = 8.0;   ///< square of a piece's flat regions over 80
-};
-
-/// How a user wants the pieces.
-enum class PieceMode {
-  few,    ///< as few as overlap and paper allow
-  parts,  ///< the parts of the model; crumbs join their neighbours
-  small,  ///< small ones for short evenings
-};
-
-/// What a mode means.
-struct PieceRules {
-  Weights weights;
-  std::size_t max_panels = 0;  ///< flat regions that one piece may have; 0: any number
-  bool merge = false;          ///< join neighbouring pieces, of several parts too, where that costs less
-};
-[[nodiscard]] PieceRules rules_of(PieceMode mode);
-
 struct Options {
   std::optional<Sheet> sheet;  ///< none: a piece may be as large as it likes
   TabOptions tabs;
   PanelCuts panel_cuts = PanelCuts::only_if_too_large;
   PieceRules pieces;
-  /// Per edge of the surface, or empty. Cuts are always made but inside flat regions; what is to be kept is a fold
-  /// unless that would close a loop, overlap or fit no sheet (kept_edges.hpp); a note counts what couldn't be.
+  /// Per edge of the surface, or empty. Cuts are always made but inside flat regions; what is to be kept is a
+  /// fold unless that would close a loop, overlap or fit no sheet (kept_edges.hpp); a note counts what
+  /// couldn't be.
   EdgeWishes wishes;
 };
 

@@ -5,14 +5,14 @@
 #include <cstdint>
 
 #include "mesh/context.hpp"
-#include "unfold/page_split.hpp"
 #include "unfold/patch.hpp"
+#include "unfold/room.hpp"
 
 namespace ridgecraft::unfold {
 
 /// Looks for two neighbouring pieces whose faces have one net that fits the room, small ones first, and
-/// replaces them by it, until there are none. Then a piece is divided among its neighbours where they have
-/// room. Panels stay whole; nothing overlaps deeper than `tolerance` (mm) that didn't before.
+/// replaces them by it, until there are none or the budget is spent. Panels stay whole; nothing overlaps
+/// deeper than `tolerance` (mm) that didn't before.
 [[nodiscard]] Folds unite_pieces(const Patch& patch, const Folds& folds, const Room& room, double tolerance,
                                  std::uint64_t seed, const Context& context);
 

@@ -16,6 +16,7 @@
 #include "unfold/nets_checks.hpp"
 #include "unfold/objective.hpp"
 #include "unfold/one_piece.hpp"
+#include "unfold/page_split.hpp"
 #include "unfold/panel_parts.hpp"
 #include "unfold/sheet.hpp"
 #include "unfold/sub_patch.hpp"
