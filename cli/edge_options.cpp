@@ -48,13 +48,13 @@ std::vector<std::uint32_t> numbers_of(std::string_view text, const std::string& 
 }
 
 /// Pairs of points, one pair a line, numbered as the model's format does: from 1 in OBJ, from 0 elsewhere.
-std::vector<Segment> read_pairs(const std::string& file, const std::string& model_file,
-                                const mesh::Model& model) {
+std::vector<Segment> pairs_in(const EdgeFile& edges, const std::string& model_file,
+                              const mesh::Model& model) {
   const std::uint32_t first = suffix_of(model_file) == ".obj" ? 1 : 0;
-  const std::string bytes = mesh::read_file(file);
+  const std::string& file = edges.name;
   std::vector<Segment> segments;
   std::size_t line = 0;
-  for (std::string_view rest = bytes; !rest.empty();) {
+  for (std::string_view rest = edges.bytes; !rest.empty();) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::vector<std::uint32_t> pair = numbers_of(rest.substr(0, end), file, ++line);
     rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -90,13 +90,12 @@ double largest_extent(const Box3& box) {
 }
 
 /// The folds and cuts of nets made before, in the surface's frame whatever size they were made in.
-Seams read_nets(const std::string& file, const mesh::Surface& surface) {
-  const std::string bytes = mesh::read_file(file);
+Seams seams_in(const EdgeFile& file, const mesh::Surface& surface) {
   verify::File nets;
   try {
-    nets = verify::read_file(bytes);
+    nets = verify::read_file(file.bytes);
   } catch (const verify::NotInForm& reason) {
-    throw Error(ErrorKind::unreadable_input, file + ": " + reason.message);
+    throw Error(ErrorKind::unreadable_input, file.name + ": " + reason.message);
   }
   const Box3 there = bounds_of(nets.model.points);
   const double factor = largest_extent(surface.bounds()) / largest_extent(there);
@@ -129,10 +128,10 @@ void note_count(const SegmentCount& count, std::string_view what, std::vector<st
   }
 }
 
-EdgeWishes wishes_from_nets(const std::string& file, const mesh::Prepared& prepared, const Context& context,
+EdgeWishes wishes_from_nets(const EdgeFile& file, const mesh::Prepared& prepared, const Context& context,
                             std::vector<std::string>& notes) {
   const mesh::Surface& surface = prepared.model.surface;
-  const Seams seams = read_nets(file, surface);
+  const Seams seams = seams_in(file, surface);
   SegmentCount cuts;
   SegmentCount keeps;
   EdgeWishes wishes =
@@ -143,10 +142,11 @@ EdgeWishes wishes_from_nets(const std::string& file, const mesh::Prepared& prepa
     throw Error(ErrorKind::unusable_mesh,
                 fmt::format("{} holds nets of another model, or of this one with other faces: {} of {} edges "
                             "don't lie on an edge of it",
-                            file, lost, all));
+                            file.name, lost, all));
   }
   if (lost > 0) {
-    notes.push_back(fmt::format("{} of {} edges of {} are no edges of the model on paper", lost, all, file));
+    notes.push_back(
+        fmt::format("{} of {} edges of {} are no edges of the model on paper", lost, all, file.name));
   }
   return wishes;
 }
@@ -162,45 +162,44 @@ void add_edge_options(Verb& verb, EdgeArguments& edges) {
               "Nets of the same model made before, edited or not: their cuts and folds are kept.");
 }
 
-void keep_faces_for_wishes(const EdgeArguments& edges, SizeArguments& size) {
-  if (edges.any() && size.simplify.mode == mesh::Simplification::automatic) {
-    size.simplify.mode = mesh::Simplification::keep;
-  }
+EdgeFiles read_edge_files(const EdgeArguments& edges) {
+  const auto read = [](const std::string& name) {
+    return name.empty() ? std::nullopt : std::optional(EdgeFile{name, mesh::read_file(name)});
+  };
+  return {read(edges.cuts), read(edges.keep), read(edges.from)};
 }
 
-void heed_lines(const EdgeArguments& edges, mesh::Model& model, SizeArguments& size,
+void heed_edges(const EdgeArguments& edges, mesh::Model& model, SizeArguments& size,
                 std::vector<std::string>& notes) {
-  if (model.lines.empty()) {
-    return;
-  }
-  if (!edges.from.empty() || 2 * model.lines.size() > model.surface.edge_count()) {
-    if (edges.from.empty()) {
-      notes.emplace_back("the file marks most of its edges by lines, so they aren't taken for cuts");
-    }
+  if (!edges.from.empty()) {
     model.lines.clear();
+  } else if (2 * model.lines.size() > model.surface.edge_count()) {
+    notes.emplace_back("the file marks most of its edges by lines, so they aren't taken for cuts");
+    model.lines.clear();
+  }
+  if (size.simplify.mode != mesh::Simplification::automatic || (!edges.any() && model.lines.empty())) {
     return;
   }
-  if (size.simplify.mode == mesh::Simplification::automatic) {
-    size.simplify.mode = mesh::Simplification::keep;
+  size.simplify.mode = mesh::Simplification::keep;
+  if (!edges.any()) {
     notes.emplace_back("the file marks edges to cut, so the model isn't simplified");
   }
 }
 
-EdgeWishes wishes_of(const EdgeArguments& edges, const std::string& model_file,
-                     const mesh::Prepared& prepared, const Context& context,
-                     std::vector<std::string>& notes) {
+EdgeWishes wishes_of(const EdgeFiles& edges, const std::string& model_file, const mesh::Prepared& prepared,
+                     const Context& context, std::vector<std::string>& notes) {
   EdgeWishes wishes;
-  if (!edges.from.empty()) {
-    wishes = wishes_from_nets(edges.from, prepared, context, notes);
+  if (edges.from) {
+    wishes = wishes_from_nets(*edges.from, prepared, context, notes);
   }
   std::vector<Segment> cut = prepared.model.lines;
   std::vector<Segment> keep;
-  if (!edges.cuts.empty()) {
-    const std::vector<Segment> asked = read_pairs(edges.cuts, model_file, prepared.model);
+  if (edges.cuts) {
+    const std::vector<Segment> asked = pairs_in(*edges.cuts, model_file, prepared.model);
     cut.insert(cut.end(), asked.begin(), asked.end());
   }
-  if (!edges.keep.empty()) {
-    keep = read_pairs(edges.keep, model_file, prepared.model);
+  if (edges.keep) {
+    keep = pairs_in(*edges.keep, model_file, prepared.model);
   }
   if (cut.empty() && keep.empty()) {
     return wishes;

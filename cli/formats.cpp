@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/sentence.hpp"
+
 namespace ridgecraft::cli {
 namespace {
 
@@ -31,9 +33,14 @@ constexpr std::array paper_formats{
     PaperRow{Format::svg, {".svg", "pages with a layer for each class of line; default"}, true, true},
     PaperRow{Format::fold, {".fold", "FOLD 1.2: nets, joins, tabs and the model; default"}, false, true},
     PaperRow{Format::png, {".png", "pages as pictures"}, true, false}};
-constexpr std::array part_formats{Row{".ply", "parts in colour (segment)"},
-                                  Row{".off", "parts in colour (segment)"},
-                                  Row{".seg", "part numbers (segment --labels)"}};
+/// What the other verbs write.
+constexpr std::array verb_formats{Row{".fold", "nets without pages (unfold)"},
+                                  Row{".ply", "parts in colour (segment); meshes (cage, shell, deform)"},
+                                  Row{".off", "parts in colour (segment); meshes (cage, shell, deform)"},
+                                  Row{".seg", "part numbers (segment --labels; any suffix)"},
+                                  Row{".json", "how parts join to fewer (segment --hierarchy; any suffix)"},
+                                  Row{".obj", "an object per hull (hulls); meshes (cage, shell, deform)"},
+                                  Row{".urdf", "a robot description with its hulls beside it (hulls)"}};
 
 const PaperRow& row(Format format) {
   return *std::find_if(paper_formats.begin(), paper_formats.end(),
@@ -45,7 +52,7 @@ std::vector<Row> written_formats() {
   for (const PaperRow& r : paper_formats) {
     rows.push_back(r.row);
   }
-  rows.insert(rows.end(), part_formats.begin(), part_formats.end());
+  rows.insert(rows.end(), verb_formats.begin(), verb_formats.end());
   return rows;
 }
 
@@ -79,12 +86,11 @@ std::vector<Format> default_formats() {
 }
 
 std::string paper_suffixes() {
-  std::string text;
-  for (std::size_t i = 0; i < paper_formats.size(); ++i) {
-    text += i == 0 ? "" : i + 1 == paper_formats.size() ? " and " : ", ";
-    text += paper_formats[i].row.suffix;
+  std::vector<std::string> suffixes;
+  for (const PaperRow& r : paper_formats) {
+    suffixes.emplace_back(r.row.suffix);
   }
-  return text;
+  return listed(suffixes, "and");
 }
 
 std::string suffix_of(const std::filesystem::path& file) {

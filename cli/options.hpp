@@ -81,7 +81,7 @@ struct UnfoldJob {
   SizeArguments size;
   double concavity = 0.1;
   bool whole = false;  ///< no segmentation: each component is one part
-  bool tabs = false;   ///< glue tabs, and nets with room for them
+  unfold::TabOptions tabs;
   EdgeArguments edges;
   std::string output;  ///< FILE.fold; empty: none
   bool overwrite = false;

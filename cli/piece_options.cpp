@@ -4,18 +4,15 @@
 #include <string_view>
 
 #include "cli/option_values.hpp"
+#include "cli/sentence.hpp"
 #include "unfold/piece_rules.hpp"
 
 namespace ridgecraft::cli {
 namespace {
 
 std::string all_terms() {
-  std::string text;
   const auto names = unfold::term_names();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
-  }
-  return text;
+  return listed({names.begin(), names.end()}, "or");
 }
 
 }  // namespace

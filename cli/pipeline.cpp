@@ -2,17 +2,15 @@
 #include "cli/pipeline.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/edge_options.hpp"
+#include "cli/expected_pages.hpp"
+#include "cli/settings.hpp"
 #include "cli/targets.hpp"
 #include "mesh/error.hpp"
 #include "mesh/narrow_faces.hpp"
-#include "unfold/objective.hpp"
 #include "unfold/panel_parts.hpp"
 
 namespace ridgecraft::cli {
@@ -22,57 +20,6 @@ namespace fs = std::filesystem;
 
 /// A face of this size fits every sheet; for jobs without pages.
 constexpr mesh::Page boundless{1e9, 1e9};
-/// Trials for tabs where they are what was asked for: 1 to 2 s for 500 faces.
-constexpr double patient_trials_per_face = 60.0;
-
-std::string quoted(const std::string& text) {
-  return nlohmann::json(text).dump();
-}
-std::string number(double value) {
-  return fmt::format("{}", value);
-}
-
-void add_size_settings(const SizeArguments& size, paper::Settings& settings) {
-  if (size.size.mm_per_unit) {
-    settings["mm_per_unit"] = number(*size.size.mm_per_unit);
-  } else {
-    settings["size_mm"] = number(size.size.largest_extent_mm);
-  }
-  settings["faces"] = size.simplify.mode == mesh::Simplification::automatic ? quoted("auto")
-                      : size.simplify.mode == mesh::Simplification::keep
-                          ? quoted("keep")
-                          : std::to_string(size.simplify.faces);
-}
-
-paper::Settings settings_of(const PaperJob& job) {
-  paper::Settings settings;
-  add_size_settings(job.size, settings);
-  settings["seed"] = std::to_string(job.common.seed);
-  settings["concavity"] = number(job.concavity);
-  settings["paper_mm"] = fmt::format("[{},{}]", job.paper.size.x, job.paper.size.y);
-  settings["margin_mm"] = number(job.paper.margin);
-  settings["gap_mm"] = number(job.paper.gap);
-  settings["tabs"] = job.tabs.wanted ? "true" : "false";
-  settings["tab_height_mm"] = number(job.tabs.height_mm);
-  settings["tab_angle_deg"] = fmt::format("{:.10g}", job.tabs.angle * 180.0 / std::numbers::pi);
-  settings["pieces"] = quoted(job.pieces_asked);
-  settings["max_faces"] = std::to_string(job.pieces.max_panels);
-  unfold::Weights weights = job.pieces.weights;
-  for (const std::string_view term : unfold::term_names()) {
-    settings["weigh_" + std::string(term)] = number(*unfold::weight_named(weights, term));
-  }
-  settings["hide_folds_deg"] = fmt::format("{:.10g}", job.style.hidden_fold_angle * 180.0 / std::numbers::pi);
-  return settings;
-}
-
-paper::Settings settings_of(const UnfoldJob& job) {
-  paper::Settings settings;
-  add_size_settings(job.size, settings);
-  settings["seed"] = std::to_string(job.common.seed);
-  settings["concavity"] = number(job.concavity);
-  settings["whole"] = job.whole ? "true" : "false";
-  return settings;
-}
 
 IdVector<FaceId, PartId> one_part_per_component(const mesh::Surface& surface) {
   IdVector<FaceId, PartId> part(surface.face_count());
@@ -94,54 +41,6 @@ IdVector<FaceId, PartId> parts_for_paper(const mesh::Prepared& prepared, double 
     return one_part_per_component(prepared.model.surface);
   }
   return unfold::parts_of_whole_panels(prepared.model.surface, prepared.panels, found->part);
-}
-
-/// Where a user may want to stop, and where a maker's evening ends.
-constexpr double many_pages = 100.0;
-constexpr double few_pages = 10.0;
-
-/// Pages that as much paper takes: pieces fill about half of them.
-double pages_of(double paper, Vec2 page) {
-  constexpr double filled = 0.6;
-  return paper / (filled * page.x * page.y);
-}
-
-double area_of(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
-  double area = 0.0;
-  for (const FaceId f : faces) {
-    area += surface.area(f);
-  }
-  return area;
-}
-
-/// Pages that the surface will need; a flat region that is larger than half of one takes it whole.
-double expected_pages(const mesh::Prepared& prepared, Vec2 page) {
-  double alone = 0.0;
-  double paper = 0.0;
-  for (const auto& faces : prepared.panels.faces) {
-    const double area = area_of(prepared.model.surface, faces);
-    (area > 0.5 * page.x * page.y ? alone : paper) += area > 0.5 * page.x * page.y ? 1.0 : area;
-  }
-  return alone + pages_of(paper, page);
-}
-
-std::string many_pages_warning(const mesh::Surface& surface, Vec2 page, double pages,
-                               std::string_view about) {
-  const auto two_digits = [](double value) {
-    const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) - 1.0));
-    return std::round(value / unit) * unit;
-  };
-  const Vec3 size = surface.bounds().size();
-  const double largest = std::max({size.x, size.y, size.z});
-  // A smaller model has no flat regions that fill pages.
-  double paper = 0.0;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    paper += surface.area(f);
-  }
-  const double small = std::max(pages, pages_of(paper, page));
-  return fmt::format("this takes {}{:.0f} pages; --size {:.0f}mm would take about {:.0f}", about,
-                     about.empty() ? pages : two_digits(pages),
-                     two_digits(largest * std::sqrt(few_pages / small)), few_pages);
 }
 
 std::size_t count_parts(const IdVector<FaceId, PartId>& part) {
@@ -232,6 +131,7 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
     paper::check_pdf_size(job.paper.size);
   }
+  const EdgeFiles edge_files = read_edge_files(job.edges);
   PaperResult result;
   StageClock& clock = result.clock;
   mesh::Model model = clock("read", context, [&] {
@@ -251,7 +151,7 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   const Vec2 area = paper::piece_area(job.paper);
   std::vector<std::string> notes;
   SizeArguments size = job.size;
-  heed_lines(job.edges, model, size, notes);
+  heed_edges(job.edges, model, size, notes);
   result.prepared = clock("prepare", context, [&] {
     return in_time(run, job.model + " was simplified", [&](const Context& strict) {
       const mesh::Page page{area.x, area.y, job.tabs.wanted ? job.tabs.height_mm : 0.0};
@@ -262,10 +162,10 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   result.slivers = mesh::count_narrow_faces(surface, result.prepared.panels, sliver_mm);
   const double expected = expected_pages(result.prepared, area);
   if (expected >= many_pages) {
-    remark(many_pages_warning(surface, area, expected, "about "));
+    remark(many_pages_warning(surface, area, expected, false));
   }
   const unfold::EdgeWishes wishes = clock(
-      "prepare", context, [&] { return wishes_of(job.edges, job.model, result.prepared, context, notes); });
+      "prepare", context, [&] { return wishes_of(edge_files, job.model, result.prepared, context, notes); });
   if (const std::size_t n = result.prepared.divided_panels; n > 0) {
     notes.push_back(
         fmt::format("{} flat region{} larger than the printable area, so cut", n, n == 1 ? " is" : "s are"));
@@ -282,13 +182,14 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   result.pages = clock("lay out", context, [&] { return paper::layout(result.nets, job.paper, context); });
   if (const auto count = static_cast<double>(result.pages.count);
       count >= many_pages && expected < many_pages) {
-    remark(many_pages_warning(surface, area, count, ""));
+    remark(many_pages_warning(surface, area, count, true));
   }
   const auto drawings = clock("draw", context, [&] {
     return paper::draw(result.prepared, result.nets, result.pages, job.style, &result.drawn);
   });
   const std::string fold = clock("write", context, [&] {
-    return paper::write_fold(result.prepared, part, result.nets, &result.pages, mark, settings_of(job));
+    return paper::write_fold(result.prepared, part, result.nets, &result.pages, mark,
+                             settings_of(job, size, edge_files));
   });
   result.figures = clock("verify", context, [&] { return checked_figures(fold, job.model, context); });
 
@@ -316,6 +217,7 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
                                                                    : ".");
   }
   const Context& context = run.patient;
+  const EdgeFiles edge_files = read_edge_files(job.edges);
   UnfoldResult result;
   StageClock& clock = result.clock;
   mesh::Model model = clock("read", context, [&] {
@@ -329,7 +231,7 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
   }
   std::vector<std::string> notes;
   SizeArguments size = job.size;
-  heed_lines(job.edges, model, size, notes);
+  heed_edges(job.edges, model, size, notes);
   result.prepared = clock("prepare", context, [&] {
     return in_time(run, job.model + " was simplified", [&](const Context& strict) {
       return mesh::prepare(std::move(model), size.size, size.simplify, boundless, strict);
@@ -337,7 +239,7 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
   });
   const mesh::Surface& surface = result.prepared.model.surface;
   const unfold::EdgeWishes wishes = clock(
-      "prepare", context, [&] { return wishes_of(job.edges, job.model, result.prepared, context, notes); });
+      "prepare", context, [&] { return wishes_of(edge_files, job.model, result.prepared, context, notes); });
   const auto part = clock("segment", context, [&] {
     return job.whole ? one_part_per_component(surface)
                      : parts_for_paper(result.prepared, job.concavity, run, notes);
@@ -345,15 +247,15 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
   result.parts = count_parts(part);
   result.nets = clock("unfold", context, [&] {
     unfold::Options options;
-    options.tabs.wanted = job.tabs;
-    options.tabs.trials_per_face = patient_trials_per_face;
+    options.tabs = job.tabs;
     options.wishes = wishes;
     options.panel_cuts = job.whole ? unfold::PanelCuts::before_pieces : unfold::PanelCuts::only_if_too_large;
     return unfold::unfold(surface, result.prepared.panels, part, options, context);
   });
   result.nets.notes.insert(result.nets.notes.begin(), notes.begin(), notes.end());
   const std::string fold = clock("write", context, [&] {
-    return paper::write_fold(result.prepared, part, result.nets, nullptr, mark, settings_of(job));
+    return paper::write_fold(result.prepared, part, result.nets, nullptr, mark,
+                             settings_of(job, size, edge_files));
   });
   result.figures = clock("verify", context, [&] { return checked_figures(fold, job.model, context); });
   if (!job.output.empty()) {

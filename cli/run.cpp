@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <type_traits>
 
 #include <unistd.h>
 
@@ -34,13 +35,30 @@ bool coloured() {
          std::string_view(term) != "dumb";
 }
 
+// Names of files and words out of files stand in what is told: a terminal must not take them for commands.
+
 void complain(const std::string& sentence) {
   std::fprintf(stderr, coloured() ? "\033[1;31mridgecraft:\033[0m %s\n" : "ridgecraft: %s\n",
-               sentence.c_str());
+               mesh::printable(sentence).c_str());
 }
 
 void remark(const std::string& line) {
-  std::fprintf(stderr, coloured() ? "\033[33mnote:\033[0m %s\n" : "note: %s\n", line.c_str());
+  std::fprintf(stderr, coloured() ? "\033[33mnote:\033[0m %s\n" : "note: %s\n",
+               mesh::printable(line).c_str());
+}
+
+std::string printable_lines(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    result += mesh::printable(text.substr(0, end));
+    text.remove_prefix(end);
+    if (!text.empty()) {
+      result += '\n';
+      text.remove_prefix(1);
+    }
+  }
+  return result;
 }
 
 void print(const std::string& text) {
@@ -94,7 +112,7 @@ class Session {
     if (options_.json) {
       print(json());
     } else if (!options_.quiet) {
-      print(text());
+      print(printable_lines(text()));
     }
   }
 
@@ -106,23 +124,40 @@ class Session {
   RunContext run_;
 };
 
-/// Stages after reading don't know the file; the sentence that the user gets names it all the same.
+/// Stages after reading don't know the model's file; the sentence that the user gets names it all the same,
+/// unless it is about another one of the files that the job reads.
 template <class Work>
-auto about(const std::string& model, const Work& work) {
+auto about(const std::string& model, const std::vector<std::string>& other_files, const Work& work) {
   try {
     return work();
   } catch (const Error& error) {
     const std::string sentence = error.what();
-    const std::string shown = mesh::printable(model);
-    const bool about_model = error.kind() == ErrorKind::unreadable_input ||
-                             error.kind() == ErrorKind::unusable_mesh || error.kind() == ErrorKind::no_nets ||
+    const auto named = [&](const std::string& file) {
+      return !file.empty() && (sentence.find(file) != std::string::npos ||
+                               sentence.find(mesh::printable(file)) != std::string::npos);
+    };
+    const bool about_model = error.kind() == ErrorKind::unusable_mesh || error.kind() == ErrorKind::no_nets ||
                              error.kind() == ErrorKind::internal;
-    throw Error(error.kind(), about_model && sentence.find(shown) == std::string::npos
-                                  ? shown + ": " + sentence
-                                  : sentence);
+    if (!about_model || named(model) || std::any_of(other_files.begin(), other_files.end(), named)) {
+      throw;
+    }
+    throw Error(error.kind(), model + ": " + sentence);
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::unusable_mesh,
-                mesh::printable(model) + " needs more memory than this machine has");
+    throw Error(ErrorKind::unusable_mesh, model + " needs more memory than this machine has");
+  }
+}
+
+std::vector<std::string> other_files(const EdgeArguments& edges) {
+  return {edges.cuts, edges.keep, edges.from};
+}
+
+/// The files beside the model that a verb of solid/ reads.
+template <class SolidJob>
+std::vector<std::string> other_files(const SolidJob& job) {
+  if constexpr (std::is_same_v<SolidJob, DeformJob>) {
+    return {job.cage, job.to};
+  } else {
+    return {};
   }
 }
 
@@ -133,7 +168,7 @@ ExitCode do_job(const PrintJob& job) {
 
 ExitCode do_job(const PaperJob& job) {
   Session session(job.common);
-  const PaperResult result = about(job.model, [&] {
+  const PaperResult result = about(job.model, other_files(job.edges), [&] {
     return make_paper(job, session.run(), session.pending(),
                       [&](const std::string& line) { session.warn(line); });
   });
@@ -145,7 +180,7 @@ ExitCode do_job(const PaperJob& job) {
 ExitCode do_job(const SegmentJob& job) {
   Session session(job.common);
   const SegmentResult result =
-      about(job.model, [&] { return make_parts(job, session.run(), session.pending()); });
+      about(job.model, job.compare, [&] { return make_parts(job, session.run(), session.pending()); });
   session.report(result.model.repairs);
   session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
   return ExitCode::ok;
@@ -153,8 +188,8 @@ ExitCode do_job(const SegmentJob& job) {
 
 ExitCode do_job(const UnfoldJob& job) {
   Session session(job.common);
-  const UnfoldResult result =
-      about(job.model, [&] { return make_nets(job, session.run(), session.pending()); });
+  const UnfoldResult result = about(job.model, other_files(job.edges),
+                                    [&] { return make_nets(job, session.run(), session.pending()); });
   session.report(result.prepared.model.repairs);
   session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
   return ExitCode::ok;
@@ -164,12 +199,12 @@ ExitCode do_job(const UnfoldJob& job) {
 template <class SolidJob>
 ExitCode do_solid(const SolidJob& job, SolidResult (*make)(const SolidJob&, const Context&, PendingFiles&)) {
   Session session(job.common);
-  const SolidResult result = about(job.model, [&] {
+  const SolidResult result = about(job.model, other_files(job), [&] {
     return in_time(session.run(), "bodies were made",
                    [&](const Context& strict) { return make(job, strict, session.pending()); });
   });
   session.report(result.model.repairs);
-  session.finish([&] { return summary(job.model, result); }, [&] { return summary_json(job.model, result); });
+  session.finish([&] { return summary(job.model, result); }, [&] { return summary_json(result); });
   return ExitCode::ok;
 }
 
@@ -188,7 +223,7 @@ ExitCode do_job(const DeformJob& job) {
 
 ExitCode do_job(const InfoJob& job) {
   Session session(job.common);
-  const mesh::Model model = about(job.model, [&] {
+  const mesh::Model model = about(job.model, {}, [&] {
     return in_time(session.run(), job.model + " was read",
                    [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
   });

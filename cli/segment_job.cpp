@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft segment: reads, segments, compares, writes.
-#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "cli/pipeline.hpp"
 #include "cli/targets.hpp"
 #include "mesh/error.hpp"
+#include "mesh/file_numbers.hpp"
 #include "mesh/write.hpp"
 #include "segment/evaluate.hpp"
 #include "segment/hierarchy.hpp"
@@ -71,53 +71,28 @@ Comparison compare_with(const std::vector<std::string>& files, const mesh::Model
   return comparison;
 }
 
-/// Labels and the like have no place for a mark: the same ones may stand there already, others are somebody's
-/// work.
-void add_unmarked(const std::string& file, std::string bytes, bool overwrite, SegmentResult& result,
-                  PendingFiles& pending) {
-  require_replaceable(file, {}, overwrite || holds(file, bytes));
-  pending.add(file, std::move(bytes));
-  result.files.push_back(file);
+/// Labels have no place for a mark: the same ones may stand there already, others are somebody's work.
+void add_labels(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
+  std::string bytes = label_text(polygon_labels(result.model, result.segmentation));
+  require_replaceable(job.labels, {}, job.overwrite || holds(job.labels, bytes));
+  pending.add(job.labels, std::move(bytes));
+  result.files.push_back(job.labels);
 }
 
 /// The same before the work, when the bytes aren't known: what can't be the same ones is refused.
 void require_own_labels(const SegmentJob& job, std::size_t polygons) {
-  const auto refuse_foreign = [&](const std::string& file, const auto& is_like_ours) {
-    require_replaceable(file, {}, job.overwrite || is_like_ours());
+  const auto are_labels = [&] {
+    try {
+      return read_labels(job.labels, polygons).size() == polygons;
+    } catch (const Error&) {
+      return false;
+    }
   };
-  if (!job.labels.empty()) {
-    refuse_foreign(job.labels, [&] {
-      try {
-        return read_labels(job.labels, polygons).size() == polygons;
-      } catch (const Error&) {
-        return false;
-      }
-    });
-  }
-  if (!job.hierarchy.empty()) {
-    refuse_foreign(job.hierarchy, [&] {
-      const std::string start = "{\"by\":" + nlohmann::json(program_and_version()).dump();
-      return begins_with(job.hierarchy, start);
-    });
-  }
-}
-
-/// Lengths leave as the file had them: repair divides extreme ones by file_scale.
-mesh::Surface in_file_numbers(const mesh::Model& model) {
-  std::vector<Vec3> points(model.surface.points().begin(), model.surface.points().end());
-  for (Vec3& p : points) {
-    p = model.file_scale * p;
-  }
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
-    faces.push_back(model.surface.vertices(f));
-  }
-  return {std::move(points), std::move(faces)};
+  require_replaceable(job.labels, {}, job.overwrite || are_labels());
 }
 
 void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
-  const mesh::Surface surface =
-      result.model.file_scale == 1.0 ? result.model.surface : in_file_numbers(result.model);
+  const mesh::Surface surface = mesh::surface_in_file_numbers(result.model);
   const mesh::FaceColours colours = part_colours(result.segmentation);
   for (const std::string& output : job.outputs) {
     const std::string comment =
@@ -128,8 +103,7 @@ void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pendi
     result.files.push_back(output);
   }
   if (!job.labels.empty()) {
-    add_unmarked(job.labels, label_text(polygon_labels(result.model, result.segmentation)), job.overwrite,
-                 result, pending);
+    add_labels(job, result, pending);
   }
 }
 
@@ -151,6 +125,7 @@ std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& h
   nlohmann::ordered_json json;
   json["by"] = program_and_version();
   json["model"] = model.name;
+  json[std::string(paper::mark_key)] = model.digest;
   json["leaves"] = hierarchy.leaves;
   json["leaf_concavity"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < hierarchy.leaves; ++i) {
@@ -201,7 +176,12 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   for (const std::string& output : job.outputs) {
     require_replaceable(output, result.model.digest, job.overwrite);
   }
-  require_own_labels(job, result.model.polygon_count);
+  if (!job.hierarchy.empty()) {
+    require_replaceable(job.hierarchy, result.model.digest, job.overwrite);
+  }
+  if (!job.labels.empty()) {
+    require_own_labels(job, result.model.polygon_count);
+  }
   std::optional<segment::Hierarchy> hierarchy;
   result.segmentation = clock("segment", context, [&] {
     return in_time(run, job.model + " was segmented",
@@ -219,7 +199,8 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   clock("write", context, [&] {
     add_files(job, result, pending);
     if (!job.hierarchy.empty()) {
-      add_unmarked(job.hierarchy, hierarchy_text(result.model, *hierarchy), job.overwrite, result, pending);
+      pending.add(job.hierarchy, hierarchy_text(result.model, *hierarchy));
+      result.files.push_back(job.hierarchy);
     }
     context.check();
     pending.commit();

@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "cli/formats.hpp"
 #include "cli/part_files.hpp"
-#include "cli/summary_blocks.hpp"
 #include "cli/targets.hpp"
 #include "mesh/error.hpp"
+#include "mesh/file_numbers.hpp"
 #include "mesh/read_soup.hpp"
 #include "mesh/write.hpp"
 #include "solid/solid.hpp"
@@ -70,13 +71,9 @@ SolidResult begin(const SolidJob& job, const std::vector<std::string>& suffixes,
 }
 
 /// Lengths leave as the file had them.
-void undo_file_scale(std::vector<solid::Body>& bodies, double file_scale) {
-  if (file_scale != 1.0) {
-    for (solid::Body& body : bodies) {
-      for (Vec3& p : body.points) {
-        p = file_scale * p;
-      }
-    }
+void to_file_numbers(std::vector<solid::Body>& bodies, double file_scale) {
+  for (solid::Body& body : bodies) {
+    mesh::to_file_numbers(body.points, file_scale);
   }
 }
 
@@ -99,8 +96,29 @@ void add_file(const fs::path& file, const std::string& bytes, const std::string&
   files.push_back(file.string());
 }
 
+/// A robot description names meshes that lie beside it.
+std::string visual_file(const fs::path& urdf) {
+  return urdf.stem().string() + "-visual.obj";
+}
+std::string hull_file(const fs::path& urdf, std::size_t number) {
+  return fmt::format("{}-hull-{}.obj", urdf.stem().string(), number);
+}
+
+/// Before the long work, when nobody knows how many hulls there will be: at least one.
+void require_companions_replaceable(const HullsJob& job, const std::string& digest) {
+  const fs::path urdf(job.output);
+  for (const std::string& name : {visual_file(urdf), hull_file(urdf, 1)}) {
+    require_replaceable(urdf.parent_path() / name, digest, job.overwrite);
+  }
+}
+
 /// The URDF with the meshes that it names, all beside it.
 void add_urdf(const HullsJob& job, SolidResult& result, PendingFiles& pending) {
+  const solid::MassProperties whole = solid::mass_properties(result.bodies);
+  if (std::any_of(whole.inertia.begin(), whole.inertia.end(), [](double i) { return !std::isfinite(i); })) {
+    throw Error(ErrorKind::unusable_mesh,
+                "its numbers are too large or too small for the inertia of a .urdf");
+  }
   const fs::path folder = fs::path(job.output).parent_path();
   const std::string stem = fs::path(job.output).stem().string();
   const std::string comment = comment_of(result.model);
@@ -109,15 +127,15 @@ void add_urdf(const HullsJob& job, SolidResult& result, PendingFiles& pending) {
   };
   solid::UrdfOptions options{.name = stem,
                              .comment = comment,
-                             .visual_file = stem + "-visual.obj",
+                             .visual_file = visual_file(job.output),
                              .mesh_files = {},
                              .metres_per_unit = job.mm_per_unit / 1000.0,
                              .density = job.density};
   for (std::size_t i = 0; i < result.bodies.size(); ++i) {
-    options.mesh_files.push_back(fmt::format("{}-hull-{}.obj", stem, i + 1));
+    options.mesh_files.push_back(hull_file(job.output, i + 1));
   }
   add(fs::path(job.output).filename().string(), solid::write_urdf(result.bodies, options));
-  add(options.visual_file, mesh_bytes(result.model.surface, ".obj", comment));
+  add(options.visual_file, mesh_bytes(mesh::surface_in_file_numbers(result.model), ".obj", comment));
   for (std::size_t i = 0; i < result.bodies.size(); ++i) {
     add(options.mesh_files[i], solid::write_obj({result.bodies[i]}, comment));
   }
@@ -127,7 +145,7 @@ void add_urdf(const HullsJob& job, SolidResult& result, PendingFiles& pending) {
 void write_body(const std::string& output, bool overwrite, const Context& context, PendingFiles& pending,
                 SolidResult& result) {
   result.clock("write", context, [&] {
-    undo_file_scale(result.bodies, result.model.file_scale);
+    to_file_numbers(result.bodies, result.model.file_scale);
     const std::string bytes =
         mesh_bytes(surface_of(result.bodies.front()), suffix_of(output), comment_of(result.model));
     add_file(output, bytes, result.model.digest, overwrite, pending, result.files);
@@ -158,9 +176,12 @@ solid::Body read_cage(const std::string& file, const Context& context) {
 
 SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles& pending) {
   SolidResult result = begin(job, {".obj", ".urdf"}, "hulls are written as .obj or .urdf", context);
+  if (suffix_of(job.output) == ".urdf") {
+    require_companions_replaceable(job, result.model.digest);
+  }
   find_hulls(result, job.concavity, job.max_vertices, context);
   result.clock("write", context, [&] {
-    undo_file_scale(result.bodies, result.model.file_scale);
+    to_file_numbers(result.bodies, result.model.file_scale);
     if (suffix_of(job.output) == ".urdf") {
       add_urdf(job, result, pending);
     } else {
@@ -203,9 +224,7 @@ SolidResult make_deformed(const DeformJob& job, const Context& context, PendingF
   }
   solid::Body moved = result.clock("deform", context, [&] {
     std::vector<Vec3> points(result.model.surface.points().begin(), result.model.surface.points().end());
-    for (Vec3& p : points) {
-      p = result.model.file_scale * p;  // cages are in the file's numbers
-    }
+    mesh::to_file_numbers(points, result.model.file_scale);  // as those of the cages are
     solid::Body body;
     body.points = solid::deform(points, before, after, context);
     return body;
@@ -218,41 +237,6 @@ SolidResult make_deformed(const DeformJob& job, const Context& context, PendingF
   result.bodies = {std::move(moved)};
   write_body(job.output, job.overwrite, context, pending, result);
   return result;
-}
-
-std::string summary(const std::string& model, const SolidResult& result) {
-  std::size_t points = 0;
-  std::size_t triangles = 0;
-  for (const solid::Body& body : result.bodies) {
-    points += body.points.size();
-    triangles += body.triangles.size();
-  }
-  std::string text = fmt::format("{}: {} polygons\n", model, result.model.polygon_count);
-  if (result.parts > 0) {
-    text += fmt::format("  parts       {}\n", result.parts);
-  }
-  text += fmt::format("  result      {} {}, {} vertices, {} faces\n", result.bodies.size(),
-                      result.bodies.size() == 1 ? "body" : "bodies", points, triangles);
-  text += fmt::format("  time        {}\n", seconds_text(result.clock));
-  return text + written_text(result.files);
-}
-
-std::string summary_json(const std::string& model, const SolidResult& result) {
-  Json json;
-  json["model"] = model;
-  json["faces"] = result.model.polygon_count;
-  json["parts"] = result.parts;
-  json["bodies"] = Json::array();
-  for (const solid::Body& body : result.bodies) {
-    json["bodies"].push_back({{"vertices", body.points.size()},
-                              {"faces", body.triangles.size()},
-                              {"volume", solid::mass_properties(body).volume}});
-  }
-  json["seconds"] = result.clock.total();
-  json["stages"] = seconds_json(result.clock);
-  json["repairs"] = repairs_json(result.model.repairs);
-  json["files"] = result.files;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace ridgecraft::cli

@@ -28,7 +28,8 @@ struct SolidResult {
 [[nodiscard]] SolidResult make_shell(const ShellJob& job, const Context& context, PendingFiles& pending);
 [[nodiscard]] SolidResult make_deformed(const DeformJob& job, const Context& context, PendingFiles& pending);
 
+/// `model` is the file as the user named it.
 [[nodiscard]] std::string summary(const std::string& model, const SolidResult& result);
-[[nodiscard]] std::string summary_json(const std::string& model, const SolidResult& result);
+[[nodiscard]] std::string summary_json(const SolidResult& result);
 
 }  // namespace ridgecraft::cli

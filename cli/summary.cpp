@@ -302,7 +302,7 @@ std::string summary(const UnfoldJob& job, const UnfoldResult& result) {
   text += fmt::format("  nets        {}, {}{}, {} overlaps\n", counted(result.parts, "part"),
                       counted(result.nets.pieces.size(), "piece"), reasons_text(result.nets),
                       result.figures.overlaps);
-  if (job.tabs) {
+  if (job.tabs.wanted) {
     text += tabs_text(result.nets);
   }
   text += folding_text(result.nets);
@@ -320,7 +320,7 @@ std::string summary_json(const UnfoldJob& job, const UnfoldResult& result) {
   json["pieces"] = result.nets.pieces.size();
   json["overlaps"] = result.figures.overlaps;
   json["joins"] = result.nets.joins.size();
-  if (job.tabs) {
+  if (job.tabs.wanted) {
     json["tabs"] = result.nets.tabs.size();
     json["tabs_usable"] = unfold::tabs_usable(model.surface, result.nets, {});
     json["joins_without_tab"] = joins_without_tab(result.nets);

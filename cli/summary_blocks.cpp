@@ -7,10 +7,6 @@
 
 namespace ridgecraft::cli {
 
-std::string counted(std::size_t count, const std::string& word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 double rounded(double value) {
   return std::round(value * 1000.0) / 1000.0;
 }

@@ -8,14 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/pipeline.hpp"
+#include "cli/sentence.hpp"
 #include "mesh/repair_report.hpp"
 
 namespace ridgecraft::cli {
 
 using Json = nlohmann::ordered_json;
-
-/// "1 part", "3 parts"
-[[nodiscard]] std::string counted(std::size_t count, const std::string& word);
 
 /// Rounded to a thousandth, so that JSON shows no noise.
 [[nodiscard]] double rounded(double value);

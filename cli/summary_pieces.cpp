@@ -21,6 +21,20 @@ std::vector<PieceId> pieces_with_care(const unfold::Nets& nets) {
 
 }  // namespace
 
+std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces) {
+  constexpr std::size_t most = 6;  // before the rest is only counted
+  const auto name = [&](PieceId p) { return nets.pieces[p].name; };
+  const bool in_a_row = pieces.back().value() - pieces.front().value() + 1 == pieces.size();
+  if (in_a_row && pieces.size() > 2) {
+    return name(pieces.front()) + " to " + name(pieces.back());
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(pieces.size(), most); ++i) {
+    text += (i == 0 ? "" : ", ") + name(pieces[i]);
+  }
+  return pieces.size() <= most ? text : text + " and " + std::to_string(pieces.size() - most) + " more";
+}
+
 std::string extra_pieces_text(const unfold::Nets& nets) {
   std::map<unfold::PieceReason, std::vector<PieceId>> names;
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
@@ -30,8 +44,8 @@ std::string extra_pieces_text(const unfold::Nets& nets) {
   }
   std::string text;
   for (const auto& [reason, list] : names) {
-    text += fmt::format("  {:<11} {}: {}\n", list.size() == 1 ? "piece" : "pieces",
-                        paper::piece_names(nets, list), unfold::sentence(reason));
+    text += fmt::format("  {:<11} {}: {}\n", list.size() == 1 ? "piece" : "pieces", piece_names(nets, list),
+                        unfold::sentence(reason));
   }
   return text;
 }
@@ -69,7 +83,7 @@ std::string bodies_text(const unfold::Nets& nets, const std::vector<paper::Body>
   }
   std::string text = fmt::format("  bodies      {} that no join connects: ", bodies.size());
   for (std::size_t i = 0; i < std::min(most, bodies.size()); ++i) {
-    text += fmt::format("{}{} {}", i == 0 ? "" : "; ", i + 1, paper::piece_names(nets, bodies[i].pieces));
+    text += fmt::format("{}{} {}", i == 0 ? "" : "; ", i + 1, piece_names(nets, bodies[i].pieces));
     if (bodies[i].beside.valid() && i > 0) {
       text += " at " + nets.pieces[bodies[i].beside].name;
     }
@@ -99,7 +113,7 @@ std::string folding_text(const unfold::Nets& nets) {
   return pieces.empty()
              ? ""
              : fmt::format("  folding     {}: faces are in each other's way and have to be bent aside\n",
-                           paper::piece_names(nets, pieces));
+                           piece_names(nets, pieces));
 }
 
 Json folding_json(const unfold::Nets& nets) {

@@ -12,6 +12,9 @@
 
 namespace ridgecraft::cli {
 
+/// "A to D", "A, C", "A, C and 7 more": names in the order of the pieces.
+[[nodiscard]] std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces);
+
 /// " (2 because of overlap)"; empty where every piece is a part.
 [[nodiscard]] std::string reasons_text(const unfold::Nets& nets);
 /// A line for each reason with the pieces that are there for it.

@@ -140,11 +140,12 @@ void require_replaceable(const fs::path& file, const std::string& digest, bool o
     return;
   }
   if (!fs::is_regular_file(status)) {
-    throw Error(ErrorKind::cant_write, file.string() + " exists and is no regular file");
+    throw Error(ErrorKind::cant_write, file.lexically_normal().string() + " exists and is no regular file");
   }
   if (!overwrite && (digest.empty() || mark_digest_of(file) != digest)) {
     throw Error(ErrorKind::cant_write,
-                file.string() + " exists and wasn't made from this model; --overwrite replaces it");
+                file.lexically_normal().string() +
+                    " exists and wasn't made from this model; --overwrite replaces it");
   }
 }
 
@@ -155,13 +156,6 @@ bool holds(const fs::path& file, const std::string& bytes) {
   }
   std::ifstream in(file, std::ios::binary);
   return std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()} == bytes;
-}
-
-bool begins_with(const fs::path& file, const std::string& bytes) {
-  std::ifstream in(file, std::ios::binary);
-  std::string start(bytes.size(), '\0');
-  in.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return in && start == bytes;
 }
 
 void require_writable_folder(const fs::path& folder) {

@@ -48,9 +48,6 @@ void require_replaceable(const std::filesystem::path& file, const std::string& d
 /// True where the file exists and holds just these bytes.
 [[nodiscard]] bool holds(const std::filesystem::path& file, const std::string& bytes);
 
-/// True where the file exists and these are its first bytes.
-[[nodiscard]] bool begins_with(const std::filesystem::path& file, const std::string& bytes);
-
 /// Throws Error(cant_write) unless the file's folder exists (or can be created) and can be written to.
 void require_writable_folder(const std::filesystem::path& folder);
 

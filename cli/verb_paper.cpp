@@ -118,7 +118,6 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     }
     job.concavity = concavity_or_refuse(concavity);
     job.pieces = pieces.rules();
-    keep_faces_for_wishes(job.edges, job.size);
     job.pieces_asked = pieces.mode;
     job.tabs.wanted = !no_tabs;
     if (!tab_height.empty()) {

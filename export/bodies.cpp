@@ -15,8 +15,6 @@ using mesh::Surface;
 constexpr std::size_t most_pairs = 4'000'000;
 /// Vertices of one body that are enough to find what it stands on.
 constexpr std::size_t most_samples = 100;
-/// Names in a row before the rest is only counted.
-constexpr std::size_t most_names = 6;
 
 /// A vertex and a face that has it.
 struct Sample {
@@ -25,31 +23,31 @@ struct Sample {
 };
 
 /// A body's smallest box, its vertices and its faces.
-struct Hull {
+struct Extent {
   Box3 box;
   std::vector<Sample> samples;
   std::vector<FaceId> faces;
 };
 
-std::vector<Hull> hulls_of(const Surface& surface) {
-  std::vector<Hull> hulls(surface.component_count());
+std::vector<Extent> extents_of(const Surface& surface) {
+  std::vector<Extent> extents(surface.component_count());
   std::vector<bool> seen(surface.vertex_count(), false);
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    Hull& hull = hulls[surface.component(f).value()];
-    hull.faces.push_back(f);
+    Extent& extent = extents[surface.component(f).value()];
+    extent.faces.push_back(f);
     for (const VertexId v : surface.vertices(f)) {
       if (!seen[v.value()]) {
         seen[v.value()] = true;
-        hull.samples.push_back({surface.point(v), f});
-        hull.box.add(surface.point(v));
+        extent.samples.push_back({surface.point(v), f});
+        extent.box.add(surface.point(v));
       }
     }
   }
-  return hulls;
+  return extents;
 }
 
 /// Fewer vertices, spread over all of them.
-void thin_out(std::vector<Sample>& samples, std::size_t most) {
+void keep_evenly(std::vector<Sample>& samples, std::size_t most) {
   const std::size_t step = (samples.size() + most - 1) / most;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < samples.size(); i += step) {
@@ -72,17 +70,17 @@ struct Nearest {
   double squared = INFINITY;
 };
 
-/// Vertices of one body against the faces of another one; the face of `other` is kept, whichever side it is
-/// on.
-void look_at(const Surface& surface, const Hull& corners, const Hull& sides, bool sides_are_other,
-             Nearest& nearest) {
-  for (const Sample& sample : corners.samples) {
+/// The vertices of one body against the faces of another one. What is nearest is kept as a face of the other
+/// body, whichever of the two that is.
+void measure_to_faces(const Surface& surface, const Extent& of_vertices, const Extent& of_faces,
+                      bool faces_are_other, Nearest& nearest) {
+  for (const Sample& sample : of_vertices.samples) {
     Box3 point;
     point.add(sample.point);
-    if (squared_gap(point, sides.box) >= nearest.squared) {
+    if (squared_gap(point, of_faces.box) >= nearest.squared) {
       continue;
     }
-    for (const FaceId f : sides.faces) {
+    for (const FaceId f : of_faces.faces) {
       const auto [a, b, c] = surface.vertices(f);
       Box3 face;
       for (const VertexId v : {a, b, c}) {
@@ -91,38 +89,38 @@ void look_at(const Surface& surface, const Hull& corners, const Hull& sides, boo
       if (squared_gap(point, face) < nearest.squared) {
         const double squared =
             mesh::squared_distance(surface.point(a), surface.point(b), surface.point(c), sample.point);
-        nearest = squared < nearest.squared ? Nearest{sides_are_other ? f : sample.face, squared} : nearest;
+        nearest = squared < nearest.squared ? Nearest{faces_are_other ? f : sample.face, squared} : nearest;
       }
     }
   }
 }
 
-void find_neighbours(const Surface& surface, const unfold::Nets& nets,
-                     const std::vector<std::uint32_t>& component, std::vector<Body>& bodies) {
-  std::vector<Hull> hulls = hulls_of(surface);
+void find_nearest(const Surface& surface, const unfold::Nets& nets,
+                  const std::vector<std::uint32_t>& component, std::vector<Body>& bodies) {
+  std::vector<Extent> extents = extents_of(surface);
   const std::size_t samples = std::min(
       most_samples, most_pairs / (2 * bodies.size() * std::max<std::size_t>(1, surface.face_count())));
   if (samples == 0) {
     return;
   }
-  for (Hull& hull : hulls) {
-    thin_out(hull.samples, samples);
+  for (Extent& extent : extents) {
+    keep_evenly(extent.samples, samples);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Hull& own = hulls[component[i]];
+    const Extent& own = extents[component[i]];
     // The nearest boxes first: most of the others needn't be looked at then.
     std::vector<std::pair<double, std::uint32_t>> others;
-    for (std::uint32_t other = 0; other < hulls.size(); ++other) {
+    for (std::uint32_t other = 0; other < extents.size(); ++other) {
       if (other != component[i]) {
-        others.emplace_back(squared_gap(own.box, hulls[other].box), other);
+        others.emplace_back(squared_gap(own.box, extents[other].box), other);
       }
     }
     std::sort(others.begin(), others.end());
     Nearest nearest;
     for (const auto& [gap, other] : others) {
       if (gap < nearest.squared) {
-        look_at(surface, own, hulls[other], true, nearest);
-        look_at(surface, hulls[other], own, false, nearest);
+        measure_to_faces(surface, own, extents[other], true, nearest);
+        measure_to_faces(surface, extents[other], own, false, nearest);
       }
     }
     bodies[i].beside = nets.piece[nearest.face];
@@ -149,22 +147,8 @@ std::vector<Body> find_bodies(const mesh::Prepared& model, const unfold::Nets& n
     }
     bodies[number[own]].pieces.push_back(p);
   }
-  find_neighbours(surface, nets, component, bodies);
+  find_nearest(surface, nets, component, bodies);
   return bodies;
-}
-
-std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces) {
-  const auto name = [&](PieceId p) { return nets.pieces[p].name; };
-  const bool in_a_row = pieces.back().value() - pieces.front().value() + 1 == pieces.size();
-  if (in_a_row && pieces.size() > 2) {
-    return name(pieces.front()) + " to " + name(pieces.back());
-  }
-  std::string text;
-  for (std::size_t i = 0; i < std::min(pieces.size(), most_names); ++i) {
-    text += (i == 0 ? "" : ", ") + name(pieces[i]);
-  }
-  return pieces.size() <= most_names ? text
-                                     : text + " and " + std::to_string(pieces.size() - most_names) + " more";
 }
 
 }  // namespace ridgecraft::paper

@@ -3,7 +3,6 @@
 // them on paper, so a maker has to be told.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "mesh/mesh.hpp"
@@ -20,8 +19,5 @@ struct Body {
 /// The components of the surface in the order of their first pieces; empty where there is only one. Distances
 /// are those of vertices from faces, both ways, of as many vertices as a fixed amount of work allows.
 [[nodiscard]] std::vector<Body> find_bodies(const mesh::Prepared& model, const unfold::Nets& nets);
-
-/// "A to D", "A, C", "A, C and 7 more": names in the order of the pieces.
-[[nodiscard]] std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces);
 
 }  // namespace ridgecraft::paper

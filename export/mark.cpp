@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::string_view word_start = "ridgecraft-model:";
 constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
-constexpr std::string_view fold_key = "\"ridgecraft:model_digest\"";
-/// Meshes carry the word in a comment right after their first lines.
+/// Meshes and robot descriptions carry the word in a comment in or after their first lines.
 constexpr std::size_t mesh_header_size = 512;
 /// mesh::Model::digest has 16 digits; longer ones may come.
 constexpr std::size_t longest_digest = 64;
@@ -68,12 +67,18 @@ std::string svg_digest(std::string_view bytes) {
   return end == std::string_view::npos ? std::string() : digest_after_word(bytes.substr(start, end - start));
 }
 
-std::string fold_digest(std::string_view bytes) {
-  const auto key = bytes.find(fold_key);
+std::string urdf_digest(std::string_view bytes) {
+  const auto robot = bytes.substr(0, mesh_header_size).find("<robot");
+  return robot == std::string_view::npos ? std::string() : digest_after_word(bytes.substr(0, robot));
+}
+
+std::string json_digest(std::string_view bytes) {
+  const std::string quoted_key = '"' + std::string(mark_key) + '"';
+  const auto key = bytes.find(quoted_key);
   if (key == std::string_view::npos) {
     return {};
   }
-  bytes.remove_prefix(key + fold_key.size());
+  bytes.remove_prefix(key + quoted_key.size());
   for (const char expected : {':', '"'}) {
     bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
     if (bytes.empty() || bytes.front() != expected) {
@@ -101,11 +106,21 @@ std::string read_mark_digest(std::string_view bytes) {
   if (bytes.starts_with("ply\n") || bytes.starts_with("OFF\n")) {
     return digest_after_word(bytes.substr(0, mesh_header_size));
   }
+  if (bytes.starts_with("# ") && bytes.substr(2).starts_with(word_start)) {
+    return leading_digest(bytes.substr(2 + word_start.size()));  // OBJ
+  }
   const auto first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) {
     return {};
   }
-  return bytes[first] == '{' ? fold_digest(bytes) : bytes[first] == '<' ? svg_digest(bytes) : std::string();
+  if (bytes[first] == '{') {
+    return json_digest(bytes);
+  }
+  if (bytes[first] != '<') {
+    return {};
+  }
+  std::string of_robot = urdf_digest(bytes);
+  return of_robot.empty() ? svg_digest(bytes) : of_robot;
 }
 
 }  // namespace ridgecraft::paper

@@ -15,10 +15,13 @@ struct Mark {
   std::string digest;    ///< mesh::Model::digest
 };
 
-/// The one word that carries the digest in PDF (Keywords of the Info dictionary, not compressed), SVG (text
-/// inside <metadata>), PNG (text of a tEXt chunk before the pixels), PLY and OFF (a comment near the top):
-/// "ridgecraft-model:" and the digest.
-/// FOLD has the digest as the value of the top-level key "ridgecraft:model_digest".
+/// JSON (FOLD and others) has the digest as the value of this top-level key.
+inline constexpr std::string_view mark_key = "ridgecraft:model_digest";
+
+/// The one word that carries the digest elsewhere: "ridgecraft-model:" and the digest. It stands in PDF
+/// (Keywords of the Info dictionary, not compressed), SVG (text inside <metadata>), PNG (text of a tEXt chunk
+/// before the pixels), PLY and OFF (a comment near the top), OBJ (a comment, the first line) and URDF (a
+/// comment before <robot>).
 [[nodiscard]] std::string mark_word(const Mark& mark);
 
 /// The mark of a file that this program made (any of its formats), or nothing if another program did. Reads

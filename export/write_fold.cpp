@@ -208,7 +208,7 @@ void write_head(JsonText& json, const Mark& mark, const Settings& settings) {
   json.raw("[\"2D\"]");
   json.key("frame_unit");
   json.raw("\"mm\"");
-  json.key("ridgecraft:model_digest");
+  json.key(mark_key);
   json.string(mark.digest);
   json.key("ridgecraft:settings");
   json.raw("{");

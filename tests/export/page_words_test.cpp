@@ -246,16 +246,5 @@ TEST_CASE("a piece that nothing joins tells its body and its place") {
   }
 }
 
-TEST_CASE("rows of piece names are short") {
-  const auto sample = test::sample_pages(test::cube(), 30.0, 0.0, test::all_edges(test::cube()));
-  REQUIRE(sample.nets.pieces.size() >= 6);
-  const auto& nets = sample.nets;
-  const auto name = [&](std::uint32_t i) { return nets.pieces[PieceId(i)].name; };
-  CHECK(paper::piece_names(nets, {PieceId(0)}) == name(0));
-  CHECK(paper::piece_names(nets, {PieceId(0), PieceId(1)}) == name(0) + ", " + name(1));
-  CHECK(paper::piece_names(nets, {PieceId(1), PieceId(2), PieceId(3)}) == name(1) + " to " + name(3));
-  CHECK(paper::piece_names(nets, {PieceId(0), PieceId(2)}) == name(0) + ", " + name(2));
-}
-
 }  // namespace
 }  // namespace ridgecraft

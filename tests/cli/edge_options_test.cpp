@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edges that a user wants cut or kept: --cuts, --keep, --from, and lines in the model.
+#include <algorithm>
+#include <map>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/program_checks.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ridgecraft::test;
+using Json = nlohmann::json;
+
+TEST_CASE("edges named in a file are cut or kept, nets made before survive", "[edge_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  write_bytes(folder / "cuts.txt", "# the ridge\n9 10\n\n2, 3\n");
+  write_bytes(folder / "keep.txt", "1 5\n");
+  const auto run = [&](std::vector<std::string> options, const std::string& output) {
+    options.insert(options.begin(), {"house.obj", "--json", "-o", output});
+    const Outcome outcome = run_program(options, in(folder));
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(read_bytes(folder / output));
+  };
+  // What each edge of the model is in the nets: B where it is cut.
+  const auto kinds = [](const Json& fold) {
+    std::map<std::pair<int, int>, std::string> kind_of_net_edge;
+    for (std::size_t e = 0; e < fold["edges_vertices"].size(); ++e) {
+      const auto ends = fold["edges_vertices"][e].get<std::vector<int>>();
+      kind_of_net_edge[std::minmax(ends[0], ends[1])] = fold["edges_assignment"][e];
+    }
+    std::map<std::pair<int, int>, bool> cut;
+    for (std::size_t f = 0; f < fold["faces_vertices"].size(); ++f) {
+      const auto flat = fold["faces_vertices"][f].get<std::vector<int>>();
+      const std::size_t model = fold["ridgecraft:faces_model"][f];
+      const auto solid = fold["file_frames"][0]["faces_vertices"][model].get<std::vector<int>>();
+      for (std::size_t k = 0; k < flat.size(); ++k) {
+        const std::size_t j = (k + 1) % flat.size();
+        cut[std::minmax(solid[k], solid[j])] = kind_of_net_edge[std::minmax(flat[k], flat[j])] == "B";
+      }
+    }
+    return cut;
+  };
+  const auto asked = kinds(run({"--cuts", "cuts.txt", "--keep", "keep.txt"}, "asked.fold"));
+  CHECK(asked.at({8, 9}));
+  CHECK(asked.at({1, 2}));
+  CHECK_FALSE(asked.at({0, 4}));
+  CHECK(kinds(run({"--from", "asked.fold", "--seed", "7", "--size", "12cm"}, "again.fold")) == asked);
+
+  write_bytes(folder / "house.obj", std::string(house) + "l 9 10\nl 2 3\n");
+  const auto marked = kinds(run({}, "marked.fold"));
+  CHECK(marked.at({8, 9}));
+  CHECK(marked.at({1, 2}));
+
+  write_bytes(folder / "cuts.txt", "9 11\n");
+  check_refusal(run_program({"house.obj", "--cuts", "cuts.txt"}, in(folder)), 3, "cuts.txt, line 1");
+  write_bytes(folder / "cuts.txt", "9\n");
+  check_refusal(run_program({"house.obj", "--cuts", "cuts.txt"}, in(folder)), 3, "two numbers");
+  write_bytes(folder / "bad.fold", "{}");
+  check_refusal(run_program({"house.obj", "--from", "bad.fold"}, in(folder)), 3, "bad.fold");
+}
+
+TEST_CASE("nets say what they were made with", "[edge_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  write_bytes(folder / "a.txt", "9 10\n");
+  write_bytes(folder / "b.txt", "9 10\n");
+  write_bytes(folder / "c.txt", "9 10\n2 3\n");
+  const auto settings = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"-o", "x.fold", "--overwrite"});
+    const Outcome outcome = run_program(arguments, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(read_bytes(folder / "x.fold"))["ridgecraft:settings"];
+  };
+  const Json plain = settings({"house.obj"});
+  CHECK(plain["faces"] == "auto");
+  CHECK_FALSE(plain.contains("cuts"));
+  const Json cut = settings({"house.obj", "--cuts", "a.txt"});
+  CHECK(cut["faces"] == "keep");
+  CHECK(cut == settings({"house.obj", "--cuts", "b.txt"}));  // not the file's name
+  CHECK(cut["cuts"] != settings({"house.obj", "--cuts", "c.txt"})["cuts"]);
+  CHECK(settings({"house.obj", "--keep", "a.txt"})["keep"] == cut["cuts"]);
+  REQUIRE(run_program({"house.obj", "-o", "made.fold"}, in(folder)).exit_code == 0);
+  CHECK(settings({"house.obj", "--from", "made.fold"}).contains("from"));
+
+  CHECK(settings({"unfold", "house.obj"})["tabs"] == false);
+  const Json tabs = settings({"unfold", "house.obj", "--tabs"});
+  CHECK(tabs["tabs"] == true);
+  CHECK(tabs["tab_height_mm"] == 5);
+
+  write_bytes(folder / "house.obj", std::string(house) + "l 9 10\n");
+  CHECK(settings({"house.obj"})["faces"] == "keep");
+  CHECK(settings({"house.obj", "--faces", "12"})["faces"] == 12);
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What people and machines are told about a job.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/program_checks.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ridgecraft::test;
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+TEST_CASE("machines get one JSON object with the names that they know", "[summaries]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const Outcome outcome = run_program({"house.obj", "--size", "8cm", "--json", "-o", "out"}, in(folder));
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  const Json json = Json::parse(outcome.out);
+  for (const char* key : {"faces", "parts", "pieces", "pages", "size_mm", "tabs", "joins",
+                          "joins_without_tab", "cut_mm", "fold_mm", "seconds", "repairs", "files"}) {
+    CAPTURE(key);
+    CHECK(json.contains(key));
+  }
+  CHECK(json["size_mm"].size() == 3);
+  CHECK(json["size_mm"][2].get<double>() == Approx(80.0));
+  CHECK(json["files"].size() == 3);
+  CHECK(fs::exists(folder / "out/house.fold"));
+
+  const Json verified = Json::parse(run_program({"verify", "out/house.fold", "--json"}, in(folder)).out);
+  CHECK(verified["faults"].empty());
+  CHECK(verified["faces"] == json["faces"]);
+  CHECK(verified["cut_mm"].get<double>() == Approx(json["cut_mm"].get<double>()));
+
+  const Json parts =
+      Json::parse(run_program({"segment", "house.obj", "--labels", "h.seg", "--json"}, in(folder)).out);
+  CHECK(parts["parts"] == 1);
+  CHECK(parts["max_concavity"].get<double>() <= 0.1);
+  CHECK(parts.contains("seconds"));
+  CHECK(read_bytes(folder / "h.seg") == "0\n0\n0\n0\n0\n0\n0\n");
+
+  const Json nets =
+      Json::parse(run_program({"unfold", "house.obj", "--whole", "-o", "h.fold", "--json"}, in(folder)).out);
+  CHECK(nets["pieces"] == 1);
+  CHECK(nets["overlaps"] == 0);
+  CHECK(nets.contains("seconds"));
+}
+
+TEST_CASE("hundreds of pages are announced, with a size that needs few", "[summaries]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const auto pages = [&](const Outcome& outcome) {
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(outcome.out)["pages"].get<double>();
+  };
+  const Outcome large = run_program({"house.obj", "--size", "1500mm", "--json", "-o", "h.fold"}, in(folder));
+  INFO(large.err);
+  REQUIRE(large.err.starts_with("note: this takes about "));
+  CHECK(std::stod(large.err.substr(23)) == Approx(pages(large)).epsilon(0.35));
+  const std::size_t at = large.err.find("--size ");
+  REQUIRE(at != std::string::npos);
+  const std::string size = large.err.substr(at + 7, large.err.find("mm", at) + 2 - at - 7);
+  const Outcome small = run_program({"house.obj", "--size", size, "--json", "-o", "h.fold"}, in(folder));
+  CHECK(small.err.empty());
+  CHECK(pages(small) <= 20.0);
+  CHECK(pages(small) >= 4.0);
+}
+
+TEST_CASE("faces too thin for a knife are counted, loose bodies listed", "[summaries]") {
+  const TemporaryFolder folder;
+  // A bar of 100 x 0.5 x 20 with closed ends, and a triangle that stands beside it.
+  write_bytes(folder / "bar.obj",
+              "v 0 0 0\nv 100 0 0\nv 100 0.5 0\nv 0 0.5 0\nv 0 0 20\nv 100 0 20\nv 100 0.5 20\nv 0 0.5 20\n"
+              "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+              "v 20 5 0\nv 60 5 0\nv 40 5 15\nf 9 10 11\n");
+  const Outcome outcome =
+      run_program({"bar.obj", "--size", "100mm", "--faces", "keep", "--json", "-o", "b.fold"}, in(folder));
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const Json json = Json::parse(outcome.out);
+  CHECK(json["slivers"] == 8);  // four sides of two triangles
+  REQUIRE(json["bodies"].size() == 2);
+  std::size_t pieces = 0;
+  for (const Json& body : json["bodies"]) {
+    pieces += body["pieces"].size();
+    CHECK(body["distance_mm"].get<double>() == Approx(4.5));
+  }
+  CHECK(pieces == json["pieces"].get<std::size_t>());
+  const Outcome text =
+      run_program({"bar.obj", "--size", "100mm", "--faces", "keep", "-o", "b.fold"}, in(folder));
+  CHECK(text.out.find("slivers     8 faces thinner than 1 mm") != std::string::npos);
+  CHECK(text.out.find("bodies      2 that no join connects") != std::string::npos);
+}
+
+TEST_CASE("nothing that stands in a name or a file commands the terminal", "[summaries]") {
+  const TemporaryFolder folder;
+  const std::string name =
+      "a\x1b[31m\xc2\x9b"
+      "31m.obj";
+  write_bytes(folder / name, house);
+  const auto check_harmless = [](const Outcome& outcome) {
+    for (const std::string& text : {outcome.out, outcome.err}) {
+      CAPTURE(text);
+      CHECK(text.find('\x1b') == std::string::npos);
+      CHECK(text.find("\xc2\x9b") == std::string::npos);
+    }
+  };
+  for (const char* verb : {"info", "segment", "unfold"}) {
+    check_harmless(run_program({verb, name}, in(folder)));
+  }
+  const Outcome made = run_program({name}, in(folder));
+  check_harmless(made);
+  CHECK(made.out.find("a\xef\xbf\xbd[31m") != std::string::npos);
+  check_harmless(run_program({name, "--size", "1500mm", "-o", "x.fold"}, in(folder)));
+  check_harmless(run_program({"hulls", name, "-o", "x.obj"}, in(folder)));
+  check_harmless(run_program({name + "x"}, in(folder)));
+  check_harmless(run_program({"verify", name}, in(folder)));
+  check_harmless(run_program({"a\x1b[31m", "b", "c"}, in(folder)));
+  // The names of pieces come from a file, too.
+  REQUIRE(run_program({name, "-o", "x.fold", "--overwrite"}, in(folder)).exit_code == 0);
+  Json file = Json::parse(read_bytes(folder / "x.fold"));
+  file["ridgecraft:pieces"][0]["reason"] = "a\x1b[31m";
+  write_bytes(folder / "x.fold", file.dump());
+  const Outcome verified = run_program({"verify", "x.fold"}, in(folder));
+  CHECK(verified.exit_code == 6);
+  CHECK(verified.out.find('\x1b') == std::string::npos);
+}

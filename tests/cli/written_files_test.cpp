@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the main job writes, where, and what it never leaves behind or replaces.
+#include <catch2/catch.hpp>
+
+#include "cli/program_checks.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ridgecraft::test;
+namespace fs = std::filesystem;
+
+TEST_CASE("a model becomes PDF, SVG and FOLD in the current folder", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const Outcome outcome = run_program({"house.obj", "--size", "8cm"}, in(folder));
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold"});
+  CHECK(outcome.out.find("wrote house.pdf") != std::string::npos);
+  CHECK(read_bytes(folder / "house.pdf").starts_with("%PDF"));
+  CHECK(run_program({"verify", "house.fold"}, in(folder)).exit_code == 0);
+}
+
+TEST_CASE("two runs with one seed give the same bytes, with one thread and with two", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "a", "--threads", "1"}, in(folder)).exit_code ==
+          0);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "b", "--threads", "2"}, in(folder)).exit_code ==
+          0);
+  for (const char* suffix : {"pdf", "svg", "fold"}) {
+    const std::string name = std::string("house.") + suffix;
+    CAPTURE(name);
+    CHECK(read_bytes(folder.path() / "a" / name) == read_bytes(folder.path() / "b" / name));
+  }
+}
+
+TEST_CASE("pages left over from an earlier run of the same model are removed", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  write_bytes(folder / "house-9.svg", "<svg>somebody's own</svg>");
+  REQUIRE(run_program({"house.obj", "--size", "25cm"}, in(folder)).exit_code == 0);
+  REQUIRE(fs::exists(folder / "house-2.svg"));
+  CHECK_FALSE(fs::exists(folder / "house.svg"));
+  REQUIRE(run_program({"house.obj", "--size", "8cm"}, in(folder)).exit_code == 0);
+  CHECK(folder.names() ==
+        std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold", "house-9.svg"});
+}
+
+TEST_CASE("a file that is asked for twice is written once", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  fs::create_directory(folder / "real");
+  fs::create_directory_symlink("real", folder / "link");
+  const Outcome outcome = run_program(
+      {"house.obj", "--size", "8cm", "-o", "real/h.pdf", "-o", "link/h.pdf", "-o", "link/../real/h.fold"},
+      in(folder));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(read_bytes(folder / "real/h.pdf").starts_with("%PDF"));
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "real", "link"});
+}
+
+TEST_CASE("names as long as the file system allows", "[written_files]") {
+  const TemporaryFolder folder;
+  const std::string stem(240, 'x');
+  write_bytes(folder / "house.obj", house);
+  const Outcome outcome = run_program({"house.obj", "--size", "8cm", "-o", stem + ".pdf"}, in(folder));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", stem + ".pdf"});
+}
+
+TEST_CASE("folders are made for results, and go again when there are none", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  RunOptions options = in(folder);
+  options.largest_file = 1000;
+  check_refusal(run_program({"house.obj", "-o", "a/b/h.pdf"}, options), 7, "h.pdf");
+  CHECK(folder.names() == std::set<std::string>{"house.obj"});
+  CHECK(run_program({"segment", "house.obj", "-o", "a/b/h.ply"}, in(folder)).exit_code == 0);
+  CHECK(fs::exists(folder / "a/b/h.ply"));
+}
+
+TEST_CASE("names with spaces and letters of any script work", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "Füchsin 狐 & <co>.obj", house);
+  const Outcome outcome = run_program({"Füchsin 狐 & <co>.obj", "--size", "8cm"}, in(folder));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(fs::exists(folder / "Füchsin 狐 & <co>.svg"));
+}
