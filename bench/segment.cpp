@@ -232,6 +232,11 @@ bool parse(int argc, char** argv, Arguments& arguments) {
       arguments.damage = std::stod(value);
     } else if (option == "--effort") {
       arguments.options.effort = std::stoi(value);
+    } else if (option == "--reading") {
+      using segment::Reading;
+      arguments.options.reading = value == "literal" ? Reading::literal
+                                  : value == "a"     ? Reading::a
+                                                     : Reading::b;
     } else if (option == "--volume-weight") {
       arguments.options.volume_weight = std::stod(value);
     } else if (option == "--model") {
@@ -250,7 +255,8 @@ int main(int argc, char** argv) {
   if (!parse(argc, argv, arguments)) {
     std::fprintf(stderr,
                  "usage: bench_segment --psb DIR [--json FILE] [--subset] [--model N]... [--concavity T] "
-                 "[--effort 1..3] [--volume-weight W] [--planes] [--pockets] [--damage SHARE]\n");
+                 "[--effort 1..3] [--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] "
+                 "[--damage SHARE]\n");
     return 2;
   }
   std::vector<int> models = arguments.models;

@@ -38,6 +38,16 @@ double number_or_refuse(const std::string& option, const std::string& text, doub
   return value;
 }
 
+void refuse_choice(const std::string& option, const std::vector<std::string>& words,
+                   const std::string& text) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    list += i == 0 ? "" : i + 1 == words.size() ? " or " : ", ";
+    list += words[i];
+  }
+  refuse(option + " takes " + list + ", not '" + text + "'");
+}
+
 double percent_or_refuse(const std::string& option, const std::string& text, double low, double high) {
   const std::string digits = text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
   double value = NAN;

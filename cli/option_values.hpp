@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ridgecraft::cli {
 
@@ -31,6 +33,30 @@ void require_range(const std::string& option, const std::string& text, double va
 
 [[nodiscard]] std::uint64_t whole_number_or_refuse(const std::string& option, const std::string& text,
                                                    std::uint64_t least);
+
+/// Refuses a word that is none of those an option takes.
+[[noreturn]] void refuse_choice(const std::string& option, const std::vector<std::string>& words,
+                                const std::string& text);
+
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+/// What the word that was typed stands for; the first choice is the default, where it wasn't given.
+template <class Value>
+[[nodiscard]] Value choice_or_refuse(const std::string& option, const std::string& text,
+                                     const Choices<Value>& choices) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : choices) {
+    if (text == word) {
+      return value;
+    }
+    words.push_back(word);
+  }
+  if (!text.empty()) {
+    refuse_choice(option, words, text);
+  }
+  return choices.front().second;
+}
 
 /// --concavity; the default where it wasn't given.
 [[nodiscard]] double concavity_or_refuse(const std::string& text);

@@ -36,9 +36,10 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
       "Parts", "--concavity", concavity, "TOLERANCE",
       "Largest concavity of a part, in the scale where the smallest enclosing ball has radius 1 (0.1).");
   std::string parts;
-  verb.option("Parts", "--parts", parts, "N",
-              "Give N parts: the finest parts joined, the least concave unions first. In place of "
-              "--concavity, --effort, --volume-weight, --planes, --pockets and --holes.");
+  verb.option(
+      "Parts", "--parts", parts, "N",
+      "Give N parts: the finest parts joined, the least concave unions first. In place of "
+      "--concavity, --effort, --volume-weight, --planes, --pockets, --holes, --components and --reading.");
   std::string effort;
   std::string volume_weight;
   verb.option(
@@ -59,33 +60,41 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
   verb.option("Parts", "--holes", holes, "auto|keep|close",
               "close: small holes of a damaged model don't divide parts, and crumbs join the part that they "
               "touch; keep: holes are borders; auto: close where the model is full of holes (auto).");
+  std::string components;
+  verb.option("Parts", "--components", components, "apart|tied",
+              "tied: components that lie apart or run through each other are one object, and a part may hold "
+              "faces of several; apart: each for itself (apart).");
+  std::string reading;
+  verb.option(
+      "Parts", "--reading", reading, "literal|a|b",
+      "For research: how the paper is read. literal: to the letter; a: valleys cross the openings that "
+      "cuts leave; b: and depth is the way out of the hull, parts that can be one are joined (b).");
   common.add_to(verb);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.model, "name the model to segment", "ridgecraft segment");
     job.common = common.checked();
     job.options.concavity = concavity_or_refuse(concavity);
-    if (!effort.empty()) {
-      job.options.effort = static_cast<int>(whole_number_or_refuse("--effort", effort, 1));
-      if (job.options.effort > 3) {
-        refuse("--effort takes 1, 2 or 3, not '" + effort + "'");
-      }
-    }
-    if (!holes.empty()) {
-      using Holes = segment::Options::Holes;
-      if (holes != "auto" && holes != "keep" && holes != "close") {
-        refuse("--holes takes auto, keep or close, not '" + holes + "'");
-      }
-      job.options.holes = holes == "keep" ? Holes::keep : holes == "close" ? Holes::close : Holes::automatic;
-    }
+    using segment::Options;
+    job.options.effort = choice_or_refuse<int>("--effort", effort, {{"1", 1}, {"2", 2}, {"3", 3}});
+    job.options.holes = choice_or_refuse<Options::Holes>("--holes", holes,
+                                                         {{"auto", Options::Holes::automatic},
+                                                          {"keep", Options::Holes::keep},
+                                                          {"close", Options::Holes::close}});
+    job.options.components = choice_or_refuse<Options::Components>(
+        "--components", components,
+        {{"apart", Options::Components::apart}, {"tied", Options::Components::tied}});
+    job.options.reading = choice_or_refuse<segment::Reading>(
+        "--reading", reading,
+        {{"b", segment::Reading::b}, {"a", segment::Reading::a}, {"literal", segment::Reading::literal}});
     if (!volume_weight.empty()) {
       job.options.volume_weight = number_or_refuse("--volume-weight", volume_weight, 0.0, 1000.0);
     }
     if (!parts.empty()) {
       if (!concavity.empty() || !effort.empty() || !volume_weight.empty() || !holes.empty() ||
-          job.options.pockets || job.options.planes) {
+          !components.empty() || !reading.empty() || job.options.pockets || job.options.planes) {
         refuse(
-            "--parts goes with none of --concavity, --effort, --volume-weight, --planes, --pockets and "
-            "--holes");
+            "--parts goes with none of --concavity, --effort, --volume-weight, --planes, --pockets, --holes, "
+            "--components and --reading");
       }
       job.parts = whole_number_or_refuse("--parts", parts, 1);
     }

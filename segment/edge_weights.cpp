@@ -9,6 +9,8 @@ namespace {
 
 /// Share of the fold in the weight; the rest is length alone.
 constexpr double alpha = 0.8;
+/// More than any cosine: no edge is too flat to be concave.
+constexpr double no_dead_zone = 2.0;
 constexpr double concave_smoothness = 0.3;
 /// cos 5 degrees: flatter concave edges are noise of the mesh, no place to cut.
 constexpr double dead_zone_cosine = 0.99619469809174555;
@@ -20,10 +22,10 @@ constexpr double capacity_steps = 0x1p20;
 /// Keeps the sum over all sides of the largest mesh below 2^63.
 constexpr double largest_weight = 1e6;
 
-bool is_concave(const ScaledSurface& s, std::uint32_t f, std::uint32_t g) {
+bool is_concave(const ScaledSurface& s, std::uint32_t f, std::uint32_t g, double flattest_cosine) {
   const Vec3 n = s.facet_normals[f];
   const Vec3 m = s.facet_normals[g];
-  if (n == Vec3{} || m == Vec3{} || dot(n, m) >= dead_zone_cosine) {
+  if (n == Vec3{} || m == Vec3{} || dot(n, m) >= flattest_cosine) {
     return false;
   }
   const auto centroid = [&](std::uint32_t facet) {
@@ -36,7 +38,8 @@ bool is_concave(const ScaledSurface& s, std::uint32_t f, std::uint32_t g) {
 
 }  // namespace
 
-EdgeWeights weigh_edges(const ScaledSurface& s) {
+EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules) {
+  const double flattest_cosine = rules.folds_by_length ? dead_zone_cosine : no_dead_zone;
   EdgeWeights w;
   const std::size_t sides = 3 * s.facet_count();
   w.length.assign(sides, 0.0);
@@ -63,7 +66,8 @@ EdgeWeights weigh_edges(const ScaledSurface& s) {
       const std::uint32_t side = 3 * f + k;
       const std::uint32_t twin = 3 * g + j;
       w.length[side] = w.length[twin] = length(s.points[to] - s.points[from]);
-      w.smoothness[side] = w.smoothness[twin] = is_concave(s, f, g) ? concave_smoothness : 1.0;
+      w.smoothness[side] = w.smoothness[twin] =
+          is_concave(s, f, g, flattest_cosine) ? concave_smoothness : 1.0;
       length_sum += w.length[side];
       smoothness_sum += w.smoothness[side];
       first_side.push_back(side);
@@ -78,8 +82,10 @@ EdgeWeights weigh_edges(const ScaledSurface& s) {
   const double mean_smoothness = smoothness_sum / count;
   for (std::size_t e = 0; e < first_side.size(); ++e) {
     const std::uint32_t side = first_side[e];
-    const double weight =
-        (alpha * w.smoothness[side] / mean_smoothness + (1.0 - alpha)) * w.length[side] / mean_length;
+    const double fold = alpha * w.smoothness[side] / mean_smoothness;
+    const double relative_length = w.length[side] / mean_length;
+    const double weight = rules.folds_by_length ? (fold + 1.0 - alpha) * relative_length
+                                                : fold + (1.0 - alpha) * relative_length;
     w.capacity[side] = w.capacity[second_side[e]] =
         std::llround(capacity_steps * std::clamp(weight, least_weight, largest_weight));
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "segment/rules.hpp"
 #include "segment/scaled_surface.hpp"
 
 namespace ridgecraft::segment {
@@ -17,6 +18,6 @@ struct EdgeWeights {
 };
 
 /// O(n).
-[[nodiscard]] EdgeWeights weigh_edges(const ScaledSurface& surface);
+[[nodiscard]] EdgeWeights weigh_edges(const ScaledSurface& surface, const Rules& rules = {});
 
 }  // namespace ridgecraft::segment

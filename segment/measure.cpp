@@ -33,11 +33,12 @@ std::uint64_t signature_of(std::span<const std::uint32_t> facets) {
 }  // namespace
 
 Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, double tolerance,
-                   const Context& context)
+                   const Context& context, const Rules& rules)
     : surface_(&surface),
       context_(&context),
       tolerance_(tolerance),
-      part_(surface, graph),
+      rules_(rules),
+      part_(surface, graph, rules.jumps),
       search_(part_),
       hulls_(surface.points),
       depth_(surface) {}
@@ -77,7 +78,7 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
       bridge.zero = true;
       continue;
     }
-    if (scratch || !derive(i, out)) {
+    if (scratch || !rules_.derivation || !derive(i, out)) {
       if (searched++ % check_interval == 0) {
         context_->check();
       }
@@ -244,7 +245,7 @@ double Measurer::cap(const Valley& valley) {
   capped_.assign(valley.concavity.begin(), valley.concavity.end());
   double greatest = 0.0;
   for (std::size_t i = 0; i < capped_.size(); ++i) {
-    if (capped_[i] > tolerance_) {
+    if (rules_.cap && capped_[i] > tolerance_) {
       capped_[i] = std::min(capped_[i], depth_.at(valley.steps[i].vertex));
     }
     greatest = std::max(greatest, capped_[i]);

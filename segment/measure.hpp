@@ -12,6 +12,7 @@
 #include "segment/hull.hpp"
 #include "segment/hull_depth.hpp"
 #include "segment/part_graph.hpp"
+#include "segment/rules.hpp"
 #include "segment/valley_cache.hpp"
 #include "segment/valley_search.hpp"
 
@@ -56,7 +57,8 @@ enum class MeasureMode {
 /// Measures one part at a time.
 class Measurer {
  public:
-  Measurer(const ScaledSurface& surface, const VertexGraph& graph, double tolerance, const Context& context);
+  Measurer(const ScaledSurface& surface, const VertexGraph& graph, double tolerance, const Context& context,
+           const Rules& rules = {});
 
   /// Measures the part with these facets. `hull_points`: vertices among which its hull vertices are; empty
   /// for all. Afterwards graph() shows the part.
@@ -87,6 +89,7 @@ class Measurer {
   const ScaledSurface* surface_;
   const Context* context_;
   double tolerance_;
+  Rules rules_;
   PartGraph part_;
   ValleySearch search_;
   ValleyCache cache_;

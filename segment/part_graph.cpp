@@ -12,9 +12,10 @@ constexpr double jump_lean = 0.3;
 
 }  // namespace
 
-PartGraph::PartGraph(const ScaledSurface& surface, const VertexGraph& graph)
+PartGraph::PartGraph(const ScaledSurface& surface, const VertexGraph& graph, bool jumps)
     : surface_(&surface),
       graph_(&graph),
+      jumps_(jumps),
       member_(surface.facet_count(), 0),
       vertex_mark_(surface.vertex_count(), 0),
       partial_(surface.vertex_count(), 0),
@@ -71,6 +72,12 @@ void PartGraph::find_loops() {
       const std::uint32_t y = root(b);
       loop_[std::max(x, y)] = std::min(x, y);
     }
+  }
+  if (!jumps_) {
+    for (const std::uint32_t v : on_cut_) {
+      loop_mark_[v] = 0;
+    }
+    on_cut_.clear();
   }
   // Roots are the smallest vertices of their loops, so sorting by (root, vertex) groups and orders
   // everything.

@@ -17,7 +17,8 @@ namespace ridgecraft::segment {
 class PartGraph {
  public:
   /// Both must outlive this.
-  PartGraph(const ScaledSurface& surface, const VertexGraph& graph);
+  /// `jumps`: whether cut loops are looked for, so that there is something to jump across.
+  PartGraph(const ScaledSurface& surface, const VertexGraph& graph, bool jumps);
 
   /// Shows the part with these facets.
   void select(std::span<const std::uint32_t> facets);
@@ -81,6 +82,7 @@ class PartGraph {
 
   const ScaledSurface* surface_;
   const VertexGraph* graph_;
+  bool jumps_;
   std::uint32_t current_ = 0;
   std::vector<std::uint32_t> member_;
   std::vector<std::uint32_t> facets_;

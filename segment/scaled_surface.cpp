@@ -122,6 +122,17 @@ void find_groups(std::span<const std::uint32_t> polygon, ScaledSurface& s) {
 
 }  // namespace
 
+void extend_groups(ScaledSurface& s, std::size_t facets_before) {
+  if (s.group.empty()) {
+    return;
+  }
+  for (std::size_t f = facets_before; f < s.facet_count(); ++f) {
+    s.group.push_back(static_cast<std::uint32_t>(s.group_first.size() - 1));
+    s.group_facets.push_back(static_cast<std::uint32_t>(f));
+    s.group_first.push_back(static_cast<std::uint32_t>(s.group_facets.size()));
+  }
+}
+
 void index_and_orient(ScaledSurface& surface) {
   index_vertices(surface);
   find_normals(surface);

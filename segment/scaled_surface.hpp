@@ -57,4 +57,7 @@ struct ScaledSurface {
 /// Finds the facets at each vertex and all normals again, after points, corners or neighbours changed. O(n).
 void index_and_orient(ScaledSurface& surface);
 
+/// Facets from number `facets_before` on, which were added, become polygons of their own.
+void extend_groups(ScaledSurface& surface, std::size_t facets_before);
+
 }  // namespace ridgecraft::segment

@@ -10,6 +10,7 @@
 
 #include "mesh/error.hpp"
 #include "segment/assembly.hpp"
+#include "segment/component_ties.hpp"
 #include "segment/cut.hpp"
 #include "segment/edge_weights.hpp"
 #include "segment/measure.hpp"
@@ -61,11 +62,14 @@ bool closes_holes(const mesh::Surface& surface, const Options& options) {
          (options.holes == Options::Holes::automatic && looks_damaged(surface));
 }
 
-ScaledSurface scaled_and_closed(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
-                                bool close) {
+ScaledSurface scaled_and_whole(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                               bool close, Options::Components components) {
   ScaledSurface scaled = scale_surface(surface, polygon);
   if (close) {
     close_holes(scaled);
+  }
+  if (components == Options::Components::tied) {
+    tie_components(scaled);
   }
   return scaled;
 }
@@ -83,10 +87,11 @@ class Run {
       const Context& context)
       : closed_(closes_holes(surface, options)),
         real_facets_(surface.face_count()),
-        scaled_(scaled_and_closed(surface, polygon, closed_)),
-        weights_(weigh_edges(scaled_)),
+        scaled_(scaled_and_whole(surface, polygon, closed_, options.components)),
+        rules_(rules_of(options.reading)),
+        weights_(weigh_edges(scaled_, rules_)),
         graph_(build_vertex_graph(scaled_, arc_sagitta_share * options.concavity)),
-        measurer_(scaled_, graph_, options.concavity, context),
+        measurer_(scaled_, graph_, options.concavity, context, rules_),
         cutter_(scaled_, weights_),
         context_(&context) {
     if (options.effort > 1 || volume_weight(options) > 0.0 || options.planes || options.pockets) {
@@ -181,7 +186,9 @@ class Run {
       reasons.push_back(reasons_[i]);
     }
     parts_ = std::move(sorted);
-    merge_parts(measurer_, weights_, parts_, MeasureMode::test);
+    if (rules_.merging) {
+      merge_parts(measurer_, weights_, parts_, MeasureMode::test);
+    }
     for (std::size_t i = parts_.size(); i-- > 0;) {
       if (!parts_[i].facets.empty()) {
         stack_.push_back(
@@ -228,7 +235,7 @@ class Run {
       final_.push_back(describe(work));
       parts_.push_back({std::move(work.facets), {}, false, work.depth > 0});
     }
-    if (divided) {
+    if (divided && rules_.merging) {
       merge_divided();
     }
   }
@@ -369,6 +376,7 @@ class Run {
   bool closed_;  ///< holes were closed: facets from real_facets_ on are virtual
   std::size_t real_facets_;
   ScaledSurface scaled_;
+  Rules rules_;
   EdgeWeights weights_;
   VertexGraph graph_;
   Measurer measurer_;
@@ -391,6 +399,12 @@ Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t
   }
   if (const double weight = volume_weight(options); !std::isfinite(weight) || weight < 0.0) {
     throw Error(ErrorKind::usage, "the weight of volume must be a number from 0 on");
+  }
+  if (options.reading != Reading::b &&
+      (options.effort > 1 || options.planes || options.pockets || options.volume_weight)) {
+    throw Error(
+        ErrorKind::usage,
+        "the readings literal and a go with effort 1 alone: without planes, pockets and a weight of volume");
   }
   context.check();
   if (surface.face_count() == 0) {

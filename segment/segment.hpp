@@ -17,6 +17,14 @@
 
 namespace ridgecraft::segment {
 
+/// How the paper is read where it leaves a choice. All but `b` are for research: with effort 1, without
+/// planes and pockets.
+enum class Reading {
+  literal,  ///< to the letter: every opening that a cut leaves is as concave as it is wide
+  a,        ///< valleys run straight across such openings
+  b         ///< and a vertex is no deeper than the hull is far from it; parts that can be one are joined
+};
+
 struct Options {
   /// Largest concavity of a part, as a length in the scale where the model's smallest enclosing ball has
   /// radius 1. Finite and above 0, else Error(usage).
@@ -40,6 +48,12 @@ struct Options {
     close       ///< small holes are closed while segmenting, and crumbs join the part that they touch
   };
   Holes holes = Holes::automatic;
+  enum class Components {
+    apart,  ///< each component for itself
+    tied    ///< all together as one object: parts may hold faces of several components
+  };
+  Components components = Components::apart;
+  Reading reading = Reading::b;
 };
 
 /// The weight that counts: the one that was asked for, else that of the effort.
@@ -73,10 +87,10 @@ struct Segmentation {
   [[nodiscard]] double max_concavity() const;
 };
 
-/// Segments each component of a surface by itself until every part's concavity is at most the tolerance.
-/// `polygon` gives each face the polygon that it belongs to (faces of one polygon stay in one part); empty
-/// when every face is its own. The result doesn't depend on the number of threads. Throws Error(usage) and
-/// Error(interrupted).
+/// Segments each component of a surface by itself (or tied, all as one) until every part's concavity is at
+/// most the tolerance. `polygon` gives each face the polygon that it belongs to (faces of one polygon stay in
+/// one part); empty when every face is its own. The result doesn't depend on the number of threads. Throws
+/// Error(usage) and Error(interrupted).
 [[nodiscard]] Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
                                    const Options& options, const Context& context);
 

@@ -297,18 +297,6 @@ class Closer {
   std::map<std::uint32_t, std::vector<Side>> arriving_;
 };
 
-/// New facets are polygons of their own.
-void extend_groups(ScaledSurface& s, std::size_t facets_before) {
-  if (s.group.empty()) {
-    return;
-  }
-  for (std::size_t f = facets_before; f < s.facet_count(); ++f) {
-    s.group.push_back(static_cast<std::uint32_t>(s.group_first.size() - 1));
-    s.group_facets.push_back(static_cast<std::uint32_t>(f));
-    s.group_first.push_back(static_cast<std::uint32_t>(s.group_facets.size()));
-  }
-}
-
 }  // namespace
 
 bool looks_damaged(const mesh::Surface& surface) {
