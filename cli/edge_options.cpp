@@ -156,7 +156,7 @@ EdgeWishes wishes_from_nets(const EdgeFile& file, const mesh::Prepared& prepared
 void add_edge_options(Verb& verb, EdgeArguments& edges) {
   verb.option("Pieces", "--cuts", edges.cuts, "FILE",
               "Edges to cut: two point numbers a line, counted as in the model's file (OBJ: from 1, others: "
-              "from 0). An OBJ file's own lines (l) are cut, too.");
+              "from 0). Lines (l) of an OBJ and edges of a PLY file are cut, too.");
   verb.option("Pieces", "--keep", edges.keep, "FILE", "Edges not to cut, in the same way.");
   verb.option("Pieces", "--from", edges.from, "FILE.fold",
               "Nets of the same model made before, edited or not: their cuts and folds are kept.");
@@ -174,7 +174,7 @@ void heed_edges(const EdgeArguments& edges, mesh::Model& model, SizeArguments& s
   if (!edges.from.empty()) {
     model.lines.clear();
   } else if (2 * model.lines.size() > model.surface.edge_count()) {
-    notes.emplace_back("the file marks most of its edges by lines, so they aren't taken for cuts");
+    notes.emplace_back("the file marks most of its edges, so they aren't taken for cuts");
     model.lines.clear();
   }
   if (size.simplify.mode != mesh::Simplification::automatic || (!edges.any() && model.lines.empty())) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edges that a user wants cut or kept together: --cuts, --keep, --from, and the lines of an OBJ file.
+// Edges that a user wants cut or kept together: --cuts, --keep, --from, and those that the file itself marks.
 #pragma once
 
 #include <optional>

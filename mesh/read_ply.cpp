@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY: points, faces and triangle strips, their texture coordinates and colours; everything else is skipped
-// by its declared type.
+// PLY: points, faces and triangle strips, their texture coordinates and colours, and marked edges; everything
+// else is skipped by its declared type.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -11,6 +12,7 @@
 #include "mesh/face_paint.hpp"
 #include "mesh/find_picture.hpp"
 #include "mesh/ply_header.hpp"
+#include "mesh/ply_roles.hpp"
 #include "mesh/ply_values.hpp"
 #include "mesh/printable.hpp"
 
@@ -19,51 +21,6 @@ namespace {
 
 /// Elements between two questions whether to stop.
 constexpr std::int64_t check_interval = 1 << 14;
-
-/// What a property means to us.
-enum class Role { skipped, x, y, z, u, v, indices, texture_list, texture_number, red, green, blue };
-
-struct KnownProperty {
-  std::string_view name;
-  bool is_list;
-  Role role;
-};
-
-constexpr KnownProperty vertex_properties[] = {
-    {"x", false, Role::x},         {"y", false, Role::y},         {"z", false, Role::z},
-    {"s", false, Role::u},         {"t", false, Role::v},         {"u", false, Role::u},
-    {"v", false, Role::v},         {"texture_u", false, Role::u}, {"texture_v", false, Role::v},
-    {"texture_s", false, Role::u}, {"texture_t", false, Role::v},
-};
-constexpr KnownProperty face_properties[] = {
-    {"vertex_indices", true, Role::indices},
-    {"vertex_index", true, Role::indices},
-    {"texcoord", true, Role::texture_list},
-    {"texnumber", false, Role::texture_number},
-    {"red", false, Role::red},
-    {"green", false, Role::green},
-    {"blue", false, Role::blue},
-    {"diffuse_red", false, Role::red},
-    {"diffuse_green", false, Role::green},
-    {"diffuse_blue", false, Role::blue},
-};
-
-std::vector<Role> roles_of(const PlyElement& element, std::span<const KnownProperty> known) {
-  std::vector<Role> roles;
-  for (const PlyProperty& property : element.properties) {
-    const auto found = std::find_if(known.begin(), known.end(), [&](const KnownProperty& k) {
-      return k.name == property.name && k.is_list == property.is_list;
-    });
-    const Role role = found == known.end() ? Role::skipped : found->role;
-    // Of two properties of one meaning the first counts.
-    roles.push_back(std::find(roles.begin(), roles.end(), role) == roles.end() ? role : Role::skipped);
-  }
-  return roles;
-}
-
-bool has(const std::vector<Role>& roles, Role role) {
-  return std::find(roles.begin(), roles.end(), role) != roles.end();
-}
 
 /// Colour channels are bytes or shares of 1.
 double channel(double value, PlyType type) {
@@ -81,13 +38,14 @@ class PlyReader {
   std::string_view body();
   void check_elements();
   void read_points(const PlyElement& element);
-  void read_point(const PlyElement& element, const std::vector<Role>& roles);
+  void read_point(const PlyElement& element, const PlyRoles& roles);
   void read_faces(const PlyElement& element);
-  void read_face(const PlyElement& element, const std::vector<Role>& roles);
+  void read_face(const PlyElement& element, const PlyRoles& roles);
   void read_indices(const PlyProperty& property);
   void read_texture_list(const PlyProperty& property);
   void read_strips(const PlyElement& element);
   void add_strip(const std::vector<std::int64_t>& strip);
+  void read_edges(const PlyElement& element);
   void skip_element(const PlyElement& element);
   void texture_by_point();
   void finish();
@@ -138,6 +96,8 @@ Soup PlyReader::read() {
       read_faces(element);
     } else if (element.name == "tristrips") {
       read_strips(element);
+    } else if (element.name == "edge") {
+      read_edges(element);
     } else {
       skip_element(element);
     }
@@ -157,15 +117,15 @@ void PlyReader::check_elements() {
     }
     has_points = true;
     point_count_ = element.count;
-    const std::vector<Role> roles = roles_of(element, vertex_properties);
-    if (!has(roles, Role::x) || !has(roles, Role::y) || !has(roles, Role::z)) {
+    const PlyRoles roles = ply_roles(element, PlyKind::vertex);
+    if (!has(roles, PlyRole::x) || !has(roles, PlyRole::y) || !has(roles, PlyRole::z)) {
       source_.refuse(ErrorKind::unreadable_input, "can't be read: its points have no properties x, y and z");
     }
   }
 }
 
 void PlyReader::read_points(const PlyElement& element) {
-  const std::vector<Role> roles = roles_of(element, vertex_properties);
+  const PlyRoles roles = ply_roles(element, PlyKind::vertex);
   soup_.points.reserve(static_cast<std::size_t>(element.count));
   for (std::int64_t i = 0; i < element.count; ++i) {
     begin(element, i);
@@ -173,18 +133,18 @@ void PlyReader::read_points(const PlyElement& element) {
   }
 }
 
-void PlyReader::read_point(const PlyElement& element, const std::vector<Role>& roles) {
+void PlyReader::read_point(const PlyElement& element, const PlyRoles& roles) {
   double value[5] = {};
   bool textured = false;
   for (std::size_t k = 0; k < roles.size(); ++k) {
     const PlyProperty& property = element.properties[k];
-    if (roles[k] == Role::skipped) {
+    if (roles[k] == PlyRole::skipped) {
       values_.skip(property);
       continue;
     }
-    const std::size_t slot = static_cast<std::size_t>(roles[k]) - static_cast<std::size_t>(Role::x);
+    const std::size_t slot = static_cast<std::size_t>(roles[k]) - static_cast<std::size_t>(PlyRole::x);
     value[slot] = values_.number(property.type);
-    textured = textured || roles[k] == Role::u;
+    textured = textured || roles[k] == PlyRole::u;
     if (slot < 3 && !std::isfinite(value[slot])) {
       values_.refuse(ErrorKind::unusable_mesh, "a coordinate is not finite");
     }
@@ -196,12 +156,12 @@ void PlyReader::read_point(const PlyElement& element, const std::vector<Role>& r
 }
 
 void PlyReader::read_faces(const PlyElement& element) {
-  const std::vector<Role> roles = roles_of(element, face_properties);
-  if (!has(roles, Role::indices) && element.count > 0) {
+  const PlyRoles roles = ply_roles(element, PlyKind::face);
+  if (!has(roles, PlyRole::indices) && element.count > 0) {
     source_.refuse(ErrorKind::unreadable_input, "can't be read: its faces have no list vertex_indices");
   }
   const std::size_t slot =
-      static_cast<std::size_t>(std::find(roles.begin(), roles.end(), Role::indices) - roles.begin());
+      static_cast<std::size_t>(std::find(roles.begin(), roles.end(), PlyRole::indices) - roles.begin());
   if (slot < roles.size() && !is_integer(element.properties[slot].type)) {
     source_.refuse(ErrorKind::unreadable_input, "can't be read: the points of its faces aren't integers");
   }
@@ -213,7 +173,7 @@ void PlyReader::read_faces(const PlyElement& element) {
   }
 }
 
-void PlyReader::read_face(const PlyElement& element, const std::vector<Role>& roles) {
+void PlyReader::read_face(const PlyElement& element, const PlyRoles& roles) {
   Colour colour{};
   unsigned channels = 0;
   std::uint32_t picture = header_.pictures.empty() ? Soup::none : 0;
@@ -221,19 +181,19 @@ void PlyReader::read_face(const PlyElement& element, const std::vector<Role>& ro
   for (std::size_t k = 0; k < roles.size(); ++k) {
     const PlyProperty& property = element.properties[k];
     switch (roles[k]) {
-      case Role::indices:
+      case PlyRole::indices:
         read_indices(property);
         break;
-      case Role::texture_list:
+      case PlyRole::texture_list:
         read_texture_list(property);
         break;
-      case Role::texture_number:
+      case PlyRole::texture_number:
         picture = picture_number(values_.number(property.type));
         break;
-      case Role::red:
-      case Role::green:
-      case Role::blue:
-        colour[static_cast<std::size_t>(roles[k]) - static_cast<std::size_t>(Role::red)] =
+      case PlyRole::red:
+      case PlyRole::green:
+      case PlyRole::blue:
+        colour[static_cast<std::size_t>(roles[k]) - static_cast<std::size_t>(PlyRole::red)] =
             channel(values_.number(property.type), property.type);
         ++channels;
         break;
@@ -297,13 +257,13 @@ void PlyReader::add_face_texture() {
 }
 
 void PlyReader::read_strips(const PlyElement& element) {
-  const std::vector<Role> roles = roles_of(element, face_properties);
+  const PlyRoles roles = ply_roles(element, PlyKind::face);
   std::vector<std::int64_t> strip;
   for (std::int64_t i = 0; i < element.count; ++i) {
     begin(element, i);
     for (std::size_t k = 0; k < roles.size(); ++k) {
       const PlyProperty& property = element.properties[k];
-      if (roles[k] != Role::indices || !is_integer(property.type)) {
+      if (roles[k] != PlyRole::indices || !is_integer(property.type)) {
         values_.skip(property);
         continue;
       }
@@ -341,6 +301,36 @@ void PlyReader::add_strip(const std::vector<std::int64_t>& strip) {
     soup_.corner_point.insert(soup_.corner_point.end(), {a, b, c});
     close_polygon();
   }
+}
+
+/// Edges that the file names by two points: those that no face has in Blender's export, any in others. They
+/// are no part of the surface, so bad ones are left out.
+void PlyReader::read_edges(const PlyElement& element) {
+  const PlyRoles roles = ply_roles(element, PlyKind::edge);
+  if (!has(roles, PlyRole::first_end) || !has(roles, PlyRole::second_end)) {
+    skip_element(element);
+    return;
+  }
+  std::size_t bad = 0;
+  for (std::int64_t i = 0; i < element.count; ++i) {
+    begin(element, i);
+    std::array<std::int64_t, 2> ends{};
+    for (std::size_t k = 0; k < roles.size(); ++k) {
+      const PlyProperty& property = element.properties[k];
+      if (roles[k] == PlyRole::skipped) {
+        values_.skip(property);
+      } else {
+        ends[roles[k] == PlyRole::first_end ? 0 : 1] = values_.integer(property.type);
+      }
+    }
+    const auto [a, b] = ends;
+    if (a >= 0 && b >= 0 && a < point_count_ && b < point_count_ && a != b) {
+      soup_.lines.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+    } else {
+      ++bad;
+    }
+  }
+  soup_.remarks.add(RepairKind::element_ignored, bad);
 }
 
 void PlyReader::skip_element(const PlyElement& element) {

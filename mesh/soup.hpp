@@ -30,18 +30,21 @@ enum class FileFormat { obj, stl_ascii, stl_binary, ply_ascii, ply_binary, off }
 struct Soup {
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  std::vector<Vec3> points;         ///< finite
-  std::vector<Vec2> texture_points; ///< finite
+  std::vector<Vec3> points;          ///< finite
+  std::vector<Vec2> texture_points;  ///< finite
   std::vector<Material> materials;
 
-  /// Polygon i has the corners first_corner[i] .. first_corner[i + 1] - 1; the last entry is the number of corners.
-  /// Polygons may have any number of corners (0, 1 and 2, too) and name a point more than once.
+  /// Polygon i has the corners first_corner[i] .. first_corner[i + 1] - 1; the last entry is the number of
+  /// corners. Polygons may have any number of corners (0, 1 and 2, too) and name a point more than once.
   std::vector<std::uint32_t> first_corner{0};
-  std::vector<std::uint32_t> corner_point;    ///< index into points, in range
-  std::vector<std::uint32_t> corner_texture;  ///< index into texture_points or none; empty when no corner has one
-  std::vector<std::uint32_t> polygon_material;  ///< index into materials or none; empty when no polygon has one
+  std::vector<std::uint32_t> corner_point;  ///< index into points, in range
+  std::vector<std::uint32_t>
+      corner_texture;  ///< index into texture_points or none; empty when no corner has one
+  std::vector<std::uint32_t>
+      polygon_material;  ///< index into materials or none; empty when no polygon has one
 
-  /// Edges that the lines of an OBJ file (l) name: indices into points, in range. Editors mark seams by them.
+  /// Edges that the lines of an OBJ file (l) or the edges of a PLY file name: indices into points, in range.
+  /// Editors mark seams by them.
   std::vector<std::array<std::uint32_t, 2>> lines;
 
   FileFormat format = FileFormat::obj;

@@ -2,6 +2,7 @@
 // Edges that a user wants cut or kept: --cuts, --keep, --from, and lines in the model.
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -54,6 +55,48 @@ TEST_CASE("edges named in a file are cut or kept, nets made before survive", "[e
   CHECK(marked.at({8, 9}));
   CHECK(marked.at({1, 2}));
 
+  // As Blender exports seams that were duplicated in place: edges of no face, with points of their own.
+  std::vector<std::string> points;
+  std::string faces;
+  std::size_t face_count = 0;
+  std::istringstream text(house);
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("v ")) {
+      points.push_back(line.substr(2));
+    } else if (line.starts_with("f ")) {
+      std::istringstream numbers(line.substr(2));
+      std::vector<int> corners;
+      for (int n = 0; numbers >> n;) {
+        corners.push_back(n - 1);
+      }
+      faces += std::to_string(corners.size());
+      for (const int c : corners) {
+        faces += " " + std::to_string(c);
+      }
+      faces += "\n";
+      ++face_count;
+    }
+  }
+  for (const std::size_t copied : {8U, 9U, 1U, 2U}) {
+    points.push_back(points[copied]);
+  }
+  std::string ply = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points.size()) +
+                    "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                    std::to_string(face_count) +
+                    "\nproperty list uchar uint vertex_indices\nelement edge 2\nproperty int vertex1\n"
+                    "property int vertex2\nend_header\n";
+  for (const std::string& point : points) {
+    ply += point + "\n";
+  }
+  const std::size_t last = points.size();
+  write_bytes(folder / "house.obj", ply + faces + std::to_string(last - 4) + " " + std::to_string(last - 3) +
+                                        "\n" + std::to_string(last - 2) + " " + std::to_string(last - 1) +
+                                        "\n");
+  const auto from_ply = kinds(run({}, "ply.fold"));
+  CHECK(from_ply.at({8, 9}));
+  CHECK(from_ply.at({1, 2}));
+
+  write_bytes(folder / "house.obj", house);
   write_bytes(folder / "cuts.txt", "9 11\n");
   check_refusal(run_program({"house.obj", "--cuts", "cuts.txt"}, in(folder)), 3, "cuts.txt, line 1");
   write_bytes(folder / "cuts.txt", "9\n");

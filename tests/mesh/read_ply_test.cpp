@@ -39,6 +39,41 @@ TEST_CASE("PLY: elements in any order, unknown ones skipped") {
   }
 }
 
+TEST_CASE("PLY: edges mark cuts, wherever they stand; those without two points of the file are left out") {
+  using Lines = std::vector<std::array<std::uint32_t, 2>>;
+  const std::string edges_header = "element edge 2\nproperty int vertex1\nproperty int vertex2\n";
+  const std::string edges = "0 1\n2 1\n";
+  for (const auto& [header, body] :
+       {std::pair{points_header + faces_header + edges_header, points + "3 0 1 2\n" + edges},
+        std::pair{edges_header + points_header + faces_header, edges + points + "3 0 1 2\n"},
+        std::pair{
+            points_header +
+                "element edge 2\nproperty uchar red\nproperty uint vertex2\nproperty list uchar float w\n"
+                "property ushort vertex1\n" +
+                faces_header,
+            points + "255 1 2 0.5 -1 0\n7 1 0 2\n3 0 1 2"}}) {
+    const Soup soup = parsed(ascii(header, body), "ply");
+    CHECK(soup.lines == Lines{{0, 1}, {2, 1}});
+    CHECK(soup.corner_point == std::vector<std::uint32_t>{0, 1, 2});
+    CHECK(soup.remarks.entries().empty());
+  }
+  const Soup bad = parsed(
+      ascii(points_header + faces_header + "element edge 4\nproperty int vertex1\nproperty int vertex2\n",
+            points + "3 0 1 2\n0 3\n-1 0\n1 1\n2 0\n"),
+      "ply");
+  CHECK(bad.lines == Lines{{2, 0}});
+  CHECK(bad.remarks.count(RepairKind::element_ignored) == 3);
+  // Edges of another kind are skipped, like any element.
+  const Soup other = parsed(
+      ascii(points_header + faces_header + "element edge 1\nproperty float vertex1\nproperty int vertex2\n",
+            points + "3 0 1 2\n0 1\n"),
+      "ply");
+  CHECK(other.lines.empty());
+  CHECK(other.remarks.entries().empty());
+  // A file that ends among its edges is cut off.
+  CHECK_THROWS(parsed(ascii(points_header + faces_header + edges_header, points + "3 0 1 2\n0 1\n2"), "ply"));
+}
+
 TEST_CASE("PLY: headers with other line ends") {
   for (const std::string end : {"\r\n", "\r"}) {
     std::string text;
@@ -91,9 +126,10 @@ TEST_CASE("PLY: colours and texture coordinates of faces") {
 
 TEST_CASE("PLY: a name of any length makes no long message") {
   const std::string name(1000, 'x');
-  CHECK(refusal(ascii("element " + name + " 1\nproperty float " + name + "\nproperty list int int " + name + "\n",
-                      "1 x 1"),
-                "ply")
+  CHECK(refusal(
+            ascii("element " + name + " 1\nproperty float " + name + "\nproperty list int int " + name + "\n",
+                  "1 x 1"),
+            "ply")
             .size() < 200);
 }
 
