@@ -9,6 +9,7 @@
 
 #include "cli/formats.hpp"
 #include "mesh/error.hpp"
+#include "mesh/extent.hpp"
 #include "mesh/read_soup.hpp"
 #include "verify/file.hpp"
 
@@ -85,10 +86,6 @@ Box3 bounds_of(const std::vector<Vec3>& points) {
   return box;
 }
 
-double largest_extent(const Box3& box) {
-  return std::max({box.size().x, box.size().y, box.size().z});
-}
-
 /// The folds and cuts of nets made before, in the surface's frame whatever size they were made in.
 Seams seams_in(const EdgeFile& file, const mesh::Surface& surface) {
   verify::File nets;
@@ -98,7 +95,7 @@ Seams seams_in(const EdgeFile& file, const mesh::Surface& surface) {
     throw Error(ErrorKind::unreadable_input, file.name + ": " + reason.message);
   }
   const Box3 there = bounds_of(nets.model.points);
-  const double factor = largest_extent(surface.bounds()) / largest_extent(there);
+  const double factor = mesh::largest_extent(surface.bounds()) / mesh::largest_extent(there);
   const auto point = [&](verify::Index v) {
     return surface.bounds().low + factor * (nets.model.points[v] - there.low);
   };

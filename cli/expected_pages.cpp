@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "mesh/extent.hpp"
+
 namespace ridgecraft::cli {
 namespace {
 
@@ -18,14 +20,6 @@ constexpr double filled = 0.6;
 double area_of(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
   double area = 0.0;
   for (const FaceId f : faces) {
-    area += surface.area(f);
-  }
-  return area;
-}
-
-double area_of(const mesh::Surface& surface) {
-  double area = 0.0;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
     area += surface.area(f);
   }
   return area;
@@ -43,9 +37,8 @@ double two_digits(double value) {
 /// Paper grows with the square of the size. A model on few pages has hardly a flat region that takes one for
 /// itself, so those of this size don't count more than their area.
 double size_on_few_pages(const mesh::Surface& surface, Vec2 printable, double pages) {
-  const double paper = std::max(pages, pages_filled(area_of(surface), printable));
-  const Vec3 size = surface.bounds().size();
-  return std::max({size.x, size.y, size.z}) * std::sqrt(few_pages / paper);
+  const double paper = std::max(pages, pages_filled(mesh::total_area(surface), printable));
+  return mesh::largest_extent(surface.bounds()) * std::sqrt(few_pages / paper);
 }
 
 }  // namespace

@@ -37,9 +37,11 @@ class Interruption {
   /// Set by the user or when the segmentation's share of it has.
   [[nodiscard]] std::stop_token segmentation_up() const { return segmentation_.get_token(); }
 
- private:
   using Clock = std::chrono::steady_clock;
+  /// When the time limit passes; none where there is no limit.
+  [[nodiscard]] std::optional<Clock::time_point> deadline() const { return limit_time_; }
 
+ private:
   void wait_for_signal(const std::stop_token& finished);
   void wait_with_handlers();
   static void handle(int signal);

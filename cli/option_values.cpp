@@ -3,14 +3,28 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "cli/units.hpp"
 #include "mesh/error.hpp"
+#include "mesh/length_text.hpp"
 
 namespace ridgecraft::cli {
+namespace {
+
+/// The number that is the whole text, if it lies between these.
+std::optional<double> number_within(std::string_view text, double low, double high) {
+  double value = NAN;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && value >= low && value <= high ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
 
 void refuse(const std::string& sentence) {
   throw Error(ErrorKind::usage, sentence);
@@ -29,13 +43,20 @@ double length_or_refuse(const std::string& option, const std::string& text, bool
   refuse(option + " takes a length such as 150mm, 15cm or 6in, not '" + text + "'");
 }
 
+double unit_or_refuse(const std::string& option, const std::string& text) {
+  const auto mm = unit_mm(text.empty() ? "mm" : text);
+  if (!mm) {
+    refuse(option + " takes mm, cm, m, in or ft, not '" + text + "'");
+  }
+  return *mm;
+}
+
 double number_or_refuse(const std::string& option, const std::string& text, double low, double high) {
-  double value = NAN;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high)) {
+  const auto value = number_within(text, low, high);
+  if (!value) {
     refuse(fmt::format("{} takes a number from {} to {}, not '{}'", option, low, high, text));
   }
-  return value;
+  return *value;
 }
 
 void refuse_choice(const std::string& option, const std::vector<std::string>& words,
@@ -49,13 +70,12 @@ void refuse_choice(const std::string& option, const std::vector<std::string>& wo
 }
 
 double percent_or_refuse(const std::string& option, const std::string& text, double low, double high) {
-  const std::string digits = text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
-  double value = NAN;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !(value >= low && value <= high)) {
+  const auto value =
+      number_within(std::string_view(text).substr(0, text.size() - (text.ends_with('%') ? 1 : 0)), low, high);
+  if (!value) {
     refuse(fmt::format("{} takes a percentage from {} to {}, not '{}'", option, low, high, text));
   }
-  return value / 100.0;
+  return *value / 100.0;
 }
 
 void require_range(const std::string& option, const std::string& text, double value, double low, double high,

@@ -19,6 +19,9 @@ void require(const std::string& value, const std::string& what, const std::strin
 [[nodiscard]] double length_or_refuse(const std::string& option, const std::string& text,
                                       bool zero_allowed = false);
 
+/// Millimetres in one unit; text that is empty means mm.
+[[nodiscard]] double unit_or_refuse(const std::string& option, const std::string& text);
+
 /// A number from low to high.
 [[nodiscard]] double number_or_refuse(const std::string& option, const std::string& text, double low,
                                       double high);

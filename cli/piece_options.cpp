@@ -26,8 +26,7 @@ void PieceTexts::add_to(Verb& verb) {
               "Most flat faces of one piece (few: any, parts: 80, small: 24).");
   verb.list("Pieces", "--weigh", weights, "TERM=WEIGHT",
             "What makes pieces easy to build, in edges to be glued: cut (each 100 mm), pieces, parts (each "
-            "further part "
-            "in a piece), compact, thin, small, panels. Several times for several terms.");
+            "further part in a piece), compact, thin, small, panels. Several times for several terms.");
 }
 
 unfold::PieceRules PieceTexts::rules() const {

@@ -5,9 +5,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <type_traits>
 
 #include <unistd.h>
@@ -81,10 +78,8 @@ class Session {
     run_.time_up = interruption_.time_up();
     run_.segmentation_up = interruption_.segmentation_up();
     context.progress = [this](std::string_view stage, double share) { progress_.show(stage, share); };
-    if (options.time_limit_s) {
-      context.deadline =
-          std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                                 std::chrono::duration<double>(*options.time_limit_s));
+    if (const auto deadline = interruption_.deadline()) {
+      context.deadline = *deadline;
     }
   }
   [[nodiscard]] const RunContext& run() const { return run_; }

@@ -6,7 +6,6 @@
 
 #include "cli/option_values.hpp"
 #include "cli/units.hpp"
-#include "mesh/length_text.hpp"
 
 namespace ridgecraft::cli {
 
@@ -20,8 +19,7 @@ void CommonTexts::add_to(Verb& verb) {
               "Threads to use; the result doesn't depend on it (one per core).")
       .option("Common", "--time-limit", time_limit, "SECONDS",
               "End after about this time: searches stop with the best they have, a stage that has nothing "
-              "yet stops the "
-              "program (no limit).");
+              "yet stops the program (no limit).");
 }
 
 CommonOptions CommonTexts::checked() const {
@@ -66,11 +64,7 @@ SizeArguments SizeTexts::checked() const {
     if (!factor) {
       refuse("--scale takes a factor such as 1:50, 0.5 or 30%, not '" + scale + "'");
     }
-    const auto mm = unit_mm(unit.empty() ? "mm" : unit);
-    if (!mm) {
-      refuse("--unit takes mm, cm, m, in or ft, not '" + unit + "'");
-    }
-    out.size.mm_per_unit = *factor * *mm;
+    out.size.mm_per_unit = *factor * unit_or_refuse("--unit", unit);
     out.asked = "--scale " + scale + (unit.empty() ? "" : " --unit " + unit);
   } else {
     out.size.largest_extent_mm = size.empty() ? 150.0 : length_or_refuse("--size", size);

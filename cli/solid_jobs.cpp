@@ -47,7 +47,7 @@ std::string mesh_bytes(const mesh::Surface& surface, const std::string& suffix, 
   if (suffix == ".off") {
     return with_comment(mesh::write_off(surface, {}), comment);
   }
-  return "# " + comment + "\n" + mesh::write_obj(surface, {}, {});
+  return "# " + comment + "\n" + mesh::write_obj(surface);
 }
 
 mesh::Surface surface_of(const solid::Body& body) {

@@ -9,6 +9,7 @@
 
 #include "cli/summary_blocks.hpp"
 #include "cli/summary_pieces.hpp"
+#include "mesh/extent.hpp"
 #include "unfold/tabs.hpp"
 
 namespace ridgecraft::cli {
@@ -31,18 +32,13 @@ std::string size_text(const mesh::Surface& surface) {
 /// A surface that moved by more than this share of the largest extent has lost some of its shape.
 constexpr double far_moved = 0.04;
 
-double largest_extent(const mesh::Surface& surface) {
-  const Vec3 size = surface.bounds().size();
-  return std::max({size.x, size.y, size.z});
-}
-
 std::string simplified_text(const mesh::SimplifyReport& report, const SizeArguments& size,
                             const mesh::Surface& surface) {
   std::string text;
   if (report.faces_after < report.faces_before && report.deviation_mm > 0.0) {
     text += fmt::format("  simplified  from {} to {} faces, the surface moved by at most {:.2f} mm\n",
                         report.faces_before, report.faces_after, report.deviation_mm);
-    const double largest = largest_extent(surface);
+    const double largest = mesh::largest_extent(surface.bounds());
     if (report.deviation_mm > far_moved * largest) {
       text += fmt::format(
           "  coarse      that is {:.0f} % of the size: parts that stand out may be gone; more --faces keep "

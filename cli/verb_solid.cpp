@@ -3,7 +3,6 @@
 #include "cli/option_values.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/verbs.hpp"
-#include "mesh/length_text.hpp"
 
 namespace ridgecraft::cli {
 
@@ -37,13 +36,7 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
     if (!vertices.empty()) {
       job.max_vertices = whole_number_or_refuse("--max-vertices", vertices, 8);
     }
-    if (!unit.empty()) {
-      const auto mm = unit_mm(unit);
-      if (!mm) {
-        refuse("--unit takes mm, cm, m, in or ft, not '" + unit + "'");
-      }
-      job.mm_per_unit = *mm;
-    }
+    job.mm_per_unit = unit_or_refuse("--unit", unit);
     if (!density.empty()) {
       job.density = number_or_refuse("--density", density, 1e-6, 1e6);
     }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "export/leader.hpp"
 #include "export/stroke_font.hpp"
 
 namespace ridgecraft::paper {
@@ -23,9 +24,6 @@ constexpr std::array<double, 6> angles{0.0, 90.0, 45.0, -45.0, 22.5, -22.5};
 constexpr double note_height = 1.9;  ///< of the words below a name, mm
 constexpr double note_gap = 1.1;     ///< from the line under the name to the words, mm
 constexpr double clearance = 0.5;    ///< mm
-/// A leader begins this far beside its edge, so as not to touch it, and is no shorter than this, mm.
-constexpr double off_the_line = 0.03;
-constexpr double shortest_leader = 0.6;
 /// Distances from lines are measured up to this, mm.
 constexpr double widest_room = 8.0;
 /// How much more room than needed is looked for around a name, mm.
@@ -227,14 +225,12 @@ bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, c
       const Box2 box = bounds_of(here);
       const Vec2 tip{std::clamp(middle.x, box.low.x, box.high.x),
                      std::clamp(middle.y, box.low.y, box.high.y)};
-      const Segment2 leader{middle + off_the_line * out, tip};
-      if (within(box, area) && length(tip - middle) > shortest_leader &&
-          dot(tip - middle, out) > 0.64 * length(tip - middle) &&
+      const Segment2 leader{middle + off_the_edge_mm * out, tip};
+      if (within(box, area) &&
           std::ranges::all_of(here, [&](const Text& text) { return obstacles.is_free(text, clearance); }) &&
-          obstacles.is_free(leader, true) && !obstacles.runs_along_another(leader)) {
+          obstacles.is_free(leader, true) && can_lead(leader, out, obstacles)) {
         put(piece, obstacles, here);
-        obstacles.add(leader, Obstacles::Kind::cut);
-        piece.group.lines.push_back({Layer::label, {leader.a, leader.b}, false, Fold::none});
+        draw_leader(leader, piece, obstacles);
         return true;
       }
     }

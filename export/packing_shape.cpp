@@ -2,7 +2,6 @@
 #include "export/packing_shape.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 

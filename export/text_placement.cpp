@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "export/leader.hpp"
 #include "export/name_placement.hpp"
 #include "export/obstacles.hpp"
 #include "export/stroke_font.hpp"
@@ -57,11 +58,6 @@ constexpr std::array<double, 3> near_offsets{0.0, 0.5, 1.1};
 constexpr double deepest_offset = 9.0;   ///< a number further inside than this needs a leader, mm
 constexpr double longest_leader = 16.0;  ///< mm, from the edge to the number's centre
 constexpr std::size_t leader_turns = 7;  ///< directions that a leader may take
-/// A leader leaves its edge at an angle of at least this sine (40 degrees): it must not look like a fold or a
-/// slip of the knife.
-constexpr double steepest_sine = 0.643;
-/// A sight line begins this far beside its edge, so as not to touch it, mm.
-constexpr double off_the_line = 0.03;
 
 class NumberPlacer {
  public:
@@ -215,7 +211,7 @@ class NumberPlacer {
       const Vec2 foot = frame.middle + shift * frame.along;
       const Vec2 centre = foot + (half + clearance(height) + 0.12 + offset) * frame.inward;
       text.centre = centre - at_origin.centre;
-      if (obstacles_.is_free(Segment2{foot + off_the_line * frame.inward, centre}, true) &&
+      if (obstacles_.is_free(Segment2{foot + off_the_edge_mm * frame.inward, centre}, true) &&
           put(*wanted.piece, text)) {
         return true;
       }
@@ -228,20 +224,17 @@ class NumberPlacer {
     const TurnedBox box = box_of(text).grown(0.35);
     const Vec2 up = perpendicular(box.along);
     const Vec2 from_centre = edge - box.centre;
-    return {edge + off_the_line * out,
+    return {edge + off_the_edge_mm * out,
             box.centre +
                 std::clamp(dot(from_centre, box.along), -box.half_width, box.half_width) * box.along +
                 std::clamp(dot(from_centre, up), -box.half_height, box.half_height) * up};
   }
 
   bool put_with_leader(const Wanted& wanted, const Text& text, const Segment2& leader, Vec2 out) {
-    const Vec2 d = leader.b - leader.a;
-    if (length(d) < 0.8 || dot(d, out) < steepest_sine * length(d) || obstacles_.runs_along_another(leader) ||
-        !put(*wanted.piece, text)) {
+    if (!can_lead(leader, out, obstacles_) || !put(*wanted.piece, text)) {
       return false;
     }
-    obstacles_.add(leader, Obstacles::Kind::cut);
-    wanted.piece->group.lines.push_back({Layer::label, {leader.a, leader.b}, false, Fold::none});
+    draw_leader(leader, *wanted.piece, obstacles_);
     return true;
   }
 

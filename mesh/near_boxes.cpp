@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/extent.hpp"
+
 namespace ridgecraft::mesh {
 namespace {
 
@@ -40,8 +42,7 @@ NearBoxes::NearBoxes(const std::vector<Box3>& boxes) {
     all.add(b.low);
     all.add(b.high);
   }
-  const Vec3 size = all.size();
-  const double largest = std::max({size.x, size.y, size.z});
+  const double largest = largest_extent(all);
   const double cells = largest > 0.0 ? (static_cast<double>(1U << curve_bits) - 1.0) / largest : 0.0;
   std::vector<std::uint64_t> curve(boxes.size());
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {

@@ -27,6 +27,7 @@ Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& si
     const double factor = resize(prepared.model, size);
     prepared.mm_per_unit *= factor;
     prepared.simplified.deviation_mm *= factor;
+    prepared.simplified.short_edges_after = short_fold_share(prepared.model.surface, simplify.short_edge_mm);
   }
   prepared.panels = find_panels(prepared.model.surface);
   prepared.divided_panels = divide_panels(prepared.model, prepared.panels, page, context);

@@ -2,16 +2,19 @@
 #include "mesh/remesh_panels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <numeric>
 #include <utility>
 
 #include "mesh/constrained_delaunay.hpp"
-#include "mesh/disjoint_sets.hpp"
 #include "mesh/loose_faces.hpp"
+#include "mesh/panel_regions.hpp"
 #include "mesh/panels.hpp"
+#include "mesh/picture_map.hpp"
 #include "mesh/plane_frame.hpp"
 #include "mesh/polygon_list.hpp"
+#include "mesh/straight_chains.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
@@ -23,18 +26,7 @@ constexpr double straight = 5e-6;
 constexpr double leaning_cosine = 0.999;
 /// Areas before and after may differ by this share, besides what the sides moved.
 constexpr double same_area = 1e-6;
-/// Texture coordinates agree with one affine map within this (a fortieth of a pixel of a 256-pixel picture).
-constexpr double same_texture = 1e-4;
-
 using Face = std::array<std::uint32_t, 3>;
-
-/// p -> origin + (across, up) applied to p's place in the frame.
-struct AffineMap {
-  Vec2 origin;
-  Vec2 across;
-  Vec2 up;
-  [[nodiscard]] Vec2 operator()(Vec2 p) const { return origin + p.x * across + p.y * up; }
-};
 
 class Remesher {
  public:
@@ -43,268 +35,95 @@ class Remesher {
         panels_(panels),
         old_(take_apart(model)),
         context_(context),
-        tolerance_(straight * model.surface.bounds().diagonal()) {}
+        tolerance_(straight * model.surface.bounds().diagonal()),
+        regions_(surface_, panels_, old_),
+        frozen_(regions_.count(), false) {}
 
   /// Which panel each face of the result belongs to.
   [[nodiscard]] const std::vector<std::uint32_t>& panel_of_faces() const { return new_panel_; }
 
-  /// None where nothing is to be done or no safe result was found.
-  std::optional<LooseFaces> run() {
-    find_regions();
-    find_region_borders();
-    frozen_.assign(region_faces_.size(), false);
-    // A region that fails keeps its vertices, so its neighbours must be done again.
-    constexpr int rounds = 6;
-    for (int round = 0; round < rounds; ++round) {
+  /// A region that can't be done safely is frozen: it keeps its vertices, so its neighbours must be done
+  /// again. Each round freezes one more at least; from the seventh on their neighbours, too, lest there be as
+  /// many rounds as regions.
+  LooseFaces run() {
+    constexpr int calm_rounds = 6;
+    for (int round = 0;; ++round) {
       context_.check();
-      choose_vertices();
-      if (triangulate_regions()) {
+      keep_ = vertices_that_stay(surface_, regions_, frozen_, tolerance_);
+      const std::vector<std::uint32_t> failed = triangulate_regions();
+      if (failed.empty()) {
         return std::move(new_);
       }
+      for (const std::uint32_t region : failed) {
+        freeze(region, round >= calm_rounds);
+      }
     }
-    return std::nullopt;
   }
 
  private:
-  void find_regions() {
-    DisjointSets sets(surface_.face_count());
-    for (const EdgeId e : ids<EdgeId>(surface_.edge_count())) {
-      const auto [c, d] = surface_.sides(e);
-      if (d.valid()) {
-        const FaceId f = face_of(c);
-        const FaceId g = face_of(d);
-        const bool one_material =
-            old_.material.empty() || old_.material[f.value()] == old_.material[g.value()];
-        if (panels_.panel[f] == panels_.panel[g] && one_material) {
-          sets.join(f.value(), g.value());
-        }
-      }
-    }
-    region_.resize(surface_.face_count());
-    for (std::uint32_t f = 0; f < region_.size(); ++f) {
-      const std::uint32_t root = sets.find(f);
-      if (root == f) {
-        region_[f] = static_cast<std::uint32_t>(region_faces_.size());
-        region_faces_.emplace_back();
-      } else {
-        region_[f] = region_[root];
-      }
-      region_faces_[region_[f]].push_back(f);
-    }
-  }
-
-  [[nodiscard]] bool on_region_border(EdgeId e) const {
-    const auto [c, d] = surface_.sides(e);
-    return !d.valid() || region_[face_of(c).value()] != region_[face_of(d).value()];
-  }
-
-  void find_region_borders() {
-    border_edges_.assign(surface_.vertex_count(), {});
-    for (const EdgeId e : ids<EdgeId>(surface_.edge_count())) {
-      if (on_region_border(e)) {
-        const CornerId c = surface_.sides(e)[0];
-        border_edges_[surface_.vertex(c).value()].push_back(e.value());
-        border_edges_[surface_.vertex(next(c)).value()].push_back(e.value());
-      }
-    }
-  }
-
-  [[nodiscard]] std::uint32_t other_end(std::uint32_t edge, std::uint32_t v) const {
-    const CornerId c = surface_.sides(EdgeId(edge))[0];
-    const std::uint32_t a = surface_.vertex(c).value();
-    return a == v ? surface_.vertex(next(c)).value() : a;
-  }
-
-  /// Which vertices stay: corners where other than two region borders meet, all of frozen regions, and what
-  /// it takes to keep each chain between them straight within the tolerance.
-  void choose_vertices() {
-    const std::size_t n = surface_.vertex_count();
-    keep_.assign(n, false);
-    for (std::size_t v = 0; v < n; ++v) {
-      keep_[v] = border_edges_[v].size() != 2 && !border_edges_[v].empty();
-    }
-    for (std::size_t r = 0; r < frozen_.size(); ++r) {
-      if (frozen_[r]) {
-        for (const std::uint32_t f : region_faces_[r]) {
-          for (const std::uint32_t v : old_.faces[f]) {
-            keep_[v] = true;
-          }
-        }
-      }
-    }
-    const std::vector<bool> corner = keep_;
-    std::vector<bool> seen(surface_.edge_count(), false);
-    for (std::uint32_t v = 0; v < n; ++v) {
-      if (corner[v]) {
-        for (const std::uint32_t e : border_edges_[v]) {
-          if (!seen[e]) {
-            chain(v, e, corner, seen);
-          }
-        }
-      }
-    }
-    // What is left are closed chains without a corner.
-    for (std::uint32_t v = 0; v < n; ++v) {
-      for (const std::uint32_t e : border_edges_[v]) {
-        if (!seen[e]) {
-          chain(v, e, corner, seen);
-        }
-      }
-    }
-    keep_seams_apart();
-  }
-
-  /// Chains that became the same straight side, as along an edge that was cut open, would grow together: they
-  /// stay as they were.
-  void keep_seams_apart() {
-    struct Side {
-      std::array<std::uint32_t, 2> ends;
-      std::size_t chain;
-      auto operator<=>(const Side&) const = default;
-    };
-    std::vector<Side> sides;
-    for (std::size_t i = 0; i < chains_.size(); ++i) {
-      std::uint32_t from = chains_[i].front();
-      for (std::size_t k = 1; k < chains_[i].size(); ++k) {
-        const std::uint32_t to = chains_[i][k];
-        if (keep_[to]) {
-          sides.push_back({{std::min(from, to), std::max(from, to)}, i});
-          from = to;
-        }
-      }
-    }
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t i = 1; i < sides.size(); ++i) {
-      if (sides[i].ends == sides[i - 1].ends) {
-        keep_all(chains_[sides[i].chain]);
-        keep_all(chains_[sides[i - 1].chain]);
-      }
-    }
-    chains_.clear();
-  }
-
-  void chain(std::uint32_t start, std::uint32_t edge, const std::vector<bool>& corner,
-             std::vector<bool>& seen) {
-    std::vector<std::uint32_t> line{start};
-    for (;;) {
-      seen[edge] = true;
-      const std::uint32_t v = other_end(edge, line.back());
-      line.push_back(v);
-      if (v == start || corner[v]) {
-        break;
-      }
-      const auto& edges = border_edges_[v];
-      edge = edges[0] == edge ? edges[1] : edges[0];
-    }
-    chains_.push_back(line);
-    if (line.front() != line.back()) {
-      straighten(line, 0, line.size() - 1);
-      return;
-    }
-    keep_[start] = true;
-    std::size_t far = 0;
-    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-      if (length(place(line[i]) - place(start)) > length(place(line[far]) - place(start))) {
-        far = i;
-      }
-    }
-    if (far == 0 || line.size() <= 4) {  // a triangle, or all in one place: nothing can go
-      keep_all(line);
-      return;
-    }
-    keep_[line[far]] = true;
-    straighten(line, 0, far);
-    straighten(line, far, line.size() - 1);
-    if (std::count_if(line.begin(), line.end() - 1, [&](std::uint32_t v) { return keep_[v]; }) < 3) {
-      keep_all(line);
-    }
-  }
-
-  void keep_all(const std::vector<std::uint32_t>& line) {
-    for (const std::uint32_t v : line) {
-      keep_[v] = true;
-    }
-  }
-
   [[nodiscard]] Vec3 place(std::uint32_t v) const { return old_.points[v]; }
 
-  /// Douglas and Peucker's rule between two vertices that stay; with its own stack, since chains can be long.
-  void straighten(const std::vector<std::uint32_t>& line, std::size_t from, std::size_t to) {
-    std::vector<std::pair<std::size_t, std::size_t>> todo{{from, to}};
-    while (!todo.empty()) {
-      const auto [a, b] = todo.back();
-      todo.pop_back();
-      const Vec3 start = place(line[a]);
-      const Vec3 along = normalized(place(line[b]) - start);
-      const double reach = length(place(line[b]) - start);
-      double worst = tolerance_;
-      std::size_t at = a;
-      for (std::size_t i = a + 1; i < b; ++i) {
-        const Vec3 p = place(line[i]) - start;
-        // Beyond the ends counts as off the line, too: there the chain turns back.
-        const double t = std::clamp(dot(p, along), 0.0, reach);
-        const double distance = length(p - t * along);
-        if (distance > worst) {
-          worst = distance;
-          at = i;
+  void freeze(std::uint32_t region, bool with_neighbours) {
+    frozen_[region] = true;
+    if (with_neighbours) {
+      for (const std::uint32_t f : regions_.faces(region)) {
+        for (unsigned k = 0; k < 3; ++k) {
+          const CornerId beyond = surface_.twin(corner(FaceId(f), k));
+          if (beyond.valid()) {
+            frozen_[regions_.region(face_of(beyond).value())] = true;
+          }
         }
-      }
-      if (at != a) {
-        keep_[line[at]] = true;
-        todo.emplace_back(a, at);
-        todo.emplace_back(at, b);
       }
     }
   }
 
   [[nodiscard]] bool loses_a_vertex(std::uint32_t region) const {
-    const auto& faces = region_faces_[region];
+    const auto& faces = regions_.faces(region);
     return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
       return std::any_of(old_.faces[f].begin(), old_.faces[f].end(),
                          [&](std::uint32_t v) { return !keep_[v]; });
     });
   }
 
-  /// True when all regions came out well; else the ones that didn't are frozen.
-  bool triangulate_regions() {
+  /// Makes the new faces; the regions that didn't come out well.
+  std::vector<std::uint32_t> triangulate_regions() {
     new_ = {};
     new_panel_.clear();
     new_.points = old_.points;
-    bool all_well = true;
+    std::vector<std::uint32_t> failed;
     bool changed = false;
-    for (std::uint32_t r = 0; r < region_faces_.size(); ++r) {
+    for (std::uint32_t r = 0; r < regions_.count(); ++r) {
       if (r % 256 == 0) {
         context_.check();
       }
       if (!loses_a_vertex(r)) {
-        for (const std::uint32_t f : region_faces_[r]) {
+        for (const std::uint32_t f : regions_.faces(r)) {
           new_.add(old_, f, old_.faces[f], old_.texture.empty() ? std::array<Vec2, 3>{} : old_.texture[f]);
         }
       } else {
         changed = true;
         if (!triangulate_region(r)) {
-          frozen_[r] = true;
-          all_well = false;
+          failed.push_back(r);
         }
       }
-      new_panel_.resize(new_.faces.size(), panels_.panel[FaceId(region_faces_[r].front())].value());
+      new_panel_.resize(new_.faces.size(), panels_.panel[FaceId(regions_.faces(r).front())].value());
     }
-    if (all_well && changed && !is_surface(new_)) {
+    if (failed.empty() && changed && !is_surface(new_)) {
       // Two regions agreed on something that no surface can be; not seen in practice.
-      frozen_.assign(frozen_.size(), true);
-      return false;
+      failed.resize(regions_.count());
+      std::iota(failed.begin(), failed.end(), 0U);
     }
-    return all_well;
+    return failed;
   }
 
   /// The straight sides of a region between vertices that stay, as its faces run.
   [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> outline(std::uint32_t region) const {
     // Successor of each side's start; a vertex can start several where the region touches itself.
     std::vector<std::array<std::uint32_t, 2>> sides;
-    for (const std::uint32_t f : region_faces_[region]) {
+    for (const std::uint32_t f : regions_.faces(region)) {
       for (unsigned k = 0; k < 3; ++k) {
         const CornerId c = corner(FaceId(f), k);
-        if (on_region_border(surface_.edge(c))) {
+        if (regions_.on_border(surface_.edge(c))) {
           sides.push_back({surface_.vertex(c).value(), surface_.vertex(next(c)).value()});
         }
       }
@@ -335,7 +154,7 @@ class Remesher {
   }
 
   bool triangulate_region(std::uint32_t region) {
-    const auto& faces = region_faces_[region];
+    const auto& faces = regions_.faces(region);
     Vec3 doubled;
     double area = 0.0;
     for (const std::uint32_t f : faces) {
@@ -348,7 +167,7 @@ class Remesher {
       return false;
     }
     const PlaneFrame frame(place(old_.faces[faces[0]][0]), normal);
-    const auto texture = texture_map(region, frame);
+    const auto texture = picture_map(old_, faces, frame);
     if (!old_.texture.empty() && !texture) {
       return false;
     }
@@ -410,7 +229,7 @@ class Remesher {
     for (const std::uint32_t f : faces) {
       for (unsigned k = 0; k < 3; ++k) {
         vertices.push_back(old_.faces[f][k]);
-        sides += on_region_border(surface_.edge(corner(FaceId(f), k))) ? 1U : 0U;
+        sides += regions_.on_border(surface_.edge(corner(FaceId(f), k))) ? 1U : 0U;
       }
     }
     std::sort(vertices.begin(), vertices.end());
@@ -443,54 +262,16 @@ class Remesher {
     return !triangles.empty() && std::abs(sum - area) <= same_area * area + tolerance_ * perimeter;
   }
 
-  /// The one affine map that lays the picture on all faces of a region, if there is one.
-  [[nodiscard]] std::optional<AffineMap> texture_map(std::uint32_t region, const PlaneFrame& frame) const {
-    if (old_.texture.empty()) {
-      return std::nullopt;
-    }
-    const auto& faces = region_faces_[region];
-    const std::uint32_t widest =
-        *std::max_element(faces.begin(), faces.end(), [&](std::uint32_t f, std::uint32_t g) {
-          return surface_.area(FaceId(f)) < surface_.area(FaceId(g));
-        });
-    const auto corner_of = [&](std::uint32_t f, std::size_t k) {
-      return frame.flat(place(old_.faces[f][k]));
-    };
-    const Vec2 p = corner_of(widest, 0);
-    const Vec2 q = corner_of(widest, 1) - p;
-    const Vec2 r = corner_of(widest, 2) - p;
-    const double area = cross(q, r);
-    if (!(area > 0.0)) {
-      return std::nullopt;
-    }
-    const auto& t = old_.texture[widest];
-    AffineMap map;
-    map.across = (r.y * (t[1] - t[0]) - q.y * (t[2] - t[0])) / area;
-    map.up = (q.x * (t[2] - t[0]) - r.x * (t[1] - t[0])) / area;
-    map.origin = t[0] - p.x * map.across - p.y * map.up;
-    for (const std::uint32_t f : faces) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!(length(map(corner_of(f, k)) - old_.texture[f][k]) < same_texture)) {
-          return std::nullopt;
-        }
-      }
-    }
-    return map;
-  }
-
   const Surface& surface_;
   const Panels& panels_;
   LooseFaces old_;
   LooseFaces new_;
   const Context& context_;
   double tolerance_;
-  std::vector<std::uint32_t> region_;  ///< of each face
-  std::vector<std::vector<std::uint32_t>> region_faces_;
-  std::vector<std::vector<std::uint32_t>> border_edges_;  ///< of each vertex
-  std::vector<bool> frozen_;                              ///< regions that keep all their vertices
-  std::vector<std::vector<std::uint32_t>> chains_;        ///< of the present choice
-  std::vector<bool> keep_;                                ///< vertices
-  std::vector<std::uint32_t> new_panel_;                  ///< of each new face
+  PanelRegions regions_;
+  std::vector<bool> frozen_;              ///< regions that keep all their vertices
+  std::vector<bool> keep_;                ///< vertices
+  std::vector<std::uint32_t> new_panel_;  ///< of each new face
 };
 
 }  // namespace
@@ -518,10 +299,9 @@ void remesh_panels(Model& model, const Context& context) {
 
 void remesh_panels(Model& model, Panels& panels, const Context& context) {
   Remesher remesher(model, panels, context);
-  if (auto faces = remesher.run()) {
-    panels = panels_by_label(remesher.panel_of_faces());
-    put_together(model, std::move(*faces));
-  }
+  LooseFaces faces = remesher.run();
+  panels = panels_by_label(remesher.panel_of_faces());
+  put_together(model, std::move(faces));
 }
 
 }  // namespace ridgecraft::mesh

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mesh/collapse_sequence.hpp"
+#include "mesh/extent.hpp"
 #include "mesh/loose_faces.hpp"
 #include "mesh/remesh_panels.hpp"
 #include "mesh/surface_distance.hpp"
@@ -32,19 +33,6 @@ constexpr double bound = 0.9;
 /// is too fine: it could neither be cut nor held.
 constexpr double speck = 0.5;
 
-double largest_extent(const Surface& surface) {
-  const Vec3 size = surface.bounds().size();
-  return std::max({size.x, size.y, size.z});
-}
-
-double total_area(const Surface& surface) {
-  double area = 0.0;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    area += surface.area(f);
-  }
-  return area;
-}
-
 /// Drops components that are specks unless all are; returns how many.
 std::size_t drop_specks(Model& model, double smallest_mm) {
   const Surface& surface = model.surface;
@@ -54,10 +42,7 @@ std::size_t drop_specks(Model& model, double smallest_mm) {
       boxes[surface.component(f).value()].add(surface.point(v));
     }
   }
-  const auto is_speck = [&](const Box3& box) {
-    const Vec3 size = box.size();
-    return std::max({size.x, size.y, size.z}) < smallest_mm;
-  };
+  const auto is_speck = [&](const Box3& box) { return largest_extent(box) < smallest_mm; };
   const auto specks = static_cast<std::size_t>(std::count_if(boxes.begin(), boxes.end(), is_speck));
   if (specks == 0 || specks == boxes.size()) {
     return 0;
@@ -242,8 +227,8 @@ void take_over(Model& model, Model&& simplified) {
 void simplify_to_fold(Model& model, const SimplifyOptions& options, SimplifyReport& report,
                       const Context& context) {
   report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
-  const double spacing = sample_spacing * largest_extent(model.surface);
-  const double largest_mm = options.largest_deviation * largest_extent(model.surface);
+  const double spacing = sample_spacing * largest_extent(model.surface.bounds());
+  const double largest_mm = options.largest_deviation * largest_extent(model.surface.bounds());
   const SurfaceTree original(model.surface, spacing);
   LooseFaces start = take_apart(model);
   // Far from the aim the surface hardly moves: there the plain error is good and fast.
@@ -286,7 +271,7 @@ void simplify_to_fold(Model& model, const SimplifyOptions& options, SimplifyRepo
 
 void simplify_to_count(Model& model, const SimplifyOptions& options, SimplifyReport& report,
                        const Context& context) {
-  const double spacing = sample_spacing * largest_extent(model.surface);
+  const double spacing = sample_spacing * largest_extent(model.surface.bounds());
   const Surface before = model.surface;
   const Sequence sequence(take_apart(model), options.faces, {}, context);
   take_over(model, sequence.after(sequence.all()));

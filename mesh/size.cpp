@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mesh/error.hpp"
+#include "mesh/extent.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
@@ -19,8 +20,7 @@ constexpr double smallest_size_mm = 0.1;
 
 double resize(Model& model, const SizeOptions& size) {
   const Box3& box = model.surface.bounds();
-  const Vec3 extent = box.size();
-  const double largest = std::max({extent.x, extent.y, extent.z});
+  const double largest = largest_extent(box);
   const double factor =
       size.mm_per_unit ? *size.mm_per_unit * model.file_scale : size.largest_extent_mm / largest;
   const double result = factor * largest;

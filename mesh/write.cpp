@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <iterator>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -37,10 +36,6 @@ void append_bytes(std::string& bytes, Unsigned value) {
   for (std::size_t i = 0; i < sizeof value; ++i) {
     bytes += static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
   }
-}
-
-std::string material_name(const ByteColour& colour) {
-  return fmt::format("colour_{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }
 
 std::string ply_header(const Surface& surface, bool coloured, PlyKind kind) {
@@ -112,35 +107,16 @@ std::string write_off(const Surface& surface, const FaceColours& colours) {
   return text;
 }
 
-std::string write_obj(const Surface& surface, const FaceColours& colours, std::string_view material_file) {
-  check(surface, colours);
+std::string write_obj(const Surface& surface) {
   std::string text;
-  if (!colours.empty()) {
-    text = fmt::format("mtllib {}\n", material_file);
-  }
   for (const Vec3 p : surface.points()) {
     text += "v ";
     append_point(text, p);
   }
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    if (!colours.empty() && (f.value() == 0 || colours[f] != colours[FaceId(f.value() - 1)])) {
-      text += "usemtl " + material_name(colours[f]) + '\n';
-    }
     text += "f ";
     append_corners(text, surface, f, 1);
     text += '\n';
-  }
-  return text;
-}
-
-std::string write_mtl(const FaceColours& colours) {
-  std::string text;
-  std::set<ByteColour> written;
-  for (const ByteColour& colour : colours) {
-    if (written.insert(colour).second) {
-      fmt::format_to(std::back_inserter(text), "newmtl {}\nKd {} {} {}\n", material_name(colour),
-                     colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
-    }
   }
   return text;
 }

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "mesh/id.hpp"
 #include "mesh/surface.hpp"
@@ -29,12 +28,7 @@ enum class PlyKind { ascii, binary };
 /// OFF; colours stand after the corners of a face as numbers 0 to 255.
 [[nodiscard]] std::string write_off(const Surface& surface, const FaceColours& colours);
 
-/// OBJ; colours are materials named by their hexadecimal digits. With colours, `material_file` is the name of
-/// the file that write_mtl() is written to.
-[[nodiscard]] std::string write_obj(const Surface& surface, const FaceColours& colours,
-                                    std::string_view material_file);
-
-/// The material file of write_obj(): each colour once, in the order of their first faces.
-[[nodiscard]] std::string write_mtl(const FaceColours& colours);
+/// OBJ, without colours: they would take a second file.
+[[nodiscard]] std::string write_obj(const Surface& surface);
 
 }  // namespace ridgecraft::mesh

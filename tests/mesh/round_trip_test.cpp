@@ -134,7 +134,7 @@ TEST_CASE("Surfaces are written with every bit and with their colours") {
           mesh::write_ply(surface, colours, mesh::PlyKind::binary), mesh::write_off(surface, colours),
           mesh::write_ply(surface, {}, mesh::PlyKind::ascii),
           mesh::write_ply(surface, {}, mesh::PlyKind::binary), mesh::write_off(surface, {}),
-          mesh::write_obj(surface, colours, "a.mtl"), mesh::write_obj(surface, {}, "")}) {
+          mesh::write_obj(surface)}) {
       const Soup soup = parsed(bytes, "");
       CHECK(soup.remarks.entries().empty());
       REQUIRE(same_bits(soup.points, {surface.points().begin(), surface.points().end()}));

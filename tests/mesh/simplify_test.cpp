@@ -42,7 +42,8 @@ const std::vector<Vec2> ring{{2, -0.5},  {2.3, -0.4}, {2.5, 0},    {2.3, 0.4}, {
 
 TEST_CASE("a fine sphere is simplified until it can be folded, within the deviation", "[simplify]") {
   const mesh::Surface fine = test::sphere(120, 60);
-  // A scale, so that both surfaces stay in one frame: for a size the simplified one is scaled and centred anew.
+  // A scale, so that both surfaces stay in one frame: for a size the simplified one is scaled and centred
+  // anew.
   mesh::SizeOptions size;
   size.mm_per_unit = 75.0;
   const Prepared p = prepared(fine, {}, size);
@@ -146,4 +147,16 @@ TEST_CASE("specks vanish from a model that is too fine, large components don't",
   const Prepared p = mesh::prepare(test::repaired(s), {}, {}, page, {});
   CHECK(p.simplified.specks_dropped == 1);
   CHECK(p.model.surface.component_count() == 1);
+}
+
+TEST_CASE("short folds are counted at the size that was asked for", "[simplify]") {
+  // The sphere loses its outermost points and is scaled anew: folds grow with it.
+  const mesh::SimplifyOptions options;
+  for (const double size_mm : {60.0, 100.0, 150.0}) {
+    mesh::SizeOptions size;
+    size.largest_extent_mm = size_mm;
+    const Prepared p = prepared(test::sphere(120, 60), options, size);
+    REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
+    CHECK(p.simplified.short_edges_after == mesh::short_fold_share(p.model.surface, options.short_edge_mm));
+  }
 }

@@ -104,4 +104,31 @@ inline mesh::Soup soup_of(const mesh::Surface& surface) {
   return soup({surface.points().begin(), surface.points().end()}, faces);
 }
 
+inline const std::vector<Vec3> tetra{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+inline const std::vector<std::vector<std::uint32_t>> tetra_faces{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+
+/// The points of a box, bottom counterclockwise from above, then top.
+inline std::vector<Vec3> box_points(Vec3 low, Vec3 high) {
+  return {{low.x, low.y, low.z},  {high.x, low.y, low.z},  {high.x, high.y, low.z},  {low.x, high.y, low.z},
+          {low.x, low.y, high.z}, {high.x, low.y, high.z}, {high.x, high.y, high.z}, {low.x, high.y, high.z}};
+}
+inline const std::vector<std::vector<std::uint32_t>> box_faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                               {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+inline std::vector<std::vector<std::uint32_t>> shifted(std::vector<std::vector<std::uint32_t>> faces,
+                                                       std::uint32_t by) {
+  for (auto& face : faces) {
+    for (auto& v : face) {
+      v += by;
+    }
+  }
+  return faces;
+}
+
+template <class T>
+std::vector<T> both(std::vector<T> a, const std::vector<T>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
 }  // namespace ridgecraft::test

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces are turned to agree and outwards; what no surface can be is cut open.
+#include "soups.hpp"
+#include "support/shapes.hpp"
+
+using namespace ridgecraft;
+using mesh::Model;
+using mesh::RepairKind;
+using mesh::Soup;
+using test::both;
+using test::box_faces;
+using test::box_points;
+using test::repaired;
+using test::shifted;
+using test::soup;
+using test::tetra;
+using test::tetra_faces;
+
+TEST_CASE("faces are turned to agree and outwards", "[orient]") {
+  auto faces = tetra_faces;
+  std::swap(faces[1][0], faces[1][1]);
+  Model model = repaired(soup(tetra, faces));
+  CHECK(test::volume(model.surface) == Approx(1.0 / 6));
+  CHECK(model.repairs.count(RepairKind::faces_turned) == 1);
+  for (auto& face : faces = tetra_faces) {
+    std::swap(face[0], face[1]);
+  }
+  model = repaired(soup(tetra, faces));
+  CHECK(test::volume(model.surface) == Approx(1.0 / 6));
+  CHECK(model.repairs.count(RepairKind::components_turned) == 1);
+  CHECK(model.repairs.count(RepairKind::faces_turned) == 0);
+}
+
+TEST_CASE("shells that share a point, an edge or nothing are each turned outwards", "[orient]") {
+  const auto first = box_points({0, 0, 0}, {1, 1, 1});
+  const Vec3 corner = GENERATE(Vec3{1, 1, 1}, Vec3{1, 1, 0}, Vec3{3, 3, 3});
+  auto inverted = shifted(box_faces, 8);
+  for (auto& face : inverted) {
+    std::reverse(face.begin(), face.end());
+  }
+  const Model model =
+      repaired(soup(both(first, box_points(corner, corner + Vec3{1, 1, 1})), both(box_faces, inverted)));
+  CHECK(model.surface.vertex_count() == 16);
+  CHECK(model.surface.component_count() == 2);
+  CHECK(test::border_edges(model.surface) == 0);
+  CHECK(test::volume(model.surface) == Approx(2.0));
+  test::check_invariants(model.surface);
+}
+
+TEST_CASE("a cavity keeps facing inwards, and goes with its shell", "[orient]") {
+  auto inner = shifted(box_faces, 8);
+  for (auto& face : inner) {
+    std::reverse(face.begin(), face.end());
+  }
+  auto faces = both(box_faces, inner);
+  const auto points = both(box_points({0, 0, 0}, {3, 3, 3}), box_points({1, 1, 1}, {2, 2, 2}));
+  Model model = repaired(soup(points, faces));
+  CHECK(test::volume(model.surface) == Approx(26.0));
+  CHECK(model.repairs.entries().empty());
+  for (auto& face : faces) {
+    std::reverse(face.begin(), face.end());
+  }
+  model = repaired(soup(points, faces));
+  CHECK(test::volume(model.surface) == Approx(26.0));
+  CHECK(model.repairs.count(RepairKind::components_turned) == 2);
+}
+
+TEST_CASE("a fin on an edge becomes a component of its own", "[orient]") {
+  const Model model = repaired(soup(both(tetra, {{2, 2, 2}}), both(tetra_faces, {{0, 1, 4}})));
+  CHECK(model.surface.component_count() == 2);
+  CHECK(model.repairs.count(RepairKind::edges_split) == 1);
+  CHECK(test::border_edges(model.surface) == 3);
+  test::check_invariants(model.surface);
+}
+
+TEST_CASE("many bodies, nested and beside each other, are turned outwards", "[orient]") {
+  // Shells within shells: every other one is a cavity.
+  const std::uint32_t nested = 6;
+  const std::uint32_t beside = 500;
+  Random random(8);
+  std::vector<Vec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+  const auto add_box = [&](Vec3 low, Vec3 high, bool inverted) {
+    auto box = shifted(box_faces, static_cast<std::uint32_t>(points.size()));
+    for (auto& face : box) {
+      if (inverted) {
+        std::reverse(face.begin(), face.end());
+      }
+    }
+    faces = both(faces, box);
+    points = both(points, box_points(low, high));
+  };
+  double expected = 0.0;
+  for (std::uint32_t i = 0; i < nested; ++i) {
+    const double h = 10.0 - i;
+    add_box({-h, -h, -h}, {h, h, h}, i % 2 == 1);
+    expected += (i % 2 == 1 ? -8.0 : 8.0) * h * h * h;
+  }
+  for (std::uint32_t i = 0; i < beside; ++i) {
+    const double x = 20.0 + 2.0 * i;
+    const double size = 0.5 + random.unit();
+    add_box({x, 0, 0}, {x + size, size, size}, i == 0 || random.below(2) == 0);
+    expected += size * size * size;
+  }
+  const Model model = repaired(soup(points, faces));
+  CHECK(model.surface.component_count() == nested + beside);
+  CHECK(test::volume(model.surface) == Approx(expected));
+}
+
+TEST_CASE("a Moebius band is cut open once", "[orient]") {
+  std::vector<Vec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+  const std::uint32_t n = 12;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double t = 2.0 * 3.141592653589793 * i / n;
+    for (const double s : {-0.3, 0.3}) {
+      const double r = 1.0 + s * std::cos(t / 2);
+      points.push_back({r * std::cos(t), r * std::sin(t), s * std::sin(t / 2)});
+    }
+    const std::uint32_t a = 2 * i;
+    faces.push_back(i + 1 < n ? std::vector<std::uint32_t>{a, a + 2, a + 3, a + 1}
+                              : std::vector<std::uint32_t>{a, 1, 0, a + 1});
+  }
+  const Model model = repaired(soup(points, faces));
+  CHECK(model.repairs.count(RepairKind::cut_open) == 1);
+  CHECK(model.surface.component_count() == 1);
+  CHECK(test::euler(model.surface) == 1);
+  test::check_invariants(model.surface);
+}
+
+TEST_CASE("a sound surface comes through as it is, however its faces are turned", "[orient]") {
+  const mesh::Surface torus = test::revolve({{2, -0.5}, {2.5, 0}, {2, 0.5}, {1.5, 0}, {2, -0.5}}, 24);
+  Soup s = test::soup_of(torus);
+  Random random(3);
+  for (std::size_t f = 0; f < s.polygon_count(); ++f) {
+    if (random.below(2) == 0) {
+      std::swap(s.corner_point[3 * f], s.corner_point[3 * f + 1]);
+    }
+  }
+  const Model model = repaired(s);
+  CHECK(model.surface.vertex_count() == torus.vertex_count());
+  CHECK(test::euler(model.surface) == 0);
+  CHECK(test::volume(model.surface) == Approx(test::volume(torus)));
+}
