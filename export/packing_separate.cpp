@@ -241,7 +241,8 @@ bool PackingSeparation::run(std::vector<Place>& places, std::uint32_t pages, std
   least_overlap_ = UINT64_MAX;
   const std::uint64_t begin = work_;
   std::vector<std::uint32_t> order(count_);
-  while (!measure(places)) {
+  bool apart = measure(places);
+  while (!apart) {
     std::iota(order.begin(), order.end(), 0U);
     for (std::size_t i = count_; i > 1; --i) {
       std::swap(order[i - 1], order[random_.below(static_cast<std::uint32_t>(i))]);
@@ -260,7 +261,7 @@ bool PackingSeparation::run(std::vector<Place>& places, std::uint32_t pages, std
         return measure(places);
       }
     }
-    static_cast<void>(measure(places));
+    apart = measure(places);
     raise_weights();
   }
   return true;
