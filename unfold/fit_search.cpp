@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "unfold/branch.hpp"
 #include "unfold/sheet.hpp"
 #include "unfold/tree_search.hpp"
 
@@ -68,7 +69,7 @@ class FitSearch {
         sheet_{room.sheet->width - 2.0 * room.strip, room.sheet->height - 2.0 * room.strip},
         random_(seed),
         net_(patch, tolerance, random_.next()),
-        in_branch_(patch.size(), 0) {
+        branch_(patch) {
     net_.set_tree(folds);
   }
 
@@ -137,36 +138,6 @@ class FitSearch {
     }
   }
 
-  /// The faces on the side of `out` of the fold, and the sides over which they could hang elsewhere.
-  void find_branch(std::uint32_t removed, std::uint32_t from) {
-    for (const std::uint32_t f : branch_) {
-      in_branch_[f] = 0;
-    }
-    branch_.assign(1, from);
-    in_branch_[from] = 1;
-    for (std::size_t i = 0; i < branch_.size(); ++i) {
-      for (std::uint32_t side = 3 * branch_[i]; side < 3 * branch_[i] + 3; ++side) {
-        const std::uint32_t twin = patch_.twin[side];
-        if (twin == nothing || net_.folds()[side] == 0 || side == removed || twin == removed ||
-            in_branch_[twin / 3] != 0) {
-          continue;
-        }
-        in_branch_[twin / 3] = 1;
-        branch_.push_back(twin / 3);
-      }
-    }
-    places_.clear();
-    for (const std::uint32_t f : branch_) {
-      for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-        const std::uint32_t twin = patch_.twin[side];
-        if (twin != nothing && net_.folds()[side] == 0 && in_branch_[twin / 3] == 0 &&
-            patch_.frozen[side] == 0) {
-          places_.push_back(side);
-        }
-      }
-    }
-  }
-
   /// Hangs a branch that sticks out elsewhere; true when the tree has changed.
   bool step() {
     std::uint32_t out = 0;
@@ -178,9 +149,10 @@ class FitSearch {
     }
     const std::uint32_t below = path[random_.below(static_cast<std::uint32_t>(path.size()))];
     const std::uint32_t removed = net_.side_above(below);
-    find_branch(removed, out);
-    for (int i = 0; i < places_tried && !places_.empty(); ++i) {
-      const std::uint32_t side = places_[random_.below(static_cast<std::uint32_t>(places_.size()))];
+    branch_.find(net_.folds(), removed, out);
+    const std::vector<std::uint32_t>& places = branch_.places();
+    for (int i = 0; i < places_tried && !places.empty(); ++i) {
+      const std::uint32_t side = places[random_.below(static_cast<std::uint32_t>(places.size()))];
       if (!net_.swap_is_clean(below, side)) {
         continue;
       }
@@ -208,9 +180,7 @@ class FitSearch {
   std::vector<Vec2> hull_;
   Framed frame_;
   std::size_t panels_ = 2;  ///< several: the strip for tabs is kept free
-  std::vector<std::uint8_t> in_branch_;
-  std::vector<std::uint32_t> branch_;
-  std::vector<std::uint32_t> places_;
+  Branch branch_;
 };
 
 }  // namespace

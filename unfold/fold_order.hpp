@@ -3,18 +3,31 @@
 // themselves with a finger, and makers like to know before they glue.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "mesh/context.hpp"
 #include "mesh/surface.hpp"
+#include "unfold/fold_motion.hpp"
+#include "unfold/fold_trial.hpp"
 #include "unfold/nets.hpp"
 
 namespace ridgecraft::unfold {
 
+/// A way to fold, and the creases in their order (none where all are folded at a time).
+struct Folding {
+  FoldWay way = FoldWay::together;
+  std::vector<std::uint32_t> order;
+};
+
 /// The first of these ways in which no two faces of the piece meet, found by sampled motion: all creases at a
-/// time, growing alike; one after the other, the outermost first; one after the other from the middle. Faces
-/// that meet in the folded piece, too, belong to a model that runs through itself and don't count. Where each
-/// way fails it is `with_care`, in the second order. Single creases are tried for pieces up to about 250 flat
-/// regions, since the cost is their number squared; one way for all takes O(n log n) for n faces. Tabs are
-/// not looked at. Deterministic.
+/// time, growing alike; one after the other, the outermost first; one after the other from the middle. Where
+/// each way fails it is `with_care`, in the second order. Single creases are tried where their number times
+/// that of the faces is no more than 120,000: about 350 flat regions. Tabs are not looked at. Deterministic
+/// but for the deadline.
+[[nodiscard]] Folding find_folding(const FoldMotion& motion, FoldTrial& trial, const Context& context);
+
+/// The same for a finished piece, edge by edge.
 [[nodiscard]] FoldOrder find_fold_order(const mesh::Surface& surface, const Nets& nets, PieceId piece,
                                         const Context& context);
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "mesh/error.hpp"
+#include "unfold/better_trees.hpp"
 #include "unfold/check.hpp"
 #include "unfold/closing.hpp"
 #include "unfold/fitting_panels.hpp"
@@ -18,9 +19,7 @@
 #include "unfold/part_merging.hpp"
 #include "unfold/patch_nets.hpp"
 #include "unfold/sheet.hpp"
-#include "unfold/sub_patch.hpp"
 #include "unfold/tab_fit.hpp"
-#include "unfold/tab_pieces.hpp"
 #include "unfold/tabs.hpp"
 #include "unfold/tolerance.hpp"
 
@@ -158,29 +157,6 @@ Forest unfold_parts(const mesh::Surface& surface, const Plan& plan, const std::v
   return forest;
 }
 
-/// The tree of each piece once more, for tabs.
-void improve_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const Options& options,
-                      const Context& context, Forest& forest) {
-  std::vector<std::vector<std::uint32_t>> pieces = lay_out(forest.patch, forest.folds).faces;
-  std::vector<Folds> trees(pieces.size());
-  const Room room = room_of(options);
-  do_in_parallel(
-      pieces.size(), context,
-      [&](std::size_t i, const Context& own) {
-        Random seed(~context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
-        std::sort(pieces[i].begin(), pieces[i].end());
-        const Patch piece = sub_patch(forest.patch, pieces[i]);
-        trees[i] = improve_tabs(surface, panels, piece, sub_folds(forest.patch, forest.folds, pieces[i]),
-                                room, options.tabs, net_tolerance(piece.extent), seed.next(), own);
-      },
-      [&](std::size_t done) {
-        context.report("unfold", 0.8 + 0.2 * static_cast<double>(done) / static_cast<double>(pieces.size()));
-      });
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    put_back(forest.patch, pieces[i], trees[i], forest.folds);
-  }
-}
-
 /// The cause that most of these faces have, those of pieces that stood for a part left out; `otherwise` where
 /// there is none.
 PieceReason most_frequent_cause(const Forest& forest, const std::vector<std::uint32_t>& faces,
@@ -314,20 +290,19 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
         merge_parts(forest.patch, part.items(), forest.folds, room_of(options), options.pieces.weights,
                     net_tolerance(forest.patch.extent), context.seed, context);
   }
-  if (options.tabs.wanted) {
-    improve_all_tabs(surface, plan.panels, options, context, forest);
-    if (context.out_of_time()) {
-      forest.notes.emplace_back("the time given was up before all nets with more tabs were tried");
-    }
+  forest.folds =
+      better_trees(surface, plan.panels, forest.patch, forest.folds, options, room_of(options), context);
+  if (options.tabs.wanted && context.out_of_time()) {
+    forest.notes.emplace_back("the time given was up before all nets with more tabs were tried");
   }
   Nets nets = assemble(surface, part, forest);
   close_flat_cuts(surface, panels, plan.wishes, nets);
   note_broken_wishes(options.wishes, nets);
   count_holes(surface, nets);
   insist_on_no_overlap(nets);
-  for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
-    nets.pieces[piece].folding = find_fold_order(surface, nets, piece, context);
-  }
+  do_in_parallel(nets.pieces.size(), context, [&](std::size_t i, const Context& own) {
+    nets.pieces[PieceId(i)].folding = find_fold_order(surface, nets, PieceId(i), own);
+  });
   number_joins(surface, nets);
   if (options.tabs.wanted) {
     place_tabs(surface, panels, options.tabs, nets, context);

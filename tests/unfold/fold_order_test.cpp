@@ -9,8 +9,13 @@
 #include <catch2/catch.hpp>
 
 #include "support/shapes.hpp"
+#include "unfold/check.hpp"
 #include "unfold/fold_motion.hpp"
+#include "unfold/free_folding.hpp"
+#include "unfold/layout.hpp"
+#include "unfold/net_search.hpp"
 #include "unfold/nets_checks.hpp"
+#include "unfold/tolerance.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
@@ -125,9 +130,10 @@ bool crosses_in_order(const std::vector<Vec2>& profile, const std::vector<std::s
 
 /// Greatest difference of a distance between two corners in the folded piece and in the model.
 double refold_error(const mesh::Surface& surface, const Nets& nets, PieceId piece) {
-  const FoldMotion motion(surface, nets, piece);
-  std::vector<std::array<Vec3, 3>> corners;
-  motion.pose(std::vector<double>(motion.creases().size(), 1.0), corners);
+  const FoldMotion motion(unfold::flat_piece(surface, nets, piece));
+  FoldMotion::Pose pose;
+  motion.pose(std::vector<double>(motion.creases().size(), 1.0), pose);
+  const auto& corners = pose.corners;
   std::vector<Vec3> folded;
   std::vector<Vec3> model;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -164,6 +170,72 @@ TEST_CASE("folded by all of their angles, pieces are the model", "[unfold]") {
       CHECK(refold_error(surface, nets, piece) < 1e-9);
     }
   }
+}
+
+TEST_CASE("one crease after the other ends where all at a time do", "[unfold]") {
+  const mesh::Surface surface = test::sphere(9, 6);
+  const Nets nets = nets_of(surface);
+  const FoldMotion motion(unfold::flat_piece(surface, nets, PieceId(0)));
+  const auto creases = static_cast<std::uint32_t>(motion.creases().size());
+  Random random(3);
+  FoldMotion::Pose stepwise;
+  motion.pose(std::vector<double>(creases, 0.0), stepwise);
+  for (int step = 0; step < 200; ++step) {
+    const std::uint32_t crease = random.below(creases);
+    const FoldMotion::Pose before = stepwise;
+    motion.fold(crease, random.unit(), stepwise);
+    FoldMotion::Pose afresh;
+    motion.pose(stepwise.share, afresh);
+    const std::vector<std::uint32_t> beyond = motion.faces_beyond(crease);
+    for (std::uint32_t f = 0; f < afresh.corners.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(length(stepwise.corners[f][k] - afresh.corners[f][k]) < 1e-12);
+      }
+      const bool stays = std::find(beyond.begin(), beyond.end(), f) == beyond.end();
+      CHECK((!stays || before.corners[f] == stepwise.corners[f]));
+    }
+  }
+}
+
+TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "[unfold]") {
+  // Long strips wound round a ball and round a knot of cubes: many of them run through themselves.
+  const std::vector<mesh::Surface> surfaces{
+      test::scaled(test::sphere(14, 9), 40.0),
+      test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, 2), 30.0)};
+  int stuck = 0;
+  int freed = 0;
+  for (const mesh::Surface& surface : surfaces) {
+    std::vector<FaceId> faces;
+    for (const FaceId f : ids<FaceId>(surface.face_count())) {
+      faces.push_back(f);
+    }
+    const unfold::Patch patch = unfold::make_patch(surface, test::flat_panels(surface), faces);
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      unfold::NetSearch search;
+      search.start = unfold::StartTree::depth_first;
+      search.tolerance = unfold::net_tolerance(patch.extent);
+      search.iterations = 2000;
+      const unfold::NetFound net = unfold::find_net(patch, search, seed, {});
+      if (net.overlaps > 0 || unfold::folds_freely(patch, net.folds, {})) {
+        continue;
+      }
+      ++stuck;
+      const auto any = [](const unfold::Folds&) { return true; };
+      const unfold::Folds other = unfold::fold_freely(patch, net.folds, any, search.tolerance, seed, {});
+      CHECK(unfold::lay_out(patch, other).faces.size() == 1);
+      CHECK(unfold::find_overlaps(unfold::lay_out(patch, other), search.tolerance).empty());
+      for (std::size_t side = 0; side < other.size(); ++side) {
+        CHECK((patch.frozen[side] == 0 || other[side] == net.folds[side]));
+      }
+      CHECK((other == net.folds || unfold::folds_freely(patch, other, {})));
+      freed += other != net.folds ? 1 : 0;
+      CHECK(unfold::fold_freely(patch, net.folds, any, search.tolerance, seed, {}) == other);
+      const auto none = [](const unfold::Folds&) { return false; };
+      CHECK(unfold::fold_freely(patch, net.folds, none, search.tolerance, seed, {}) == net.folds);
+    }
+  }
+  CHECK(stuck > 0);
+  CHECK(2 * freed >= stuck);
 }
 
 TEST_CASE("an order of folding has each folded edge once", "[unfold]") {
