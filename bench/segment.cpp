@@ -1,90 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Segments the models of an unpacked Princeton Segmentation Benchmark and prints a table per category.
+// Segments the models of an unpacked Princeton Segmentation Benchmark and prints a table per category; with
+// several tolerances, what each gives and what the best for each category and each model would give.
 #include "segment/segment.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
-#include <ctime>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include <sys/resource.h>
 
-#include "mesh/context.hpp"
-#include "mesh/mesh.hpp"
-#include "segment/agreement.hpp"
-#include "segment/evaluate.hpp"
+#include "psb.hpp"
 
 namespace {
 
 using namespace ridgecraft;
+using bench::Figures;
 namespace fs = std::filesystem;
 
 struct Arguments {
   fs::path psb;
   fs::path json;
   segment::Options options;
+  std::vector<double> sweep;  ///< tolerances
   bool subset = false;
   double damage = 0.0;  ///< share of the faces to remove at random
   std::vector<int> models;
 };
-
-struct Row {
-  int model = 0;
-  std::string category;
-  std::size_t faces = 0;
-  double parts = 0.0;
-  double volume = 0.0;
-  double seconds = 0.0;  ///< CPU time of reading and segmenting
-  double reading = 0.0;
-  double rand = 0.0;
-  double worst = 0.0;
-};
-
-const char* category_of(int model) {
-  static const char* const names[] = {
-      "Human", "Cup",  "Glasses", "Airplane", "Ant",       "Chair", "Octopus", "Table",   "Teddy", "Hand",
-      "Plier", "Fish", "Bird",    "",         "Armadillo", "Bust",  "Mech",    "Bearing", "Vase",  "FourLeg"};
-  return names[(model - 1) / 20];
-}
-
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return std::move(text).str();
-}
-
-template <class T>
-T next_number(const char*& at, const char* end) {
-  while (at < end && (*at == ' ' || *at == '\n' || *at == '\r' || *at == '\t')) {
-    ++at;
-  }
-  T value{};
-  at = std::from_chars(at, end, value).ptr;
-  return value;
-}
-
-std::vector<std::uint32_t> read_labels(const fs::path& file) {
-  const std::string text = read_text(file);
-  const char* at = text.data();
-  const char* end = text.data() + text.find_last_of("0123456789") + 1;
-  std::vector<std::uint32_t> labels;
-  while (at < end) {
-    labels.push_back(next_number<std::uint32_t>(at, end));
-  }
-  return labels;
-}
-
-double cpu_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// The surface with each face removed at a probability: the paper's figure 15.
 mesh::Surface damaged(const mesh::Surface& whole, double share) {
@@ -98,152 +42,154 @@ mesh::Surface damaged(const mesh::Surface& whole, double share) {
   return {{whole.points().begin(), whole.points().end()}, std::move(corners)};
 }
 
-Row run_damaged(int model, const Arguments& arguments, const mesh::Surface& whole) {
-  Row row;
-  row.model = model;
-  row.category = category_of(model);
-  const Context context;
-  const mesh::Surface surface = damaged(whole, arguments.damage);
-  const double start = cpu_seconds();
-  const segment::Segmentation result = segment::segment(surface, {}, arguments.options, context);
-  row.seconds = cpu_seconds() - start;
+Figures run_damaged(const bench::BenchmarkModel& model, double share, const segment::Options& options) {
+  const mesh::Surface surface = damaged(model.read.surface, share);
+  const double start = bench::cpu_seconds();
+  const segment::Segmentation result = segment::segment(surface, {}, options, Context{});
+  Figures row;
+  row.model = model.number;
+  row.category = bench::category_of(model.number);
   row.faces = surface.face_count();
   row.parts = static_cast<double>(result.parts.size());
+  row.seconds = bench::cpu_seconds() - start;
   row.worst = result.max_concavity();
   return row;
 }
 
-Row run_model(int model, const Arguments& arguments) {
-  Row row;
-  row.model = model;
-  row.category = category_of(model);
+Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& options) {
   const Context context;
-  const double start = cpu_seconds();
-  mesh::ReadOptions read_options;
-  read_options.collapse_flat_faces = false;
-  const mesh::Model read =
-      mesh::read(arguments.psb / "off" / (std::to_string(model) + ".off"), read_options, context);
-  const mesh::Surface& surface = read.surface;
-  row.reading = cpu_seconds() - start;
-  if (arguments.damage > 0.0) {
-    return run_damaged(model, arguments, surface);
-  }
+  const double start = bench::cpu_seconds();
   const segment::Segmentation result =
-      segment::segment(surface, read.polygon.items(), arguments.options, context);
-  row.seconds = cpu_seconds() - start;
-  row.faces = surface.face_count();
-  row.parts = static_cast<double>(result.parts.size());
-  row.worst = result.max_concavity();
+      segment::segment(model.read.surface, model.read.polygon.items(), options, context);
+  const double seconds = bench::cpu_seconds() - start;
   std::vector<std::uint32_t> labels;
   for (const PartId p : result.part) {
     labels.push_back(p.value());
   }
-  // In the file's order, as people's labels are; a face that repair dropped is a part of its own.
-  std::vector<std::uint32_t> of_polygon(read.polygon_count, static_cast<std::uint32_t>(result.parts.size()));
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    if (read.polygon[f] < of_polygon.size()) {
-      of_polygon[read.polygon[f]] = labels[f.value()];
-    }
-  }
-  row.volume = segment::hull_volume_ratio(surface, labels, 128, context);
-  int people = 0;
-  const fs::path folder = arguments.psb / "seg" / std::to_string(model);
-  if (fs::is_directory(folder)) {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    for (const fs::path& file : files) {
-      const auto person = read_labels(file);
-      if (person.size() == of_polygon.size()) {
-        row.rand += segment::rand_error(of_polygon, person);
-        ++people;
-      }
-    }
-  }
-  row.rand = people > 0 ? row.rand / people : 0.0;
+  Figures row = bench::judge(model, labels, context);
+  row.seconds = model.seconds + seconds;
+  row.reading = model.seconds;
+  row.worst = result.max_concavity();
   return row;
 }
 
-Row mean_of(const std::vector<Row>& rows) {
-  Row mean;
-  for (const Row& r : rows) {
-    mean.parts += r.parts;
-    mean.volume += r.volume;
-    mean.seconds += r.seconds;
-    mean.reading += r.reading;
-    mean.rand += r.rand;
-    mean.worst = std::max(mean.worst, r.worst);
-  }
-  const auto n = static_cast<double>(std::max<std::size_t>(1, rows.size()));
-  mean.parts /= n;
-  mean.volume /= n;
-  mean.seconds /= n;
-  mean.reading /= n;
-  mean.rand /= n;
-  return mean;
-}
-
-void print_row(const std::string& name, const Row& r) {
+void print_row(const std::string& name, const Figures& r) {
   std::printf("%-10s %7.2f %7.3f %8.4f %8.4f %8.4f %8.4f\n", name.c_str(), r.parts, r.volume, r.seconds,
               r.reading, r.rand, r.worst);
 }
 
-void write_json(const fs::path& file, const std::vector<Row>& rows) {
-  std::ofstream out(file);
-  out << "[\n";
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row& r = rows[i];
-    out << "{\"model\": " << r.model << ", \"category\": \"" << r.category << "\", \"faces\": " << r.faces
-        << ", \"parts\": " << r.parts << ", \"volume\": " << r.volume << ", \"seconds\": " << r.seconds
-        << ", \"reading\": " << r.reading << ", \"rand\": " << r.rand << ", \"worst\": " << r.worst << "}"
-        << (i + 1 < rows.size() ? ",\n" : "\n");
+/// In the benchmark's order: by number of the category.
+using Categories = std::map<int, std::vector<Figures>>;
+
+Categories by_category(const std::vector<Figures>& rows) {
+  Categories categories;
+  for (const Figures& r : rows) {
+    categories[bench::category_number(r.model)].push_back(r);
   }
-  out << "]\n";
+  return categories;
+}
+
+void print_table(const std::vector<Figures>& rows) {
+  std::printf("category     parts  volume  seconds  reading   1-Rand    worst\n");
+  for (const auto& [number, list] : by_category(rows)) {
+    print_row(list.front().category, bench::mean_of(list));
+  }
+  print_row("mean", bench::mean_of(rows));
+}
+
+/// `runs`: for each tolerance all models in the same order. The best tolerance of a category or a model is
+/// the one that people agree with most: fitted to the very figures that are printed.
+void print_sweep(const std::vector<double>& tolerances, const std::vector<std::vector<Figures>>& runs) {
+  std::printf("tolerance    parts  volume  seconds  reading   1-Rand    worst\n");
+  std::vector<Figures> best_of_model = runs[0];
+  std::map<int, std::size_t> best_of_category;
+  std::vector<Categories> categories;
+  for (std::size_t t = 0; t < runs.size(); ++t) {
+    std::ostringstream name;
+    name << tolerances[t];
+    print_row(name.str(), bench::mean_of(runs[t]));
+    categories.push_back(by_category(runs[t]));
+    for (std::size_t i = 0; i < runs[t].size(); ++i) {
+      if (runs[t][i].rand < best_of_model[i].rand) {
+        best_of_model[i] = runs[t][i];
+      }
+    }
+    for (const auto& [category, rows] : categories[t]) {
+      std::size_t& best = best_of_category.try_emplace(category, t).first->second;
+      if (bench::mean_of(rows).rand < bench::mean_of(categories[best].at(category)).rand) {
+        best = t;
+      }
+    }
+  }
+  std::vector<Figures> of_category;
+  std::printf("\nbest tolerance of each category (fitted)\n");
+  for (const auto& [category, t] : best_of_category) {
+    const std::vector<Figures>& rows = categories[t].at(category);
+    of_category.insert(of_category.end(), rows.begin(), rows.end());
+    std::printf("%-9g ", tolerances[t]);
+    print_row(rows.front().category, bench::mean_of(rows));
+  }
+  print_row("mean", bench::mean_of(of_category));
+  std::printf("\nbest tolerance of each model (fitted)\n");
+  print_row("mean", bench::mean_of(best_of_model));
+}
+
+bool parse_switch(const std::string& option, Arguments& arguments) {
+  if (option == "--subset") {
+    arguments.subset = true;
+  } else if (option == "--planes") {
+    arguments.options.planes = true;
+  } else if (option == "--pockets") {
+    arguments.options.pockets = true;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool parse_value(const std::string& option, const std::string& value, Arguments& arguments) {
+  if (option == "--psb") {
+    arguments.psb = value;
+  } else if (option == "--json") {
+    arguments.json = value;
+  } else if (option == "--concavity") {
+    arguments.options.concavity = std::stod(value);
+  } else if (option == "--sweep") {
+    std::istringstream list(value);
+    for (std::string one; std::getline(list, one, ',');) {
+      arguments.sweep.push_back(std::stod(one));
+    }
+  } else if (option == "--damage") {
+    arguments.damage = std::stod(value);
+  } else if (option == "--effort") {
+    arguments.options.effort = std::stoi(value);
+  } else if (option == "--reading") {
+    using segment::Reading;
+    arguments.options.reading = value == "literal" ? Reading::literal
+                                : value == "a"     ? Reading::a
+                                                   : Reading::b;
+  } else if (option == "--volume-weight") {
+    arguments.options.volume_weight = std::stod(value);
+  } else if (option == "--model") {
+    arguments.models.push_back(std::stoi(value));
+  } else {
+    return false;
+  }
+  return true;
 }
 
 bool parse(int argc, char** argv, Arguments& arguments) {
   for (int i = 1; i < argc; ++i) {
-    const std::string option = argv[i];
-    if (option == "--subset") {
-      arguments.subset = true;
+    if (parse_switch(argv[i], arguments)) {
       continue;
     }
-    if (option == "--planes") {
-      arguments.options.planes = true;
-      continue;
-    }
-    if (option == "--pockets") {
-      arguments.options.pockets = true;
-      continue;
-    }
-    if (i + 1 >= argc) {
+    if (i + 1 >= argc || !parse_value(argv[i], argv[i + 1], arguments)) {
       return false;
     }
-    const std::string value = argv[++i];
-    if (option == "--psb") {
-      arguments.psb = value;
-    } else if (option == "--json") {
-      arguments.json = value;
-    } else if (option == "--concavity") {
-      arguments.options.concavity = std::stod(value);
-    } else if (option == "--damage") {
-      arguments.damage = std::stod(value);
-    } else if (option == "--effort") {
-      arguments.options.effort = std::stoi(value);
-    } else if (option == "--reading") {
-      using segment::Reading;
-      arguments.options.reading = value == "literal" ? Reading::literal
-                                  : value == "a"     ? Reading::a
-                                                     : Reading::b;
-    } else if (option == "--volume-weight") {
-      arguments.options.volume_weight = std::stod(value);
-    } else if (option == "--model") {
-      arguments.models.push_back(std::stoi(value));
-    } else {
-      return false;
-    }
+    ++i;
+  }
+  if (arguments.sweep.empty()) {
+    arguments.sweep.push_back(arguments.options.concavity);
   }
   return !arguments.psb.empty();
 }
@@ -253,41 +199,39 @@ bool parse(int argc, char** argv, Arguments& arguments) {
 int main(int argc, char** argv) {
   Arguments arguments;
   if (!parse(argc, argv, arguments)) {
-    std::fprintf(stderr,
-                 "usage: bench_segment --psb DIR [--json FILE] [--subset] [--model N]... [--concavity T] "
-                 "[--effort 1..3] [--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] "
-                 "[--damage SHARE]\n");
+    std::fprintf(
+        stderr,
+        "usage: bench_segment --psb DIR [--json FILE] [--subset] [--model N]... [--concavity T | "
+        "--sweep T,T,...] [--effort 1..3] [--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] "
+        "[--damage SHARE]\n");
     return 2;
   }
-  std::vector<int> models = arguments.models;
-  if (models.empty()) {
-    for (int m = 1; m <= 400; ++m) {
-      const bool chosen = !arguments.subset || (m - 1) % 20 == 0 || (m - 1) % 20 == 8;
-      if (chosen && fs::exists(arguments.psb / "off" / (std::to_string(m) + ".off"))) {
-        models.push_back(m);
+  const std::vector<int> models =
+      arguments.models.empty() ? bench::models_in(arguments.psb, arguments.subset) : arguments.models;
+  std::ofstream json(arguments.json);
+  std::vector<std::vector<Figures>> runs(arguments.sweep.size());
+  for (const int m : models) {
+    const bench::BenchmarkModel model = bench::read_model(arguments.psb, m, Context{});
+    for (std::size_t t = 0; t < runs.size(); ++t) {
+      segment::Options options = arguments.options;
+      options.concavity = arguments.sweep[t];
+      runs[t].push_back(arguments.damage > 0.0 ? run_damaged(model, arguments.damage, options)
+                                               : run_whole(model, options));
+      runs[t].back().tolerance = options.concavity;
+      json << bench::json_line(runs[t].back()) << std::endl;  // a long run can be watched
+      if (!arguments.models.empty()) {
+        print_row(std::to_string(m), runs[t].back());
       }
     }
   }
-  std::vector<Row> rows;
-  std::map<int, std::vector<Row>> categories;
-  for (const int m : models) {
-    rows.push_back(run_model(m, arguments));
-    categories[(m - 1) / 20].push_back(rows.back());
-    if (!arguments.models.empty()) {
-      print_row(std::to_string(m), rows.back());
-    }
+  if (runs.size() > 1) {
+    print_sweep(arguments.sweep, runs);
+  } else {
+    print_table(runs[0]);
   }
-  std::printf("category     parts  volume  seconds  reading   1-Rand    worst\n");
-  for (const auto& [number, list] : categories) {
-    print_row(list.front().category, mean_of(list));
-  }
-  print_row("mean", mean_of(rows));
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  std::printf("models %zu, peak memory %.0f MiB\n", rows.size(),
+  std::printf("models %zu, peak memory %.0f MiB\n", models.size(),
               static_cast<double>(usage.ru_maxrss) / 1024.0);
-  if (!arguments.json.empty()) {
-    write_json(arguments.json, rows);
-  }
   return 0;
 }

@@ -60,7 +60,7 @@ std::vector<AssembledPart> Assembly::assemble(const std::vector<Facets>& parts) 
   std::vector<AssembledPart> best;
   double least = INFINITY;
   for (const Attempt& attempt : settings_.attempts) {
-    std::vector<Piece> pieces = cut_by_planes(parts, attempt.planes);
+    std::vector<Piece> pieces = cut_by_planes(parts, attempt);
     const bool by_plane =
         std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.by_plane; });
     if (attempt.planes && !by_plane && !best.empty()) {
@@ -133,16 +133,21 @@ bool Assembly::is_hollow(std::span<const std::uint32_t> facets) {
   return pockets_->has_pocket(planes_.hull());
 }
 
-std::vector<Assembly::Piece> Assembly::cut_by_planes(std::vector<Facets> parts, bool planes) {
+/// The volume that a cut by planes must save for each piece that it makes.
+double Assembly::piece_worth(const Attempt& attempt) const {
+  const double price = settings_.volume_weight > 0.0 ? settings_.volume_weight : default_price;
+  return unit_volume_ / (price * attempt.plane_price);
+}
+
+std::vector<Assembly::Piece> Assembly::cut_by_planes(std::vector<Facets> parts, const Attempt& attempt) {
   std::vector<Piece> done;
-  if (!planes && !pockets_) {
+  if (!attempt.planes && !pockets_) {
     for (Facets& facets : parts) {
       done.push_back({std::move(facets)});
     }
     return done;
   }
-  const double price = settings_.volume_weight > 0.0 ? settings_.volume_weight : default_price;
-  const double worth = unit_volume_ / price;
+  const double worth = piece_worth(attempt);
   for (const auto& set : overlapping(parts)) {
     Facets all;
     bool hollow = false;
@@ -153,7 +158,7 @@ std::vector<Assembly::Piece> Assembly::cut_by_planes(std::vector<Facets> parts, 
     std::sort(all.begin(), all.end());
     std::vector<Facets> pieces;
     const double excess = planes_.hull_volume(all) - planes_.closed_volume(all);
-    if ((planes && excess > worth) || hollow) {
+    if ((attempt.planes && excess > worth) || hollow) {
       pieces = planes_.cut(*cutter_, all, hollow ? 0.0 : share_saved * worth, border_reach, true);
     }
     std::vector<Piece> open;
@@ -166,16 +171,15 @@ std::vector<Assembly::Piece> Assembly::cut_by_planes(std::vector<Facets> parts, 
         open.push_back({std::move(parts[i]), false, 0});
       }
     }
-    cut_further(std::move(open), planes, done);
+    cut_further(std::move(open), attempt, done);
   }
   return done;
 }
 
 /// Goes on with single planes where a piece has a pocket, or a plane saves enough in a piece that planes
 /// made.
-void Assembly::cut_further(std::vector<Piece> open, bool planes, std::vector<Piece>& done) {
-  const double price = settings_.volume_weight > 0.0 ? settings_.volume_weight : default_price;
-  const double worth = unit_volume_ / price;
+void Assembly::cut_further(std::vector<Piece> open, const Attempt& attempt, std::vector<Piece>& done) {
+  const double worth = piece_worth(attempt);
   while (!open.empty()) {
     measurer_->context().check();
     Piece piece = std::move(open.back());
@@ -187,7 +191,7 @@ void Assembly::cut_further(std::vector<Piece> open, bool planes, std::vector<Pie
         measurer_->measure(piece.facets, {}, MeasureMode::split, measurement_);
         children = cutter_->split(*measurer_, measurement_, true);
       }
-    } else if (planes && piece.by_plane && piece.depth < deepest_plane &&
+    } else if (attempt.planes && piece.by_plane && piece.depth < deepest_plane &&
                planes_.hull_volume(piece.facets) - planes_.closed_volume(piece.facets) > worth) {
       children = planes_.cut(*cutter_, piece.facets, share_saved * worth, border_reach, false);
     }

@@ -22,6 +22,7 @@ struct Attempt {
   double fineness = 1.0;
   unsigned rounds = 0;       ///< of tearing some parts up and joining their pieces anew
   bool planes = false;       ///< cut by planes where that saves more volume than the pieces are worth
+  double plane_price = 1.0;  ///< times the price of volume while planes cut: more pieces to choose from
   bool at_any_cost = false;  ///< all joins that are possible: the merge pass
 };
 
@@ -55,8 +56,9 @@ class Assembly {
 
   [[nodiscard]] std::vector<std::vector<std::size_t>> overlapping(const std::vector<Facets>& parts);
   [[nodiscard]] bool is_hollow(std::span<const std::uint32_t> facets);
-  [[nodiscard]] std::vector<Piece> cut_by_planes(std::vector<Facets> parts, bool planes);
-  void cut_further(std::vector<Piece> open, bool planes, std::vector<Piece>& done);
+  [[nodiscard]] double piece_worth(const Attempt& attempt) const;
+  [[nodiscard]] std::vector<Piece> cut_by_planes(std::vector<Facets> parts, const Attempt& attempt);
+  void cut_further(std::vector<Piece> open, const Attempt& attempt, std::vector<Piece>& done);
   [[nodiscard]] std::vector<Facets> cut_finely(std::vector<Piece> pieces, double fineness);
   [[nodiscard]] Partition partition(std::vector<Facets> pieces, MeasureMode mode);
 

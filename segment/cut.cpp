@@ -7,17 +7,10 @@
 #include <numeric>
 
 namespace ridgecraft::segment {
-namespace {
-
-/// From so many facets on a cut is first looked for among clusters of them. No benchmark model has as many;
-/// below, the whole flow takes milliseconds.
-constexpr std::size_t coarse_from = 50000;
-
-}  // namespace
-
-Cutter::Cutter(const ScaledSurface& surface, const EdgeWeights& weights)
+Cutter::Cutter(const ScaledSurface& surface, const EdgeWeights& weights, std::size_t coarse_from)
     : surface_(&surface),
       weights_(&weights),
+      coarse_from_(coarse_from),
       regions_(surface),
       label_(surface.facet_count(), none),
       node_(surface.facet_count(), 0),
@@ -104,7 +97,7 @@ void Cutter::cut_off(const PartGraph& part, std::uint32_t ridge) {
   cut_off_[ridge] = true;
   flood_fuzzy(part, ridge);
   side_.assign(nodes_.size(), CutSide::open);
-  if (nodes_.size() >= coarse_from) {
+  if (nodes_.size() >= coarse_from_) {
     narrow_down(part, ridge);
   }
   do {
@@ -185,7 +178,7 @@ void Cutter::narrow_down(const PartGraph& part, std::uint32_t ridge) {
 /// Whether the cut runs against nodes that were decided among clusters: a better one may lie beyond.
 bool Cutter::touched_holds(const PartGraph& part) {
   touched_.clear();
-  if (nodes_.size() < coarse_from) {
+  if (nodes_.size() < coarse_from_) {
     return false;
   }
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {

@@ -19,9 +19,14 @@ using Facets = std::vector<std::uint32_t>;
 /// Ridges of one round that are cut off at most, the last region counted in (16.2).
 inline constexpr std::size_t most_ridges = 64;
 
+/// From so many open facets on a cut is first looked for among clusters of them. No benchmark model has as
+/// many; below, the whole flow takes milliseconds.
+inline constexpr std::size_t coarse_from_open = 50000;
+
 class Cutter {
  public:
-  Cutter(const ScaledSurface& surface, const EdgeWeights& weights);
+  Cutter(const ScaledSurface& surface, const EdgeWeights& weights,
+         std::size_t coarse_from = coarse_from_open);
 
   /// Cuts the part that was just measured (it has a high bridge) along minimum cuts between its ridges'
   /// regions. Children are connected, ascending by smallest facet, facets ascending; one child when nothing
@@ -52,6 +57,7 @@ class Cutter {
 
   const ScaledSurface* surface_;
   const EdgeWeights* weights_;
+  std::size_t coarse_from_;
   Regions regions_;
   MaximumFlow flow_;
   std::vector<std::uint32_t> label_;  ///< per facet: ridge that it was cut off with, or none

@@ -6,11 +6,16 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/error.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
 /// Parts that one round tears up at most.
 constexpr std::size_t most_torn = 4;
+/// Rounds end when the sets that were measured have so many facets together, times the surface's: vessels of
+/// a hundred thin pieces would take minutes, others need less than a tenth of it.
+constexpr std::size_t most_work = 400;
 
 }  // namespace
 
@@ -23,6 +28,9 @@ Partition::Partition(Measurer& measurer, const EdgeWeights& weights, const Parti
       mode_(mode),
       pieces_(std::move(pieces)),
       hulls_(measurer.graph().surface().points) {
+  for (const Facets& piece : pieces_) {
+    facet_count_ += piece.size();
+  }
   find_borders();
 }
 
@@ -56,50 +64,50 @@ void Partition::gather(const Key& key) {
   std::sort(facets_.begin(), facets_.end());
 }
 
-/// `halves`: the two sets that the key unites, null when its pieces are to be looked up.
-PieceSet& Partition::hull_of(const Key& key, std::array<const PieceSet*, 2> halves) {
-  const auto [at, fresh] = known_.try_emplace(key);
-  PieceSet& set = at->second;
-  if (!fresh) {
-    return set;
+void Partition::describe(const Hull& hull, PieceSet& set) const {
+  set.feasible = true;
+  set.hull_vertices = hull.vertices;
+  if (cost_.volume > 0.0) {
+    set.rays = cast_rays(hull, measurer_->graph().surface().points);
   }
-  std::vector<std::uint32_t> ids;
-  if (key.size() == 1) {
+}
+
+/// A single piece, or a set that was measured.
+PieceSet& Partition::set_of(const Key& key) {
+  const auto [at, fresh] = known_.try_emplace(key);
+  if (fresh) {
+    RIDGECRAFT_ASSERT(key.size() == 1);
     const ScaledSurface& s = measurer_->graph().surface();
+    std::vector<std::uint32_t> ids;
     for (const std::uint32_t f : pieces_[key[0]]) {
       ids.insert(ids.end(), s.corners[f].begin(), s.corners[f].end());
     }
-    set.measured = set.feasible = true;
-  } else if (halves[0] != nullptr) {
-    for (const PieceSet* half : halves) {
-      ids.insert(ids.end(), half->hull_vertices.begin(), half->hull_vertices.end());
-    }
-  } else {
-    for (const std::uint32_t p : key) {
-      const PieceSet& one = hull_of({p});
-      ids.insert(ids.end(), one.hull_vertices.begin(), one.hull_vertices.end());
-    }
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    hulls_.build(ids, hull_, flat_face_lift);
+    describe(hull_, at->second);
   }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  hulls_.build(ids, hull_, flat_face_lift);
-  set.hull_vertices = hull_.vertices;
-  if (cost_.volume > 0.0) {
-    set.rays = cast_rays(hull_, measurer_->graph().surface().points);
-  }
-  return set;
+  return at->second;
 }
 
-bool Partition::feasible(const Key& key, PieceSet& set) {
-  if (!set.measured) {
-    gather(key);
-    const bool scratch = mode_ == MeasureMode::test_scratch;
-    measurer_->measure(facets_, scratch ? std::span<const std::uint32_t>{} : set.hull_vertices, mode_,
-                       measurement_);
-    set.feasible = !measurement_.stopped && (pockets_ == nullptr || !pockets_->has_pocket(measurement_.hull));
-    set.measured = true;
+/// The set that unites two feasible ones, measured when that wasn't done yet.
+PieceSet& Partition::measured(const Key& key, const PieceSet& a, const PieceSet& b) {
+  const auto [at, fresh] = known_.try_emplace(key);
+  if (!fresh) {
+    return at->second;
   }
-  return set.feasible;
+  std::vector<std::uint32_t> ids;
+  if (mode_ != MeasureMode::test_scratch) {
+    std::set_union(a.hull_vertices.begin(), a.hull_vertices.end(), b.hull_vertices.begin(),
+                   b.hull_vertices.end(), std::back_inserter(ids));
+  }
+  gather(key);
+  work_ += facets_.size();
+  measurer_->measure(facets_, ids, mode_, measurement_);
+  if (!measurement_.stopped && (pockets_ == nullptr || !pockets_->has_pocket(measurement_.hull))) {
+    describe(measurement_.hull, at->second);
+  }
+  return at->second;
 }
 
 double Partition::cost_of(const Groups& groups) const {
@@ -158,7 +166,7 @@ Partition::Groups Partition::groups_of(const std::vector<Key>& keys) {
   std::vector<std::uint32_t> group_of(pieces_.size(), none);
   for (std::uint32_t g = 0; g < keys.size(); ++g) {
     groups[g].pieces = keys[g];
-    groups[g].set = &hull_of(keys[g]);
+    groups[g].set = &set_of(keys[g]);
     for (const std::uint32_t p : keys[g]) {
       group_of[p] = g;
     }
@@ -229,13 +237,16 @@ void Partition::join(Groups& groups, double noise, Random& random) {
     const auto [g, h] = best->first;
     open.erase(best);
     Key key = united(groups[g].pieces, groups[h].pieces);
-    PieceSet& set = hull_of(key, {groups[g].set, groups[h].set});
+    PieceSet& set = measured(key, *groups[g].set, *groups[h].set);
+    if (!set.feasible) {
+      continue;
+    }
     double gain = at_any_cost_ ? std::numeric_limits<double>::infinity()
                                : 1.0 + cost_.border * groups[g].beside.at(h).smoothness;
     if (!at_any_cost_ && cost_.volume > 0.0) {
       gain -= cost_.volume * added_volume(set, g, h) / cost_.unit_volume;
     }
-    if (gain <= 0.0 || !feasible(key, set)) {
+    if (gain <= 0.0) {
       continue;
     }
     for (const auto& [other, border] : groups[h].beside) {
@@ -329,7 +340,7 @@ std::vector<AssembledPart> Partition::run(unsigned rounds, double noise, Random&
   join(groups, 0.0, random);
   std::vector<Key> best = keys_of(groups);
   least_ = cost_of(groups);
-  for (unsigned round = 0; round < rounds && best.size() > 1; ++round) {
+  for (unsigned round = 0; round < rounds && best.size() > 1 && work_ < most_work * facet_count_; ++round) {
     Groups tried = groups_of(torn(best, random));
     join(tried, noise, random);
     const double found = cost_of(tried);

@@ -28,12 +28,11 @@ struct AssembledPart {
   bool joined = false;  ///< of several pieces
 };
 
-/// A set of pieces that may be one part.
+/// A set of pieces that was measured.
 struct PieceSet {
+  bool feasible = false;  ///< may be one part; else nothing more is known
   std::vector<std::uint32_t> hull_vertices;
   std::vector<RaySpan> rays;  ///< through its hull
-  bool measured = false;      ///< `feasible` is known
-  bool feasible = false;
 };
 
 /// Joins connected pieces, each within the tolerance, to parts that are, too. What was measured of a set of
@@ -47,7 +46,8 @@ class Partition {
 
   /// Joins pairs, convex borders first, as long as that lowers the cost; then tears a few neighbouring parts
   /// up in each round and joins their pieces in another order (`noise` is added to the smoothness of their
-  /// borders), and keeps what costs less. Parts ascend by smallest facet.
+  /// borders), and keeps what costs less. Rounds end early where so much was measured that more would take
+  /// too long. Parts ascend by smallest facet.
   [[nodiscard]] std::vector<AssembledPart> run(unsigned rounds, double noise, Random& random);
   /// Makes all joins that are possible, convex borders first, whatever they cost: the merge pass.
   [[nodiscard]] std::vector<AssembledPart> join_all();
@@ -67,8 +67,9 @@ class Partition {
   };
   using Groups = std::vector<Group>;
 
-  PieceSet& hull_of(const Key& key, std::array<const PieceSet*, 2> halves = {});
-  bool feasible(const Key& key, PieceSet& set);
+  [[nodiscard]] PieceSet& set_of(const Key& key);
+  PieceSet& measured(const Key& key, const PieceSet& a, const PieceSet& b);
+  void describe(const Hull& hull, PieceSet& set) const;
   [[nodiscard]] double cost_of(const Groups& groups) const;
   void find_borders();
   [[nodiscard]] double added_volume(const PieceSet& set, std::uint32_t g, std::uint32_t h) const;
@@ -103,6 +104,8 @@ class Partition {
   HullBuilder hulls_;
   Hull hull_;
   Facets facets_;
+  std::size_t facet_count_ = 0;  ///< of all pieces
+  std::size_t work_ = 0;         ///< facets of all sets that were measured
 };
 
 }  // namespace ridgecraft::segment

@@ -43,16 +43,15 @@ AssemblySettings settings_of(const Options& options) {
   settings.noise = 0.6;
   settings.attempts.push_back({.at_any_cost = true});
   std::vector<Attempt> attempts{{.fineness = 0.5, .rounds = 40}};
+  std::vector<Attempt> with_planes{{.fineness = 0.5, .rounds = 40, .planes = true}};
   if (options.effort > 2) {
-    attempts.push_back({.fineness = 0.35, .rounds = 150});
+    attempts = {{.fineness = 0.35, .rounds = 150}, {.fineness = 0.25, .rounds = 150}};
+    with_planes = {{.fineness = 0.35, .rounds = 150, .planes = true},
+                   {.fineness = 0.5, .rounds = 60, .planes = true, .plane_price = 2.0}};
   }
-  for (const bool planes : {false, true}) {
-    for (Attempt attempt : attempts) {
-      attempt.planes = planes;
-      if (options.planes || !planes) {
-        settings.attempts.push_back(attempt);
-      }
-    }
+  settings.attempts.insert(settings.attempts.end(), attempts.begin(), attempts.end());
+  if (options.planes) {
+    settings.attempts.insert(settings.attempts.end(), with_planes.begin(), with_planes.end());
   }
   return settings;
 }
@@ -124,7 +123,9 @@ class Run {
       }
     }
     reason = PartReason::split;
-    return cutter_.split(measurer_, measurement_, work.depth >= deepest_cut);
+    const bool halves = work.depth >= deepest_cut;
+    ++(halves ? recursion_.halvings : recursion_.splits);
+    return cutter_.split(measurer_, measurement_, halves);
   }
 
   /// Takes a part off the stack that is too concave and puts its pieces there, the first one on top. False
@@ -135,6 +136,7 @@ class Run {
     if (children.size() < 2) {
       return false;
     }
+    recursion_.depth = std::max(recursion_.depth, work.depth + 1);
     for (std::size_t i = children.size(); i-- > 0;) {
       stack_.push_back({std::move(children[i]), work.depth + 1, reason});
     }
@@ -362,6 +364,7 @@ class Run {
     std::sort(final_.begin(), final_.end(),
               [](const Part& a, const Part& b) { return a.faces.front() < b.faces.front(); });
     Segmentation s;
+    s.recursion = recursion_;
     s.part.resize(real_facets_);
     for (Part& part : final_) {
       const PartId id(s.parts.size());
@@ -388,6 +391,7 @@ class Run {
   std::vector<MergePart> parts_;
   std::vector<PartReason> reasons_;
   std::vector<Part> final_;
+  Recursion recursion_;
 };
 
 }  // namespace
