@@ -177,8 +177,6 @@ std::optional<Peer> run_limited(const bench::BenchmarkModel& model, unsigned lim
   return got ? std::optional(peer) : std::nullopt;
 }
 
-/// How many of the vertices of a part are outside its hull, whose triangles are found here anew: 0 is
-/// promised.
 void print_ours(const bench::BenchmarkModel& model) {
   const double start = bench::cpu_seconds();
   const auto result = segment::segment(model.read.surface, model.read.polygon.items(), {}, Context{});
@@ -188,7 +186,8 @@ void print_ours(const bench::BenchmarkModel& model) {
     labels.push_back(p.value());
   }
   const bench::Figures figures = bench::judge(model, labels, Context{});
-  std::printf("  %5.0f %8.3f %7.3f\n", figures.parts, seconds, figures.volume);
+  std::printf("  | %5.0f %8.3f %7.3f %5zu\n", figures.parts, seconds, figures.volume,
+              bench::outside_hulls(model.read.surface, result));
 }
 
 /// The model with the fewest faces of each category, by the size of its file.
@@ -226,7 +225,7 @@ int main(int argc, char** argv) {
   }
   std::printf(
       "model category    faces | HACD: parts seconds, volume of its hulls, of its parts' hulls, vertices "
-      "outside, how far | ours: parts seconds volume\n");
+      "outside, how far | ours: parts seconds volume, vertices outside\n");
   for (const int m : models) {
     const bench::BenchmarkModel model = bench::read_model(psb, m, Context{});
     std::printf("%5d %-10s %6zu ", m, bench::category_of(m).c_str(), model.read.surface.face_count());

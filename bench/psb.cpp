@@ -10,6 +10,9 @@
 
 #include "segment/agreement.hpp"
 #include "segment/evaluate.hpp"
+#include "segment/exact_orientation.hpp"
+#include "segment/hull.hpp"
+#include "segment/scaled_surface.hpp"
 
 namespace ridgecraft::bench {
 namespace {
@@ -116,6 +119,37 @@ Figures judge(const BenchmarkModel& model, std::span<const std::uint32_t> part_o
   return figures;
 }
 
+std::size_t outside_hulls(const mesh::Surface& surface, const segment::Segmentation& segmentation) {
+  /// So far below a triangle's plane no rounding matters: the exact sign isn't needed.
+  constexpr double surely_below = 1e-9;
+  const segment::ScaledSurface scaled = segment::scale_surface(surface, {});
+  const std::vector<Vec3>& points = scaled.points;
+  segment::HullBuilder builder(points);
+  segment::Hull hull;
+  std::size_t outside = 0;
+  for (const segment::Part& part : segmentation.parts) {
+    std::vector<std::uint32_t> hull_vertices;
+    for (const VertexId v : part.hull_vertices) {
+      hull_vertices.push_back(v.value());
+    }
+    builder.build(hull_vertices, hull);
+    std::set<std::uint32_t> vertices;
+    for (const FaceId f : part.faces) {
+      vertices.insert(scaled.corners[f.value()].begin(), scaled.corners[f.value()].end());
+    }
+    for (const auto& [a, b, c] : hull.triangles) {
+      const Vec3 normal = normalized(cross(points[b] - points[a], points[c] - points[a]));
+      std::erase_if(vertices, [&](std::uint32_t v) {
+        const bool out = dot(normal, points[v] - points[a]) > -surely_below &&
+                         segment::exact_orientation(points[a], points[b], points[c], points[v]) > 0;
+        outside += out ? 1 : 0;
+        return out;
+      });
+    }
+  }
+  return outside;
+}
+
 Figures mean_of(std::span<const Figures> rows) {
   Figures mean;
   const auto n = static_cast<double>(std::max<std::size_t>(1, rows.size()));
@@ -126,6 +160,7 @@ Figures mean_of(std::span<const Figures> rows) {
     mean.reading += r.reading / n;
     mean.rand += r.rand / n;
     mean.worst = std::max(mean.worst, r.worst);
+    mean.outside += r.outside;
   }
   if (!rows.empty()) {
     mean.model = rows.front().model;
@@ -139,7 +174,7 @@ std::string json_line(const Figures& r) {
   out << "{\"model\": " << r.model << ", \"category\": \"" << r.category << "\", \"faces\": " << r.faces
       << ", \"tolerance\": " << r.tolerance << ", \"parts\": " << r.parts << ", \"volume\": " << r.volume
       << ", \"seconds\": " << r.seconds << ", \"reading\": " << r.reading << ", \"rand\": " << r.rand
-      << ", \"worst\": " << r.worst << "}";
+      << ", \"worst\": " << r.worst << ", \"outside\": " << r.outside << "}";
   return out.str();
 }
 

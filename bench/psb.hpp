@@ -11,6 +11,7 @@
 
 #include "mesh/context.hpp"
 #include "mesh/mesh.hpp"
+#include "segment/segment.hpp"
 
 namespace ridgecraft::bench {
 
@@ -31,8 +32,9 @@ struct Figures {
   double volume = 0.0;   ///< of the union of the parts' hulls over that of the model
   double seconds = 0.0;  ///< CPU time of reading and segmenting
   double reading = 0.0;
-  double rand = 0.0;   ///< 1 - Rand index, mean over the people
-  double worst = 0.0;  ///< greatest concavity of a part
+  double rand = 0.0;        ///< 1 - Rand index, mean over the people
+  double worst = 0.0;       ///< greatest concavity of a part
+  std::size_t outside = 0;  ///< vertices outside a hull that must hold them
 };
 
 [[nodiscard]] int category_number(int model);  ///< from 0 on
@@ -44,7 +46,12 @@ struct Figures {
 /// Parts, volume and agreement of a labeling of the faces; the rest stays 0.
 [[nodiscard]] Figures judge(const BenchmarkModel& model, std::span<const std::uint32_t> part_of_face,
                             const Context& context);
-/// Means; `worst` is the greatest, model and category are the first's.
+/// How many vertices lie outside the hull of a part with a face of theirs, in exact arithmetic on the grid of
+/// segment/exact_orientation.hpp (2^-40 of the model's radius). Hulls are those of the reported hull
+/// vertices.
+[[nodiscard]] std::size_t outside_hulls(const mesh::Surface& surface,
+                                        const segment::Segmentation& segmentation);
+/// Means; `worst` is the greatest, `outside` the sum, model and category are the first's.
 [[nodiscard]] Figures mean_of(std::span<const Figures> rows);
 /// One line for machines.
 [[nodiscard]] std::string json_line(const Figures& figures);

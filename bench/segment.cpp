@@ -70,6 +70,7 @@ Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& op
   row.seconds = model.seconds + seconds;
   row.reading = model.seconds;
   row.worst = result.max_concavity();
+  row.outside = bench::outside_hulls(model.read.surface, result);
   return row;
 }
 
@@ -95,6 +96,7 @@ void print_table(const std::vector<Figures>& rows) {
     print_row(list.front().category, bench::mean_of(list));
   }
   print_row("mean", bench::mean_of(rows));
+  std::printf("vertices outside a hull of theirs: %zu\n", bench::mean_of(rows).outside);
 }
 
 /// `runs`: for each tolerance all models in the same order. The best tolerance of a category or a model is

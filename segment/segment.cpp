@@ -15,6 +15,7 @@
 #include "segment/edge_weights.hpp"
 #include "segment/measure.hpp"
 #include "segment/merge.hpp"
+#include "segment/recursion.hpp"
 #include "segment/scaled_surface.hpp"
 #include "segment/vertex_graph.hpp"
 #include "segment/virtual_facets.hpp"
@@ -42,16 +43,15 @@ AssemblySettings settings_of(const Options& options) {
   settings.border_weight = 0.1;
   settings.noise = 0.6;
   settings.attempts.push_back({.at_any_cost = true});
-  std::vector<Attempt> attempts{{.fineness = 0.5, .rounds = 40}};
-  std::vector<Attempt> with_planes{{.fineness = 0.5, .rounds = 40, .planes = true}};
+  Attempt finer{.fineness = 0.5, .rounds = 40};
+  Attempt by_planes{.fineness = 0.5, .rounds = 40, .planes = true};
   if (options.effort > 2) {
-    attempts = {{.fineness = 0.35, .rounds = 150}, {.fineness = 0.25, .rounds = 150}};
-    with_planes = {{.fineness = 0.35, .rounds = 150, .planes = true},
-                   {.fineness = 0.5, .rounds = 60, .planes = true, .plane_price = 2.0}};
+    finer = {.fineness = 0.25, .rounds = 150};
+    by_planes = {.fineness = 0.5, .rounds = 60, .planes = true, .plane_price = 3.0};
   }
-  settings.attempts.insert(settings.attempts.end(), attempts.begin(), attempts.end());
+  settings.attempts.push_back(finer);
   if (options.planes) {
-    settings.attempts.insert(settings.attempts.end(), with_planes.begin(), with_planes.end());
+    settings.attempts.push_back(by_planes);
   }
   return settings;
 }
@@ -111,6 +111,7 @@ class Run {
     }
     return result();
   }
+  [[nodiscard]] const Recursion& recursion() const { return recursion_; }
 
  private:
   /// The pieces of a measured part that is too concave; a single one when it can't be divided.
@@ -364,7 +365,6 @@ class Run {
     std::sort(final_.begin(), final_.end(),
               [](const Part& a, const Part& b) { return a.faces.front() < b.faces.front(); });
     Segmentation s;
-    s.recursion = recursion_;
     s.part.resize(real_facets_);
     for (Part& part : final_) {
       const PartId id(s.parts.size());
@@ -398,6 +398,12 @@ class Run {
 
 Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
                      const Options& options, const Context& context) {
+  Recursion unused;
+  return segment(surface, polygon, options, context, unused);
+}
+
+Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                     const Options& options, const Context& context, Recursion& recursion) {
   if (!std::isfinite(options.concavity) || !(options.concavity > 0.0)) {
     throw Error(ErrorKind::usage, "the concavity must be a number above 0");
   }
@@ -414,7 +420,10 @@ Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t
   if (surface.face_count() == 0) {
     return {};
   }
-  return Run(surface, polygon, options, context).run();
+  Run run(surface, polygon, options, context);
+  Segmentation result = run.run();
+  recursion = run.recursion();
+  return result;
 }
 
 }  // namespace ridgecraft::segment

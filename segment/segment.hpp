@@ -79,17 +79,9 @@ struct Part {
   PartReason reason = PartReason::component;
 };
 
-/// How hard a surface was to cut.
-struct Recursion {
-  int depth = 0;             ///< cuts that the most divided part came from
-  std::size_t splits = 0;    ///< times that no cut made two pieces and facets went to the nearer end
-  std::size_t halvings = 0;  ///< times that a part was halved since cutting it went on too long
-};
-
 struct Segmentation {
   IdVector<FaceId, PartId> part;  ///< of each face; numbered by their smallest face
   IdVector<PartId, Part> parts;
-  Recursion recursion;
 
   /// Greatest concavity of a part; 0 when there is none.
   [[nodiscard]] double max_concavity() const;

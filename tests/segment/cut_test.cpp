@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "mesh/context.hpp"
+#include "segment/recursion.hpp"
 #include "segment/ridges.hpp"
 #include "segment/segment.hpp"
 #include "support/concave_shapes.hpp"
@@ -173,28 +174,31 @@ TEST_CASE("Trays are peeled until the limit of depth, and end within the toleran
     double height;
     double inner;
   };
+  segment::Recursion seen;
   std::size_t halvings = 0;
-  for (const Tray& t : {Tray{64, 0.19, 0.9}, Tray{100, 0.18, 0.85}, Tray{130, 0.2, 0.9}}) {
+  for (const Tray& t : {Tray{64, 0.19, 0.9}, Tray{100, 0.18, 0.85}, Tray{200, 0.19, 0.9},
+                        Tray{200, 0.18, 0.92}, Tray{130, 0.18, 0.85}}) {
     const mesh::Surface tray = test::revolve(
         {{0, 0}, {1, 0}, {1, t.height}, {t.inner, t.height}, {t.inner, 0.06}, {0, 0.06}}, t.steps);
-    const auto s = segment::segment(tray, {}, {0.1}, Context{});
+    const auto s = segment::segment(tray, {}, {0.1}, Context{}, seen);
     CHECK(s.max_concavity() <= 0.1);
     CHECK(s.parts.size() < 20);
-    CHECK(s.recursion.depth > 30);
-    halvings += s.recursion.halvings;
+    CHECK(seen.depth > 30);
+    halvings += seen.halvings;
   }
   CHECK(halvings > 0);
 }
 
 TEST_CASE("Where no cut makes two pieces a whole run falls back to the nearer end") {
-  // Noise ten times the tolerance: somewhere a few facets are one ridge and too concave.
+  // Noise of twenty times the tolerance: somewhere a few facets are one ridge and too concave.
   Random random(2);
+  segment::Recursion seen;
   std::size_t splits = 0;
   for (int round = 0; round < 4; ++round) {
     const mesh::Surface rough = test::star_shaped([&](Vec3) { return 1.0 + 0.02 * random.unit(); }, 100, 50);
-    const auto s = segment::segment(rough, {}, {0.001}, Context{});
+    const auto s = segment::segment(rough, {}, {0.001}, Context{}, seen);
     CHECK(s.max_concavity() <= 0.001);
-    splits += s.recursion.splits;
+    splits += seen.splits;
   }
   CHECK(splits > 0);
 }
