@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/early_warnings.hpp"
 #include "cli/edge_options.hpp"
-#include "cli/expected_pages.hpp"
 #include "cli/settings.hpp"
 #include "cli/targets.hpp"
 #include "mesh/error.hpp"
@@ -132,6 +132,9 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
     paper::check_pdf_size(job.paper.size);
   }
   const EdgeFiles edge_files = read_edge_files(job.edges);
+  if (const auto warning = narrow_margin_warning(job.paper)) {
+    remark(*warning);
+  }
   PaperResult result;
   StageClock& clock = result.clock;
   mesh::Model model = clock("read", context, [&] {
@@ -160,6 +163,9 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   });
   const mesh::Surface& surface = result.prepared.model.surface;
   result.slivers = mesh::count_narrow_faces(surface, result.prepared.panels, sliver_mm);
+  if (const auto warning = too_small_warning(result.prepared)) {
+    remark(*warning);
+  }
   const double expected = expected_pages(result.prepared, area);
   if (expected >= many_pages) {
     remark(many_pages_warning(surface, area, expected, false));

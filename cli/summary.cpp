@@ -2,13 +2,13 @@
 #include "cli/summary.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/summary_blocks.hpp"
 #include "cli/summary_pieces.hpp"
+#include "cli/summary_tabs.hpp"
 #include "mesh/extent.hpp"
 #include "unfold/tabs.hpp"
 
@@ -58,93 +58,10 @@ std::string simplified_text(const mesh::SimplifyReport& report, const SizeArgume
   return text;
 }
 
-/// "3 too short, 1 no room": why joins have no tab.
-std::string without_tab_text(const unfold::Nets& nets) {
-  std::map<unfold::NoTab, std::size_t> reasons;
-  for (const unfold::Join& join : nets.joins) {
-    if (!join.tab.valid()) {
-      ++reasons[join.no_tab];
-    }
-  }
-  std::string text;
-  for (const auto& [reason, count] : reasons) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", count, unfold::sentence(reason));
-  }
-  return text;
-}
-
-std::size_t joins_without_tab(const unfold::Nets& nets) {
-  return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(),
-                                                [](const auto& join) { return !join.tab.valid(); }));
-}
-
-/// "  tabs        20 for 22 joins; 2 without (2 too short)": a line.
-std::string tabs_text(const unfold::Nets& nets) {
-  const std::size_t without = joins_without_tab(nets);
-  return fmt::format("  tabs        {} for {}{}\n", nets.tabs.size(), counted(nets.joins.size(), "join"),
-                     without > 0 ? fmt::format("; {} without ({})", without, without_tab_text(nets)) : "");
-}
-
 std::string notes_text(const unfold::Nets& nets) {
   std::string text;
   for (const std::string& note : nets.notes) {
     text += "  note        " + note + "\n";
-  }
-  return text;
-}
-
-Json disagreement_json(const segment::Disagreement& d) {
-  Json json;
-  json["rand_error"] = d.rand_error;
-  json["hamming"] = d.hamming;
-  json["gce"] = d.global_consistency;
-  json["lce"] = d.local_consistency;
-  json["cut_discrepancy"] = d.cut_discrepancy ? Json(*d.cut_discrepancy) : Json();
-  return json;
-}
-
-Json comparison_json(const Comparison& comparison) {
-  Json json = Json::array();
-  for (const Comparison::With& with : comparison.with) {
-    Json entry = disagreement_json(with.disagreement);
-    entry["file"] = with.file;
-    json.push_back(entry);
-  }
-  return json;
-}
-
-segment::Disagreement mean_disagreement(const Comparison& comparison) {
-  segment::Disagreement mean{.cut_discrepancy = 0.0};
-  const auto n = static_cast<double>(comparison.with.size());
-  for (const Comparison::With& with : comparison.with) {
-    const segment::Disagreement& d = with.disagreement;
-    mean.rand_error += d.rand_error / n;
-    mean.hamming += d.hamming / n;
-    mean.global_consistency += d.global_consistency / n;
-    mean.local_consistency += d.local_consistency / n;
-    if (mean.cut_discrepancy) {
-      mean.cut_discrepancy =
-          d.cut_discrepancy ? std::optional(*mean.cut_discrepancy + *d.cut_discrepancy / n) : std::nullopt;
-    }
-  }
-  return mean;
-}
-
-std::string disagreement_line(const std::string& name, const segment::Disagreement& d) {
-  return fmt::format("  {:<11} 1-Rand {:.4f}, Hamming {:.4f}, GCE {:.4f}, LCE {:.4f}, cuts {}\n", name,
-                     d.rand_error, d.hamming, d.global_consistency, d.local_consistency,
-                     d.cut_discrepancy ? fmt::format("{:.4f}", *d.cut_discrepancy) : "-");
-}
-
-std::string comparison_text(const Comparison& comparison) {
-  std::string text =
-      fmt::format("  hulls       {:.3f} times the model's volume, together\n", comparison.volume_ratio);
-  for (const Comparison::With& with : comparison.with) {
-    text += disagreement_line("against", with.disagreement);
-    text += fmt::format("              {}\n", with.file);
-  }
-  if (comparison.with.size() > 1) {
-    text += disagreement_line("mean", mean_disagreement(comparison));
   }
   return text;
 }
@@ -180,17 +97,10 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
                       counted(nets.pieces.size(), "piece"), reasons_text(nets),
                       counted(result.pages.count, "page"), job.paper_name);
   text += extra_pieces_text(nets);
-  text += tabs_text(nets);
+  text += tabs_text(nets, job.tabs.height_mm);
   text += fmt::format("  lines       {} to cut, {} to fold\n", metres(result.figures.cut_mm),
                       metres(result.figures.fold_mm));
-  if (result.drawn.labels_left_out + result.drawn.labels_outside + result.drawn.names_left_out > 0) {
-    text +=
-        fmt::format("  numbers     {} beside their piece, {} without a place{}\n",
-                    result.drawn.labels_outside, result.drawn.labels_left_out,
-                    result.drawn.names_left_out > 0
-                        ? fmt::format("; {} without a place", counted(result.drawn.names_left_out, "name"))
-                        : "");
-  }
+  text += numbers_text(result.drawn);
   if (result.slivers > 0) {
     text += fmt::format(
         "  slivers     {} thinner than {:g} mm, too thin to cut or fold; a larger --size or --faces N "
@@ -222,7 +132,7 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["joins_without_tab"] = result.figures.joins_without_tab;
   json["cut_mm"] = rounded(result.figures.cut_mm);
   json["fold_mm"] = rounded(result.figures.fold_mm);
-  json["labels_left_out"] = result.drawn.labels_left_out;
+  json["labels_left_out"] = numbers_json(result.drawn);
   json["labels_outside"] = result.drawn.labels_outside;
   json["names_left_out"] = result.drawn.names_left_out;
   json["slivers"] = result.slivers;
@@ -243,53 +153,6 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string summary(const SegmentJob& job, const SegmentResult& result) {
-  std::string text = fmt::format("{}: {}, {}\n", job.model, counted(result.model.polygon_count, "polygon"),
-                                 counted(result.model.surface.component_count(), "component"));
-  text += fmt::format("  parts       {}, concavity at most {:.4f}{}\n", result.segmentation.parts.size(),
-                      result.segmentation.max_concavity(),
-                      job.parts > 0 ? "" : fmt::format(" (asked: {:g})", job.options.concavity));
-  if (result.comparison) {
-    text += comparison_text(*result.comparison);
-  }
-  text += fmt::format("  time        {}\n", seconds_text(result.clock));
-  return result.comparison && result.files.empty() ? text : text + written_text(result.files);
-}
-
-std::string summary_json(const SegmentJob& job, const SegmentResult& result) {
-  Json json;
-  json["model"] = result.model.name;
-  json["faces"] = result.model.polygon_count;
-  json["parts"] = result.segmentation.parts.size();
-  json["max_concavity"] = result.segmentation.max_concavity();
-  if (job.parts > 0) {
-    json["parts_asked"] = job.parts;
-  } else {
-    json["concavity"] = job.options.concavity;
-    json["effort"] = job.options.effort;
-    json["volume_weight"] = segment::volume_weight(job.options);
-    json["planes"] = job.options.planes;
-    json["pockets"] = job.options.pockets;
-  }
-  json["part"] = Json::array();
-  for (const segment::Part& part : result.segmentation.parts) {
-    json["part"].push_back({{"faces", part.faces.size()},
-                            {"concavity", part.concavity},
-                            {"hull_volume", part.hull_volume},
-                            {"reason", segment::name(part.reason)}});
-  }
-  if (result.comparison) {
-    json["volume_ratio"] = result.comparison->volume_ratio;
-    json["compare"] = comparison_json(*result.comparison);
-    json["compare_mean"] = disagreement_json(mean_disagreement(*result.comparison));
-  }
-  json["seconds"] = result.clock.total();
-  json["stages"] = seconds_json(result.clock);
-  json["repairs"] = repairs_json(result.model.repairs);
-  json["files"] = result.files;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 std::string summary(const UnfoldJob& job, const UnfoldResult& result) {
   std::string text =
       fmt::format("{}: {}, {}\n", job.model, counted(result.prepared.model.surface.face_count(), "face"),
@@ -299,7 +162,7 @@ std::string summary(const UnfoldJob& job, const UnfoldResult& result) {
                       counted(result.nets.pieces.size(), "piece"), reasons_text(result.nets),
                       result.figures.overlaps);
   if (job.tabs.wanted) {
-    text += tabs_text(result.nets);
+    text += tabs_text(result.nets, job.tabs.height_mm);
   }
   text += folding_text(result.nets);
   text += notes_text(result.nets);

@@ -108,6 +108,34 @@ Json bodies_json(const unfold::Nets& nets, const std::vector<paper::Body>& bodie
   return list;
 }
 
+std::string numbers_text(const paper::DrawReport& drawn) {
+  constexpr std::size_t most = 10;
+  std::vector<paper::DrawReport::Number> lost = drawn.labels_left_out;
+  std::sort(lost.begin(), lost.end());
+  if (lost.empty() && drawn.labels_outside + drawn.names_left_out == 0) {
+    return {};
+  }
+  std::string text = fmt::format("  numbers     {} beside their piece, {} without a place",
+                                 drawn.labels_outside, lost.size());
+  for (std::size_t i = 0; i < std::min(most, lost.size()); ++i) {
+    const bool same_piece = i > 0 && lost[i].piece == lost[i - 1].piece;
+    text += same_piece ? ", " : (i == 0 ? ": " : "; ") + lost[i].piece + " ";
+    text += std::to_string(lost[i].number);
+  }
+  text += lost.size() > most ? fmt::format(" and {} more", lost.size() - most) : "";
+  return text + (drawn.names_left_out > 0
+                     ? fmt::format("; {} without a place\n", counted(drawn.names_left_out, "name"))
+                     : "\n");
+}
+
+Json numbers_json(const paper::DrawReport& drawn) {
+  Json list = Json::array();
+  for (const auto& [piece, number] : drawn.labels_left_out) {
+    list.push_back({{"piece", piece}, {"number", number}});
+  }
+  return list;
+}
+
 std::string folding_text(const unfold::Nets& nets) {
   const std::vector<PieceId> pieces = pieces_with_care(nets);
   return pieces.empty()

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/summary_blocks.hpp"
-#include "export/bodies.hpp"
+#include "export/export.hpp"
 #include "mesh/model.hpp"
 #include "unfold/nets.hpp"
 
@@ -20,6 +20,11 @@ namespace ridgecraft::cli {
 /// A line for each reason with the pieces that are there for it.
 [[nodiscard]] std::string extra_pieces_text(const unfold::Nets& nets);
 [[nodiscard]] Json extra_pieces_json(const unfold::Nets& nets);
+
+/// A line about the numbers that don't stand where they should; empty where all do.
+[[nodiscard]] std::string numbers_text(const paper::DrawReport& drawn);
+/// Those without a place, by piece.
+[[nodiscard]] Json numbers_json(const paper::DrawReport& drawn);
 
 /// The pieces that have to be bent while they are folded.
 [[nodiscard]] std::string folding_text(const unfold::Nets& nets);

@@ -74,9 +74,10 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.flag("Output", "--overwrite", job.overwrite,
             "Replace existing files, also those that weren't made from this model.");
   size.add_to(verb, "auto");
-  verb.option("Paper", "--paper", paper, "NAME|WxH",
-              "A0 to A6, letter, legal, tabloid and others, -landscape added to turn it, or a size such as "
-              "300x200mm (A4).");
+  verb.option(
+      "Paper", "--paper", paper, "NAME|WxH",
+      "A0 to A7, B0 to B6, letter, legal, tabloid and others, -landscape added to turn it, or a size such as "
+      "300x200mm (A4).");
   verb.option("Paper", "--margin", margin, "LENGTH",
               "What the printer can't reach, on all four sides (10mm).");
   verb.option("Tabs and lines", "--tab-height", tab_height, "LENGTH", "Height of the glue tabs (5mm).");

@@ -61,9 +61,15 @@ std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets,
     for (PieceDrawing& piece : pieces[i]) {
       drawing.groups.push_back(std::move(piece.group));
     }
-    drawing.groups.push_back(
-        furniture(pages.paper, drawing.title, drawing.page, drawing.page_count, line_kinds(drawing.groups)));
     drawings.push_back(std::move(drawing));
+  }
+  LineKinds anywhere;
+  for (const Drawing& drawing : drawings) {
+    anywhere = anywhere | line_kinds(drawing.groups);
+  }
+  for (Drawing& drawing : drawings) {
+    drawing.groups.push_back(furniture(pages.paper, drawing.title, drawing.page, drawing.page_count,
+                                       line_kinds(drawing.groups), anywhere));
   }
   if (report != nullptr) {
     *report = sum;

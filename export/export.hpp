@@ -56,10 +56,16 @@ struct Style {
 
 /// What is drawn, beside the pages themselves.
 struct DrawReport {
-  std::size_t labels_left_out = 0;  ///< numbers that found no place even at the smallest height
-  std::size_t labels_outside = 0;   ///< numbers that stand beside their piece, with a leader
-  std::size_t names_left_out = 0;   ///< pieces whose name found no place
-  std::vector<Body> bodies;         ///< separate ones, if there are several (export/bodies.hpp)
+  struct Number {
+    std::string piece;
+    std::uint32_t number = 0;
+    friend auto operator<=>(const Number&, const Number&) = default;
+  };
+  /// Numbers that found no place even at the smallest height, page by page.
+  std::vector<Number> labels_left_out;
+  std::size_t labels_outside = 0;  ///< numbers that stand beside their piece, with a leader
+  std::size_t names_left_out = 0;  ///< pieces whose name found no place
+  std::vector<Body> bodies;        ///< separate ones, if there are several (export/bodies.hpp)
 };
 
 /// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, legend, scale bar.

@@ -54,22 +54,23 @@ constexpr std::array<LegendSize, 4> legend_sizes{
 
 class FurnitureMaker {
  public:
-  FurnitureMaker(const Paper& paper, std::string_view title, int page, int page_count, const LineKinds& used)
+  FurnitureMaker(const Paper& paper, std::string_view title, int page, int page_count, const LineKinds& used,
+                 const LineKinds& anywhere)
       : left_(std::max(paper.margin, side_inset)),
         right_(paper.size.x - left_),
         bottom_(std::max(paper.margin, foot_inset)),
         title_(printable_utf8(title)),
         page_(std::to_string(page) + " / " + std::to_string(page_count)) {
     group_.id = "page";
-    std::ranges::copy_if(legend_items, std::back_inserter(items_),
-                         [&](const LegendItem& item) { return used.*item.used; });
+    items_ = items_of(used);
+    items_anywhere_ = items_of(anywhere);
   }
 
   Group make() {
     const double upper = bottom_ + 1.2 + row_gap;
     const double room = width() - neighbour_gap - bar_width(50.0);
     const auto fits = [&](const LegendSize& size) {
-      return size.sample >= 7.5 && legend_width(size) <= room;
+      return size.sample >= 7.5 && legend_width(size, items_anywhere_) <= room;
     };
     if (const auto size = std::ranges::find_if(legend_sizes, fits); size != legend_sizes.end()) {
       legend(left_, upper, *size, items_);
@@ -83,6 +84,13 @@ class FurnitureMaker {
   }
 
  private:
+  static std::vector<LegendItem> items_of(const LineKinds& kinds) {
+    std::vector<LegendItem> items;
+    std::ranges::copy_if(legend_items, std::back_inserter(items),
+                         [&](const LegendItem& item) { return kinds.*item.used; });
+    return items;
+  }
+
   [[nodiscard]] double width() const { return right_ - left_; }
 
   void line(Vec2 a, Vec2 b, Fold fold = Fold::none) {
@@ -152,9 +160,9 @@ class FurnitureMaker {
   static double item_width(const LegendSize& size, const LegendItem& item) {
     return sample_width(size, item) + 1.5 + text_width(word(size, item), text_height);
   }
-  [[nodiscard]] double legend_width(const LegendSize& size) const {
+  static double legend_width(const LegendSize& size, const std::vector<LegendItem>& items) {
     double total = -size.gap;
-    for (const LegendItem& item : items_) {
+    for (const LegendItem& item : items) {
       total += item_width(size, item) + size.gap;
     }
     return total;
@@ -218,12 +226,12 @@ class FurnitureMaker {
     constexpr double low_row = 0.5;
     constexpr double step = 3.7;
     double upper = bottom_ + low_row + 2.0 * step;
-    const LegendSize* size =
-        std::ranges::find_if(legend_sizes, [&](const LegendSize& s) { return legend_width(s) <= width(); });
+    const LegendSize* size = std::ranges::find_if(
+        legend_sizes, [&](const LegendSize& s) { return legend_width(s, items_anywhere_) <= width(); });
     const bool whole = size != legend_sizes.end();
     size = whole ? size : &legend_sizes.back();
     std::size_t count = items_.size();
-    double used = legend_width(*size);
+    double used = legend_width(*size, items_);
     while (used > width() && count > 0) {
       used -= item_width(*size, items_[--count]) + size->gap;
     }
@@ -239,7 +247,8 @@ class FurnitureMaker {
     title_row(bottom_ + low_row, false);
   }
 
-  std::vector<LegendItem> items_;  ///< those used on the page
+  std::vector<LegendItem> items_;           ///< those used on the page
+  std::vector<LegendItem> items_anywhere_;  ///< those used on any page
   double left_;
   double right_;
   double bottom_;
@@ -265,8 +274,16 @@ LineKinds line_kinds(const std::vector<Group>& groups) {
   return kinds;
 }
 
-Group furniture(const Paper& paper, std::string_view title, int page, int page_count, const LineKinds& used) {
-  return FurnitureMaker(paper, title, page, page_count, used).make();
+LineKinds operator|(LineKinds a, const LineKinds& b) {
+  for (const LegendItem& item : legend_items) {
+    a.*item.used = a.*item.used || b.*item.used;
+  }
+  return a;
+}
+
+Group furniture(const Paper& paper, std::string_view title, int page, int page_count, const LineKinds& used,
+                const LineKinds& anywhere) {
+  return FurnitureMaker(paper, title, page, page_count, used, anywhere).make();
 }
 
 }  // namespace ridgecraft::paper

@@ -23,11 +23,15 @@ struct LineKinds {
 /// What is drawn in these groups.
 [[nodiscard]] LineKinds line_kinds(const std::vector<Group>& groups);
 
+/// Both.
+[[nodiscard]] LineKinds operator|(LineKinds a, const LineKinds& b);
+
 /// The furniture of one page, in the band of furniture_height at the foot of the printable area. The legend
-/// has every kind of line that is used on the page. On narrow paper it takes three rows instead of two, uses
-/// shorter words, and leaves out what doesn't fit; nothing reaches out of the band. Where the margin is
+/// has every kind of line that is `used` on the page; its words and samples are those that fit a page with
+/// all that is used `anywhere`, so that pages look alike. On narrow paper it takes three rows instead of two,
+/// uses shorter words, and leaves out what doesn't fit; nothing reaches out of the band. Where the margin is
 /// smaller than a pen's width and a descender need, it keeps away from the sheet's edge nevertheless.
 [[nodiscard]] Group furniture(const Paper& paper, std::string_view title, int page, int page_count,
-                              const LineKinds& used);
+                              const LineKinds& used, const LineKinds& anywhere);
 
 }  // namespace ridgecraft::paper

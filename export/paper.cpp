@@ -33,8 +33,14 @@ constexpr std::array named_sizes{
     NamedSize{"A4", 210, 297},
     NamedSize{"A5", 148, 210},
     NamedSize{"A6", 105, 148},
+    NamedSize{"A7", 74, 105},
+    NamedSize{"B0", 1000, 1414},
+    NamedSize{"B1", 707, 1000},
+    NamedSize{"B2", 500, 707},
+    NamedSize{"B3", 353, 500},
     NamedSize{"B4", 250, 353},
     NamedSize{"B5", 176, 250},
+    NamedSize{"B6", 125, 176},
     NamedSize{"JIS-B4", 257, 364},
     NamedSize{"JIS-B5", 182, 257},
     NamedSize{"Letter", 8.5 * mm_per_inch, 11 * mm_per_inch},
@@ -103,12 +109,16 @@ void check_side(std::string_view text, double side) {
 }
 
 [[noreturn]] void refuse_name(std::string_view text, std::string_view name) {
-  if (const std::string nearest = nearest_word(name, paper_names()); !nearest.empty()) {
+  // 'a44' is a slip for A4; 'A9' is no slip for A0, but another size.
+  const std::string nearest = nearest_word(name, paper_names());
+  const bool other_number = name.size() <= 3 && nearest.size() == name.size();
+  if (!nearest.empty() && !other_number) {
     throw Error(ErrorKind::usage, fmt::format("unknown paper '{}', did you mean '{}'?", text, nearest));
   }
-  throw Error(
-      ErrorKind::usage,
-      fmt::format("unknown paper '{}': give a name such as A4 or Letter, or a size such as 210x297mm", text));
+  throw Error(ErrorKind::usage, fmt::format("unknown paper '{}': A0 to A7, B0 to B6, Letter, Legal and "
+                                            "others have names; give the size of any other "
+                                            "sheet, such as 210x297mm",
+                                            text));
 }
 
 }  // namespace

@@ -303,7 +303,9 @@ void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& 
   const std::size_t outside = wanted.size();
   wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_with_leader(w, -1.0); });
   report.labels_outside += outside - wanted.size();
-  report.labels_left_out += wanted.size();
+  for (const Wanted& w : wanted) {
+    report.labels_left_out.push_back({w.piece->name, w.seam->number});
+  }
 }
 
 }  // namespace ridgecraft::paper

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What people and machines are told about a job.
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -124,4 +126,43 @@ TEST_CASE("nothing that stands in a name or a file commands the terminal", "[sum
   const Outcome verified = run_program({"verify", "x.fold"}, in(folder));
   CHECK(verified.exit_code == 6);
   CHECK(verified.out.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("what a maker may want to change is said before the work", "[summaries]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const auto told = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), "house.obj");
+    options.insert(options.end(), {"-o", "x.fold"});
+    const Outcome outcome = run_program(options, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return outcome;
+  };
+  CHECK(told({}).err.empty());
+  const Outcome small = told({"--size", "2mm"});
+  REQUIRE(small.err.find("too short for fingers; --size ") != std::string::npos);
+  const std::string size = small.err.substr(small.err.find("--size ") + 7);
+  CHECK(told({"--size", size.substr(0, size.find("mm") + 2)}).err.empty());
+  CHECK(told({"--margin", "0"}).err.find("margin of 0 mm") != std::string::npos);
+  CHECK(told({"--margin", "3mm"}).err.empty());
+  CHECK(told({"--tab-height", "3cm", "--size", "40mm"}).out.find("lower than 30 mm") != std::string::npos);
+  CHECK(told({"--size", "40mm"}).out.find("lower than") == std::string::npos);
+}
+
+TEST_CASE("numbers without a place are listed by their pieces", "[summaries]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const Json json =
+      Json::parse(run_program({"house.obj", "--size", "3mm", "--json", "-o", "x.fold"}, in(folder)).out);
+  REQUIRE_FALSE(json["labels_left_out"].empty());
+  const Json fold = Json::parse(read_bytes(folder / "x.fold"));
+  for (const Json& lost : json["labels_left_out"]) {
+    const auto& pieces = fold["ridgecraft:pieces"];
+    const auto& joins = fold["ridgecraft:joins"];
+    CHECK(
+        std::any_of(pieces.begin(), pieces.end(), [&](const Json& p) { return p["name"] == lost["piece"]; }));
+    CHECK(std::any_of(joins.begin(), joins.end(),
+                      [&](const Json& j) { return j["number"] == lost["number"]; }));
+  }
 }

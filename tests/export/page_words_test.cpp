@@ -167,7 +167,8 @@ TEST_CASE("furniture lies on the sheet without a margin, pens and tails of lette
       paper::Paper sheet = paper::parse_paper(name);
       sheet.margin = margin;
       const paper::Group group =
-          paper::furniture(sheet, "gypsy jaguar", 3, 10, {true, true, true, true, true, true});
+          paper::furniture(sheet, "gypsy jaguar", 3, 10, {true, true, true, true, true, true},
+                           {true, true, true, true, true, true});
       Box2 box;
       for (const auto& text : group.texts) {
         for (const auto& stroke : paper::text_strokes(text)) {

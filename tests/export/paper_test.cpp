@@ -79,6 +79,7 @@ TEST_CASE("papers in numbers, in millimetres unless a unit is given", "[paper]")
 
 TEST_CASE("a near miss gets a proposal", "[paper]") {
   CHECK(refusal("a44") == "unknown paper 'a44', did you mean 'A4'?");
+  CHECK(refusal("A9").find("A0 to A7") != std::string::npos);
   CHECK(refusal("lettre") == "unknown paper 'lettre', did you mean 'Letter'?");
   CHECK(refusal("tabliod") == "unknown paper 'tabliod', did you mean 'Tabloid'?");
   CHECK(refusal("jisb5") == "unknown paper 'jisb5', did you mean 'JIS-B5'?");

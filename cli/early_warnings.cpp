@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/expected_pages.hpp"
+#include "cli/early_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +13,13 @@
 namespace ridgecraft::cli {
 namespace {
 
+/// Shorter folds can't be made by hand; folds of the second length are no trouble, mm.
+constexpr double shortest_fold_mm = 3.0;
+constexpr double easy_fold_mm = 6.0;
+/// Smaller folds aren't drawn by default.
+constexpr double drawn_fold = 3.0 * std::numbers::pi / 180.0;
+/// What nearly every printer reaches, mm from the sheet's edge.
+constexpr double printer_margin_mm = 3.0;
 /// As many pages as a maker finishes.
 constexpr double few_pages = 10.0;
 /// Share of the printable area that pieces fill.
@@ -41,6 +49,20 @@ double size_on_few_pages(const mesh::Surface& surface, Vec2 printable, double pa
   return mesh::largest_extent(surface.bounds()) * std::sqrt(few_pages / paper);
 }
 
+std::vector<double> fold_lengths(const mesh::Prepared& prepared) {
+  const mesh::Surface& surface = prepared.model.surface;
+  const auto& panel = prepared.panels.panel;
+  std::vector<double> lengths;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    const auto [c, d] = surface.sides(e);
+    if (d.valid() && panel[mesh::face_of(c)] != panel[mesh::face_of(d)] &&
+        std::abs(surface.fold_angle(e)) >= drawn_fold) {
+      lengths.push_back(surface.length(e));
+    }
+  }
+  return lengths;
+}
+
 }  // namespace
 
 double expected_pages(const mesh::Prepared& prepared, Vec2 printable) {
@@ -61,6 +83,33 @@ std::string many_pages_warning(const mesh::Surface& surface, Vec2 printable, dou
   return fmt::format("this takes {}{:.0f} pages; --size {:.0f}mm would take about {:.0f}",
                      counted ? "" : "about ", counted ? pages : two_digits(pages),
                      two_digits(size_on_few_pages(surface, printable, pages)), few_pages);
+}
+
+std::optional<std::string> too_small_warning(const mesh::Prepared& prepared) {
+  std::vector<double> lengths = fold_lengths(prepared);
+  if (lengths.empty()) {
+    return std::nullopt;
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  if (*middle >= shortest_fold_mm) {
+    return std::nullopt;
+  }
+  const double size = mesh::largest_extent(prepared.model.surface.bounds()) * easy_fold_mm / *middle;
+  return fmt::format(
+      "half of the folds are shorter than {:.1f} mm, too short for fingers; --size {:.0f}mm makes half of "
+      "them "
+      "{:g} mm and longer",
+      *middle, std::ceil(size), easy_fold_mm);
+}
+
+std::optional<std::string> narrow_margin_warning(const paper::Paper& paper) {
+  if (paper.margin >= printer_margin_mm) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "most printers don't reach the outer {:g} mm of a sheet: a margin of {:g} mm is for cutting machines",
+      printer_margin_mm, paper.margin);
 }
 
 }  // namespace ridgecraft::cli

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many pages a model will take, before its nets are made: a user may want to stop.
+// What a user may want to stop for, told before nets are searched.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "export/paper.hpp"
 #include "mesh/mesh.hpp"
 
 namespace ridgecraft::cli {
@@ -19,5 +21,11 @@ inline constexpr double many_pages = 100.0;
 /// counted ones all.
 [[nodiscard]] std::string many_pages_warning(const mesh::Surface& surface, Vec2 printable, double pages,
                                              bool counted);
+
+/// Where half of the folds are too short for fingers: how long the middle one is, and which size would do.
+[[nodiscard]] std::optional<std::string> too_small_warning(const mesh::Prepared& prepared);
+
+/// Where the margin is narrower than most printers need.
+[[nodiscard]] std::optional<std::string> narrow_margin_warning(const paper::Paper& paper);
 
 }  // namespace ridgecraft::cli

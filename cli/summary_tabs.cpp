@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/summary_tabs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "cli/sentence.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+/// "3 too short, 1 no room": why joins have no tab.
+std::string without_tab_text(const unfold::Nets& nets) {
+  std::map<unfold::NoTab, std::size_t> reasons;
+  for (const unfold::Join& join : nets.joins) {
+    if (!join.tab.valid()) {
+      ++reasons[join.no_tab];
+    }
+  }
+  std::string text;
+  for (const auto& [reason, count] : reasons) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", count, unfold::sentence(reason));
+  }
+  return text;
+}
+
+double height_of(const unfold::Tab& tab) {
+  const Vec2 base = tab.polygon[1] - tab.polygon[0];
+  double highest = 0.0;
+  for (const Vec2 p : tab.polygon) {
+    highest = std::max(highest, std::abs(cross(base, p - tab.polygon[0])) / length(base));
+  }
+  return highest;
+}
+
+/// Where another height than the default was asked for: how many tabs are lower.
+std::string lower_tabs_text(const unfold::Nets& nets, double asked_mm) {
+  if (asked_mm == unfold::TabOptions().height_mm) {
+    return {};
+  }
+  std::size_t lower = 0;
+  double lowest = asked_mm;
+  for (const unfold::Tab& tab : nets.tabs) {
+    const double height = height_of(tab);
+    lower += height < 0.99 * asked_mm ? 1U : 0U;
+    lowest = std::min(lowest, height);
+  }
+  return lower == 0 ? ""
+                    : fmt::format(
+                          "; {} lower than {:g} mm, down to {:.1f} mm, as their edges and the faces "
+                          "behind them allow",
+                          lower == nets.tabs.size() ? "all" : std::to_string(lower), asked_mm, lowest);
+}
+
+}  // namespace
+
+std::size_t joins_without_tab(const unfold::Nets& nets) {
+  return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(),
+                                                [](const auto& join) { return !join.tab.valid(); }));
+}
+
+std::string tabs_text(const unfold::Nets& nets, double asked_mm) {
+  const std::size_t without = joins_without_tab(nets);
+  return fmt::format("  tabs        {} for {}{}{}\n", nets.tabs.size(), counted(nets.joins.size(), "join"),
+                     lower_tabs_text(nets, asked_mm),
+                     without > 0 ? fmt::format("; {} without ({})", without, without_tab_text(nets)) : "");
+}
+
+}  // namespace ridgecraft::cli
