@@ -28,11 +28,14 @@ OnePieceFound find_one_piece(const Patch& patch, const Room& room, const OnePiec
   options.starts = 1;
   options.iterations = least_iterations + search.iterations_per_face * patch.size();
   options.idle = options.iterations;
-  for (int start = 0; start < search.starts && !context.out_of_time(); ++start) {
+  int hopeless = 0;
+  for (int start = 0; start < search.starts && hopeless < hopeless_starts && !context.out_of_time();
+       ++start) {
     context.check();
     options.start = start_kinds[static_cast<std::size_t>(start) % start_kinds.size()];
     NetFound found = find_net(patch, options, random.next(), context);
     result.cost += found.iterations * patch.size();
+    hopeless += found.hopeless;
     const std::uint64_t fit_seed = random.next();
     if (found.overlaps > 0) {
       continue;

@@ -40,7 +40,8 @@ class TreeSearch {
     std::uint64_t idle = std::numeric_limits<std::uint64_t>::max();  ///< without a new best
   };
   /// Moves until nothing overlaps or the budget is spent; true when nothing overlaps. Idle iterations count
-  /// on from one call to the next. Throws Error(interrupted), ends early at the context's deadline.
+  /// on from one call to the next. Throws Error(interrupted), ends early at the context's deadline and where
+  /// it is hopeless.
   bool run(const Budget& budget, const Context& context);
 
   [[nodiscard]] std::uint64_t overlaps() const { return total_; }
@@ -49,6 +50,8 @@ class TreeSearch {
   [[nodiscard]] const Folds& best_folds() const { return best_folds_; }
   [[nodiscard]] std::uint64_t best_overlaps() const { return best_total_; }
   [[nodiscard]] std::uint64_t iterations() const { return iteration_; }
+  /// Whether far more is left than ever was when a net was found in the end.
+  [[nodiscard]] bool hopeless() const;
 
   // What a search for something else than overlap needs (tab_search.hpp): tree_swaps.cpp.
 
