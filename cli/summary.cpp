@@ -132,7 +132,9 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["joins_without_tab"] = result.figures.joins_without_tab;
   json["cut_mm"] = rounded(result.figures.cut_mm);
   json["fold_mm"] = rounded(result.figures.fold_mm);
-  json["labels_left_out"] = numbers_json(result.drawn);
+  json["index"] = index_json(model.surface, result.nets, result.pages);
+  json["labels_left_out"] = result.drawn.labels_left_out.size();
+  json["numbers_without_place"] = numbers_json(result.drawn);
   json["labels_outside"] = result.drawn.labels_outside;
   json["names_left_out"] = result.drawn.names_left_out;
   json["slivers"] = result.slivers;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "export/neighbours.hpp"
+
 namespace ridgecraft::cli {
 namespace {
 
@@ -104,6 +106,20 @@ Json bodies_json(const unfold::Nets& nets, const std::vector<paper::Body>& bodie
       item["distance_mm"] = rounded(body.distance_mm);
     }
     list.push_back(item);
+  }
+  return list;
+}
+
+Json index_json(const mesh::Surface& surface, const unfold::Nets& nets, const paper::Pages& pages) {
+  const auto neighbours = paper::find_neighbours(surface, nets);
+  Json list = Json::array();
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    Json joins = Json::array();
+    for (const paper::Neighbour& neighbour : neighbours[p]) {
+      joins.push_back({{"piece", nets.pieces[neighbour.piece].name}, {"numbers", neighbour.numbers}});
+    }
+    list.push_back(
+        {{"piece", nets.pieces[p].name}, {"page", pages.placements[p].page.value() + 1}, {"joins", joins}});
   }
   return list;
 }

@@ -21,6 +21,10 @@ namespace ridgecraft::cli {
 [[nodiscard]] std::string extra_pieces_text(const unfold::Nets& nets);
 [[nodiscard]] Json extra_pieces_json(const unfold::Nets& nets);
 
+/// Which pieces each piece is glued to, by which numbers, and the page that it is on.
+[[nodiscard]] Json index_json(const mesh::Surface& surface, const unfold::Nets& nets,
+                              const paper::Pages& pages);
+
 /// A line about the numbers that don't stand where they should; empty where all do.
 [[nodiscard]] std::string numbers_text(const paper::DrawReport& drawn);
 /// Those without a place, by piece.

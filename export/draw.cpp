@@ -5,6 +5,8 @@
 #include "export/bodies.hpp"
 #include "export/export.hpp"
 #include "export/furniture.hpp"
+#include "export/neighbours.hpp"
+#include "export/page_index.hpp"
 #include "export/piece_drawing.hpp"
 #include "export/text_placement.hpp"
 #include "export/utf8.hpp"
@@ -42,6 +44,8 @@ std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets,
   DrawReport sum;
   sum.bodies = find_bodies(model, nets);
   const auto notes = body_notes(model.model.surface, nets, sum.bodies);
+  const auto neighbours = find_neighbours(model.model.surface, nets);
+  std::vector<std::vector<Text>> indices;
   const auto contents = piece_contents(model.model.surface, nets);
   std::vector<std::vector<PieceDrawing>> pieces(pages.count);
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
@@ -53,6 +57,7 @@ std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets,
   std::vector<Drawing> drawings;
   for (std::size_t i = 0; i < pages.count; ++i) {
     place_texts(pieces[i], pages.paper.size, piece_box(pages.paper), style, sum);
+    indices.push_back(page_index(nets, pages, PageId(i), neighbours, pieces[i]));
     Drawing drawing;
     drawing.size = pages.paper.size;
     drawing.title = printable_utf8(model.model.name);
@@ -67,9 +72,12 @@ std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets,
   for (const Drawing& drawing : drawings) {
     anywhere = anywhere | line_kinds(drawing.groups);
   }
-  for (Drawing& drawing : drawings) {
-    drawing.groups.push_back(furniture(pages.paper, drawing.title, drawing.page, drawing.page_count,
-                                       line_kinds(drawing.groups), anywhere));
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    Drawing& drawing = drawings[i];
+    Group foot = furniture(pages.paper, drawing.title, drawing.page, drawing.page_count,
+                           line_kinds(drawing.groups), anywhere);
+    foot.texts.insert(foot.texts.end(), indices[i].begin(), indices[i].end());
+    drawing.groups.push_back(std::move(foot));
   }
   if (report != nullptr) {
     *report = sum;

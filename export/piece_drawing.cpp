@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "export/fold_lines.hpp"
 #include "unfold/outline.hpp"
@@ -12,6 +13,12 @@ namespace {
 
 /// Below this a fold is flat whatever the style says, radians (the contract's 1e-4 degrees).
 constexpr double flat_angle = 1e-4 * 3.14159265358979323846 / 180.0;
+/// Two edges that bend less than this (10 degrees) look like one.
+constexpr double straight_cosine = 0.985;
+/// What marks the end of an edge, mm: shorter than any fold, longer than a slip of the pen.
+constexpr double tick_length = 1.5;
+/// Ends of lines that are one point on paper, mm.
+constexpr double near_mm = 0.05;
 
 class PieceDrawer {
  public:
@@ -31,6 +38,7 @@ class PieceDrawer {
     add_cuts();
     add_folds();
     add_tabs();
+    add_ticks();
     add_seams();
     return std::move(result_);
   }
@@ -115,6 +123,59 @@ class PieceDrawer {
     for (const FoldSegment& base : bases) {
       draw_once(base, Layer::tab_fold);
     }
+  }
+
+  /// Where one joined edge goes straight on as the next one, and no fold or tab shows where the first one
+  /// ends.
+  void add_ticks() {
+    for (const JoinId id : contents_.joins) {
+      for (const CornerId c : surface_.sides(nets_.joins[id].edge)) {
+        if (nets_.piece[mesh::face_of(c)] != piece_) {
+          continue;
+        }
+        const auto follower = next_cut(c);
+        if (!follower || number_at(*follower) == nets_.joins[id].number || number_at(*follower) == 0) {
+          continue;
+        }
+        const Vec2 at = corner(*follower);
+        const Vec2 here = at - corner(c);
+        const Vec2 there = corner(mesh::next(*follower)) - at;
+        const Vec2 along = corner(mesh::next(*follower)) - corner(c);
+        if (dot(here, there) > straight_cosine * length(here) * length(there) && !line_ends_at(at)) {
+          const Vec2 inward = perpendicular(along) / length(along);
+          Line tick{Layer::mark, {at, at + tick_length * inward}, false, Fold::none};
+          tick.like = Layer::label;
+          result_.group.lines.push_back(std::move(tick));
+        }
+      }
+    }
+  }
+  /// The cut edge of the piece that begins where this one ends; found by turning around the vertex over the
+  /// folds.
+  [[nodiscard]] std::optional<CornerId> next_cut(CornerId c) const {
+    CornerId d = mesh::next(c);
+    while (nets_.use[surface_.edge(d)] == unfold::EdgeUse::fold) {
+      d = mesh::next(surface_.twin(d));
+      if (d == mesh::next(c)) {
+        return std::nullopt;
+      }
+    }
+    return d;
+  }
+  /// The number of the join at a cut edge; 0 at a border.
+  [[nodiscard]] std::uint32_t number_at(CornerId c) const {
+    const EdgeId edge = surface_.edge(c);
+    const auto join =
+        std::ranges::find_if(contents_.joins, [&](JoinId id) { return nets_.joins[id].edge == edge; });
+    return join == contents_.joins.end() ? 0 : nets_.joins[*join].number;
+  }
+  [[nodiscard]] bool line_ends_at(Vec2 p) const {
+    return std::ranges::any_of(result_.group.lines, [&](const Line& line) {
+      const bool is_fold =
+          line.layer == Layer::mountain || line.layer == Layer::valley || line.layer == Layer::tab_fold;
+      return is_fold &&
+             (length(line.points.front() - p) < near_mm || length(line.points.back() - p) < near_mm);
+    });
   }
 
   void add_seams() {

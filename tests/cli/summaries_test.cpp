@@ -155,9 +155,10 @@ TEST_CASE("numbers without a place are listed by their pieces", "[summaries]") {
   write_bytes(folder / "house.obj", house);
   const Json json =
       Json::parse(run_program({"house.obj", "--size", "3mm", "--json", "-o", "x.fold"}, in(folder)).out);
-  REQUIRE_FALSE(json["labels_left_out"].empty());
+  REQUIRE_FALSE(json["numbers_without_place"].empty());
+  CHECK(json["labels_left_out"] == json["numbers_without_place"].size());
   const Json fold = Json::parse(read_bytes(folder / "x.fold"));
-  for (const Json& lost : json["labels_left_out"]) {
+  for (const Json& lost : json["numbers_without_place"]) {
     const auto& pieces = fold["ridgecraft:pieces"];
     const auto& joins = fold["ridgecraft:joins"];
     CHECK(

@@ -141,6 +141,9 @@ TEST_CASE("the legend shows each kind of line of its page, and no other") {
       std::size_t kinds = 0;
       for (std::size_t g = 0; g + 1 < page.groups.size(); ++g) {
         for (const auto& line : page.groups[g].lines) {
+          if (line.layer == Layer::mark) {
+            continue;  // a tick between two numbers tells enough
+          }
           INFO(sample.model.model.name << " " << paper::id(line.layer));
           CHECK(std::ranges::any_of(legend.lines, [&](const auto& item) { return same_look(item, line); }));
         }
@@ -157,6 +160,46 @@ TEST_CASE("the legend shows each kind of line of its page, and no other") {
         CHECK_FALSE(std::ranges::any_of(
             legend.texts, [](const auto& t) { return t.text.find("valley") != std::string::npos; }));
       }
+    }
+  }
+}
+
+TEST_CASE("a tick tells where one number's edge goes straight on as another's") {
+  // Every panel of the corner is divided in four: its sides have a vertex in the middle, and no tabs hide it.
+  const mesh::Surface corner = test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 2);
+  const auto sample = test::sample_pages(corner, 22.0, 0.0, {}, "Corner");
+  std::size_t ticks = 0;
+  for (const auto& page : drawn(sample)) {
+    for (std::size_t g = 0; g + 1 < page.groups.size(); ++g) {
+      const auto& lines = page.groups[g].lines;
+      for (const auto& tick : lines) {
+        if (tick.layer != Layer::mark) {
+          continue;
+        }
+        ++ticks;
+        CHECK(length(tick.points[1] - tick.points[0]) == Approx(1.5));
+        // It begins on the outline, and no fold ends there.
+        bool on_cut = false;
+        for (const auto& line : lines) {
+          for (std::size_t i = 0; i < line.points.size(); ++i) {
+            const Vec2 a = line.points[i];
+            const Vec2 b = line.points[(i + 1) % line.points.size()];
+            const double off =
+                std::abs(length(tick.points[0] - a) + length(tick.points[0] - b) - length(b - a));
+            on_cut = on_cut || (line.layer == Layer::cut && off < 1e-6);
+            const bool fold = line.layer == Layer::mountain || line.layer == Layer::valley;
+            CHECK_FALSE((fold && length(a - tick.points[0]) < 0.01));
+          }
+        }
+        CHECK(on_cut);
+      }
+    }
+  }
+  CHECK(ticks > 0);
+  // A cube's edges end at its corners.
+  for (const auto& page : drawn(test::sample_pages(test::cube(), 40.0, 0.0))) {
+    for (const auto& line : page.groups.front().lines) {
+      CHECK(line.layer != Layer::mark);
     }
   }
 }

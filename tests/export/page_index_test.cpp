@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The index of a page: true, in its place, and no hindrance to anything else.
+#include "export/page_index.hpp"
+
+#include <set>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "export/obstacles.hpp"
+#include "sample_pages.hpp"
+#include "support/shapes.hpp"
+
+namespace ridgecraft {
+namespace {
+
+using paper::number_ranges;
+
+std::vector<paper::Text> index_of(const paper::Drawing& page) {
+  std::vector<paper::Text> texts;
+  for (const paper::Group& group : page.groups) {
+    for (const paper::Text& text : group.texts) {
+      if (group.id == "page" && text.centre.y > paper::piece_box({}).low.y) {
+        texts.push_back(text);
+      }
+    }
+  }
+  return texts;
+}
+
+TEST_CASE("rows of numbers are told by their ends", "[page_index]") {
+  CHECK(number_ranges({}).empty());
+  CHECK(number_ranges({4}) == "4");
+  CHECK(number_ranges({4, 5}) == "4, 5");
+  CHECK(number_ranges({4, 5, 6}) == "4-6");
+  CHECK(number_ranges({1, 2, 3, 5, 7, 8, 10, 11, 12}) == "1-3, 5, 7, 8, 10-12");
+}
+
+TEST_CASE("neighbours are those of the joins, both ways", "[page_index]") {
+  const mesh::Surface cube = test::cube();
+  const auto sample = test::sample_pages(cube, 30.0, 0.0, test::all_edges(cube));
+  const mesh::Surface& surface = sample.model.model.surface;
+  const auto neighbours = paper::find_neighbours(surface, sample.nets);
+  std::set<std::string> told;
+  for (const PieceId piece : ids<PieceId>(neighbours.size())) {
+    CHECK(neighbours[piece].size() == 4);  // a side of a cube
+    for (const auto& neighbour : neighbours[piece]) {
+      for (const std::uint32_t number : neighbour.numbers) {
+        told.insert(std::to_string(piece.value()) + " " + std::to_string(neighbour.piece.value()) + " " +
+                    std::to_string(number));
+      }
+    }
+  }
+  std::set<std::string> expected;
+  for (const unfold::Join& join : sample.nets.joins) {
+    const auto [c, d] = surface.sides(join.edge);
+    const auto name = [&](CornerId x, CornerId y) {
+      return std::to_string(sample.nets.piece[mesh::face_of(x)].value()) + " " +
+             std::to_string(sample.nets.piece[mesh::face_of(y)].value()) + " " + std::to_string(join.number);
+    };
+    expected.insert(name(c, d));
+    expected.insert(name(d, c));
+  }
+  CHECK(told == expected);
+}
+
+TEST_CASE("the index stands beside the pieces, clear of all else", "[page_index]") {
+  const mesh::Surface cube = test::cube();
+  for (const double scale : {15.0, 30.0, 55.0, 70.0}) {
+    CAPTURE(scale);
+    const auto sample = test::sample_pages(cube, scale, 5.0, test::all_edges(cube));
+    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
+    std::size_t rows = 0;
+    for (const paper::Drawing& page : pages) {
+      const std::vector<paper::Text> index = index_of(page);
+      rows += index.size();
+      paper::Obstacles all(page.size);
+      for (const paper::Group& group : page.groups) {
+        for (const paper::Line& line : group.lines) {
+          for (std::size_t i = 1; i < line.points.size(); ++i) {
+            all.add({line.points[i - 1], line.points[i]}, paper::Obstacles::Kind::cut);
+          }
+        }
+        for (const paper::Text& text : group.texts) {
+          if (group.id != "page") {
+            all.add(text);
+          }
+        }
+      }
+      for (const paper::Text& text : index) {
+        CAPTURE(text.text);
+        CHECK(all.is_free(text, 1.0));
+        CHECK(box_of(text).bounds().high.x <= page.size.x - 10.0 + 1e-6);
+        for (const FaceId f : ids<FaceId>(sample.nets.piece.size())) {
+          const paper::Placement& place = sample.pages.placements[sample.nets.piece[f]];
+          if (place.page.value() + 1 != static_cast<std::uint32_t>(page.page)) {
+            continue;
+          }
+          const Vec2 a = place(sample.nets.flat[f][0]);
+          const Vec2 b = place(sample.nets.flat[f][1]);
+          const Vec2 c = place(sample.nets.flat[f][2]);
+          const bool on_face = cross(b - a, text.centre - a) > 0.0 && cross(c - b, text.centre - b) > 0.0 &&
+                               cross(a - c, text.centre - c) > 0.0;
+          CHECK_FALSE(on_face);
+        }
+      }
+    }
+    CHECK(rows > pages.size());
+  }
+}
+
+TEST_CASE("a model of one piece has no index", "[page_index]") {
+  const auto sample = test::sample_pages(test::cube(), 30.0, 5.0);
+  REQUIRE(sample.nets.pieces.size() == 1);
+  CHECK(index_of(paper::draw(sample.model, sample.nets, sample.pages, {}).front()).empty());
+}
+
+}  // namespace
+}  // namespace ridgecraft
