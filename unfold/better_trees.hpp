@@ -13,10 +13,11 @@
 namespace ridgecraft::unfold {
 
 /// Changes the tree of each piece of a clean forest so that more of its cuts have room for a usable tab
-/// (tab_search.hpp, where tabs are wanted), and so that it doesn't run through itself while it is folded
-/// (free_folding.hpp), where that costs no more than a few edges to be glued. The pieces keep their faces,
-/// stay free of overlap and fit the room if they did. The patch is the whole surface. Deterministic for one
-/// seed but for the deadline; one piece is one task.
+/// (tab_search.hpp, where tabs are wanted); then so that it doesn't run through itself while it is folded
+/// (free_folding.hpp), where that costs no more than a few edges to be glued; then for its shape
+/// (tidy_piece.hpp), where that costs neither. The pieces keep their faces, stay free of overlap and fit the
+/// room if they did. The patch is the whole surface. Deterministic for one seed but for the deadline; one
+/// piece is one task.
 [[nodiscard]] Folds better_trees(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch,
                                  const Folds& folds, const Options& options, const Room& room,
                                  const Context& context);

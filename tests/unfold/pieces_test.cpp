@@ -20,6 +20,7 @@
 #include "unfold/panel_parts.hpp"
 #include "unfold/sheet.hpp"
 #include "unfold/sub_patch.hpp"
+#include "unfold/tidy_piece.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
@@ -188,6 +189,34 @@ TEST_CASE("few pieces are never more than the parts' pieces, and those never mor
   const bool told = std::any_of(nets.pieces.begin(), nets.pieces.end(),
                                 [](const auto& piece) { return piece.reason == PieceReason::faces; });
   CHECK(told);
+}
+
+TEST_CASE("a piece that is tidied costs less and stays a clean net", "[pieces]") {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const mesh::Surface s = bumpy_ball(10, 7, 60.0, seed);
+    std::vector<FaceId> all;
+    for (const FaceId f : ids<FaceId>(s.face_count())) {
+      all.push_back(f);
+    }
+    const unfold::Patch patch = unfold::make_patch(s, test::flat_panels(s), all);
+    unfold::NetSearch search;
+    search.start = unfold::StartTree::depth_first;
+    search.tolerance = 1e-7 * patch.extent;
+    search.iterations = 5000;
+    const unfold::Folds straggly = unfold::find_net(patch, search, seed, {}).folds;
+    const unfold::Weights weights;
+    const auto cost = [&](const unfold::Folds& tree) {
+      return unfold::cost_of_piece(patch, tree, 1, weights);
+    };
+    const auto any = [](const unfold::Folds&) { return true; };
+    const unfold::Folds tidy = unfold::tidy_piece(patch, straggly, any, weights, search.tolerance, seed, {});
+    CHECK(cost(tidy) < cost(straggly) - 1.0);
+    CHECK(unfold::cost_of(patch, tidy).pieces == 1);
+    CHECK(unfold::find_overlaps(unfold::lay_out(patch, tidy), search.tolerance).empty());
+    CHECK(unfold::tidy_piece(patch, straggly, any, weights, search.tolerance, seed, {}) == tidy);
+    const auto none_is = [](const unfold::Folds&) { return false; };
+    CHECK(unfold::tidy_piece(patch, straggly, none_is, weights, search.tolerance, seed, {}) == straggly);
+  }
 }
 
 TEST_CASE("turning, renumbering, mirroring and scaling keep pieces clean and complete", "[pieces]") {
