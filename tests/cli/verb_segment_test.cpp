@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft segment from outside.
+#include <map>
+#include <sstream>
+#include <vector>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/program_checks.hpp"
+#include "support/shapes.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft::test;
@@ -78,4 +83,72 @@ TEST_CASE("a hierarchy made from the model is replaced, with other parts too", "
   tree["ridgecraft:model_digest"] = "0123456789abcdef";
   write_bytes(folder / "h.json", tree.dump());
   check_refusal(run_program({"segment", "house.obj", "--hierarchy", "h.json"}, in(folder)), 7, "h.json");
+}
+
+TEST_CASE("whoever reads the hierarchy has the parts of every number", "[verb_segment]") {
+  const TemporaryFolder folder;
+  // A table: its top and four legs.
+  const auto table = voxels({{0, 0, 1},
+                             {1, 0, 1},
+                             {2, 0, 1},
+                             {0, 1, 1},
+                             {1, 1, 1},
+                             {2, 1, 1},
+                             {0, 2, 1},
+                             {1, 2, 1},
+                             {2, 2, 1},
+                             {0, 0, 0},
+                             {2, 0, 0},
+                             {0, 2, 0},
+                             {2, 2, 0}},
+                            2);
+  std::ostringstream obj;
+  for (const auto& p : table.points()) {
+    obj << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  }
+  for (std::uint32_t f = 0; f < table.face_count(); ++f) {
+    obj << 'f';
+    for (const auto v : table.vertices(ridgecraft::FaceId(f))) {
+      obj << ' ' << v.value() + 1;
+    }
+    obj << '\n';
+  }
+  write_bytes(folder / "table.obj", obj.str());
+  REQUIRE(run_program({"segment", "table.obj", "--hierarchy", "h.json"}, in(folder)).exit_code == 0);
+  const Json tree = Json::parse(read_bytes(folder / "h.json"));
+  const auto leaves = tree["leaves"].get<std::size_t>();
+  REQUIRE(leaves >= 5);
+  REQUIRE(tree["leaf_concavity"].size() == leaves);
+  REQUIRE(tree["leaf_of_polygon"].size() == table.face_count());
+  REQUIRE(tree["joinings"].size() == leaves - 1);
+  // Joinings as the file tells them, one after the other; at each number of parts the program's own labels.
+  std::vector<std::size_t> node_of = tree["leaf_of_polygon"].get<std::vector<std::size_t>>();
+  double last = 0.0;
+  for (std::size_t n = leaves; n >= 1; --n) {
+    if (n == 5 || n == 3 || n == 1) {
+      REQUIRE(
+          run_program({"segment", "table.obj", "--parts", std::to_string(n), "--labels", "l", "--overwrite"},
+                      in(folder))
+              .exit_code == 0);
+      std::istringstream labels(read_bytes(folder / "l"));
+      std::map<std::size_t, std::size_t> label_of;
+      for (const std::size_t node : node_of) {
+        std::size_t label = 0;
+        REQUIRE(labels >> label);
+        CHECK(label_of.try_emplace(node, label).first->second == label);
+      }
+      CHECK(label_of.size() == n);
+    }
+    if (n > 1) {
+      const Json& joining = tree["joinings"][leaves - n];
+      CHECK(joining["node"] == 2 * leaves - n);
+      CHECK(joining["concavity"].get<double>() >= last);
+      last = joining["concavity"].get<double>();
+      for (std::size_t& node : node_of) {
+        if (node == joining["of"][0] || node == joining["of"][1]) {
+          node = 2 * leaves - n;
+        }
+      }
+    }
+  }
 }
