@@ -37,6 +37,30 @@ double enclosed(const ScaledSurface& s) {
 
 }  // namespace
 
+AssemblySettings assembly_settings(const Options& options) {
+  AssemblySettings settings;
+  settings.volume_weight = volume_weight(options);
+  settings.pockets = options.pockets;
+  if (options.effort == 1) {
+    settings.attempts.push_back({.planes = options.planes});
+    return settings;
+  }
+  settings.border_weight = 0.1;
+  settings.noise = 0.6;
+  settings.attempts.push_back({.at_any_cost = true});
+  Attempt finer{.fineness = 0.5, .rounds = 40};
+  Attempt by_planes{.fineness = 0.5, .rounds = 40, .planes = true};
+  if (options.effort > 2) {
+    finer = {.fineness = 0.25, .rounds = 150};
+    by_planes = {.fineness = 0.5, .rounds = 60, .planes = true, .plane_price = 3.0};
+  }
+  settings.attempts.push_back(finer);
+  if (options.planes) {
+    settings.attempts.push_back(by_planes);
+  }
+  return settings;
+}
+
 Assembly::Assembly(const ScaledSurface& surface, const EdgeWeights& weights, const VertexGraph& graph,
                    Measurer& measurer, Cutter& cutter, const AssemblySettings& settings)
     : surface_(&surface),

@@ -12,6 +12,7 @@
 #include "segment/partition.hpp"
 #include "segment/plane_cut.hpp"
 #include "segment/pocket_test.hpp"
+#include "segment/segment.hpp"
 #include "segment/vertex_graph.hpp"
 
 namespace ridgecraft::segment {
@@ -33,6 +34,10 @@ struct AssemblySettings {
   double noise = 0.0;          ///< of the order in which pieces are joined, in shares of a part
   bool pockets = false;        ///< no part has a pocket (pocket_test.hpp)
 };
+
+/// What more effort, planes and a price of volume buy; measured in docs/segmentation.md. Attempts with planes
+/// come after those without.
+[[nodiscard]] AssemblySettings assembly_settings(const Options& options);
 
 /// Cuts and joins parts that are within the tolerance; what comes out is, too.
 class Assembly {

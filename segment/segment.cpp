@@ -30,32 +30,6 @@ constexpr int deepest_cut = 60;
 /// A component with at most this part of the largest one's facets is a crumb of a damaged surface.
 constexpr std::size_t crumb_ratio = 20;
 
-/// What more effort buys; measured in docs/segmentation.md. The planes' attempts come after the same ones
-/// without planes.
-AssemblySettings settings_of(const Options& options) {
-  AssemblySettings settings;
-  settings.volume_weight = volume_weight(options);
-  settings.pockets = options.pockets;
-  if (options.effort == 1) {
-    settings.attempts.push_back({.planes = options.planes});
-    return settings;
-  }
-  settings.border_weight = 0.1;
-  settings.noise = 0.6;
-  settings.attempts.push_back({.at_any_cost = true});
-  Attempt finer{.fineness = 0.5, .rounds = 40};
-  Attempt by_planes{.fineness = 0.5, .rounds = 40, .planes = true};
-  if (options.effort > 2) {
-    finer = {.fineness = 0.25, .rounds = 150};
-    by_planes = {.fineness = 0.5, .rounds = 60, .planes = true, .plane_price = 3.0};
-  }
-  settings.attempts.push_back(finer);
-  if (options.planes) {
-    settings.attempts.push_back(by_planes);
-  }
-  return settings;
-}
-
 bool closes_holes(const mesh::Surface& surface, const Options& options) {
   return options.holes == Options::Holes::close ||
          (options.holes == Options::Holes::automatic && looks_damaged(surface));
@@ -94,7 +68,7 @@ class Run {
         cutter_(scaled_, weights_),
         context_(&context) {
     if (options.effort > 1 || volume_weight(options) > 0.0 || options.planes || options.pockets) {
-      assembly_.emplace(scaled_, weights_, graph_, measurer_, cutter_, settings_of(options));
+      assembly_.emplace(scaled_, weights_, graph_, measurer_, cutter_, assembly_settings(options));
     }
   }
 
@@ -307,27 +281,36 @@ class Run {
     }
     std::stable_sort(components.begin(), components.end(),
                      [](const Facets& a, const Facets& b) { return a.size() > b.size(); });
-    for (const Facets& crumb : components) {
-      context_->check();
-      if (crumb.size() * crumb_ratio > components.front().size()) {
-        continue;
-      }
-      std::set<std::uint32_t> beside;
-      for (const std::uint32_t f : crumb) {
-        for (const std::uint32_t v : scaled_.corners[f]) {
-          for (const std::uint32_t g : scaled_.facets_at(v)) {
-            if (size_of[g] > size_of[f]) {
-              beside.insert(g);
+    // A crumb may touch none but others of its size: it follows them in a later pass.
+    std::vector<bool> taken_in(scaled_.facet_count(), false);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const Facets& crumb : components) {
+        context_->check();
+        if (taken_in[crumb.front()] || crumb.size() * crumb_ratio > components.front().size()) {
+          continue;
+        }
+        std::set<std::uint32_t> beside;
+        for (const std::uint32_t f : crumb) {
+          for (const std::uint32_t v : scaled_.corners[f]) {
+            for (const std::uint32_t g : scaled_.facets_at(v)) {
+              if (size_of[g] > size_of[f] || (taken_in[g] && part_of[g] != part_of[f])) {
+                beside.insert(g);
+              }
             }
           }
         }
-      }
-      std::set<std::uint32_t> tried;
-      for (const std::uint32_t g : beside) {
-        const std::uint32_t into = part_of[g];
-        if (tried.insert(into).second && take_in(crumb, into, part_of)) {
-          note(into);
-          break;
+        std::set<std::uint32_t> tried;
+        for (const std::uint32_t g : beside) {
+          const std::uint32_t into = part_of[g];
+          if (tried.insert(into).second && take_in(crumb, into, part_of)) {
+            note(into);
+            for (const std::uint32_t f : crumb) {
+              taken_in[f] = true;
+            }
+            changed = true;
+            break;
+          }
         }
       }
     }
