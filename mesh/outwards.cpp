@@ -61,10 +61,12 @@ std::vector<Component> find_components(const TriangleList& list) {
 }
 
 void measure(const TriangleList& list, Component& c) {
+  // Shares are summed, since the sum of extreme coordinates may be beyond the range of a double.
+  const double share = 1.0 / static_cast<double>(3 * c.triangles.size());
   Vec3 mean;
   for (const std::uint32_t t : c.triangles) {
     for (const std::uint32_t p : list.triangles[t].points) {
-      mean += list.points[p] / static_cast<double>(3 * c.triangles.size());
+      mean += share * list.points[p];
     }
   }
   Vec3 vector_area;

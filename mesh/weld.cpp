@@ -87,8 +87,7 @@ Border find_border(const PolygonList& list, double distance) {
       p = q;
     }
   }
-  const std::vector<Edge> edges = in_edge_order(std::span<const Edge>(sides),
-                                                [](const Edge& a, const Edge& b) { return a.high < b.high; });
+  const std::vector<Edge> edges = in_edge_order(std::span<const Edge>(sides));
   Border border;
   border.reach.assign(list.points.size(), distance);
   for (std::size_t i = 0; i < edges.size();) {

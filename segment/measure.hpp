@@ -13,6 +13,7 @@
 #include "segment/hull_depth.hpp"
 #include "segment/part_graph.hpp"
 #include "segment/rules.hpp"
+#include "segment/shadow.hpp"
 #include "segment/valley_cache.hpp"
 #include "segment/valley_search.hpp"
 
@@ -77,6 +78,7 @@ class Measurer {
  private:
   void find_hull(std::span<const std::uint32_t> hull_points, Hull& hull);
   void sort_longest_first(std::size_t from, std::span<Bridge> bridges);
+  [[nodiscard]] bool fails_in_shadow(std::span<const std::uint32_t> hull_points);
   [[nodiscard]] bool is_zero(Bridge& bridge) const;
   bool derive(std::uint32_t index, Measurement& m) const;
   bool derive_from(Bridge& bridge, const Bridge& source, double moved) const;
@@ -97,6 +99,9 @@ class Measurer {
   HullBuilder hulls_;
   std::map<std::uint64_t, Hull> kept_hulls_;  ///< by signature
   HullDepth depth_;
+  Shadow shadow_;
+  std::vector<std::uint32_t> shadow_corners_;
+  Hull inner_hull_;
   std::vector<Step> steps_;
   std::vector<Vec3> valley_points_;
   std::vector<Vec2> chain_;

@@ -46,6 +46,12 @@ void ValleySearch::relax_jumps(std::uint32_t v, std::uint32_t target) {
   }
 }
 
+bool ValleySearch::comes_first(std::uint32_t v, std::uint32_t other) const {
+  const float a = static_cast<float>(nodes_[v].key) + nodes_[v].estimate;
+  const float b = static_cast<float>(nodes_[other].key) + nodes_[other].estimate;
+  return a != b ? a < b : v < other;
+}
+
 double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step>& path) {
   ++search_;
   path.clear();
@@ -56,21 +62,26 @@ double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step
   queue_.push(nodes_[from].estimate, from);
   // Entries behind that of the goal are never taken: they aren't even pushed.
   float bound = std::numeric_limits<float>::infinity();
-  BucketQueue::Entry entry = 0;
+  BucketQueue::Entry entry{};
   while (queue_.pop(entry)) {
-    const std::uint32_t v = BucketQueue::vertex(entry);
-    const double key = nodes_[v].key;
-    if (BucketQueue::entry(static_cast<float>(key) + nodes_[v].estimate, v) != entry) {
-      continue;  // a shorter way was found since
-    }
-    if (v == to) {
+    if (queue_.is_past(bound)) {
       break;
+    }
+    const std::uint32_t v = entry.vertex;
+    const double key = nodes_[v].key;
+    if (static_cast<float>(key) + nodes_[v].estimate != entry.key || v == to) {
+      continue;  // a shorter way was found since, or this is the goal
     }
     graph_->for_arcs(v, [&](std::uint32_t i, const Arc& arc) {
       const double reached = key + static_cast<double>(arc.length);
       Node& node = nodes_[arc.target];
       const bool fresh = node.search != search_;
       if (!fresh && reached >= node.key) {
+        // Of two ways of one length, the one over the vertex that an exact queue would have taken first.
+        if (reached == node.key && arc.length > 0.0F && comes_first(v, node.from)) {
+          node.from = v;
+          node.arc = i;
+        }
         return;
       }
       const float estimate = fresh ? static_cast<float>(length(goal - points[arc.target])) : node.estimate;
@@ -113,26 +124,29 @@ void ValleySearch::flood(std::span<const Start> starts, double limit, std::vecto
       queue_.push(static_cast<float>(s.key - least), s.vertex);
     }
   }
-  BucketQueue::Entry entry = 0;
+  BucketQueue::Entry entry{};
   while (queue_.pop(entry)) {
-    const std::uint32_t v = BucketQueue::vertex(entry);
-    Node& here = nodes_[v];
-    if (BucketQueue::entry(static_cast<float>(here.key - least), v) != entry || here.from == v) {
-      continue;
+    const std::uint32_t v = entry.vertex;
+    const double key = nodes_[v].key;
+    if (static_cast<float>(key - least) != entry.key) {
+      continue;  // a shorter way was found since
     }
-    here.from = v;  // settled
-    reached.push_back(v);
-    const double key = here.key;
+    if (nodes_[v].from != v) {
+      nodes_[v].from = v;  // counted
+      reached.push_back(v);
+    }
     graph_->for_arcs(v, [&](std::uint32_t, const Arc& arc) {
       const double next = key + static_cast<double>(arc.length);
       Node& node = nodes_[arc.target];
-      if (next >= limit || (node.search == search_ && next >= node.key)) {
+      const bool fresh = node.search != search_;
+      if (next >= limit || (!fresh && next >= node.key)) {
         return;
       }
-      if (node.search == search_ && node.from == arc.target) {
-        return;  // settled; rounding of float keys only
+      node.key = next;
+      if (fresh) {
+        node.search = search_;
+        node.from = none;
       }
-      node = {next, 0.0F, search_, none, none};
       queue_.push(static_cast<float>(next - least), arc.target);
     });
   }

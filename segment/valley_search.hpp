@@ -37,13 +37,13 @@ class ValleySearch {
  public:
   explicit ValleySearch(const PartGraph& graph);
 
-  /// A* from one vertex to another along arcs and jumps, with the straight distance as estimate. Equal keys:
-  /// smaller vertex first. Fills `path` from `from` to `to` and gives its length; infinite when there is
-  /// none.
+  /// A* from one vertex to another along arcs and jumps, with the straight distance as estimate. Equal
+  /// lengths: over the vertex of least key and estimate, then the smaller one. Fills `path` from `from` to
+  /// `to` and gives its length; infinite when there is none.
   double find(std::uint32_t from, std::uint32_t to, std::vector<Step>& path);
 
   /// Dijkstra along arcs without jumps from several starts, until keys reach `limit`. Fills `reached` with
-  /// the vertices whose key is below it, nearest first; their keys stay readable through key().
+  /// the vertices whose key is below it; their keys stay readable through key().
   void flood(std::span<const Start> starts, double limit, std::vector<std::uint32_t>& reached);
   /// Key of a vertex in the last search; infinite when it wasn't reached.
   [[nodiscard]] double key(std::uint32_t v) const {
@@ -59,6 +59,7 @@ class ValleySearch {
     std::uint32_t arc = none;
   };
 
+  [[nodiscard]] bool comes_first(std::uint32_t v, std::uint32_t other) const;
   void relax_jumps(std::uint32_t v, std::uint32_t target);
 
   const PartGraph* graph_;
