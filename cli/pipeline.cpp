@@ -190,6 +190,8 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
       count >= many_pages && expected < many_pages) {
     remark(many_pages_warning(surface, area, count, true));
   }
+  result.share_saving_a_page = clock(
+      "hint", context, [&] { return paper::share_that_saves_a_page(result.nets, result.pages, context); });
   const auto drawings = clock("draw", context, [&] {
     return paper::draw(result.prepared, result.nets, result.pages, job.style, &result.drawn);
   });

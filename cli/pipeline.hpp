@@ -51,6 +51,7 @@ struct PaperResult {
   std::size_t parts = 0;
   unfold::Nets nets;
   paper::Pages pages;
+  std::optional<double> share_saving_a_page;  ///< of the size, where a slightly smaller model would
   paper::DrawReport drawn;
   verify::Figures figures;  ///< of the check of the finished nets
   std::vector<std::string> files;

@@ -2,6 +2,8 @@
 #include "cli/summary.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -58,6 +60,15 @@ std::string simplified_text(const mesh::SimplifyReport& report, const SizeArgume
   return text;
 }
 
+/// In whole millimetres.
+std::optional<double> size_saving_a_page(const PaperResult& result) {
+  if (!result.share_saving_a_page) {
+    return std::nullopt;
+  }
+  return std::floor(*result.share_saving_a_page *
+                    mesh::largest_extent(result.prepared.model.surface.bounds()));
+}
+
 std::string notes_text(const unfold::Nets& nets) {
   std::string text;
   for (const std::string& note : nets.notes) {
@@ -96,6 +107,10 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
   text += fmt::format("  nets        {}, {}{} on {}, {}\n", counted(result.parts, "part"),
                       counted(nets.pieces.size(), "piece"), reasons_text(nets),
                       counted(result.pages.count, "page"), job.paper_name);
+  if (const auto size = size_saving_a_page(result)) {
+    text += fmt::format("  hint        at {:.0f} % of this size these pieces would take a page less: --size {:.0f}mm\n",
+                        100.0 * *result.share_saving_a_page, *size);
+  }
   text += extra_pieces_text(nets);
   text += tabs_text(nets, job.tabs.height_mm);
   text += fmt::format("  lines       {} to cut, {} to fold\n", metres(result.figures.cut_mm),
@@ -124,6 +139,8 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["parts"] = result.parts;
   json["pieces"] = result.nets.pieces.size();
   json["pages"] = result.pages.count;
+  const auto saving = size_saving_a_page(result);
+  json["size_saving_a_page_mm"] = saving ? Json(*saving) : Json();
   json["extra_pieces"] = extra_pieces_json(result.nets);
   json["size_mm"] = size_json(model.surface);
   json["tabs"] = result.figures.tabs;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +48,12 @@ struct Pages {
 /// page half empty. Deterministic, unless the context's deadline passes: then the best so far is taken.
 /// Throws Error(no_nets) naming a piece that fits no page.
 [[nodiscard]] Pages layout(const unfold::Nets& nets, const Paper& paper, const Context& context);
+
+/// The largest of a few sizes below the present one, as a share of it, at which these pieces would take a
+/// page less; none where even the smallest of them wouldn't do. About, since tabs don't shrink with the model
+/// and nets may come out otherwise. Takes a tenth of what layout() does.
+[[nodiscard]] std::optional<double> share_that_saves_a_page(const unfold::Nets& nets, const Pages& pages,
+                                                            const Context& context);
 
 struct Style {
   double hidden_fold_angle = 3.0 * 3.14159265358979323846 / 180.0;  ///< smaller folds get no line, radians

@@ -39,6 +39,7 @@ constexpr double same_use = 0.02;
 constexpr double loose_fill = 0.5;
 constexpr std::array<double, 2> loose_gaps{7.0, 4.5};
 constexpr PackingDetail loose_detail{200.0, 12};
+constexpr PackingDetail rough_detail{150.0, 8};
 /// Shapes stay in the upper part of a page that isn't full, this far below its border, mm.
 constexpr double most_from_top = 8.0;
 
@@ -72,6 +73,8 @@ class Packer {
   Packer(const PackingTask& task, const PackingDetail& detail, const Context& context)
       : task_(task), context_(context), fill_(task, detail, context), random_(context.seed) {}
   [[nodiscard]] std::vector<Packed> run();
+  /// Pages after the simple orders and one attempt with a page less.
+  [[nodiscard]] std::size_t rough_page_count();
   /// What the simple orders find, if that is one page.
   [[nodiscard]] std::vector<Packed> run_for_one_page();
 
@@ -296,6 +299,12 @@ std::vector<Packed> Packer::run() {
   return result();
 }
 
+std::size_t Packer::rough_page_count() {
+  start();
+  separate();
+  return shown_.used.size();
+}
+
 std::vector<Packed> Packer::run_for_one_page() {
   start();
   return shown_.used.size() == 1 ? result() : std::vector<Packed>{};
@@ -365,6 +374,10 @@ void move_inwards(const PackingTask& task, const std::vector<std::uint32_t>& sha
 }
 
 }  // namespace
+
+std::size_t rough_page_count(const PackingTask& task, const Context& context) {
+  return task.shapes.empty() ? 0 : Packer(task, rough_detail, context).rough_page_count();
+}
 
 std::vector<Packed> pack(const PackingTask& task, const Context& context) {
   if (task.shapes.empty()) {
