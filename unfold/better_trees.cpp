@@ -49,9 +49,10 @@ class PieceTree {
     Folds free = fold_freely(
         piece_, tree_, [this](const Folds& other) { return is_worth(other); }, tolerance_, seed.next(),
         context_);
-    if (free != tree_) {
-      tree_ = options_.tabs.wanted ? with_tabs_won_back(free, seed.next()) : std::move(free);
+    if (tabs(free) < tabs(tree_)) {
+      free = with_tabs_won_back(free, seed.next());
     }
+    tree_ = std::move(free);
     return tidied(seed.next());
   }
 

@@ -13,11 +13,12 @@ constexpr std::size_t most_single = 120'000;
 }  // namespace
 
 Folding find_folding(const FoldMotion& motion, FoldTrial& trial, const Context& context) {
+  return trial.together_works() ? Folding{} : find_order(motion, trial, context);
+}
+
+Folding find_order(const FoldMotion& motion, FoldTrial& trial, const Context& context) {
   Folding result;
   const auto& creases = motion.creases();
-  if (creases.empty() || trial.together_works()) {
-    return result;
-  }
   std::vector<std::uint32_t> outwards(creases.size());
   std::iota(outwards.begin(), outwards.end(), 0U);
   std::stable_sort(outwards.begin(), outwards.end(),

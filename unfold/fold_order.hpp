@@ -27,6 +27,9 @@ struct Folding {
 /// but for the deadline.
 [[nodiscard]] Folding find_folding(const FoldMotion& motion, FoldTrial& trial, const Context& context);
 
+/// The same without the first way, which is known to fail.
+[[nodiscard]] Folding find_order(const FoldMotion& motion, FoldTrial& trial, const Context& context);
+
 /// The same for a finished piece, edge by edge.
 [[nodiscard]] FoldOrder find_fold_order(const mesh::Surface& surface, const Nets& nets, PieceId piece,
                                         const Context& context);

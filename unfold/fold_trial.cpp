@@ -87,18 +87,12 @@ FoldTrial::FoldTrial(const FoldMotion& motion, const Context& context) : motion_
 }
 
 bool FoldTrial::together_works() {
-  for (int sample = 1; sample < samples_together; ++sample) {
-    pose_together(static_cast<double>(sample) / samples_together);
-    if (!meetings().empty()) {
-      return false;
-    }
-  }
-  return true;
+  return meetings_together(0).empty();
 }
 
-std::vector<FoldTrial::Pair> FoldTrial::meetings_together() {
+std::vector<FoldTrial::Pair> FoldTrial::meetings_together(std::size_t most) {
   std::vector<Pair> all;
-  for (int sample = 1; sample < samples_together; ++sample) {
+  for (int sample = 1; sample < samples_together && all.size() <= most; ++sample) {
     pose_together(static_cast<double>(sample) / samples_together);
     const std::vector<Pair> now = meetings();
     all.insert(all.end(), now.begin(), now.end());

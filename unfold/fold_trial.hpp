@@ -24,8 +24,9 @@ class FoldTrial {
   /// Whether nothing meets while all creases are folded at a time, growing alike: 24 samples, O(n log n)
   /// each.
   [[nodiscard]] bool together_works();
-  /// The pairs that meet then, one for each sample in which they do.
-  [[nodiscard]] std::vector<Pair> meetings_together();
+  /// The pairs that meet then, one for each sample in which they do; stops at the first sample with more than
+  /// `most` in all.
+  [[nodiscard]] std::vector<Pair> meetings_together(std::size_t most);
   /// Whether nothing meets while one crease is folded after the other: 6 samples each, in which only what the
   /// crease moves is compared with the rest. False, too, at the deadline.
   [[nodiscard]] bool order_works(std::span<const std::uint32_t> order);

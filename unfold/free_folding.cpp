@@ -2,6 +2,7 @@
 #include "unfold/free_folding.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "unfold/branch.hpp"
@@ -26,14 +27,14 @@ struct Course {
   bool free = false;
   std::vector<FoldTrial::Pair> meetings;  ///< with all creases folded at a time
 };
-Course course_of(const Patch& piece, const Folds& tree, const Context& context) {
+/// Orders are only looked at where no more than `most` pairs meet.
+Course course_of(const Patch& piece, const Folds& tree, std::size_t most, const Context& context) {
   const FoldMotion motion(flat_piece(piece, tree));
   FoldTrial trial(motion, context);
   Course course;
-  course.free = find_folding(motion, trial, context).way != FoldWay::with_care;
-  if (!course.free) {
-    course.meetings = trial.meetings_together();
-  }
+  course.meetings = trial.meetings_together(most);
+  course.free = course.meetings.empty() || (course.meetings.size() <= most &&
+                                            find_order(motion, trial, context).way != FoldWay::with_care);
   return course;
 }
 
@@ -60,8 +61,8 @@ class FreeFolding {
         continue;
       }
       --trees;
-      Course changed = course_of(piece_, net_.folds(), context_);
-      if ((changed.free || changed.meetings.size() <= course.meetings.size()) && allowed(net_.folds())) {
+      Course changed = course_of(piece_, net_.folds(), course.meetings.size(), context_);
+      if (changed.meetings.size() <= course.meetings.size() && allowed(net_.folds())) {
         course = std::move(changed);
         if (course.free) {
           return true;
@@ -125,8 +126,8 @@ Folds fold_freely(const Patch& piece, const Folds& tree, const std::function<boo
   if (piece.size() > most_faces) {
     return tree;
   }
-  Course course = course_of(piece, tree, context);
-  if (course.free || course.meetings.empty()) {
+  Course course = course_of(piece, tree, std::numeric_limits<std::size_t>::max(), context);
+  if (course.free) {
     return tree;
   }
   FreeFolding search(piece, tree, tolerance, seed, context);

@@ -13,7 +13,7 @@ namespace {
 /// of faces left for each face at most (an urchin of 696 faces; ordinary models none). The hopeless ones,
 /// rings of narrow walls above all, have 0.2 and more.
 constexpr std::uint64_t iterations_to_judge = 300;
-constexpr double hopeless_pairs_per_face = 0.1;
+constexpr double hopeless_pairs_per_face = 0.15;
 
 /// A removed fold may not come back for this many iterations. 3 is too few, 10 to 30 are equal, 100 slightly
 /// worse.
