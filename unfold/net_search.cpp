@@ -47,7 +47,8 @@ class Race {
     found.overlaps = std::numeric_limits<std::uint64_t>::max();
     found.starts = static_cast<int>(runners_.size());
     found.iterations = iterations_;
-    found.hopeless = hopeless();
+    found.hopeless = std::all_of(runners_.begin(), runners_.end(),
+                                 [](const Runner& runner) { return runner.search->hopeless(); });
     for (const Runner& runner : runners_) {
       if (runner.overlaps < found.overlaps) {
         found.overlaps = runner.overlaps;
@@ -72,13 +73,14 @@ class Race {
     const bool all_stopped =
         std::none_of(runners_.begin(), runners_.end(), [](const Runner& r) { return r.running; });
     const bool all_started = runners_.size() >= static_cast<std::size_t>(options_.starts);
-    return won_ || (all_stopped && all_started) || hopeless() >= hopeless_starts ||
-           iterations_ >= options_.iterations || context_.out_of_time();
+    return won_ || (all_stopped && all_started) || given_up() || iterations_ >= options_.iterations ||
+           context_.out_of_time();
   }
 
-  [[nodiscard]] int hopeless() const {
-    return static_cast<int>(std::count_if(runners_.begin(), runners_.end(),
-                                          [](const Runner& r) { return r.search->hopeless(); }));
+  /// Whether a start has come to its end far from a net: then others would, too.
+  [[nodiscard]] bool given_up() const {
+    return std::any_of(runners_.begin(), runners_.end(),
+                       [](const Runner& r) { return !r.running && r.search->hopeless(); });
   }
 
   void join() {

@@ -23,15 +23,12 @@ struct NetSearch {
 /// A budget that solves every net of our measurements that is solved at all, but ends.
 [[nodiscard]] std::uint64_t iteration_budget(std::uint32_t faces);
 
-/// A patch is given up when so many starts were hopeless (TreeSearch::hopeless): the others are then, too.
-inline constexpr int hopeless_starts = 2;
-
 struct NetFound {
   Folds folds;                 ///< the best tree
   std::uint64_t overlaps = 0;  ///< of it; 0: a clean net, laid out afresh and checked
   std::uint64_t iterations = 0;
   int starts = 0;
-  int hopeless = 0;  ///< starts that were
+  bool hopeless = false;  ///< what is left is far from a net: other starts won't find any either
 };
 
 /// Searches a connected patch for a tree without overlap. Deterministic for one seed but for the deadline,

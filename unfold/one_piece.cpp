@@ -13,6 +13,8 @@ namespace {
 constexpr std::array start_kinds{StartTree::short_cuts, StartTree::breadth_first, StartTree::flat_folds,
                                  StartTree::breadth_first, StartTree::depth_first};
 constexpr std::uint64_t least_iterations = 600;
+/// After so many hopeless starts the others aren't tried.
+constexpr int hopeless_starts = 2;
 
 }  // namespace
 
@@ -28,14 +30,14 @@ OnePieceFound find_one_piece(const Patch& patch, const Room& room, const OnePiec
   options.starts = 1;
   options.iterations = least_iterations + search.iterations_per_face * patch.size();
   options.idle = options.iterations;
-  int hopeless = 0;
+  int hopeless = 0;  // starts that were
   for (int start = 0; start < search.starts && hopeless < hopeless_starts && !context.out_of_time();
        ++start) {
     context.check();
     options.start = start_kinds[static_cast<std::size_t>(start) % start_kinds.size()];
     NetFound found = find_net(patch, options, random.next(), context);
     result.cost += found.iterations * patch.size();
-    hopeless += found.hopeless;
+    hopeless += found.hopeless ? 1 : 0;
     const std::uint64_t fit_seed = random.next();
     if (found.overlaps > 0) {
       continue;

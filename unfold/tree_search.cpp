@@ -13,7 +13,7 @@ namespace {
 /// of faces left for each face at most (an urchin of 696 faces; ordinary models none). The hopeless ones,
 /// rings of narrow walls above all, have 0.2 and more.
 constexpr std::uint64_t iterations_to_judge = 300;
-constexpr double hopeless_pairs_per_face = 0.15;
+constexpr double hopeless_pairs_per_face = 0.1;
 
 /// A removed fold may not come back for this many iterations. 3 is too few, 10 to 30 are equal, 100 slightly
 /// worse.
@@ -83,7 +83,7 @@ void TreeSearch::set_tree(const Folds& folds) {
 bool TreeSearch::run(const Budget& budget, const Context& context) {
   const std::uint64_t begin = iteration_;
   while (total_ > 0) {
-    if (iteration_ - begin >= budget.iterations || iteration_ - best_at_ >= budget.idle || hopeless()) {
+    if (iteration_ - begin >= budget.iterations || iteration_ - best_at_ >= budget.idle) {
       return false;
     }
     if (iteration_ % iterations_per_look == 0) {

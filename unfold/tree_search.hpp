@@ -40,8 +40,7 @@ class TreeSearch {
     std::uint64_t idle = std::numeric_limits<std::uint64_t>::max();  ///< without a new best
   };
   /// Moves until nothing overlaps or the budget is spent; true when nothing overlaps. Idle iterations count
-  /// on from one call to the next. Throws Error(interrupted), ends early at the context's deadline and where
-  /// it is hopeless.
+  /// on from one call to the next. Throws Error(interrupted), ends early at the context's deadline.
   bool run(const Budget& budget, const Context& context);
 
   [[nodiscard]] std::uint64_t overlaps() const { return total_; }
