@@ -85,7 +85,7 @@ def broken_rules(model, modes, peer):
 
 def cell(got):
     if "failed" in got:
-        return "failed | | "
+        return "failed | "
     return "%d / %d | %d of %d" % (got["pieces"], got["pages"], got["missing"], got["joins"])
 
 
