@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 
+#include <Eigen/Eigenvalues>
+
 namespace ridgecraft::segment {
 namespace {
 
@@ -15,43 +17,19 @@ constexpr std::size_t most_sampled = 1500;
 /// Where planes are tried, as shares of the part's extent along their normal.
 constexpr std::array<double, 7> shares{0.06, 0.2, 0.35, 0.5, 0.65, 0.8, 0.94};
 
-/// Axes of a symmetric matrix by Jacobi's rotations, the longest first.
-std::array<Vec3, 3> principal_axes(std::array<std::array<double, 3>, 3> a) {
-  std::array<std::array<double, 3>, 3> v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (int sweep = 0; sweep < 30; ++sweep) {
-    for (std::size_t p = 0; p < 2; ++p) {
-      for (std::size_t q = p + 1; q < 3; ++q) {
-        if (std::abs(a[p][q]) < 1e-30) {
-          continue;
-        }
-        const double angle = 0.5 * std::atan2(2.0 * a[p][q], a[q][q] - a[p][p]);
-        const double c = std::cos(angle);
-        const double s = std::sin(angle);
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double x = a[k][p];
-          const double y = a[k][q];
-          a[k][p] = c * x - s * y;
-          a[k][q] = s * x + c * y;
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double x = a[p][k];
-          const double y = a[q][k];
-          a[p][k] = c * x - s * y;
-          a[q][k] = s * x + c * y;
-          const double u = v[k][p];
-          const double w = v[k][q];
-          v[k][p] = c * u - s * w;
-          v[k][q] = s * u + c * w;
-        }
-      }
+/// Axes of a symmetric matrix, the longest first.
+std::array<Vec3, 3> principal_axes(const std::array<std::array<double, 3>, 3>& a) {
+  Eigen::Matrix3d matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      matrix(row, column) = a[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
     }
   }
-  std::array<std::size_t, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return a[i][i] > a[j][j]; });
+  // Eigenvalues ascend.
+  const Eigen::Matrix3d v = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvectors();
   std::array<Vec3, 3> axes{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    axes[i] = normalized(Vec3{v[0][order[i]], v[1][order[i]], v[2][order[i]]});
+  for (int i = 0; i < 3; ++i) {
+    axes[static_cast<std::size_t>(i)] = normalized(Vec3{v(0, 2 - i), v(1, 2 - i), v(2, 2 - i)});
   }
   return axes;
 }
