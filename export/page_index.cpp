@@ -20,7 +20,8 @@ constexpr double step = 5.0;         ///< between places that are tried, mm
 constexpr std::array<double, 4> widths{0.95, 0.62, 0.42, 0.28};
 /// A longer list would be a page of its own.
 constexpr std::size_t most_rows = 40;
-constexpr std::string_view heading = "where the other edges are: piece and numbers";
+constexpr std::string_view full_heading = "where the other edges are: piece and numbers";
+constexpr std::string_view brief_heading = "where the other edges are";
 constexpr std::string_view indent = "   ";
 
 /// "B 5-9, 13; page 2: C 60-67, D 3": the page's own pieces first.
@@ -156,7 +157,7 @@ std::vector<Text> page_index(const unfold::Nets& nets, const Pages& pages, PageI
   for (const bool with_numbers : {true, false}) {
     for (const double share : widths) {
       const double width = share * piece_area(pages.paper).x;
-      std::vector<std::string> rows{std::string(heading)};
+      std::vector<std::string> rows{std::string(with_numbers ? full_heading : brief_heading)};
       for (const PieceId piece : listed) {
         const std::string& name = nets.pieces[piece].name;
         append_wrapped(rows, name + ": " + partners(nets, pages, page, neighbours[piece], with_numbers),
