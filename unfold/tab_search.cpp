@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "unfold/tab_start.hpp"
 #include "unfold/tab_state.hpp"
 
 namespace ridgecraft::unfold {
@@ -12,6 +13,8 @@ namespace {
 
 /// Trials between two looks at the clock.
 constexpr std::uint64_t trials_per_look = 16;
+/// Trials of the quick search (tab_start.hpp) for each one of this.
+constexpr std::uint64_t quick_trials = 50;
 /// Folds of a path that are tested for a clean swap, at most.
 constexpr std::size_t folds_per_trial = 12;
 /// Share of the trials that begin at a cut without a tab. Most begin at any cut: what stands in the way of a
@@ -19,7 +22,7 @@ constexpr std::size_t folds_per_trial = 12;
 constexpr double missing_share = 0.2;
 /// A change that loses tabs worth d is accepted with probability exp(-d / heat); the heat falls from trial to
 /// trial.
-constexpr double first_heat = 0.6;
+constexpr double first_heat = 0.2;
 constexpr double last_heat = 0.15;
 
 /// Simulated annealing over clean swaps.
@@ -31,13 +34,18 @@ class Search {
         search_(search),
         random_(seed),
         net_(patch, search.tolerance, random_.next()),
+        clearance_(options.clearance_mm),
         state_((net_.set_tree(folds), surface), panels, patch, net_, options) {}
 
   TabSearchResult run(const Context& context) {
     state_.renew_all();
     TabSearchResult result;
+    result.tabs_before = state_.tabs();
+    if (search_.trials > 0) {
+      start(context);
+    }
     result.folds = net_.folds();
-    result.tabs_before = result.tabs = state_.tabs();
+    result.tabs = state_.tabs();
     double best = state_.worth();
     find_cuts();
     result.cuts = static_cast<std::uint32_t>(cuts_.size()) + seams_;
@@ -63,6 +71,23 @@ class Search {
   }
 
  private:
+  /// Goes on from what the quick search finds, if that is better.
+  void start(const Context& context) {
+    const Folds given = net_.folds();
+    const double worth = state_.worth();
+    TabWedges wedges(patch_, state_.candidates(), state_.seams(), clearance_);
+    const std::optional<Folds> found = find_tab_start(patch_, wedges, net_, quick_trials * search_.trials,
+                                                      search_.allowed, random_.next(), context);
+    if (found) {
+      net_.set_tree(*found);
+      state_.renew_all();
+    }
+    if (!found || state_.worth() <= worth) {
+      net_.set_tree(given);
+      state_.renew_all();
+    }
+  }
+
   void find_cuts() {
     cuts_.clear();
     missing_.clear();
@@ -137,6 +162,7 @@ class Search {
   const TabSearch& search_;
   Random random_;
   TreeSearch net_;
+  double clearance_;
   TabState state_;
   std::vector<std::uint32_t> cuts_;     // inside the patch
   std::vector<std::uint32_t> missing_;  // those that have no tab

@@ -12,8 +12,8 @@ namespace {
 
 /// Corners nearer than this to a corner of the base are that corner, mm: rounding of the layout.
 constexpr double same_place_mm = 1e-6;
-/// A tab may overhang the end of its base by twice as much as it is high, where the face behind it does.
-constexpr double widest_cotangent = -2.0;
+/// A tab may overhang the end of its base by so many times its height, where the face behind it does.
+constexpr double widest_cotangent = -4.0;
 /// Share of an area within which a clipped shape counts as unclipped.
 constexpr double same_area = 1e-9;
 
@@ -178,11 +178,12 @@ ConvexShape trapezoid(double left, double right, double height, double cot_left,
 
 ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstacles,
                         const TabOptions& options, TabNeed need) {
-  const double steep = 1.0 / std::tan(options.steepest_angle);
-  const double top = (base.right - base.left - least_top(base.edge, options)) / (2.0 * steep);
-  if (top < options.smallest_height_mm) {
+  if (!long_enough(base.edge, options)) {
     return {};
   }
+  const double steep = 1.0 / std::tan(options.steepest_angle);
+  // Where even the steepest sides leave no top, only upright ones do.
+  const double top = (base.right - base.left - least_top(base.edge, options)) / (2.0 * steep);
   const auto enough = [&](const ConvexShape& tab) {
     return need == TabNeed::usable ? is_usable(tab, base.edge, options) : !tab.empty();
   };
@@ -196,7 +197,9 @@ ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstac
     return enough(tab) && !finished(tab, base.edge, options).empty() ? tab : ConvexShape();
   };
   const ConvexShape upright =
-      trim(trapezoid(base.left, base.right, std::fmin(options.height_mm, top), steep, steep));
+      top < options.smallest_height_mm
+          ? ConvexShape()
+          : trim(trapezoid(base.left, base.right, std::fmin(options.height_mm, top), steep, steep));
   return upright.empty() ? trim(widest_over(base.left, base.right, options)) : upright;
 }
 
@@ -214,8 +217,7 @@ bool is_usable(const ConvexShape& tab, double length, const TabOptions& options)
 }
 
 bool long_enough(double length, const TabOptions& options) {
-  const double cot = 1.0 / std::tan(options.steepest_angle);
-  return length - 2.0 * cot * options.smallest_height_mm >= least_top(length, options);
+  return length >= least_top(length, options);
 }
 
 double least_top(double length, const TabOptions& options) {

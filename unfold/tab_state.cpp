@@ -16,10 +16,6 @@ constexpr double same_place_mm = 1e-6;
 /// How many tabs one may push aside.
 constexpr std::size_t most_pushed = 2;
 
-/// A cut longer than this gapes without a tab, mm; its tab counts so much more than a short one's.
-constexpr double long_edge_mm = 8.0;
-constexpr double worth_of_long = 1.25;
-
 template <std::size_t n>
 Walled<n> moved(const Walled<n>& shape, const Frame& out, const Frame& in) {
   Walled<n> result;
@@ -141,8 +137,7 @@ void TabState::choose(std::uint32_t join, const Choice& choice) {
   const bool has = choice.side != nothing;
   if (had != has) {
     tabs_ += has ? 1U : static_cast<std::uint32_t>(-1);
-    // Whole multiples of 1/4: sums stay exact.
-    const double worth = patch_.length[join] > long_edge_mm ? worth_of_long : 1.0;
+    const double worth = tab_worth(patch_.length[join]);
     worth_ += has ? worth : -worth;
   }
   chosen_[join] = choice;

@@ -16,6 +16,13 @@
 
 namespace ridgecraft::unfold {
 
+/// How much a usable tab is missed on an edge of this length, mm: a long edge gapes without one.
+[[nodiscard]] constexpr double tab_worth(double length) {
+  constexpr double long_edge_mm = 8.0;
+  // Whole multiples of 1/4: sums stay exact.
+  return length > long_edge_mm ? 1.25 : 1.0;
+}
+
 /// Usable tabs on the cuts of a net, of few shapes (tab_candidates.hpp). Cuts to faces outside the patch
 /// count where this side should give the tab. A simplification of place_tabs, which has the last word: shapes
 /// are as small as usable ones can be, corners are shared where they are one vertex of the surface and lie at
@@ -56,6 +63,11 @@ class TabState {
   [[nodiscard]] std::uint32_t chances(std::uint32_t side) const {
     return (candidates_[side].empty() ? 0U : 1U) + (candidates_[patch_.twin[side]].empty() ? 0U : 1U);
   }
+
+  /// Per side: the tabs that it may have.
+  [[nodiscard]] const std::vector<std::vector<TabCandidate>>& candidates() const { return candidates_; }
+  /// Per side: 1 where it leads out of the patch and should give the tab.
+  [[nodiscard]] const std::vector<std::uint8_t>& seams() const { return targets_.seam; }
 
  private:
   struct Choice {

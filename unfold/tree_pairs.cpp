@@ -82,6 +82,18 @@ std::uint32_t TreeSearch::pairs_across(std::uint32_t below) {
   return count;
 }
 
+std::int64_t TreeSearch::overlaps_added(std::uint32_t below, std::uint32_t side, std::int64_t limit) {
+  const std::uint32_t inner = in_subtree(below, side / 3) ? side : patch_.twin[side];
+  std::int64_t old = 0;
+  if (total_ > 0) {
+    visit_pairs_across(moved_span(below), [&](std::uint32_t, std::uint32_t) { ++old; });
+  }
+  if (limit + old <= 0) {
+    return limit;
+  }
+  return static_cast<std::int64_t>(new_pairs({below, inner}, static_cast<std::uint32_t>(limit + old))) - old;
+}
+
 void TreeSearch::drop_pairs_across(std::uint32_t below) {
   dropped_.clear();
   visit_pairs_across(moved_span(below),

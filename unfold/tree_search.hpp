@@ -57,11 +57,13 @@ class TreeSearch {
   /// A face's corners in the plane.
   [[nodiscard]] const Triangle& flat(std::uint32_t face) const { return flat_[face].corner; }
   /// Folds that may be removed on the tree path between two faces, each named by the face below it.
-  [[nodiscard]] std::vector<std::uint32_t> removable_between(std::uint32_t f, std::uint32_t g);
+  [[nodiscard]] const std::vector<std::uint32_t>& removable_between(std::uint32_t f, std::uint32_t g);
   /// The side of `below` to its parent.
   [[nodiscard]] std::uint32_t side_above(std::uint32_t below) const { return up_[below]; }
   /// Would removing the fold above `below` and folding `side`, which crosses it, make no new overlap?
   [[nodiscard]] bool swap_is_clean(std::uint32_t below, std::uint32_t side);
+  /// How many overlaps the swap adds (negative: takes away); `limit` or more where it is that many at least.
+  [[nodiscard]] std::int64_t overlaps_added(std::uint32_t below, std::uint32_t side, std::int64_t limit);
   /// Makes the swap and returns the face below the new fold, whose subtree is the side that moved.
   std::uint32_t swap(std::uint32_t below, std::uint32_t side);
   /// Calls use(face) for each face whose circle comes nearer than `radius` to a point.
@@ -181,6 +183,7 @@ class TreeSearch {
   std::vector<std::uint32_t> path_pairs_;           ///< pairs_across of a face's fold, while ...
   std::vector<std::uint64_t> path_pairs_valid_at_;  ///< ... this is the iteration
 
+  std::vector<std::uint32_t> removable_;
   std::vector<Meeting> meetings_;
   std::vector<std::uint32_t> sides_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found_;  ///< pairs of the move that was evaluated last

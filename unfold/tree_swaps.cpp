@@ -4,14 +4,13 @@
 
 namespace ridgecraft::unfold {
 
-std::vector<std::uint32_t> TreeSearch::removable_between(std::uint32_t f, std::uint32_t g) {
+const std::vector<std::uint32_t>& TreeSearch::removable_between(std::uint32_t f, std::uint32_t g) {
   find_path(f, g);
-  std::vector<std::uint32_t> below;
-  below.reserve(path_.size());
+  removable_.clear();
   for (const Arc& arc : path_) {
-    below.push_back(arc.below);
+    removable_.push_back(arc.below);
   }
-  return below;
+  return removable_;
 }
 
 bool TreeSearch::swap_is_clean(std::uint32_t below, std::uint32_t side) {

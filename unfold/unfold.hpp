@@ -32,7 +32,7 @@ struct TabOptions {
   /// Must a tab lie inside the flat region that it is glued behind? Without that it may show beyond it.
   bool inside_target = true;
   /// How long trees with room for more tabs are searched for, in trials per face; 0: not at all.
-  double trials_per_face = 20.0;
+  double trials_per_face = 10.0;
 };
 
 /// What may be cut where a part has no single net with all its flat regions (panels) whole.

@@ -411,12 +411,12 @@ TEST_CASE("what is left without a tab says why", "[tabs]") {
       CHECK(join.no_tab == NoTab::not_wanted);
     }
   }
-  SECTION("edges of 1.7 mm") {
-    const Surface cube = test::scaled(test::cube(), 1.7);
+  SECTION("edges of 0.9 mm") {
+    const Surface cube = test::scaled(test::cube(), 0.9);
     const Nets nets = with_tabs(cube, flat_panels(cube), test::lay_out(cube, test::breadth_first(cube)));
     for (const unfold::Join& join : nets.joins) {
       CHECK((join.tab.valid() || join.no_tab != NoTab::has_tab));
-      if (cube.length(join.edge) < 1.8) {
+      if (cube.length(join.edge) < 1.0) {
         CHECK(join.no_tab == NoTab::edge_too_short);
       }
     }
