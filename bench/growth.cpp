@@ -11,7 +11,7 @@
 
 #include <sys/resource.h>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/surface.hpp"
 #include "segment/segment.hpp"
 

@@ -9,10 +9,10 @@
 #include <sstream>
 
 #include "segment/agreement.hpp"
+#include "segment/concavity/hull.hpp"
 #include "segment/evaluate.hpp"
-#include "segment/exact_orientation.hpp"
-#include "segment/hull.hpp"
-#include "segment/scaled_surface.hpp"
+#include "segment/surface/exact_orientation.hpp"
+#include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::bench {
 namespace {

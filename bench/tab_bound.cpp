@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "mesh/disjoint_sets.hpp"
-#include "unfold/tab_shapes.hpp"
+#include "mesh/foundation/disjoint_sets.hpp"
+#include "unfold/tabs/tab_shapes.hpp"
 
 namespace ridgecraft::bench {
 

@@ -22,10 +22,10 @@
 #include <vector>
 
 #include "bench/tab_bound.hpp"
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/mesh.hpp"
-#include "unfold/tab_shapes.hpp"
-#include "unfold/tab_sites.hpp"
+#include "unfold/tabs/tab_shapes.hpp"
+#include "unfold/tabs/tab_sites.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "bench/unfold_runs.hpp"
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/mesh.hpp"
 #include "segment/segment.hpp"
 

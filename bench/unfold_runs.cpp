@@ -6,11 +6,11 @@
 #include <ctime>
 #include <limits>
 
-#include "unfold/layout.hpp"
-#include "unfold/merge_pieces.hpp"
-#include "unfold/net_search.hpp"
-#include "unfold/overlap_split.hpp"
-#include "unfold/page_split.hpp"
+#include "unfold/pieces/merge_pieces.hpp"
+#include "unfold/pieces/overlap_split.hpp"
+#include "unfold/pieces/page_split.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/net_search.hpp"
 #include "unfold/tolerance.hpp"
 
 namespace ridgecraft::bench {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesh/surface.hpp"
-#include "unfold/patch.hpp"
+#include "unfold/search/patch.hpp"
 
 namespace ridgecraft::bench {
 

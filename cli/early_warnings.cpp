@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/extent.hpp"
+#include "mesh/foundation/extent.hpp"
 
 namespace ridgecraft::cli {
 namespace {

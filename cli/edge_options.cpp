@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "cli/formats.hpp"
-#include "mesh/error.hpp"
-#include "mesh/extent.hpp"
+#include "mesh/foundation/error.hpp"
+#include "mesh/foundation/extent.hpp"
 #include "mesh/read_soup.hpp"
 #include "verify/file.hpp"
 

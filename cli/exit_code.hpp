@@ -2,7 +2,7 @@
 // The program's exit codes: documented in docs/exit-codes.md and `ridgecraft --help`, and never changed.
 #pragma once
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 
 namespace ridgecraft::cli {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/read_soup.hpp"
 
 namespace ridgecraft::cli {

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "cli/units.hpp"
-#include "mesh/error.hpp"
-#include "mesh/length_text.hpp"
+#include "mesh/foundation/error.hpp"
+#include "mesh/foundation/length_text.hpp"
 
 namespace ridgecraft::cli {
 namespace {

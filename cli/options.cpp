@@ -9,7 +9,7 @@
 #include "cli/option_values.hpp"
 #include "cli/verbs.hpp"
 #include "cli/version.hpp"
-#include "mesh/nearest_word.hpp"
+#include "mesh/foundation/nearest_word.hpp"
 
 namespace ridgecraft::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 
 namespace ridgecraft::cli {
 namespace {

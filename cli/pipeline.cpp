@@ -9,7 +9,7 @@
 #include "cli/edge_options.hpp"
 #include "cli/settings.hpp"
 #include "cli/targets.hpp"
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/narrow_faces.hpp"
 #include "unfold/panel_parts.hpp"
 

@@ -18,7 +18,7 @@
 #include "cli/solid_jobs.hpp"
 #include "cli/summary.hpp"
 #include "cli/time_limit.hpp"
-#include "mesh/printable.hpp"
+#include "mesh/foundation/printable.hpp"
 #include "mesh/read_soup.hpp"
 
 namespace ridgecraft::cli {

@@ -11,7 +11,7 @@
 #include "cli/summary_blocks.hpp"
 #include "cli/summary_pieces.hpp"
 #include "cli/summary_tabs.hpp"
-#include "mesh/extent.hpp"
+#include "mesh/foundation/extent.hpp"
 #include "unfold/tabs.hpp"
 
 namespace ridgecraft::cli {
@@ -108,8 +108,9 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
                       counted(nets.pieces.size(), "piece"), reasons_text(nets),
                       counted(result.pages.count, "page"), job.paper_name);
   if (const auto size = size_saving_a_page(result)) {
-    text += fmt::format("  hint        at {:.0f} % of this size these pieces would take a page less: --size {:.0f}mm\n",
-                        100.0 * *result.share_saving_a_page, *size);
+    text += fmt::format(
+        "  hint        at {:.0f} % of this size these pieces would take a page less: --size {:.0f}mm\n",
+        100.0 * *result.share_saving_a_page, *size);
   }
   text += extra_pieces_text(nets);
   text += tabs_text(nets, job.tabs.height_mm);

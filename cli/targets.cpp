@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "export/export.hpp"
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 
 namespace ridgecraft::cli {
 namespace {

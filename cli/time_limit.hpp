@@ -7,8 +7,8 @@
 #include <string>
 #include <type_traits>
 
-#include "mesh/context.hpp"
-#include "mesh/error.hpp"
+#include "mesh/foundation/context.hpp"
+#include "mesh/foundation/error.hpp"
 
 namespace ridgecraft::cli {
 

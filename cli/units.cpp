@@ -5,7 +5,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "mesh/length_text.hpp"
+#include "mesh/foundation/length_text.hpp"
 
 namespace ridgecraft::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/option_values.hpp"
-#include "mesh/nearest_word.hpp"
+#include "mesh/foundation/nearest_word.hpp"
 
 namespace ridgecraft::cli {
 

@@ -4,12 +4,12 @@
 
 #include "export/bodies.hpp"
 #include "export/export.hpp"
-#include "export/furniture.hpp"
+#include "export/formats/utf8.hpp"
 #include "export/neighbours.hpp"
-#include "export/page_index.hpp"
-#include "export/piece_drawing.hpp"
-#include "export/text_placement.hpp"
-#include "export/utf8.hpp"
+#include "export/page/furniture.hpp"
+#include "export/page/page_index.hpp"
+#include "export/page/piece_drawing.hpp"
+#include "export/page/text_placement.hpp"
 
 namespace ridgecraft::paper {
 

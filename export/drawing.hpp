@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/vector.hpp"
+#include "mesh/foundation/vector.hpp"
 
 namespace ridgecraft::paper {
 

@@ -16,9 +16,9 @@
 
 #include "export/bodies.hpp"
 #include "export/drawing.hpp"
-#include "export/mark.hpp"
+#include "export/formats/mark.hpp"
 #include "export/paper.hpp"
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/mesh.hpp"
 #include "unfold/nets.hpp"
 
@@ -75,8 +75,8 @@ struct DrawReport {
   std::vector<Body> bodies;        ///< separate ones, if there are several (export/bodies.hpp)
 };
 
-/// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, the index of what is glued to
-/// what, legend, scale bar.
+/// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, the index of what is
+/// glued to what, legend, scale bar.
 [[nodiscard]] std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets,
                                         const Pages& pages, const Style& style, DrawReport* report = nullptr);
 

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "mesh/error.hpp"
-#include "mesh/length_text.hpp"
-#include "mesh/nearest_word.hpp"
+#include "mesh/foundation/error.hpp"
+#include "mesh/foundation/length_text.hpp"
+#include "mesh/foundation/nearest_word.hpp"
 
 namespace ridgecraft::paper {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "mesh/foundation/vector.hpp"
 #include "mesh/model.hpp"
 #include "mesh/surface.hpp"
-#include "mesh/vector.hpp"
 
 namespace ridgecraft::mesh {
 

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/model.hpp"
 #include "mesh/panels.hpp"
 
@@ -83,11 +83,11 @@ struct Prepared {
   std::size_t divided_panels = 0;  ///< flat regions that are in cells
 };
 
-/// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight sides that
-/// only two panels share, but for where a panel that fits no page in any rotation is cut: by straight lines, as few as
-/// possible, into cells that fit with tabs, each a panel of its own. Cost O(n log n). Throws no_nets where every face is
-/// narrower than 0.005 mm (below 0.05 mm they are noted as narrow_faces), or where the model would be larger than 100 m
-/// or than a million faces of this paper.
+/// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight
+/// sides that only two panels share, but for where a panel that fits no page in any rotation is cut: by
+/// straight lines, as few as possible, into cells that fit with tabs, each a panel of its own. Cost O(n log
+/// n). Throws no_nets where every face is narrower than 0.005 mm (below 0.05 mm they are noted as
+/// narrow_faces), or where the model would be larger than 100 m or than a million faces of this paper.
 [[nodiscard]] Prepared prepare(Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                                const Page& page, const Context& context);
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/id.hpp"
+#include "mesh/foundation/id.hpp"
 #include "mesh/repair_report.hpp"
 #include "mesh/soup.hpp"
 #include "mesh/surface.hpp"
@@ -19,8 +19,8 @@ struct Model {
   std::string digest;  ///< 16 hexadecimal digits, hash of the file's bytes; marks what is made from it
   Surface surface;     ///< in the file's unit (after mesh::prepare: in mm)
 
-  /// Per face: the polygon of the file that it is part of, counted from 0 in the file's order; Soup::none where a
-  /// repair or simplification made a face of no polygon.
+  /// Per face: the polygon of the file that it is part of, counted from 0 in the file's order; Soup::none
+  /// where a repair or simplification made a face of no polygon.
   IdVector<FaceId, std::uint32_t> polygon;
   std::size_t polygon_count = 0;  ///< polygons in the file, those that repair dropped included
 
@@ -30,14 +30,15 @@ struct Model {
   /// Per face: texture coordinates of its corners; empty when the model has none.
   IdVector<FaceId, std::array<Vec2, 3>> texture;
 
-  /// Edges that the file marks (Soup::lines), from point to point; they needn't be edges of the surface any more.
+  /// Edges that the file marks (Soup::lines), from point to point; they needn't be edges of the surface any
+  /// more.
   std::vector<std::array<Vec3, 2>> lines;
-  /// The points of the file in its order; empty unless ReadOptions asks for them. Like lines and the surface's points
-  /// they are in the surface's frame, whatever repair made of them.
+  /// The points of the file in its order; empty unless ReadOptions asks for them. Like lines and the
+  /// surface's points they are in the surface's frame, whatever repair made of them.
   std::vector<Vec3> file_points;
 
-  /// A point of the surface times this is a point of the file. An exact power of two, and 1 unless the file's numbers
-  /// are so large or so small that their products would leave the range of a double.
+  /// A point of the surface times this is a point of the file. An exact power of two, and 1 unless the file's
+  /// numbers are so large or so small that their products would leave the range of a double.
   double file_scale = 1.0;
 
   RepairReport repairs;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesh/id.hpp"
+#include "mesh/foundation/id.hpp"
 #include "mesh/surface.hpp"
 
 namespace ridgecraft::mesh {
@@ -25,8 +25,8 @@ struct Panels {
   [[nodiscard]] std::size_t count() const { return faces.size(); }
 };
 
-/// Grows panels over edges from the largest faces down; each is held to the plane of its seed face, so a finely
-/// divided cylinder doesn't become one panel. Faces without area join a neighbour's panel. O(n log n).
+/// Grows panels over edges from the largest faces down; each is held to the plane of its seed face, so a
+/// finely divided cylinder doesn't become one panel. Faces without area join a neighbour's panel. O(n log n).
 [[nodiscard]] Panels find_panels(const Surface& surface, const PanelTolerance& tolerance = {});
 
 }  // namespace ridgecraft::mesh

@@ -2,12 +2,12 @@
 // From a model in the file's unit to one that can be made of paper.
 #include <utility>
 
-#include "mesh/divide_panels.hpp"
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/narrow_faces.hpp"
-#include "mesh/remesh_panels.hpp"
-#include "mesh/simplify.hpp"
+#include "mesh/panels/divide_panels.hpp"
+#include "mesh/panels/remesh_panels.hpp"
+#include "mesh/simplify/simplify.hpp"
 #include "mesh/size.hpp"
 
 namespace ridgecraft::mesh {

@@ -3,11 +3,11 @@
 #include <string>
 #include <utility>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
+#include "mesh/foundation/printable.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/printable.hpp"
 #include "mesh/read_soup.hpp"
-#include "mesh/repair.hpp"
+#include "mesh/repair/repair.hpp"
 
 namespace ridgecraft::mesh {
 

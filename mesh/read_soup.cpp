@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "mesh/detect_format.hpp"
-#include "mesh/printable.hpp"
-#include "mesh/source.hpp"
+#include "mesh/foundation/printable.hpp"
+#include "mesh/reading/detect_format.hpp"
+#include "mesh/reading/source.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/soup.hpp"
 
 namespace ridgecraft::mesh {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "mesh/error.hpp"
-#include "mesh/extent.hpp"
+#include "mesh/foundation/error.hpp"
+#include "mesh/foundation/extent.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

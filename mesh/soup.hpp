@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "mesh/foundation/vector.hpp"
 #include "mesh/repair_report.hpp"
-#include "mesh/vector.hpp"
 
 namespace ridgecraft::mesh {
 

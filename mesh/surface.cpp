@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 
 namespace ridgecraft::mesh {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface that every stage after mesh/ reads: triangles in flat arrays, immutable, with what is derived once.
+// The surface that every stage after mesh/ reads: triangles in flat arrays, immutable, with what is derived
+// once.
 #pragma once
 
 #include <array>
@@ -7,14 +8,18 @@
 #include <span>
 #include <vector>
 
-#include "mesh/id.hpp"
-#include "mesh/vector.hpp"
+#include "mesh/foundation/id.hpp"
+#include "mesh/foundation/vector.hpp"
 
 namespace ridgecraft::mesh {
 
 /// Corner k (0, 1, 2) of face f. It also names the side of f that runs from corner k to corner k + 1.
-[[nodiscard]] constexpr CornerId corner(FaceId f, unsigned k) { return CornerId(3 * f.value() + k); }
-[[nodiscard]] constexpr FaceId face_of(CornerId c) { return FaceId(c.value() / 3); }
+[[nodiscard]] constexpr CornerId corner(FaceId f, unsigned k) {
+  return CornerId(3 * f.value() + k);
+}
+[[nodiscard]] constexpr FaceId face_of(CornerId c) {
+  return FaceId(c.value() / 3);
+}
 [[nodiscard]] constexpr CornerId next(CornerId c) {
   return CornerId(c.value() % 3 == 2 ? c.value() - 2 : c.value() + 1);
 }
@@ -24,15 +29,15 @@ namespace ridgecraft::mesh {
 
 /// An oriented manifold triangle surface, with or without border, of one or several components.
 ///
-/// Invariants, checked on construction: an edge has one or two faces; two faces run along their edge in opposite
-/// directions; no face repeats a vertex; every vertex has at least one face and its faces form one fan. Faces are
-/// counterclockwise seen from outside where the surface has an outside. Faces without area are allowed; their normal
-/// is the zero vector.
+/// Invariants, checked on construction: an edge has one or two faces; two faces run along their edge in
+/// opposite directions; no face repeats a vertex; every vertex has at least one face and its faces form one
+/// fan. Faces are counterclockwise seen from outside where the surface has an outside. Faces without area are
+/// allowed; their normal is the zero vector.
 class Surface {
  public:
   Surface() = default;
-  /// Takes points and the vertices of each face. O(n log n). The invariants are the caller's duty (mesh/repair.hpp
-  /// makes them true of anything) and asserted.
+  /// Takes points and the vertices of each face. O(n log n). The invariants are the caller's duty
+  /// (mesh/repair/repair.hpp makes them true of anything) and asserted.
   Surface(std::vector<Vec3> points, std::vector<std::array<VertexId, 3>> faces);
 
   [[nodiscard]] std::size_t vertex_count() const { return points_.size(); }
@@ -70,9 +75,9 @@ class Surface {
   [[nodiscard]] double area(FaceId f) const { return areas_[f.value()]; }
   /// Unit normal; the zero vector for a face without area.
   [[nodiscard]] Vec3 normal(FaceId f) const { return normals_[f.value()]; }
-  /// How far the surface is folded along an edge, radians, in [-pi, pi]: 0 where it goes on flat and at borders,
-  /// negative on convex edges (mountain folds), positive on concave ones (valley folds); 180 degrees minus the
-  /// dihedral angle. 0 beside a face without area.
+  /// How far the surface is folded along an edge, radians, in [-pi, pi]: 0 where it goes on flat and at
+  /// borders, negative on convex edges (mountain folds), positive on concave ones (valley folds); 180 degrees
+  /// minus the dihedral angle. 0 beside a face without area.
   [[nodiscard]] double fold_angle(EdgeId e) const { return fold_angles_[e.value()]; }
   [[nodiscard]] ComponentId component(FaceId f) const { return components_[f.value()]; }
   [[nodiscard]] const Box3& bounds() const { return bounds_; }

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/surface.hpp"
 
 namespace ridgecraft::mesh {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "mesh/id.hpp"
+#include "mesh/foundation/id.hpp"
 #include "mesh/surface.hpp"
 
 namespace ridgecraft::mesh {

@@ -14,7 +14,7 @@
 
 #include <cairo.h>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/mesh.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/vector.hpp"
+#include "mesh/foundation/vector.hpp"
 
 namespace ridgecraft::samples {
 

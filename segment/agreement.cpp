@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -7,9 +7,9 @@
 #include <map>
 #include <vector>
 
-#include "mesh/error.hpp"
-#include "segment/hull.hpp"
-#include "segment/scaled_surface.hpp"
+#include "mesh/foundation/error.hpp"
+#include "segment/concavity/hull.hpp"
+#include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/surface.hpp"
 
 namespace ridgecraft::segment {

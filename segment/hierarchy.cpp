@@ -7,10 +7,10 @@
 #include <numeric>
 #include <utility>
 
-#include "segment/edge_weights.hpp"
-#include "segment/measure.hpp"
-#include "segment/scaled_surface.hpp"
-#include "segment/vertex_graph.hpp"
+#include "segment/concavity/measure.hpp"
+#include "segment/concavity/vertex_graph.hpp"
+#include "segment/cutting/edge_weights.hpp"
+#include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/surface.hpp"
 #include "segment/segment.hpp"
 

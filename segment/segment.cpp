@@ -8,17 +8,17 @@
 #include <set>
 #include <utility>
 
-#include "mesh/error.hpp"
-#include "segment/assembly.hpp"
-#include "segment/component_ties.hpp"
-#include "segment/cut.hpp"
-#include "segment/edge_weights.hpp"
-#include "segment/measure.hpp"
-#include "segment/merge.hpp"
+#include "mesh/foundation/error.hpp"
+#include "segment/concavity/measure.hpp"
+#include "segment/concavity/vertex_graph.hpp"
+#include "segment/cutting/cut.hpp"
+#include "segment/cutting/edge_weights.hpp"
+#include "segment/joining/assembly.hpp"
+#include "segment/joining/merge.hpp"
 #include "segment/recursion.hpp"
-#include "segment/scaled_surface.hpp"
-#include "segment/vertex_graph.hpp"
-#include "segment/virtual_facets.hpp"
+#include "segment/surface/component_ties.hpp"
+#include "segment/surface/scaled_surface.hpp"
+#include "segment/surface/virtual_facets.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/context.hpp"
-#include "mesh/id.hpp"
+#include "mesh/foundation/context.hpp"
+#include "mesh/foundation/id.hpp"
 #include "mesh/surface.hpp"
 
 namespace ridgecraft::segment {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/vector.hpp"
+#include "mesh/foundation/vector.hpp"
 
 namespace ridgecraft::solid {
 

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "solid/body_of.hpp"
 
 namespace ridgecraft::solid {

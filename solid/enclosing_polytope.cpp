@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "solid/convex_hull.hpp"
 
 namespace ridgecraft::solid {

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "solid/body.hpp"
 
 namespace ridgecraft::solid {

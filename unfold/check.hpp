@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "unfold/layout.hpp"
-#include "unfold/triangle.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/triangle.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -19,7 +19,7 @@ struct OverlapFound {
 
 /// Penetration depth by the Minkowski difference: the distance from the origin to the outline of the convex
 /// hull of all differences of corners; 0 or less when the origin isn't inside. Shares no code with
-/// unfold/triangle.hpp.
+/// unfold/search/triangle.hpp.
 [[nodiscard]] double depth_by_difference(const Triangle& a, const Triangle& b);
 
 /// Every pair of these triangles that is deeper than the tolerance (mm). A sweep over x skips the pairs whose

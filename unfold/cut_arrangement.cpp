@@ -9,7 +9,7 @@
 #include <numbers>
 #include <utility>
 
-#include "unfold/box_grid.hpp"
+#include "unfold/tabs/box_grid.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
 

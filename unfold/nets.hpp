@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/id.hpp"
-#include "mesh/vector.hpp"
+#include "mesh/foundation/id.hpp"
+#include "mesh/foundation/vector.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -26,7 +26,7 @@ enum class PieceReason { part, page, overlap, tabs, faces, time, request, compon
 /// The same as a sentence for people.
 [[nodiscard]] std::string_view sentence(PieceReason reason);
 
-/// How a piece can be folded without running through itself (unfold/fold_order.hpp).
+/// How a piece can be folded without running through itself (unfold/folding/fold_order.hpp).
 enum class FoldWay : std::uint8_t {
   together,      ///< all creases at a time
   leaves_first,  ///< one after the other, from the tips inwards

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "mesh/convex_hull.hpp"
-#include "unfold/forest.hpp"
-#include "unfold/layout.hpp"
+#include "mesh/foundation/convex_hull.hpp"
 #include "unfold/room.hpp"
+#include "unfold/search/forest.hpp"
+#include "unfold/search/layout.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

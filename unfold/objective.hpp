@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "unfold/patch.hpp"
 #include "unfold/piece_rules.hpp"
+#include "unfold/search/patch.hpp"
 
 namespace ridgecraft::unfold {
 

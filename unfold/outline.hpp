@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "mesh/foundation/vector.hpp"
 #include "mesh/surface.hpp"
-#include "mesh/vector.hpp"
 #include "unfold/nets.hpp"
 
 namespace ridgecraft::unfold {

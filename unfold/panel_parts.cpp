@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "unfold/patch.hpp"
+#include "unfold/search/patch.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

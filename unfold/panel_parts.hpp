@@ -2,7 +2,7 @@
 // Parts that end at the borders of panels, so that no cut runs through a flat region.
 #pragma once
 
-#include "mesh/id.hpp"
+#include "mesh/foundation/id.hpp"
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
 

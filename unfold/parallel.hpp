@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/disjoint_sets.hpp"
+#include "mesh/foundation/disjoint_sets.hpp"
 #include "unfold/check.hpp"
-#include "unfold/layout.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/start_tree.hpp"
 #include "unfold/sheet.hpp"
-#include "unfold/start_tree.hpp"
 
 namespace ridgecraft::unfold {
 

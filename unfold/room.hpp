@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "unfold/patch.hpp"
+#include "unfold/search/patch.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::unfold {

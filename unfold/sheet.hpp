@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/convex_hull.hpp"
-#include "mesh/vector.hpp"
+#include "mesh/foundation/convex_hull.hpp"
+#include "mesh/foundation/vector.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::unfold {

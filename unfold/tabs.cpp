@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "unfold/tab_assignment.hpp"
-#include "unfold/tab_sites.hpp"
+#include "unfold/tabs/tab_assignment.hpp"
+#include "unfold/tabs/tab_sites.hpp"
 
 namespace ridgecraft::unfold {
 

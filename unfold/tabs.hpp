@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
 #include "unfold/nets.hpp"

@@ -5,22 +5,22 @@
 #include <algorithm>
 #include <map>
 
-#include "mesh/error.hpp"
-#include "unfold/better_trees.hpp"
+#include "mesh/foundation/error.hpp"
 #include "unfold/check.hpp"
-#include "unfold/closing.hpp"
-#include "unfold/fitting_panels.hpp"
-#include "unfold/fold_order.hpp"
+#include "unfold/folding/fold_order.hpp"
 #include "unfold/joins.hpp"
-#include "unfold/kept_edges.hpp"
-#include "unfold/layout.hpp"
 #include "unfold/panel_parts.hpp"
 #include "unfold/parallel.hpp"
-#include "unfold/part_merging.hpp"
-#include "unfold/patch_nets.hpp"
+#include "unfold/pieces/better_trees.hpp"
+#include "unfold/pieces/closing.hpp"
+#include "unfold/pieces/fitting_panels.hpp"
+#include "unfold/pieces/kept_edges.hpp"
+#include "unfold/pieces/part_merging.hpp"
+#include "unfold/pieces/patch_nets.hpp"
+#include "unfold/search/layout.hpp"
 #include "unfold/sheet.hpp"
-#include "unfold/tab_fit.hpp"
 #include "unfold/tabs.hpp"
+#include "unfold/tabs/tab_fit.hpp"
 #include "unfold/tolerance.hpp"
 
 namespace ridgecraft::unfold {

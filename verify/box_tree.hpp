@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/vector.hpp"
+#include "mesh/foundation/vector.hpp"
 
 namespace ridgecraft::verify {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/context.hpp"
-#include "mesh/vector.hpp"
+#include "mesh/foundation/context.hpp"
+#include "mesh/foundation/vector.hpp"
 
 namespace ridgecraft::verify {
 

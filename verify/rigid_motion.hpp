@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "mesh/vector.hpp"
+#include "mesh/foundation/vector.hpp"
 
 namespace ridgecraft::verify {
 

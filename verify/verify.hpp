@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 
 namespace ridgecraft::verify {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The direction of dependencies is checked, not hoped for (docs/architecture.md).
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -24,8 +25,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
 };
 
 /// verify/ may use the foundation only: whatever judges results shares no algorithm with what makes them.
-const std::set<std::string> foundation = {"mesh/vector.hpp", "mesh/error.hpp", "mesh/context.hpp",
-                                          "mesh/id.hpp"};
+const std::set<std::string> foundation = {"mesh/foundation/vector.hpp", "mesh/foundation/error.hpp",
+                                          "mesh/foundation/context.hpp", "mesh/foundation/id.hpp"};
 
 template <class Visit>
 void for_each_include(const std::string& folder, const Visit& visit) {
@@ -64,6 +65,19 @@ TEST_CASE("folders include only what the architecture allows", "[architecture]")
       }
     });
     CHECK(seen > 0);
+  }
+}
+
+TEST_CASE("sub-folders are private, but for the foundation", "[architecture]") {
+  for (const auto& [folder, may] : allowed) {
+    for_each_include(folder, [&](const fs::path& file, const std::string& included) {
+      if (std::count(included.begin(), included.end(), '/') == 2 &&
+          !included.starts_with("mesh/foundation/") &&
+          allowed.contains(included.substr(0, included.find('/')))) {
+        INFO(file << " includes " << included);
+        CHECK(included.starts_with(folder + "/"));
+      }
+    });
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::cli;

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft;

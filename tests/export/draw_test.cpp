@@ -10,9 +10,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "export/furniture.hpp"
-#include "export/stroke_font.hpp"
-#include "export/text_placement.hpp"
+#include "export/page/furniture.hpp"
+#include "export/page/stroke_font.hpp"
+#include "export/page/text_placement.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "export/export.hpp"
-#include "export/json_text.hpp"
+#include "export/formats/json_text.hpp"
 #include "support/check_nets.hpp"
 #include "support/shapes.hpp"
 #include "support/simple_nets.hpp"

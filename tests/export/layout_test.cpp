@@ -8,8 +8,8 @@
 #include <catch2/catch.hpp>
 
 #include "export/export.hpp"
-#include "export/packing_shape.hpp"
-#include "mesh/error.hpp"
+#include "export/packing/packing_shape.hpp"
+#include "mesh/foundation/error.hpp"
 #include "unfold/sheet.hpp"
 
 using namespace ridgecraft;

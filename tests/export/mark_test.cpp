@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/mark.hpp"
+#include "export/formats/mark.hpp"
 
 #include <string>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 
 using namespace ridgecraft;
 using paper::read_mark_digest;

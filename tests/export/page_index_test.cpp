@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The index of a page: true, in its place, and no hindrance to anything else.
-#include "export/page_index.hpp"
+#include "export/page/page_index.hpp"
 
 #include <set>
 #include <string>
 
 #include <catch2/catch.hpp>
 
-#include "export/obstacles.hpp"
+#include "export/page/obstacles.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 

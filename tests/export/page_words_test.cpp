@@ -8,9 +8,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "export/furniture.hpp"
-#include "export/line_style.hpp"
-#include "export/stroke_font.hpp"
+#include "export/page/furniture.hpp"
+#include "export/page/line_style.hpp"
+#include "export/page/stroke_font.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 

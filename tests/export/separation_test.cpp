@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "export/clearance.hpp"
-#include "export/packing_separate.hpp"
+#include "export/packing/clearance.hpp"
+#include "export/packing/packing_separate.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::paper;

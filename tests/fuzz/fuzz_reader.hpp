@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/error.hpp"
-#include "mesh/printable.hpp"
+#include "mesh/foundation/error.hpp"
+#include "mesh/foundation/printable.hpp"
 #include "mesh/read_soup.hpp"
 
 namespace ridgecraft::test {

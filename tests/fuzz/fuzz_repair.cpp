@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
+#include "mesh/foundation/printable.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/printable.hpp"
-#include "mesh/repair.hpp"
+#include "mesh/repair/repair.hpp"
 
 namespace {
 

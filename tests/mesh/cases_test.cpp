@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/mesh.hpp"
 #include "soups.hpp"
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <numbers>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/page_cuts.hpp"
+#include "mesh/panels/page_cuts.hpp"
 #include "soups.hpp"
 #include "support/shapes.hpp"
 

@@ -7,10 +7,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
-#include "mesh/disjoint_sets.hpp"
-#include "mesh/length_text.hpp"
-#include "mesh/utf8.hpp"
+#include "mesh/foundation/context.hpp"
+#include "mesh/foundation/disjoint_sets.hpp"
+#include "mesh/foundation/length_text.hpp"
+#include "mesh/foundation/utf8.hpp"
 
 using namespace ridgecraft;
 

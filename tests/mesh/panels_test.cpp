@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Flat regions are found and got along with their corners.
 #include "mesh/mesh.hpp"
-#include "mesh/remesh_panels.hpp"
+#include "mesh/panels/remesh_panels.hpp"
 #include "soups.hpp"
 #include "support/shapes.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Size, subdivision, and what is too small to be cut.
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/mesh.hpp"
 #include "soups.hpp"
 #include "support/shapes.hpp"

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
-#include "mesh/check_picture.hpp"
+#include "mesh/reading/check_picture.hpp"
 #include "reading.hpp"
 
 using namespace ridgecraft;

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "mesh/printable.hpp"
+#include "mesh/foundation/printable.hpp"
 #include "reading.hpp"
 
 using namespace ridgecraft;

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "mesh/read_soup.hpp"
 
 namespace ridgecraft::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Soups of every kind become surfaces.
-#include "mesh/error.hpp"
+#include "mesh/foundation/error.hpp"
 #include "soups.hpp"
 #include "support/shapes.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces that run through each other, and the boxes by which near pairs are found, against all pairs.
-#include "mesh/self_intersections.hpp"
+#include "mesh/repair/self_intersections.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
-#include "mesh/near_boxes.hpp"
+#include "mesh/foundation/context.hpp"
+#include "mesh/foundation/near_boxes.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

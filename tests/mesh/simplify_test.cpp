@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fine models become foldable ones.
-#include "mesh/simplify.hpp"
+#include "mesh/simplify/simplify.hpp"
 
-#include "mesh/collapse_sequence.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/simplify/collapse_sequence.hpp"
 #include "mesh/surface_distance.hpp"
 #include "soups.hpp"
 #include "support/shapes.hpp"

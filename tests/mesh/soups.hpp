@@ -10,7 +10,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/repair.hpp"
+#include "mesh/repair/repair.hpp"
 
 namespace ridgecraft::test {
 

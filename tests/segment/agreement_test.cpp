@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "mesh/mesh.hpp"
 #include "support/benchmark_models.hpp"
 #include "support/shapes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cuts narrowed down on clusters, against cuts through the whole graph.
-#include "segment/coarse_cut.hpp"
+#include "segment/cutting/coarse_cut.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 
 namespace ridgecraft::segment {
 namespace {

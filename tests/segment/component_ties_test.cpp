@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Components that are tied together as one object.
-#include "segment/component_ties.hpp"
+#include "segment/surface/component_ties.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "segment/segment.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"

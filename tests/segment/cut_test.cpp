@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cuts that no benchmark model needs: the fallback split, halves, more ridges than one round cuts off.
-#include "segment/cut.hpp"
+#include "segment/cutting/cut.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
+#include "segment/cutting/ridges.hpp"
 #include "segment/recursion.hpp"
-#include "segment/ridges.hpp"
 #include "segment/segment.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"

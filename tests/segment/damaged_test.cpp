@@ -5,9 +5,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "segment/segment.hpp"
-#include "segment/virtual_facets.hpp"
+#include "segment/surface/virtual_facets.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
-#include "segment/enclosing_ball.hpp"
+#include "mesh/foundation/context.hpp"
+#include "segment/surface/enclosing_ball.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "segment/hull.hpp"
+#include "segment/concavity/hull.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
-#include "segment/exact_orientation.hpp"
+#include "mesh/foundation/context.hpp"
+#include "segment/surface/exact_orientation.hpp"
 
 namespace ridgecraft {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "segment/agreement.hpp"
 #include "segment/evaluate.hpp"
 #include "segment/segment.hpp"

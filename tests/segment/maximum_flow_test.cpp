@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "segment/maximum_flow.hpp"
+#include "segment/cutting/maximum_flow.hpp"
 
 #include <vector>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 
 namespace ridgecraft {
 namespace {

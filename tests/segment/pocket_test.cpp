@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cups: what --pockets promises, checked by code of its own (lattice, winding by solid angles, hull planes by
 // trying triples of vertices), and the promise's building blocks.
-#include "segment/pocket_test.hpp"
+#include "segment/concavity/pocket_test.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
-#include "mesh/error.hpp"
-#include "segment/deepest_point.hpp"
-#include "segment/enclosing_ball.hpp"
+#include "mesh/foundation/context.hpp"
+#include "mesh/foundation/error.hpp"
+#include "segment/concavity/deepest_point.hpp"
 #include "segment/evaluate.hpp"
 #include "segment/segment.hpp"
+#include "segment/surface/enclosing_ball.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 

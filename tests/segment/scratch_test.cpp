@@ -8,10 +8,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
-#include "segment/enclosing_ball.hpp"
+#include "mesh/foundation/context.hpp"
+#include "segment/concavity/valley_concavity.hpp"
 #include "segment/segment.hpp"
-#include "segment/valley_concavity.hpp"
+#include "segment/surface/enclosing_ball.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 

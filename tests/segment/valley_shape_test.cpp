@@ -7,10 +7,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
-#include "segment/residual_concavity.hpp"
-#include "segment/separators.hpp"
-#include "segment/valley_concavity.hpp"
+#include "mesh/foundation/context.hpp"
+#include "segment/concavity/valley_concavity.hpp"
+#include "segment/cutting/residual_concavity.hpp"
+#include "segment/cutting/separators.hpp"
 
 namespace ridgecraft {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/disjoint_sets.hpp"
+#include "mesh/foundation/disjoint_sets.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/panel_parts.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Folding pieces up: the motion ends in the model, and orders hold every fold once.
-#include "unfold/fold_order.hpp"
+#include "unfold/folding/fold_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 
 #include "support/shapes.hpp"
 #include "unfold/check.hpp"
-#include "unfold/fold_motion.hpp"
-#include "unfold/free_folding.hpp"
-#include "unfold/layout.hpp"
-#include "unfold/net_search.hpp"
+#include "unfold/folding/fold_motion.hpp"
+#include "unfold/folding/free_folding.hpp"
 #include "unfold/nets_checks.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/net_search.hpp"
 #include "unfold/tolerance.hpp"
 #include "unfold/unfold.hpp"
 

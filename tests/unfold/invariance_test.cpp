@@ -10,7 +10,7 @@
 
 #include "mesh/mesh.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/start_tree.hpp"
+#include "unfold/search/start_tree.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;

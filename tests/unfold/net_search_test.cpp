@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/net_search.hpp"
+#include "unfold/search/net_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 
 #include "support/shapes.hpp"
 #include "unfold/check.hpp"
-#include "unfold/layout.hpp"
 #include "unfold/nets_checks.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/tree_search.hpp"
 #include "unfold/sheet.hpp"
-#include "unfold/tree_search.hpp"
 
 using namespace ridgecraft;
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/tab_search.hpp"
+#include "unfold/tabs/tab_search.hpp"
 
 #include <cmath>
 #include <numeric>
 
 #include <catch2/catch.hpp>
 
+#include "mesh/foundation/disjoint_sets.hpp"
 #include "support/shapes.hpp"
 #include "unfold/check.hpp"
-#include "mesh/disjoint_sets.hpp"
-#include "unfold/layout.hpp"
-#include "unfold/start_tree.hpp"
-#include "unfold/tab_assignment.hpp"
-#include "unfold/tab_state.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/start_tree.hpp"
+#include "unfold/tabs/tab_assignment.hpp"
+#include "unfold/tabs/tab_state.hpp"
 #include "unfold/tree_nets.hpp"
 
 using namespace ridgecraft;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The quick half of the search for tabs.
-#include "unfold/tab_start.hpp"
+#include "unfold/tabs/tab_start.hpp"
 
 #include <numeric>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/disjoint_sets.hpp"
+#include "mesh/foundation/disjoint_sets.hpp"
 #include "support/shapes.hpp"
 #include "unfold/check.hpp"
-#include "unfold/layout.hpp"
-#include "unfold/start_tree.hpp"
-#include "unfold/tab_targets.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/start_tree.hpp"
+#include "unfold/tabs/tab_targets.hpp"
 
 using namespace ridgecraft;
 using unfold::Folds;

@@ -11,7 +11,7 @@
 #include "mesh/mesh.hpp"
 #include "support/shapes.hpp"
 #include "unfold/outline.hpp"
-#include "unfold/tab_shapes.hpp"
+#include "unfold/tabs/tab_shapes.hpp"
 #include "unfold/tree_nets.hpp"
 
 using namespace ridgecraft;

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 
 namespace ridgecraft::test {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/triangle.hpp"
+#include "unfold/search/triangle.hpp"
 
 #include <cstdint>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/context.hpp"
+#include "mesh/foundation/context.hpp"
 #include "unfold/check.hpp"
-#include "unfold/edged_triangle.hpp"
+#include "unfold/search/edged_triangle.hpp"
 
 using namespace ridgecraft;
 using unfold::Triangle;

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mesh/vector.hpp"
+#include "mesh/foundation/vector.hpp"
 #include "verify/verify.hpp"
 
 namespace ridgecraft::test {

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// nets.fold: FOLD 1.2 (Demaine, Ku, Lang) with our own keys under "ridgecraft:". docs/formats.md has every
+// key.
+#include <cmath>
+#include <numbers>
+
+#include "export/export.hpp"
+#include "export/formats/json_text.hpp"
+#include "export/formats/net_frame.hpp"
+#include "mesh/foundation/error.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+using mesh::Surface;
+using unfold::Nets;
+
+/// Folds of less are written as flat, degrees: the contract's limit.
+constexpr double flat_fold_degrees = 1e-4;
+
+/// Tabs and joins by the numbers they get in the file: slits in flat regions have neither.
+struct Gluing {
+  std::vector<JoinId> joins;
+  std::vector<TabId> tabs;
+  IdVector<TabId, std::uint32_t> tab_number;
+};
+
+Gluing gluing(const Surface& surface, const Nets& nets, const NetFrame& frame) {
+  Gluing result;
+  result.tab_number.resize(nets.tabs.size());
+  for (const JoinId j : ids<JoinId>(nets.joins.size())) {
+    if (!frame.is_slit(surface, nets.joins[j].edge)) {
+      result.joins.push_back(j);
+    }
+  }
+  for (const TabId t : ids<TabId>(nets.tabs.size())) {
+    if (!frame.is_slit(surface, surface.edge(nets.tabs[t].side))) {
+      result.tab_number[t] = static_cast<std::uint32_t>(result.tabs.size());
+      result.tabs.push_back(t);
+    }
+  }
+  return result;
+}
+
+void write_edges(JsonText& json, const Surface& surface, const NetFrame& frame) {
+  const auto degrees = [&](std::size_t i) {
+    const NetFrame::Edge& edge = frame.edges[i];
+    const double angle =
+        edge.fold ? surface.fold_angle(surface.edge(edge.side)) * 180.0 / std::numbers::pi : 0.0;
+    return std::abs(angle) < flat_fold_degrees ? 0.0 : angle;
+  };
+  json.list("edges_vertices", frame.edges.size(), [&](std::size_t i) {
+    json.raw("[");
+    json.number(frame.edges[i].vertices[0]);
+    json.raw(",");
+    json.number(frame.edges[i].vertices[1]);
+    json.raw("]");
+  });
+  json.list("edges_assignment", frame.edges.size(), [&](std::size_t i) {
+    const double angle = degrees(i);
+    json.raw(!frame.edges[i].fold ? "\"B\"" : angle < 0.0 ? "\"M\"" : angle > 0.0 ? "\"V\"" : "\"F\"");
+  });
+  json.list("edges_foldAngle", frame.edges.size(), [&](std::size_t i) { json.number(degrees(i)); });
+}
+
+void write_triangle(JsonText& json, const std::array<std::uint32_t, 3>& corners) {
+  json.raw("[");
+  json.number(corners[0]);
+  json.raw(",");
+  json.number(corners[1]);
+  json.raw(",");
+  json.number(corners[2]);
+  json.raw("]");
+}
+
+/// Parts are numbers; a face without one has -1.
+std::int64_t number_of(PartId part) {
+  return part.valid() ? std::int64_t{part.value()} : -1;
+}
+
+void write_pieces(JsonText& json, const Nets& nets, const NetFrame& frame) {
+  json.list("ridgecraft:pieces", nets.pieces.size(), [&](std::size_t i) {
+    const unfold::Piece& piece = nets.pieces[PieceId(i)];
+    json.raw("\n{\"name\":");
+    json.string(piece.name);
+    json.raw(",\"part\":");
+    piece.parts.size() == 1 ? json.number(number_of(piece.parts.front())) : json.raw("null");
+    json.raw(",\"parts\":[");
+    for (std::size_t k = 0; k < piece.parts.size(); ++k) {
+      json.raw(k == 0 ? "" : ",");
+      json.number(number_of(piece.parts[k]));
+    }
+    json.raw("],\"page\":");
+    json.number(frame.page[PieceId(i)].value());
+    json.raw(",\"holes\":");
+    json.number(piece.holes);
+    json.raw(",\"reason\":");
+    json.string(unfold::name(piece.reason));
+    json.raw("}");
+  });
+}
+
+/// Per piece: lists of edges that are folded together, in order. Flat folds aren't in them.
+void write_fold_order(JsonText& json, const Nets& nets, const NetFrame& frame) {
+  json.list("ridgecraft:fold_order", nets.pieces.size(), [&](std::size_t i) {
+    json.raw("[");
+    const auto& steps = nets.pieces[PieceId(i)].folding.steps;
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+      json.raw(s == 0 ? "[" : ",[");
+      for (std::size_t k = 0; k < steps[s].size(); ++k) {
+        json.raw(k == 0 ? "" : ",");
+        json.number(frame.edge[steps[s][k]]);
+      }
+      json.raw("]");
+    }
+    json.raw("]");
+  });
+}
+
+void write_pages(JsonText& json, const NetFrame& frame, const Pages* pages) {
+  json.list("ridgecraft:pages", frame.origins.size(), [&](std::size_t i) {
+    json.raw("\n{\"origin\":");
+    json.point(frame.origins[i]);
+    json.raw(",\"size\":");
+    if (pages == nullptr) {
+      json.raw("null}");
+      return;
+    }
+    json.point(pages->paper.size);
+    json.raw(",\"margins\":[");
+    for (const std::string_view separator : {"", ",", ",", ","}) {
+      json.raw(separator);
+      json.number(pages->paper.margin);
+    }
+    json.raw("]}");
+  });
+}
+
+void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const NetFrame& frame,
+                 const Gluing& glue) {
+  json.list("ridgecraft:joins", glue.joins.size(), [&](std::size_t i) {
+    const unfold::Join& join = nets.joins[glue.joins[i]];
+    const auto [c, d] = surface.sides(join.edge);
+    json.raw("\n{\"number\":");
+    json.number(join.number);
+    json.raw(",\"edges\":[");
+    json.number(frame.edge[c]);
+    json.raw(",");
+    json.number(frame.edge[d]);
+    json.raw("],\"tab\":");
+    if (join.tab.valid()) {
+      json.number(glue.tab_number[join.tab]);
+    } else {
+      json.raw("null,\"why\":");
+      json.string(unfold::sentence(join.no_tab));
+    }
+    json.raw("}");
+  });
+  json.list("ridgecraft:tabs", glue.tabs.size(), [&](std::size_t i) {
+    const unfold::Tab& tab = nets.tabs[glue.tabs[i]];
+    json.raw("\n{\"edge\":");
+    json.number(frame.edge[tab.side]);
+    json.raw(",\"polygon\":[");
+    for (std::size_t k = 0; k < tab.polygon.size(); ++k) {
+      json.raw(k == 0 ? "" : ",");
+      json.point(frame.place(nets.piece[mesh::face_of(tab.side)], tab.polygon[k]));
+    }
+    json.raw("],\"joins\":[");
+    json.number(nets.joins[tab.join].number);
+    json.raw("]}");
+  });
+}
+
+void write_model(JsonText& json, const Surface& surface, const IdVector<FaceId, PartId>& part) {
+  json.key("file_frames");
+  json.raw("[{");
+  json.key("frame_classes");
+  json.raw("[\"foldedForm\"]");
+  json.key("frame_attributes");
+  json.raw("[\"3D\",\"manifold\",\"orientable\"]");
+  json.key("frame_inherit");
+  json.raw("false");
+  json.key("frame_unit");
+  json.raw("\"mm\"");
+  json.list("vertices_coords", surface.vertex_count(),
+            [&](std::size_t i) { json.point(surface.point(VertexId(i))); });
+  json.list("faces_vertices", surface.face_count(), [&](std::size_t i) {
+    const auto [a, b, c] = surface.vertices(FaceId(i));
+    write_triangle(json, {a.value(), b.value(), c.value()});
+  });
+  json.list("ridgecraft:faces_part", part.size(),
+            [&](std::size_t i) { json.number(number_of(part[FaceId(i)])); });
+  json.raw("\n}]");
+}
+
+void write_head(JsonText& json, const Mark& mark, const Settings& settings) {
+  json.key("file_spec");
+  json.raw("1.2");
+  json.key("file_creator");
+  json.string(mark.producer);
+  json.key("file_title");
+  json.string(mark.title);
+  json.key("file_classes");
+  json.raw("[\"multiModel\"]");
+  json.key("frame_classes");
+  json.raw("[\"creasePattern\"]");
+  json.key("frame_attributes");
+  json.raw("[\"2D\"]");
+  json.key("frame_unit");
+  json.raw("\"mm\"");
+  json.key(mark_key);
+  json.string(mark.digest);
+  json.key("ridgecraft:settings");
+  json.raw("{");
+  const char* separator = "";
+  for (const auto& [name, value] : settings) {
+    json.raw(separator);
+    json.string(name);
+    json.raw(": ");
+    json.raw(value);
+    separator = ", ";
+  }
+  json.raw("}");
+}
+
+}  // namespace
+
+std::string write_fold(const mesh::Prepared& model, const IdVector<FaceId, PartId>& part,
+                       const unfold::Nets& nets, const Pages* pages, const Mark& mark,
+                       const Settings& settings) {
+  const Surface& surface = model.model.surface;
+  RIDGECRAFT_ASSERT(part.size() == surface.face_count());
+  const NetFrame frame = net_frame(surface, nets, pages);
+  const Gluing glue = gluing(surface, nets, frame);
+  JsonText json;
+  json.raw("{");
+  write_head(json, mark, settings);
+  json.list("vertices_coords", frame.points.size(), [&](std::size_t i) { json.point(frame.points[i]); });
+  write_edges(json, surface, frame);
+  json.list("faces_vertices", frame.faces.size(),
+            [&](std::size_t i) { write_triangle(json, frame.faces[i]); });
+  json.list("ridgecraft:faces_model", frame.faces.size(), [&](std::size_t i) { json.number(i); });
+  json.list("ridgecraft:faces_piece", frame.faces.size(),
+            [&](std::size_t i) { json.number(nets.piece[FaceId(i)].value()); });
+  write_pieces(json, nets, frame);
+  write_fold_order(json, nets, frame);
+  write_pages(json, frame, pages);
+  write_joins(json, surface, nets, frame, glue);
+  write_model(json, surface, part);
+  json.raw("\n}\n");
+  return std::move(json).take();
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PDF of all pages. Cairo paints each layer as a file of its own; qpdf lays them over each other as optional
+// content, so that a viewer can switch layers and a machine can pick one, and says that the pages are not to
+// be scaled.
+#include <algorithm>
+#include <list>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <cairo-pdf.h>
+#include <fmt/format.h>
+#include <qpdf/Buffer.hh>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFPageObjectHelper.hh>
+#include <qpdf/QPDFWriter.hh>
+
+#include "export/export.hpp"
+#include "export/formats/cairo_page.hpp"
+#include "export/formats/layer_order.hpp"
+#include "export/formats/utf8.hpp"
+#include "mesh/foundation/error.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+constexpr double points_per_mm = 72.0 / 25.4;
+
+cairo_status_t append(void* out, const unsigned char* data, unsigned int size) {
+  static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), size);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// One layer of all pages.
+std::string layer_pdf(std::span<const Drawing> pages, Layer layer) {
+  std::string bytes;
+  const CairoSurface surface(cairo_pdf_surface_create_for_stream(append, &bytes, 1.0, 1.0));
+  check_cairo(cairo_surface_status(surface.get()));
+  // Cairo would write the time of the run.
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+  {
+    const CairoContext cairo(cairo_create(surface.get()));
+    for (const Drawing& page : pages) {
+      cairo_pdf_surface_set_size(surface.get(), page.size.x * points_per_mm, page.size.y * points_per_mm);
+      paint_layer(cairo.get(), page, layer, points_per_mm);
+      cairo_show_page(cairo.get());
+    }
+    check_cairo(cairo_status(cairo.get()));
+  }
+  cairo_surface_finish(surface.get());
+  check_cairo(cairo_surface_status(surface.get()));
+  return bytes;
+}
+
+class PdfAssembler {
+ public:
+  PdfAssembler(std::span<const Drawing> pages, const Mark& mark) : pages_(pages), mark_(mark) {
+    pdf_.emptyPDF();
+    contents_.resize(pages.size());
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      resources_.push_back(QPDFObjectHandle::newDictionary());
+    }
+  }
+
+  std::string write() {
+    for (const Layer layer : layer_order) {
+      add_layer(layer);
+    }
+    add_pages();
+    add_catalogue();
+    add_info();
+    QPDFWriter writer(pdf_);
+    writer.setOutputMemory();
+    writer.setDeterministicID(true);
+    writer.setMinimumPDFVersion("1.6");          // PrintScaling
+    writer.setObjectStreamMode(qpdf_o_disable);  // the mark stays readable without a PDF library
+    writer.setStreamDataMode(qpdf_s_compress);
+    writer.write();
+    const auto buffer = writer.getBufferSharedPointer();
+    return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
+  }
+
+ private:
+  /// A layer's own file.
+  struct Source {
+    std::string bytes;
+    QPDF pdf;
+  };
+
+  void add_layer(Layer layer) {
+    QPDFObjectHandle group = QPDFObjectHandle::newDictionary();
+    group.replaceKey("/Type", QPDFObjectHandle::newName("/OCG"));
+    group.replaceKey("/Name", QPDFObjectHandle::newUnicodeString(std::string(title(layer))));
+    group = pdf_.makeIndirectObject(group);
+    groups_.push_back(group);
+    Source& source = sources_.emplace_back();
+    source.bytes = layer_pdf(pages_, layer);
+    source.pdf.processMemoryFile(std::string(id(layer)).c_str(), source.bytes.data(), source.bytes.size());
+    auto source_pages = QPDFPageDocumentHelper(source.pdf).getAllPages();
+    for (std::size_t i = 0; i < pages_.size(); ++i) {
+      if (!has_layer(pages_[i], layer)) {
+        continue;
+      }
+      QPDFObjectHandle form = form_of(source_pages[i]);
+      form.getDict().replaceKey("/OC", group);
+      const std::string name = fmt::format("/{}", id(layer));
+      resources_[i].replaceKey(name, form);
+      contents_[i] += name + " Do\n";
+    }
+  }
+
+  /// A page of a layer's file as a form. Cairo's pages have one content stream: it is taken as it is,
+  /// compressed, which halves the time against QPDFPageObjectHelper::getFormXObjectForPage (unpacks and packs
+  /// it again).
+  QPDFObjectHandle form_of(QPDFPageObjectHelper& page) {
+    QPDFObjectHandle contents = page.getObjectHandle().getKey("/Contents");
+    if (!contents.isStream()) {
+      return pdf_.copyForeignObject(page.getFormXObjectForPage());
+    }
+    QPDFObjectHandle form = pdf_.copyForeignObject(contents);
+    QPDFObjectHandle dictionary = form.getDict();
+    dictionary.replaceKey("/Type", QPDFObjectHandle::newName("/XObject"));
+    dictionary.replaceKey("/Subtype", QPDFObjectHandle::newName("/Form"));
+    dictionary.replaceKey("/BBox", page.getMediaBox().shallowCopy());
+    QPDFObjectHandle resources = page.getAttribute("/Resources", false);
+    dictionary.replaceKey("/Resources", resources.isIndirect()
+                                            ? pdf_.copyForeignObject(resources)
+                                            : pdf_.copyForeignObject(source_indirect(page, resources)));
+    return form;
+  }
+  /// qpdf copies indirect objects only.
+  static QPDFObjectHandle source_indirect(QPDFPageObjectHelper& page, const QPDFObjectHandle& object) {
+    return page.getObjectHandle().getOwningQPDF()->makeIndirectObject(object);
+  }
+
+  static QPDFObjectHandle real(double value) { return QPDFObjectHandle::newReal(value, 4); }
+
+  void add_pages() {
+    QPDFPageDocumentHelper document(pdf_);
+    for (std::size_t i = 0; i < pages_.size(); ++i) {
+      QPDFObjectHandle box = QPDFObjectHandle::newArray();
+      for (const double value :
+           {0.0, 0.0, pages_[i].size.x * points_per_mm, pages_[i].size.y * points_per_mm}) {
+        box.appendItem(real(value));
+      }
+      QPDFObjectHandle resources = QPDFObjectHandle::newDictionary();
+      resources.replaceKey("/XObject", resources_[i]);
+      QPDFObjectHandle page = QPDFObjectHandle::newDictionary();
+      page.replaceKey("/Type", QPDFObjectHandle::newName("/Page"));
+      page.replaceKey("/MediaBox", box);
+      page.replaceKey("/TrimBox", box);
+      page.replaceKey("/Resources", resources);
+      page.replaceKey("/Contents", pdf_.newStream(contents_[i]));
+      document.addPage(QPDFPageObjectHelper(pdf_.makeIndirectObject(page)), false);
+    }
+  }
+
+  void add_catalogue() {
+    QPDFObjectHandle order = QPDFObjectHandle::newArray();
+    for (const QPDFObjectHandle& group : groups_) {
+      order.appendItem(group);
+    }
+    QPDFObjectHandle defaults = QPDFObjectHandle::newDictionary();
+    defaults.replaceKey("/Name", QPDFObjectHandle::newString("Layers"));
+    defaults.replaceKey("/Order", order);
+    defaults.replaceKey("/ON", order);
+    QPDFObjectHandle properties = QPDFObjectHandle::newDictionary();
+    properties.replaceKey("/OCGs", order);
+    properties.replaceKey("/D", defaults);
+    QPDFObjectHandle preferences = QPDFObjectHandle::newDictionary();
+    preferences.replaceKey("/PrintScaling", QPDFObjectHandle::newName("/None"));
+    preferences.replaceKey("/DisplayDocTitle", QPDFObjectHandle::newBool(true));
+    QPDFObjectHandle root = pdf_.getRoot();
+    root.replaceKey("/OCProperties", properties);
+    root.replaceKey("/ViewerPreferences", preferences);
+  }
+
+  void add_info() {
+    QPDFObjectHandle info = QPDFObjectHandle::newDictionary();
+    info.replaceKey("/Title", QPDFObjectHandle::newUnicodeString(printable_utf8(mark_.title)));
+    info.replaceKey("/Creator", QPDFObjectHandle::newUnicodeString(printable_utf8(mark_.producer)));
+    info.replaceKey("/Producer", QPDFObjectHandle::newUnicodeString(printable_utf8(mark_.producer)));
+    info.replaceKey("/Keywords", QPDFObjectHandle::newString(mark_word(mark_)));
+    // Fixed, so that two runs give the same bytes.
+    info.replaceKey("/CreationDate", QPDFObjectHandle::newString("D:20000101000000Z"));
+    pdf_.getTrailer().replaceKey("/Info", pdf_.makeIndirectObject(info));
+  }
+
+  std::span<const Drawing> pages_;
+  const Mark& mark_;
+  std::list<Source> sources_;  ///< before pdf_, which reads their streams when it is written
+  QPDF pdf_;
+  std::vector<QPDFObjectHandle> groups_;
+  std::vector<QPDFObjectHandle> resources_;
+  std::vector<std::string> contents_;
+};
+
+}  // namespace
+
+void check_pdf_size(Vec2 page) {
+  if (std::max(page.x, page.y) > longest_pdf_side_mm) {
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("paper of {:g} x {:g} mm is too long for PDF, whose pages end at {:g} mm; SVG has "
+                    "no such limit (-o NAME.svg)",
+                    page.x, page.y, longest_pdf_side_mm));
+  }
+}
+
+std::string write_pdf(std::span<const Drawing> pages, const Mark& mark) {
+  for (const Drawing& page : pages) {
+    check_pdf_size(page.size);
+  }
+  try {
+    return PdfAssembler(pages, mark).write();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& failure) {  // qpdf throws several kinds
+    throw Error(ErrorKind::internal, std::string("putting the PDF together failed: ") + failure.what());
+  }
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SVG of one page: plain XML in true millimetres, y down, a layer for each class of line, presentation
+// attributes only (no CSS, no transforms, no reuse), since cutters' importers understand little more.
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "export/export.hpp"
+#include "export/formats/layer_order.hpp"
+#include "export/formats/utf8.hpp"
+#include "export/page/line_style.hpp"
+#include "export/page/stroke_font.hpp"
+#include "mesh/foundation/xml_text.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+std::string escaped(std::string_view text) {
+  return xml_escaped(printable_utf8(text));
+}
+
+/// At most four decimals (0.1 micrometre), no trailing zeros, no negative zero.
+std::string number(double value) {
+  std::string text = fmt::format("{:.4f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') {
+    text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string color(Color c) {
+  return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
+}
+
+class SvgWriter {
+ public:
+  SvgWriter(const Drawing& page, const Mark& mark) : page_(page), mark_(mark) {}
+
+  std::string write() {
+    head();
+    for (const Layer layer : layer_order) {
+      put("  <g inkscape:groupmode=\"layer\" inkscape:label=\"{}\" id=\"{}\"{}>\n", title(layer), id(layer),
+          layer_attributes(layer));
+      for (const Group& group : page_.groups) {
+        write_group(group, layer);
+      }
+      put("  </g>\n");
+    }
+    put("</svg>\n");
+    return std::move(out_);
+  }
+
+ private:
+  template <class... Args>
+  void put(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  }
+
+  [[nodiscard]] std::string x(Vec2 p) const { return number(p.x); }
+  [[nodiscard]] std::string y(Vec2 p) const { return number(page_.size.y - p.y); }
+
+  void head() {
+    const std::string width = number(page_.size.x);
+    const std::string height = number(page_.size.y);
+    put("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+        "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" version=\"1.1\"\n"
+        "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
+        width, height);
+    put("  <title>{} – page {} of {}</title>\n", escaped(page_.title), page_.page, page_.page_count);
+    put("  <metadata id=\"metadata\">{} {}</metadata>\n", escaped(mark_.producer), escaped(mark_word(mark_)));
+    put("  <sodipodi:namedview id=\"view\" inkscape:document-units=\"mm\"/>\n");
+  }
+
+  static std::string layer_attributes(Layer layer) {
+    if (layer == Layer::tab_fill) {
+      return fmt::format(" fill=\"{}\" stroke=\"none\"", color(fill_of(layer)));
+    }
+    return " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+  }
+
+  static bool has(const Group& group, Layer layer) {
+    const auto is_of = [layer](const auto& item) { return item.layer == layer; };
+    return std::any_of(group.lines.begin(), group.lines.end(), is_of) ||
+           std::any_of(group.areas.begin(), group.areas.end(), is_of) ||
+           std::any_of(group.texts.begin(), group.texts.end(), is_of);
+  }
+
+  void write_group(const Group& group, Layer layer) {
+    if (!has(group, layer)) {
+      return;
+    }
+    put("    <g id=\"{}-{}\">\n", id(layer), escaped(group.id));
+    for (const Area& area : group.areas) {
+      if (area.layer == layer) {
+        put("      <path fill=\"{}\" stroke=\"none\" d=\"{}\"/>\n", color(fill_of(layer)),
+            path(area.outline, true));
+      }
+    }
+    for (const Line& line : group.lines) {
+      if (line.layer == layer) {
+        write_line(line);
+      }
+    }
+    for (const Text& text : group.texts) {
+      if (text.layer == layer) {
+        write_text(text);
+      }
+    }
+    put("    </g>\n");
+  }
+
+  [[nodiscard]] std::string path(const std::vector<Vec2>& points, bool closed) const {
+    std::string d;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      d += (i == 0 ? "M" : " ") + x(points[i]) + "," + y(points[i]);
+      if (i == 0 && points.size() > 1) {
+        d += " L";
+      }
+    }
+    return closed ? d + " Z" : d;
+  }
+
+  void write_line(const Line& line) {
+    const LineStyle style = style_of(line);
+    put("      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", color(style.color),
+        number(style.width));
+    if (const std::vector<double> dashes = dashes_of(line); !dashes.empty()) {
+      put(" stroke-linecap=\"butt\" stroke-dasharray=\"");
+      for (std::size_t i = 0; i < dashes.size(); ++i) {
+        put("{}{}", i == 0 ? "" : " ", number(dashes[i]));
+      }
+      put("\"");
+    }
+    put(" d=\"{}\"/>\n", path(line.points, line.closed));
+  }
+
+  void write_text(const Text& text) {
+    if (!stroke_font_covers(text.text)) {
+      write_real_text(text);
+      return;
+    }
+    std::string d;
+    for (const auto& stroke : text_strokes(text)) {
+      d += (d.empty() ? "" : " ") + path(stroke, false);
+    }
+    if (d.empty()) {
+      return;
+    }
+    // The words stay in the file for people who search it and for programs that read it aloud.
+    put("      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" aria-label=\"{}\" d=\"{}\"/>\n",
+        color(color_of(text)), number(pen_width(text)), escaped(text.text), d);
+  }
+
+  void write_real_text(const Text& text) {
+    const Vec2 down{std::sin(text.angle), -std::cos(text.angle)};
+    // From the left end of its estimated box: only titles can be such texts.
+    const double half = 0.5 * text_width(text.text, text.height);
+    const Vec2 baseline = text.centre + 0.5 * text.height * down + half * perpendicular(-down);
+    put("      <text x=\"{}\" y=\"{}\"", x(baseline), y(baseline));
+    if (std::abs(text.angle) > 0.0) {
+      put(" transform=\"rotate({} {} {})\"", number(-text.angle * 180.0 / 3.14159265358979323846),
+          x(baseline), y(baseline));
+    }
+    put(" font-family=\"sans-serif\" font-size=\"{}\" fill=\"{}\" "
+        "stroke=\"none\">{}</text>\n",
+        number(text.height * font_size_per_height), color(color_of(text)), escaped(text.text));
+  }
+
+  const Drawing& page_;
+  const Mark& mark_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string write_svg(const Drawing& page, const Mark& mark) {
+  return SvgWriter(page, mark).write();
+}
+
+}  // namespace ridgecraft::paper

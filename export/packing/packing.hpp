@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Packing of pieces on pages by their true shapes: bottom-left filling of bitmaps in some order, and a search
+// over orders. Knows nothing of nets.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "export/packing/packing_shape.hpp"
+#include "mesh/foundation/context.hpp"
+
+namespace ridgecraft::paper {
+
+struct PackingTask {
+  std::vector<PackingShape> shapes;  ///< each fits the area in some turn
+  std::vector<std::uint32_t> group;  ///< of each shape; those of one group had better be on one page
+  Vec2 area;                         ///< of a page, mm
+  double gap = 0.0;                  ///< between shapes, mm; none to the border of the area
+};
+
+/// Where a shape lies: turned, then moved; the area's lower left corner is the origin.
+struct Packed {
+  std::uint32_t page = 0;
+  Turn turn;
+  Vec2 shift;
+};
+
+/// Packs all shapes on as few pages as it finds in a fixed amount of work. Deterministic, unless the
+/// context's deadline passes. Pages are in the order of the groups on them, one that is much emptier than the
+/// others last. Distances are never less than the gap, and more on pages that have room. The work is O(n)
+/// page searches for each order tried, and the orders after the first few stop at a fixed number of words
+/// read. Asks the context for interruption.
+[[nodiscard]] std::vector<Packed> pack(const PackingTask& task, const Context& context);
+
+/// How many pages a quick search needs: simple orders and one attempt with a page less, on coarse bitmaps.
+/// pack() mostly does as well or better, for some ten times the work.
+[[nodiscard]] std::size_t rough_page_count(const PackingTask& task, const Context& context);
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a text must keep clear of: lines and other texts of one page, found by place.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "export/drawing.hpp"
+#include "export/page/segment2.hpp"
+
+namespace ridgecraft::paper {
+
+/// A rectangle in any direction.
+struct TurnedBox {
+  Vec2 centre;
+  Vec2 along;  ///< unit vector of its first side
+  double half_width = 0.0;
+  double half_height = 0.0;
+
+  [[nodiscard]] TurnedBox grown(double by) const {
+    return {centre, along, half_width + by, half_height + by};
+  }
+  [[nodiscard]] Box2 bounds() const;
+};
+
+/// The box that a text covers, its underline included, without the pen's width.
+[[nodiscard]] TurnedBox box_of(const Text& text);
+/// The box that a text keeps for itself among other texts: a blank's width before and behind it, so that two
+/// numbers in one line are never read as one.
+[[nodiscard]] TurnedBox room_of(const Text& text);
+/// Whether two boxes share more than a border.
+[[nodiscard]] bool overlap(const TurnedBox& a, const TurnedBox& b);
+/// Whether a segment meets a box.
+[[nodiscard]] bool meets(const Segment2& segment, const TurnedBox& box);
+
+/// Lines and boxes in a grid of square cells over the page.
+class Obstacles {
+ public:
+  explicit Obstacles(Vec2 page_size);
+
+  /// Lines that may be crossed by a leader (folds) and lines that may not (cuts).
+  enum class Kind : std::uint8_t { cut, fold };
+  void add(const Segment2& line, Kind kind);
+  void add(const Text& text);
+
+  /// Whether the text's box, grown by `clearance` and `more`, meets no line and not the page's edge, and its
+  /// room, grown by `more`, no other text's room. O(what lies in its cells).
+  [[nodiscard]] bool is_free(const Text& text, double clearance, double more = 0.0) const;
+  /// Whether the line meets no cut and no box; with `folds_too` no fold either.
+  [[nodiscard]] bool is_free(const Segment2& line, bool folds_too) const;
+  /// Distance of the nearest line from a point, mm, at most `most`.
+  [[nodiscard]] double room_at(Vec2 p, double most) const;
+  /// Whether the line runs beside another one, near it and in nearly its direction: then it looks like one of
+  /// a pair, or like a fold.
+  [[nodiscard]] bool runs_along_another(const Segment2& line) const;
+
+ private:
+  struct Stored {
+    Segment2 line;
+    Kind kind = Kind::cut;
+  };
+  struct Cell {
+    std::vector<std::uint32_t> lines;
+    std::vector<std::uint32_t> boxes;
+  };
+  /// Calls visit(cell) for each cell that the rectangle touches until it returns true; whether one did.
+  template <class Visit>
+  bool any_cell(const Box2& bounds, Visit visit) const;
+  std::vector<std::uint32_t> cells_of(const Box2& bounds) const;
+
+  Vec2 size_;
+  std::uint32_t columns_ = 1;
+  std::uint32_t rows_ = 1;
+  std::vector<Cell> cells_;
+  std::vector<Stored> lines_;
+  struct Taken {
+    TurnedBox box;
+    TurnedBox room;
+  };
+  std::vector<Taken> boxes_;
+};
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The index of a page: for each of its pieces, which other pieces it is glued to, on which pages, by which
+// numbers.
+#pragma once
+
+#include <vector>
+
+#include "export/export.hpp"
+#include "export/neighbours.hpp"
+#include "export/page/piece_drawing.hpp"
+
+namespace ridgecraft::paper {
+
+/// The texts of the index, where the page has room for them: beside the pieces, as low as possible. In fewer
+/// words where there is little room; none where there is none, or nothing to tell. `pieces` are all of the
+/// page, with their texts. O(places tried x lines).
+[[nodiscard]] std::vector<Text> page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
+                                           const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
+                                           const std::vector<PieceDrawing>& pieces);
+
+}  // namespace ridgecraft::paper

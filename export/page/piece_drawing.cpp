@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/page/piece_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "export/page/fold_lines.hpp"
+#include "unfold/outline.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+/// Below this a fold is flat whatever the style says, radians (the contract's 1e-4 degrees).
+constexpr double flat_angle = 1e-4 * 3.14159265358979323846 / 180.0;
+/// Two edges that bend less than this (10 degrees) look like one.
+constexpr double straight_cosine = 0.985;
+/// What marks the end of an edge, mm: shorter than any fold, longer than a slip of the pen.
+constexpr double tick_length = 1.5;
+/// Ends of lines that are one point on paper, mm.
+constexpr double near_mm = 0.05;
+
+class PieceDrawer {
+ public:
+  PieceDrawer(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
+              const PieceContents& contents, const Placement& placement, const Style& style)
+      : model_(model),
+        surface_(model.model.surface),
+        nets_(nets),
+        piece_(piece),
+        contents_(contents),
+        place_(placement),
+        style_(style) {}
+
+  PieceDrawing draw() {
+    result_.name = nets_.pieces[piece_].name;
+    result_.group.id = "piece-" + result_.name;
+    add_cuts();
+    add_folds();
+    add_tabs();
+    add_ticks();
+    add_seams();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] Vec2 corner(CornerId c) const { return place_(nets_.flat[mesh::face_of(c)][c.value() % 3]); }
+  [[nodiscard]] Segment2 side(CornerId c) const { return {corner(c), corner(mesh::next(c))}; }
+  [[nodiscard]] Fold fold_of(EdgeId edge) const {
+    const double angle = surface_.fold_angle(edge);
+    if (std::abs(angle) < std::max(style_.hidden_fold_angle, flat_angle)) {
+      return Fold::none;
+    }
+    return angle < 0.0 ? Fold::mountain : Fold::valley;
+  }
+  void add_line(Layer layer, std::vector<Vec2> points, bool closed, Fold fold = Fold::none) {
+    result_.group.lines.push_back({layer, std::move(points), closed, fold});
+  }
+
+  void add_cuts() {
+    unfold::CutLines cuts = unfold::cut_lines(surface_, nets_, piece_);
+    for (auto* lines : {&cuts.loops, &cuts.slits}) {
+      for (auto& line : *lines) {
+        std::ranges::transform(line, line.begin(), place_);
+      }
+    }
+    for (auto& outline : cuts.loops) {
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        drawn_.add({outline[i], outline[(i + 1) % outline.size()]});
+      }
+      add_line(Layer::cut, std::move(outline), true);
+    }
+    for (auto& slit : cuts.slits) {
+      for (std::size_t i = 1; i < slit.size(); ++i) {
+        drawn_.add({slit[i - 1], slit[i]});
+      }
+      add_line(Layer::cut, std::move(slit), false);
+    }
+  }
+
+  void add_folds() {
+    std::vector<FoldSegment> folds;
+    for (const FaceId face : nets_.pieces[piece_].faces) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const CornerId c = mesh::corner(face, k);
+        const EdgeId edge = surface_.edge(c);
+        if (nets_.use[edge] != unfold::EdgeUse::fold || surface_.sides(edge)[0] != c || within_panel(c)) {
+          continue;
+        }
+        if (const Fold fold = fold_of(edge); fold != Fold::none) {
+          folds.push_back({side(c), fold});
+        }
+      }
+    }
+    for (const FoldSegment& fold : join_straight(folds)) {
+      draw_once(fold, fold.fold == Fold::mountain ? Layer::mountain : Layer::valley);
+    }
+  }
+
+  [[nodiscard]] bool within_panel(CornerId c) const {
+    const auto& panel = model_.panels.panel;
+    return !panel.empty() && panel[mesh::face_of(c)] == panel[surface_.neighbor(c)];
+  }
+
+  void draw_once(const FoldSegment& fold, Layer layer) {
+    for (const Segment2& part : drawn_.free_parts(fold.line)) {
+      drawn_.add(part);
+      add_line(layer, {part.a, part.b}, false, fold.fold);
+    }
+  }
+
+  void add_tabs() {
+    std::vector<FoldSegment> bases;
+    for (const TabId id : contents_.tabs) {
+      const unfold::Tab& tab = nets_.tabs[id];
+      std::vector<Vec2> area;
+      for (const Vec2 p : tab.polygon) {
+        area.push_back(place_(p));
+      }
+      bases.push_back({{area[0], area[1]}, fold_of(surface_.edge(tab.side))});
+      result_.group.areas.push_back({Layer::tab_fill, std::move(area)});
+    }
+    for (const FoldSegment& base : bases) {
+      draw_once(base, Layer::tab_fold);
+    }
+  }
+
+  /// Where one joined edge goes straight on as the next one, and no fold or tab shows where the first one
+  /// ends.
+  void add_ticks() {
+    for (const JoinId id : contents_.joins) {
+      for (const CornerId c : surface_.sides(nets_.joins[id].edge)) {
+        if (nets_.piece[mesh::face_of(c)] != piece_) {
+          continue;
+        }
+        const auto follower = next_cut(c);
+        if (!follower || number_at(*follower) == nets_.joins[id].number || number_at(*follower) == 0) {
+          continue;
+        }
+        const Vec2 at = corner(*follower);
+        const Vec2 here = at - corner(c);
+        const Vec2 there = corner(mesh::next(*follower)) - at;
+        const Vec2 along = corner(mesh::next(*follower)) - corner(c);
+        if (dot(here, there) > straight_cosine * length(here) * length(there) && !line_ends_at(at)) {
+          const Vec2 inward = perpendicular(along) / length(along);
+          Line tick{Layer::mark, {at, at + tick_length * inward}, false, Fold::none};
+          tick.like = Layer::label;
+          result_.group.lines.push_back(std::move(tick));
+        }
+      }
+    }
+  }
+  /// The cut edge of the piece that begins where this one ends; found by turning around the vertex over the
+  /// folds.
+  [[nodiscard]] std::optional<CornerId> next_cut(CornerId c) const {
+    CornerId d = mesh::next(c);
+    while (nets_.use[surface_.edge(d)] == unfold::EdgeUse::fold) {
+      d = mesh::next(surface_.twin(d));
+      if (d == mesh::next(c)) {
+        return std::nullopt;
+      }
+    }
+    return d;
+  }
+  /// The number of the join at a cut edge; 0 at a border.
+  [[nodiscard]] std::uint32_t number_at(CornerId c) const {
+    const EdgeId edge = surface_.edge(c);
+    const auto join =
+        std::ranges::find_if(contents_.joins, [&](JoinId id) { return nets_.joins[id].edge == edge; });
+    return join == contents_.joins.end() ? 0 : nets_.joins[*join].number;
+  }
+  [[nodiscard]] bool line_ends_at(Vec2 p) const {
+    return std::ranges::any_of(result_.group.lines, [&](const Line& line) {
+      const bool is_fold =
+          line.layer == Layer::mountain || line.layer == Layer::valley || line.layer == Layer::tab_fold;
+      return is_fold &&
+             (length(line.points.front() - p) < near_mm || length(line.points.back() - p) < near_mm);
+    });
+  }
+
+  void add_seams() {
+    for (const JoinId id : contents_.joins) {
+      const unfold::Join& join = nets_.joins[id];
+      for (const CornerId c : surface_.sides(join.edge)) {
+        if (nets_.piece[mesh::face_of(c)] != piece_) {
+          continue;
+        }
+        Seam seam{join.number, side(c), {}};
+        if (join.tab.valid() && nets_.tabs[join.tab].side == c) {
+          for (const Vec2 p : nets_.tabs[join.tab].polygon) {
+            seam.tab.push_back(place_(p));
+          }
+        }
+        result_.seams.push_back(std::move(seam));
+      }
+    }
+    for (const FaceId face : nets_.pieces[piece_].faces) {
+      result_.faces.push_back(
+          {corner(mesh::corner(face, 0)), corner(mesh::corner(face, 1)), corner(mesh::corner(face, 2))});
+    }
+  }
+
+  const mesh::Prepared& model_;
+  const mesh::Surface& surface_;
+  const unfold::Nets& nets_;
+  PieceId piece_;
+  const PieceContents& contents_;
+  const Placement& place_;
+  const Style& style_;
+  DrawnLines drawn_;
+  PieceDrawing result_;
+};
+
+}  // namespace
+
+IdVector<PieceId, PieceContents> piece_contents(const mesh::Surface& surface, const unfold::Nets& nets) {
+  IdVector<PieceId, PieceContents> contents(nets.pieces.size());
+  for (const TabId tab : ids<TabId>(nets.tabs.size())) {
+    contents[nets.piece[mesh::face_of(nets.tabs[tab].side)]].tabs.push_back(tab);
+  }
+  for (const JoinId join : ids<JoinId>(nets.joins.size())) {
+    for (const CornerId side : surface.sides(nets.joins[join].edge)) {
+      std::vector<JoinId>& joins = contents[nets.piece[mesh::face_of(side)]].joins;
+      if (joins.empty() || joins.back() != join) {
+        joins.push_back(join);
+      }
+    }
+  }
+  return contents;
+}
+
+PieceDrawing piece_drawing(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
+                           const PieceContents& contents, const Placement& placement, const Style& style) {
+  return PieceDrawer(model, nets, piece, contents, placement, style).draw();
+}
+
+}  // namespace ridgecraft::paper

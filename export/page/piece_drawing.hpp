@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One piece at its place on the page: outlines, folds, tabs, and what its numbers have to stand at.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "export/drawing.hpp"
+#include "export/export.hpp"
+#include "export/page/segment2.hpp"
+
+namespace ridgecraft::paper {
+
+/// A cut edge of a piece that is glued to another edge.
+struct Seam {
+  std::uint32_t number = 0;
+  Segment2 edge;          ///< its face lies on the left
+  std::vector<Vec2> tab;  ///< the tab that grows from it, first two corners on the edge; or nothing
+};
+
+struct PieceDrawing {
+  Group group;
+  std::string name;
+  std::vector<std::string> notes;  ///< small words below the name: what the piece is a part of
+  std::vector<Seam> seams;
+  std::vector<std::array<Vec2, 3>> faces;
+};
+
+/// What lies on a piece; both ascending.
+struct PieceContents {
+  std::vector<TabId> tabs;
+  std::vector<JoinId> joins;
+};
+
+/// Of all pieces at once: linear.
+[[nodiscard]] IdVector<PieceId, PieceContents> piece_contents(const mesh::Surface& surface,
+                                                              const unfold::Nets& nets);
+
+/// Everything of a piece but its texts, in page coordinates. No stretch of line is drawn twice.
+[[nodiscard]] PieceDrawing piece_drawing(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
+                                         const PieceContents& contents, const Placement& placement,
+                                         const Style& style);
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/page/text_placement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "export/page/leader.hpp"
+#include "export/page/name_placement.hpp"
+#include "export/page/obstacles.hpp"
+#include "export/page/stroke_font.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+/// A number on the piece that still needs a place.
+struct Wanted {
+  PieceDrawing* piece = nullptr;
+  const Seam* seam = nullptr;
+  bool on_tab = false;  ///< its number stands on the tab already
+};
+
+/// The direction along an edge, and the angle of a text along it that is upright as far as possible.
+struct Frame {
+  explicit Frame(const Segment2& edge)
+      : size(length(edge.b - edge.a)),
+        middle(0.5 * (edge.a + edge.b)),
+        along(size > 0.0 ? (edge.b - edge.a) / size : Vec2{1.0, 0.0}),
+        inward(perpendicular(along)),
+        angle(upright(std::atan2(along.y, along.x))) {}
+
+  /// In (-90, 90] degrees; a hair below -90 counts as +90, so that vertical texts of a page all read upwards.
+  static double upright(double angle) {
+    constexpr double half = 0.5 * std::numbers::pi;
+    constexpr double hair = 1e-3;
+    while (angle > half + hair) {
+      angle -= std::numbers::pi;
+    }
+    while (angle < -half + hair) {
+      angle += std::numbers::pi;
+    }
+    return angle;
+  }
+
+  double size;
+  Vec2 middle;
+  Vec2 along;
+  Vec2 inward;
+  double angle;
+};
+
+constexpr std::array<double, 7> along_shares{0.0, 0.12, -0.12, 0.25, -0.25, 0.37, -0.37};
+constexpr std::array<double, 3> near_offsets{0.0, 0.5, 1.1};
+constexpr double deepest_offset = 9.0;   ///< a number further inside than this needs a leader, mm
+constexpr double longest_leader = 16.0;  ///< mm, from the edge to the number's centre
+constexpr std::size_t leader_turns = 7;  ///< directions that a leader may take
+
+class NumberPlacer {
+ public:
+  NumberPlacer(Vec2 page_size, const Box2& area, const Style& style)
+      : obstacles_(page_size),
+        area_(area),
+        heights_(steps(style.label_height, style.smallest_label_height)) {}
+
+  Obstacles& obstacles() { return obstacles_; }
+
+  bool place_on_tab(PieceDrawing& piece, const Seam& seam) {
+    const Frame frame({seam.tab[0], seam.tab[1]});
+    Vec2 centre{};
+    for (const Vec2 p : seam.tab) {
+      centre += p / static_cast<double>(seam.tab.size());
+    }
+    for (const double height : heights_) {
+      for (const double share : along_shares) {
+        Text text = number(seam, height, frame.angle);
+        text.centre = centre + share * frame.size * frame.along;
+        const TurnedBox box = box_of(text);
+        text.centre += text.centre - box.centre;  // the box, underline included, stands in the middle
+        if (inside(box_of(text).grown(clearance(height)), seam.tab) && put(piece, text)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Along the edge, close to it.
+  bool place_near(const Wanted& wanted) {
+    for (const double height : heights_) {
+      for (const double offset : near_offsets) {
+        if (place_along(wanted, height, offset, false)) {
+          return true;
+        }
+      }
+    }
+    return std::ranges::any_of(heights_,
+                               [&](double height) { return place_along(wanted, height, 0.0, true); });
+  }
+
+  /// Along the edge, further inside the same panel.
+  bool place_inside(const Wanted& wanted) {
+    for (const double height : heights_) {
+      for (double offset = 1.8; offset < deepest_offset; offset += 0.7) {
+        if (place_along(wanted, height, offset, false) || place_along(wanted, height, offset, true)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Anywhere around, with a line to the edge's middle; `side` is 1 for inside the piece, -1 for beside it.
+  bool place_with_leader(const Wanted& wanted, double side) {
+    const Frame frame(wanted.seam->edge);
+    const Vec2 out = side * frame.inward;
+    const std::vector<Vec2>& tab = wanted.seam->tab;
+    // Beside the piece the line ends at the edge, or at the far side of the tab that stands on it.
+    const Vec2 start = side < 0.0 && !tab.empty() ? 0.5 * (tab[2] + tab.back()) : frame.middle;
+    for (const double height : {heights_[1], heights_.back()}) {
+      std::array<bool, leader_turns> blocked{};
+      for (double reach = 2.2; reach < longest_leader; reach += 1.3) {
+        for (std::size_t i = 0; i < leader_turns; ++i) {
+          // Straight ahead first, then to both sides in turn.
+          const double turn = (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>((i + 1) / 2) * 0.3;
+          Text text = number(*wanted.seam, height, frame.angle);
+          text.centre = start + reach * (std::cos(turn) * out + std::sin(turn) * frame.along);
+          if (blocked[i]) {
+            continue;
+          }
+          const Segment2 leader = leader_to(text, start, out);
+          blocked[i] = !obstacles_.is_free(leader, false);  // a longer one would be, too
+          if (!blocked[i] && put_with_leader(wanted, text, leader, out)) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  static double clearance(double height) { return std::max(0.32, 0.17 * height); }
+
+  bool put(PieceDrawing& piece, const Text& text) {
+    if (!on_area(box_of(text)) || !obstacles_.is_free(text, clearance(text.height))) {
+      return false;
+    }
+    obstacles_.add(text);
+    piece.group.texts.push_back(text);
+    return true;
+  }
+
+ private:
+  static std::vector<double> steps(double largest, double smallest) {
+    std::vector<double> heights;
+    constexpr int count = 4;
+    for (int i = 0; i < count; ++i) {
+      heights.push_back(largest + (smallest - largest) * i / (count - 1));
+    }
+    return heights;
+  }
+
+  static Text number(const Seam& seam, double height, double angle) {
+    Text text{Layer::label, std::to_string(seam.number), {}, height, angle, false};
+    text.underlined = ambiguous_upside_down(text.text);
+    return text;
+  }
+
+  [[nodiscard]] bool on_area(const TurnedBox& box) const {
+    const Box2 bounds = box.bounds();
+    return bounds.low.x >= area_.low.x && bounds.low.y >= area_.low.y && bounds.high.x <= area_.high.x &&
+           bounds.high.y <= area_.high.y;
+  }
+
+  static bool inside(const TurnedBox& box, const std::vector<Vec2>& convex) {
+    for (std::size_t i = 0; i < convex.size(); ++i) {
+      const Vec2 a = convex[i];
+      const Vec2 side = convex[(i + 1) % convex.size()] - a;
+      const double size = length(side);
+      if (!(size > 0.0)) {
+        continue;
+      }
+      const Vec2 in = perpendicular(side) / size;
+      const double reach = box.half_width * std::abs(dot(in, box.along)) +
+                           box.half_height * std::abs(dot(in, perpendicular(box.along)));
+      if (dot(box.centre - a, in) < reach) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool place_along(const Wanted& wanted, double height, double offset, bool across) {
+    const Frame frame(wanted.seam->edge);
+    Text text = number(*wanted.seam, height,
+                       across ? Frame::upright(frame.angle + 0.5 * std::numbers::pi) : frame.angle);
+    const TurnedBox at_origin = box_of(text);
+    const double half = across ? at_origin.half_width : at_origin.half_height;
+    const double half_along = across ? at_origin.half_height : at_origin.half_width;
+    const double room = std::max(0.0, 0.5 * frame.size - half_along);
+    double last = -1.0;
+    for (const double share : along_shares) {
+      const double shift = std::clamp(share * frame.size, -room, room);
+      if (shift == last) {
+        continue;
+      }
+      last = shift;
+      const Vec2 foot = frame.middle + shift * frame.along;
+      const Vec2 centre = foot + (half + clearance(height) + 0.12 + offset) * frame.inward;
+      text.centre = centre - at_origin.centre;
+      if (obstacles_.is_free(Segment2{foot + off_the_edge_mm * frame.inward, centre}, true) &&
+          put(*wanted.piece, text)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// From the edge to the nearest point of the text's box.
+  static Segment2 leader_to(const Text& text, Vec2 edge, Vec2 out) {
+    const TurnedBox box = box_of(text).grown(0.35);
+    const Vec2 up = perpendicular(box.along);
+    const Vec2 from_centre = edge - box.centre;
+    return {edge + off_the_edge_mm * out,
+            box.centre +
+                std::clamp(dot(from_centre, box.along), -box.half_width, box.half_width) * box.along +
+                std::clamp(dot(from_centre, up), -box.half_height, box.half_height) * up};
+  }
+
+  bool put_with_leader(const Wanted& wanted, const Text& text, const Segment2& leader, Vec2 out) {
+    if (!can_lead(leader, out, obstacles_) || !put(*wanted.piece, text)) {
+      return false;
+    }
+    draw_leader(leader, *wanted.piece, obstacles_);
+    return true;
+  }
+
+  Obstacles obstacles_;
+  Box2 area_;
+  std::vector<double> heights_;
+};
+
+void add_lines(Obstacles& obstacles, const PieceDrawing& piece) {
+  for (const Line& line : piece.group.lines) {
+    const bool fold = line.layer == Layer::mountain || line.layer == Layer::valley;
+    const auto kind = fold ? Obstacles::Kind::fold : Obstacles::Kind::cut;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      obstacles.add({line.points[i - 1], line.points[i]}, kind);
+    }
+    if (line.closed) {
+      obstacles.add({line.points.back(), line.points.front()}, kind);
+    }
+  }
+}
+
+/// Those without a place after each attempt.
+template <class Place>
+std::vector<Wanted> without_place(const std::vector<Wanted>& all, Place place) {
+  std::vector<Wanted> rest;
+  std::ranges::copy_if(all, std::back_inserter(rest), [&](const Wanted& wanted) { return !place(wanted); });
+  return rest;
+}
+
+}  // namespace
+
+bool ambiguous_upside_down(std::string_view number) {
+  constexpr std::string_view turned = "01xxxx9x86";
+  std::string other;
+  for (const char digit : number) {
+    other.insert(other.begin(),
+                 digit >= '0' && digit <= '9' ? turned[static_cast<std::size_t>(digit - '0')] : 'x');
+  }
+  return other != number && !other.empty() && other.front() != '0' && other.find('x') == std::string::npos;
+}
+
+void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& area, const Style& style,
+                 DrawReport& report) {
+  NumberPlacer placer(page_size, area, style);
+  for (const PieceDrawing& piece : pieces) {
+    add_lines(placer.obstacles(), piece);
+  }
+  std::vector<Wanted> wanted;
+  for (PieceDrawing& piece : pieces) {
+    for (const Seam& seam : piece.seams) {
+      wanted.push_back({&piece, &seam, !seam.tab.empty() && placer.place_on_tab(piece, seam)});
+    }
+  }
+  // Short edges have the least choice.
+  std::ranges::stable_sort(wanted, {},
+                           [](const Wanted& w) { return length(w.seam->edge.b - w.seam->edge.a); });
+  wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_near(w); });
+  for (PieceDrawing& piece : pieces) {
+    if (!place_name(piece, placer.obstacles(), area)) {
+      ++report.names_left_out;
+    }
+  }
+  wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_inside(w); });
+  std::erase_if(wanted, [](const Wanted& w) { return w.on_tab; });
+  wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_with_leader(w, 1.0); });
+  const std::size_t outside = wanted.size();
+  wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_with_leader(w, -1.0); });
+  report.labels_outside += outside - wanted.size();
+  for (const Wanted& w : wanted) {
+    report.labels_left_out.push_back({w.piece->name, w.seam->number});
+  }
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the numbers and names of a page's pieces stand.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "export/export.hpp"
+#include "export/page/piece_drawing.hpp"
+
+namespace ridgecraft::paper {
+
+/// Adds its texts to each piece of one page: each join's number inside the piece at its edge and on its tab,
+/// and the piece's name in the widest free place. No text covers a line or another text, or reaches out of
+/// `area`. A number that finds no room at its edge moves further in, then gets a leader, at last a place
+/// beside the piece; then it is left out and counted.
+void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& area, const Style& style,
+                 DrawReport& report);
+
+/// Whether a number can be read as another one upside down: 6 and 9, 68 and 89, 16 and 91.
+[[nodiscard]] bool ambiguous_upside_down(std::string_view number);
+
+}  // namespace ridgecraft::paper

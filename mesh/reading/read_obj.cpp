@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Wavefront OBJ: points, polygons, texture coordinates and materials (Wavefront's "Advanced Visualizer"
+// manual, appendix B1). Lines mark edges; curves, points and the like are counted and ignored.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mesh/foundation/printable.hpp"
+#include "mesh/reading/read_mtl.hpp"
+#include "mesh/reading/source.hpp"
+#include "mesh/reading/text_scanner.hpp"
+
+namespace ridgecraft::mesh {
+namespace {
+
+/// Lines between two questions whether to stop.
+constexpr std::size_t check_interval = 1U << 14U;
+
+class ObjReader {
+ public:
+  explicit ObjReader(const Source& source)
+      : source_(source), text_(without_trailing_zeros(source.bytes, soup_.remarks), true) {}
+
+  Soup read();
+
+ private:
+  void read_line();
+  bool read_element(std::string_view keyword);
+  void read_point(const char* line);
+  void read_texture_point();
+  void read_face(const char* line);
+  void read_corner(const char* line);
+  void read_lines();
+  void finish_lines();
+  void add_texture_corner(std::int64_t number);
+  void read_usemtl();
+  void finish();
+  void finish_textures();
+  void finish_materials();
+  [[noreturn]] void refuse(const char* line, std::string_view reason) {
+    source_.refuse_line(ErrorKind::unreadable_input, line, reason);
+  }
+
+  const Source& source_;
+  Soup soup_;
+  TextScanner text_;
+
+  /// The highest number of a point that a face named before it came, and where.
+  std::int64_t highest_point_ = 0;
+  const char* highest_point_line_ = nullptr;
+
+  std::vector<bool> bad_texture_point_;
+
+  std::vector<std::string_view> libraries_;
+  std::map<std::string_view, std::uint32_t> material_number_;
+  /// From this polygon on this material.
+  std::vector<std::pair<std::size_t, std::uint32_t>> material_from_;
+  std::vector<std::string_view> material_names_;  ///< of soup_.materials, as the file has them
+
+  struct Line {
+    std::array<std::int64_t, 2> points;  ///< counted from 1
+    const char* place;
+  };
+  std::vector<Line> lines_;
+
+  Tally ignored_;
+  Tally unknown_;
+};
+
+Soup ObjReader::read() {
+  // Guesses that real files seldom miss by much; a wrong one costs a copy or some memory that is never
+  // touched.
+  soup_.points.reserve(source_.bytes.size() / 64);
+  soup_.corner_point.reserve(source_.bytes.size() / 24);
+  for (std::size_t lines = 1; !text_.done(); ++lines) {
+    read_line();
+    if (lines % check_interval == 0) {
+      source_.context.check();
+    }
+  }
+  finish();
+  return std::move(soup_);
+}
+
+void ObjReader::read_line() {
+  if (text_.line_is_over()) {
+    text_.skip_comment();
+    return;
+  }
+  const char* const line = text_.place();
+  const std::string_view keyword = text_.word();
+  if (keyword == "v") {
+    read_point(line);
+  } else if (keyword == "f" || keyword == "fo") {
+    read_face(line);
+  } else if (keyword == "vt") {
+    read_texture_point();
+  } else if (!read_element(keyword)) {
+    unknown_.add(line);
+  }
+  text_.next_line();
+}
+
+/// What is neither point nor face. False for words that aren't part of the format.
+bool ObjReader::read_element(std::string_view keyword) {
+  static constexpr std::string_view silent[] = {
+      "vn",    "vp",       "g",        "o",          "s",         "mg",     "lod", "usemap", "maplib",
+      "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg", "bmat",   "step",
+      "parm",  "trim",     "hole",     "scrv",       "sp",        "end",    "con", "ctech",  "stech"};
+  static constexpr std::string_view counted[] = {"p",   "curv", "curv2", "surf", "call", "csh",
+                                                 "bzp", "bsp",  "cdc",   "cdp",  "res"};
+  if (keyword == "usemtl") {
+    read_usemtl();
+  } else if (keyword == "l") {
+    read_lines();
+  } else if (keyword == "mtllib") {
+    libraries_.push_back(text_.rest_of_line());
+  } else if (std::find(std::begin(counted), std::end(counted), keyword) != std::end(counted)) {
+    ignored_.add(keyword.data());
+  } else {
+    return std::find(std::begin(silent), std::end(silent), keyword) != std::end(silent);
+  }
+  return true;
+}
+
+void ObjReader::read_point(const char* line) {
+  double xyz[3];
+  for (double& coordinate : xyz) {
+    if (text_.line_is_over()) {
+      refuse(line, fmt::format("point {} has fewer than three coordinates", soup_.points.size() + 1));
+    }
+    if (!text_.number(coordinate)) {
+      const std::string_view word = text_.peek_word();
+      refuse(line,
+             fmt::format("{} is no number{}", in_quotes(word),
+                         word.find(',') != word.npos ? " (numbers need a decimal point, not a comma)" : ""));
+    }
+  }
+  const Vec3 point{xyz[0], xyz[1], xyz[2]};
+  if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) {
+    source_.refuse_line(ErrorKind::unusable_mesh, line,
+                        fmt::format("a coordinate of point {} is not finite", soup_.points.size() + 1));
+  }
+  soup_.points.push_back(point);  // a weight or a colour may follow
+}
+
+/// One, two or three coordinates; what can't be read makes the point bad, never the file.
+void ObjReader::read_texture_point() {
+  double uv[2] = {0.0, 0.0};
+  bool good = !text_.line_is_over();
+  for (double& coordinate : uv) {
+    good = good && (text_.line_is_over() || text_.number(coordinate));
+    good = good && std::abs(coordinate) <= largest_texture_coordinate;  // false for what is no number, too
+  }
+  soup_.texture_points.push_back(good ? Vec2{uv[0], uv[1]} : Vec2{});
+  bad_texture_point_.push_back(!good);
+}
+
+void ObjReader::read_face(const char* line) {
+  while (!text_.line_is_over()) {
+    read_corner(line);
+  }
+  check_corner_count(source_, soup_);
+  soup_.first_corner.push_back(static_cast<std::uint32_t>(soup_.corner_point.size()));
+}
+
+/// A corner is POINT, POINT/TEXTURE, POINT//NORMAL or POINT/TEXTURE/NORMAL.
+void ObjReader::read_corner(const char* line) {
+  const TextScanner start = text_;
+  std::int64_t point = 0;
+  std::int64_t texture = 0;
+  std::int64_t normal = 0;
+  bool has_texture = false;
+  bool good = text_.integer(point);
+  if (good && text_.peek() == '/') {
+    text_.advance();
+    if (text_.peek() != '/' && !text_.at_word_end()) {
+      has_texture = good = text_.integer(texture);
+    }
+    if (good && text_.peek() == '/') {
+      text_.advance();
+      good = text_.at_word_end() || text_.integer(normal);
+    }
+  }
+  if (!good || !text_.at_word_end()) {
+    refuse(line, fmt::format("{} is no corner of a face", in_quotes(start.peek_word())));
+  }
+  const auto count = static_cast<std::int64_t>(soup_.points.size());
+  if (point == 0 || point < -count) {
+    refuse(line, point == 0 ? "a face names point 0, but points are numbered from 1"
+                            : fmt::format("a face names point {}, but only {} points come before it",
+                                          in_quotes(start.peek_word()), count));
+  }
+  if (point > std::int64_t{Soup::none}) {
+    refuse(line, fmt::format("a face names point {}, more than any file has", in_quotes(start.peek_word())));
+  }
+  if (point < 0) {
+    point += count + 1;
+  } else if (point > count && point > highest_point_) {
+    highest_point_ = point;
+    highest_point_line_ = line;
+  }
+  soup_.corner_point.push_back(static_cast<std::uint32_t>(point - 1));
+  if (has_texture) {
+    add_texture_corner(texture);
+  } else if (!soup_.corner_texture.empty()) {
+    soup_.corner_texture.push_back(Soup::none);
+  }
+}
+
+/// Numbers that refer to nothing are kept as Soup::none - 1 until all texture points are known.
+void ObjReader::add_texture_corner(std::int64_t number) {
+  constexpr std::int64_t nowhere = Soup::none - 1;
+  if (number < 0) {
+    number += static_cast<std::int64_t>(soup_.texture_points.size()) + 1;
+  }
+  if (number <= 0 || number > nowhere) {
+    number = nowhere + 1;
+  }
+  soup_.corner_texture.resize(soup_.corner_point.size() - 1, Soup::none);
+  soup_.corner_texture.push_back(static_cast<std::uint32_t>(number - 1));
+}
+
+/// POINT or POINT/TEXTURE, at least two of them. Lines are no part of the surface, so bad ones are left out.
+void ObjReader::read_lines() {
+  const char* const place = text_.place();
+  const auto count = static_cast<std::int64_t>(soup_.points.size());
+  std::optional<std::int64_t> before;
+  while (!text_.line_is_over()) {
+    std::int64_t point = 0;
+    if (!text_.integer(point)) {
+      ignored_.add(place);
+      return;
+    }
+    point += point < 0 ? count + 1 : 0;
+    if (before) {
+      lines_.push_back({{*before, point}, place});
+    }
+    before = point;
+    while (!text_.at_word_end()) {
+      text_.advance();
+    }
+  }
+}
+
+void ObjReader::finish_lines() {
+  const auto count = static_cast<std::int64_t>(soup_.points.size());
+  for (const Line& line : lines_) {
+    const auto [a, b] = line.points;
+    if (a >= 1 && b >= 1 && a <= count && b <= count && a != b) {
+      soup_.lines.push_back({static_cast<std::uint32_t>(a - 1), static_cast<std::uint32_t>(b - 1)});
+    } else {
+      ignored_.add(line.place);
+    }
+  }
+}
+
+void ObjReader::read_usemtl() {
+  const std::string_view name = text_.rest_of_line();
+  std::uint32_t number = Soup::none;
+  if (!name.empty()) {
+    const auto [found, fresh] =
+        material_number_.try_emplace(name, static_cast<std::uint32_t>(material_number_.size()));
+    number = found->second;
+  }
+  material_from_.emplace_back(soup_.polygon_count(), number);
+}
+
+void ObjReader::finish() {
+  if (highest_point_ > static_cast<std::int64_t>(soup_.points.size())) {
+    refuse(highest_point_line_, fmt::format("a face names point {}, but the file has only {} points",
+                                            highest_point_, soup_.points.size()));
+  }
+  if (soup_.points.empty() && soup_.polygon_count() == 0 && unknown_.count > 0) {
+    refuse(unknown_.first, "this is no OBJ file, nor another known mesh format");
+  }
+  finish_lines();
+  ignored_.report(RepairKind::element_ignored, source_, soup_.remarks);
+  unknown_.report(RepairKind::element_ignored, source_, soup_.remarks);
+  finish_textures();
+  finish_materials();
+}
+
+/// A polygon has texture coordinates at all of its corners or at none: the rest couldn't be drawn.
+void ObjReader::finish_textures() {
+  std::vector<std::uint32_t>& texture = soup_.corner_texture;
+  if (texture.empty()) {
+    return;
+  }
+  texture.resize(soup_.corner_point.size(), Soup::none);
+  std::size_t spoilt = 0;
+  bool any = false;
+  for (std::size_t i = 0; i < soup_.polygon_count(); ++i) {
+    const auto first = texture.begin() + soup_.first_corner[i];
+    const auto last = texture.begin() + soup_.first_corner[i + 1];
+    const bool bad = std::any_of(first, last, [&](std::uint32_t t) {
+      return t != Soup::none && (t >= soup_.texture_points.size() || bad_texture_point_[t]);
+    });
+    if (bad || std::find(first, last, Soup::none) != last) {
+      std::fill(first, last, Soup::none);
+    }
+    spoilt += bad ? 1 : 0;
+    any = any || (first != last && *first != Soup::none);
+  }
+  soup_.remarks.add(RepairKind::texture_point_dropped, spoilt);
+  if (!any) {
+    texture.clear();
+  }
+}
+
+/// Keeps the materials that polygons have, in the order of their first use.
+void ObjReader::finish_materials() {
+  std::vector<std::string_view> names(material_number_.size());
+  for (const auto& [name, number] : material_number_) {
+    names[number] = name;
+  }
+  std::vector<std::uint32_t> kept(names.size(), Soup::none);
+  material_from_.emplace_back(soup_.polygon_count(), Soup::none);
+  for (std::size_t i = 0; i + 1 < material_from_.size(); ++i) {
+    const auto [first, number] = material_from_[i];
+    const std::size_t last = material_from_[i + 1].first;
+    if (number == Soup::none || first == last) {
+      continue;
+    }
+    if (kept[number] == Soup::none) {
+      kept[number] = static_cast<std::uint32_t>(soup_.materials.size());
+      soup_.materials.push_back({printable(names[number]), std::nullopt, {}});
+      material_names_.push_back(names[number]);
+    }
+    soup_.polygon_material.resize(soup_.polygon_count(), Soup::none);
+    std::fill(soup_.polygon_material.begin() + static_cast<std::ptrdiff_t>(first),
+              soup_.polygon_material.begin() + static_cast<std::ptrdiff_t>(last), kept[number]);
+  }
+  read_material_files(source_, libraries_, material_names_, soup_);
+}
+
+}  // namespace
+
+Soup read_obj(const Source& source) {
+  return ObjReader(source).read();
+}
+
+}  // namespace ridgecraft::mesh

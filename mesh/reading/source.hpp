@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the readers of all formats are given, how they refuse it, and how they count what they ignore.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "mesh/foundation/context.hpp"
+#include "mesh/foundation/error.hpp"
+#include "mesh/soup.hpp"
+
+namespace ridgecraft::mesh {
+
+/// A texture coordinate beyond this many repetitions of the picture is taken for a mistake.
+inline constexpr double largest_texture_coordinate = 1e4;
+
+/// A file in memory.
+struct Source {
+  std::string_view bytes;
+  std::string file;              ///< its name as messages print it
+  std::filesystem::path folder;  ///< where its material files are looked for; empty for nowhere
+  const Context& context;
+
+  /// Number of the line that a place in the bytes is on, from 1. Linear: for messages only.
+  [[nodiscard]] std::size_t line(const char* place) const;
+  /// Throws with "FILE REASON".
+  [[noreturn]] void refuse(ErrorKind kind, std::string_view reason) const;
+  /// Throws with "FILE, byte N: REASON", for binary files.
+  [[noreturn]] void refuse_byte(ErrorKind kind, const char* place, std::string_view reason) const;
+  /// Throws with "FILE, line N: REASON".
+  [[noreturn]] void refuse_line(ErrorKind kind, const char* place, std::string_view reason) const;
+};
+
+/// Counts what a reader ignores and remembers where it was first, so that the line is worked out once only.
+struct Tally {
+  std::size_t count = 0;
+  const char* first = nullptr;
+
+  void add(const char* place) {
+    if (count++ == 0) {
+      first = place;
+    }
+  }
+  void report(RepairKind kind, const Source& source, RepairReport& report) const;
+};
+
+/// Throws where a soup has more corners than can be numbered.
+void check_corner_count(const Source& source, const Soup& soup);
+
+/// Zero bytes and DOS end marks after a text belong to no mesh: the text without them; they are remarked on.
+[[nodiscard]] std::string_view without_trailing_zeros(std::string_view text, RepairReport& remarks);
+
+// The formats. Each takes bytes that detect_format() found to be of it and fills the whole soup.
+[[nodiscard]] Soup read_obj(const Source& source);
+[[nodiscard]] Soup read_stl_ascii(const Source& source);
+[[nodiscard]] Soup read_stl_binary(const Source& source);
+[[nodiscard]] Soup read_ply(const Source& source);
+[[nodiscard]] Soup read_off(const Source& source);
+
+}  // namespace ridgecraft::mesh

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/loose_faces.hpp"
+
+#include <utility>
+
+#include "mesh/repair/orient.hpp"
+
+namespace ridgecraft::mesh {
+
+void LooseFaces::add(const LooseFaces& from, std::size_t i, const std::array<std::uint32_t, 3>& corners,
+                     const std::array<Vec2, 3>& places) {
+  faces.push_back(corners);
+  polygon.push_back(from.polygon[i]);
+  if (!from.material.empty()) {
+    material.push_back(from.material[i]);
+  }
+  if (!from.texture.empty()) {
+    texture.push_back(places);
+  }
+}
+
+LooseFaces take_apart(const Model& model) {
+  LooseFaces loose;
+  loose.points.assign(model.surface.points().begin(), model.surface.points().end());
+  loose.faces.reserve(model.surface.face_count());
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    const auto [a, b, c] = model.surface.vertices(f);
+    loose.faces.push_back({a.value(), b.value(), c.value()});
+  }
+  loose.polygon = model.polygon.items();
+  loose.material = model.material.items();
+  loose.texture = model.texture.items();
+  return loose;
+}
+
+bool is_surface(const LooseFaces& loose) {
+  TriangleList list;
+  list.points = loose.points;
+  list.triangles.reserve(loose.faces.size());
+  for (const auto& face : loose.faces) {
+    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {
+      return false;
+    }
+    list.triangles.push_back({face, {}, 0});
+  }
+  return is_manifold(list);
+}
+
+void put_together(Model& model, LooseFaces loose) {
+  std::vector<std::uint32_t> number(loose.points.size(), Soup::none);
+  for (const auto& face : loose.faces) {
+    for (const std::uint32_t p : face) {
+      number[p] = 0;
+    }
+  }
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] == 0) {
+      number[i] = static_cast<std::uint32_t>(points.size());
+      points.push_back(loose.points[i]);
+    }
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  faces.reserve(loose.faces.size());
+  for (const auto& [a, b, c] : loose.faces) {
+    faces.push_back({VertexId(number[a]), VertexId(number[b]), VertexId(number[c])});
+  }
+  model.surface = Surface(std::move(points), std::move(faces));
+  model.polygon = IdVector<FaceId, std::uint32_t>(std::move(loose.polygon));
+  model.material = IdVector<FaceId, std::uint32_t>(std::move(loose.material));
+  model.texture = IdVector<FaceId, std::array<Vec2, 3>>(std::move(loose.texture));
+}
+
+}  // namespace ridgecraft::mesh

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What repair works on: first the file's polygons, then triangles, both over shared points, each knowing
+// where in the file it comes from. Private to mesh/.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mesh/foundation/vector.hpp"
+#include "mesh/soup.hpp"
+
+namespace ridgecraft::mesh {
+
+/// Polygons that are still wanted. Unlike in a Soup the points are those of the surface to be: scaled and
+/// joined.
+struct PolygonList {
+  std::vector<Vec3> points;
+  std::vector<std::uint32_t> first{0};  ///< as Soup::first_corner
+  std::vector<std::uint32_t> corners;   ///< index into points
+  std::vector<std::uint32_t> textures;  ///< as Soup::corner_texture, same length as corners
+  std::vector<std::uint32_t> origin;    ///< number in the file
+  std::vector<std::uint8_t> two_sided;  ///< 1: a reversed copy was dropped, so its direction tells nothing
+
+  [[nodiscard]] std::size_t size() const { return first.size() - 1; }
+  [[nodiscard]] std::span<const std::uint32_t> polygon(std::size_t i) const {
+    return {corners.data() + first[i], first[i + 1] - first[i]};
+  }
+};
+
+struct Triangle {
+  std::array<std::uint32_t, 3> points;
+  std::array<std::uint32_t, 3> textures;
+  std::uint32_t origin;    ///< number of the polygon in the file
+  bool two_sided = false;  ///< as PolygonList::two_sided
+  bool turned = false;     ///< runs against the direction it has in the file
+
+  void turn() {
+    std::swap(points[1], points[2]);
+    std::swap(textures[1], textures[2]);
+    turned = !turned;
+  }
+};
+
+struct TriangleList {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+};
+
+/// One use of an edge by a triangle: side k runs from corner k to corner k + 1.
+struct EdgeUse {
+  std::uint32_t low;
+  std::uint32_t high;
+  std::uint32_t triangle;
+  std::uint8_t side;
+  bool forward;  ///< the side runs from low to high
+};
+
+/// All sides, sorted by edge and then by triangle, so that the uses of one edge stand together. O(n).
+[[nodiscard]] std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles);
+
+/// Calls visit(first, last) for each run of uses of one edge.
+template <class Visit>
+void for_each_edge(const std::vector<EdgeUse>& uses, Visit visit) {
+  for (std::size_t i = 0; i < uses.size();) {
+    std::size_t j = i + 1;
+    while (j < uses.size() && uses[j].low == uses[i].low && uses[j].high == uses[i].high) {
+      ++j;
+    }
+    visit(i, j);
+    i = j;
+  }
+}
+
+}  // namespace ridgecraft::mesh

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/repair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "mesh/foundation/error.hpp"
+#include "mesh/repair/clean_polygons.hpp"
+#include "mesh/repair/flat_faces.hpp"
+#include "mesh/repair/orient.hpp"
+#include "mesh/repair/polygon_list.hpp"
+#include "mesh/repair/self_intersections.hpp"
+#include "mesh/repair/t_junctions.hpp"
+#include "mesh/repair/triangulate.hpp"
+#include "mesh/repair/weld.hpp"
+
+namespace ridgecraft::mesh {
+namespace {
+
+/// Coordinates from 2^-200 to 2^200 can be multiplied four times without leaving the range of a double.
+constexpr int largest_exponent = 200;
+/// Nearly equal points of borders, share of the diagonal (the figure).
+constexpr double near = 1e-6;
+/// Distance of a polygon's corners from its mean plane, share of the diagonal: what a panel may have, too.
+constexpr double flat = 1e-5;
+
+bool is_stl(FileFormat format) {
+  return format == FileFormat::stl_ascii || format == FileFormat::stl_binary;
+}
+
+/// Takes the polygons over; points keep their numbers.
+PolygonList polygons_of(const Soup& soup) {
+  PolygonList list;
+  list.points = soup.points;
+  list.first = soup.first_corner;
+  list.corners = soup.corner_point;
+  list.textures = soup.corner_texture;
+  list.origin.resize(soup.polygon_count());
+  for (std::size_t i = 0; i < list.origin.size(); ++i) {
+    list.origin[i] = static_cast<std::uint32_t>(i);
+  }
+  list.two_sided.assign(soup.polygon_count(), 0);
+  return list;
+}
+
+std::vector<bool> used_points(const PolygonList& list) {
+  std::vector<bool> used(list.points.size(), false);
+  for (const std::uint32_t c : list.corners) {
+    used[c] = true;
+  }
+  return used;
+}
+
+Box3 bounds(const PolygonList& list) {
+  Box3 box;
+  for (const std::uint32_t c : list.corners) {
+    box.add(list.points[c]);
+  }
+  return box;
+}
+
+/// Brings extreme coordinates to about 1 by an exact power of two and returns what undoes it.
+double scale_into_range(PolygonList& list, const std::vector<bool>& used) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i]) {
+      const Vec3 p = list.points[i];
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+  }
+  const int exponent = largest > 0.0 ? std::ilogb(largest) : 0;
+  if (std::abs(exponent) <= largest_exponent) {
+    return 1.0;
+  }
+  for (Vec3& p : list.points) {
+    p = {std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
+  }
+  return std::ldexp(1.0, exponent);
+}
+
+bool any_area(const TriangleList& list, double diagonal) {
+  // Below this share of the diagonal a height is nothing, whatever the size on paper.
+  constexpr double nothing = 1e-12;
+  return std::any_of(list.triangles.begin(), list.triangles.end(), [&](const Triangle& t) {
+    const Vec3 a = list.points[t.points[0]];
+    const Vec3 b = list.points[t.points[1]];
+    const Vec3 c = list.points[t.points[2]];
+    const double longest = std::max({length(b - a), length(c - b), length(a - c)});
+    return !is_flat(a, b, c) && length(cross(b - a, c - a)) > nothing * diagonal * longest;
+  });
+}
+
+Model build(const Soup& soup, TriangleList list) {
+  Model model;
+  std::vector<std::uint32_t> number(list.points.size(), Soup::none);
+  for (const Triangle& t : list.triangles) {
+    for (const std::uint32_t p : t.points) {
+      number[p] = 0;
+    }
+  }
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] == 0) {
+      number[i] = static_cast<std::uint32_t>(points.size());
+      points.push_back(list.points[i]);
+    }
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  const bool textured = !soup.corner_texture.empty();
+  const auto place = [&](std::uint32_t t) { return t == Soup::none ? Vec2{} : soup.texture_points[t]; };
+  for (const Triangle& t : list.triangles) {
+    faces.push_back(
+        {VertexId(number[t.points[0]]), VertexId(number[t.points[1]]), VertexId(number[t.points[2]])});
+    model.polygon.push_back(t.origin);
+    if (!soup.polygon_material.empty()) {
+      model.material.push_back(soup.polygon_material[t.origin]);
+    }
+    if (textured) {
+      model.texture.push_back({place(t.textures[0]), place(t.textures[1]), place(t.textures[2])});
+    }
+  }
+  model.surface = Surface(std::move(points), std::move(faces));
+  model.polygon_count = soup.polygon_count();
+  model.materials = soup.materials;
+  return model;
+}
+
+void note_borders(Model& model) {
+  std::size_t borders = 0;
+  for (const EdgeId e : ids<EdgeId>(model.surface.edge_count())) {
+    borders += model.surface.is_border(e) ? 1U : 0U;
+  }
+  model.repairs.add(RepairKind::open_border, borders);
+}
+
+}  // namespace
+
+Model repair(Soup soup, const ReadOptions& options, const Context& context) {
+  RepairReport report = std::move(soup.remarks);
+  PolygonList polygons = polygons_of(soup);
+  const std::vector<bool> used = used_points(polygons);
+  report.add(RepairKind::unused_points_dropped,
+             static_cast<std::size_t>(std::count(used.begin(), used.end(), false)));
+  const double file_scale = scale_into_range(polygons, used);
+  std::vector<std::array<Vec3, 2>> lines;
+  for (const auto& [a, b] : soup.lines) {
+    lines.push_back({soup.points[a] / file_scale, soup.points[b] / file_scale});
+  }
+  std::vector<Vec3> file_points;
+  if (options.keep_points) {
+    file_points = soup.points;
+    for (Vec3& p : file_points) {
+      p = p / file_scale;
+    }
+  }
+  const double diagonal = bounds(polygons).diagonal();
+
+  const std::size_t joined = join_equal_points(polygons);
+  // In an STL file every facet has its own points: joining them is reading, not repair.
+  report.add(RepairKind::points_joined, is_stl(soup.format) ? 0 : joined);
+  drop_repeated_corners(polygons, report);
+  report.add(RepairKind::border_points_joined, join_border_points(polygons, near * diagonal, context));
+  drop_duplicates(polygons, report);
+  context.check();
+  TriangleList triangles = triangulate(std::move(polygons), flat * diagonal, report, context);
+  drop_duplicates(triangles, report);
+  if (!any_area(triangles, diagonal)) {
+    throw Error(ErrorKind::unusable_mesh,
+                soup.polygon_count() == 0 ? "there are no faces" : "no face has an area");
+  }
+  if (options.collapse_flat_faces) {
+    report.add(RepairKind::flat_faces_collapsed, collapse_flat_triangles(triangles, context));
+    drop_duplicates(triangles, report);
+  }
+  report.add(RepairKind::t_junctions_joined, join_t_junctions(triangles, near * diagonal, context));
+  make_manifold(triangles, report, context);
+  turn_outwards(triangles, report, context);
+  Model model = build(soup, std::move(triangles));
+  model.file_scale = file_scale;
+  model.lines = std::move(lines);
+  model.file_points = std::move(file_points);
+  model.repairs = std::move(report);
+  note_borders(model);
+  context.check();
+  model.repairs.add(RepairKind::self_intersections, count_self_intersections(model.surface));
+  return model;
+}
+
+}  // namespace ridgecraft::mesh

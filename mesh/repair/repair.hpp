@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Anything that could be read becomes a surface. Private to mesh/.
+#pragma once
+
+#include "mesh/foundation/context.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/soup.hpp"
+
+namespace ridgecraft::mesh {
+
+/// Makes the invariants of Surface true, in the order that docs/input.md tells; every change is counted. Name
+/// and digest are the caller's. Throws Error(unusable_mesh) without naming the file where no face with an
+/// area is left. O(n log n).
+[[nodiscard]] Model repair(Soup soup, const ReadOptions& options, const Context& context);
+
+}  // namespace ridgecraft::mesh

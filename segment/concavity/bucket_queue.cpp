@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segment/concavity/bucket_queue.hpp"
+
+namespace ridgecraft::segment {
+
+void BucketQueue::start(float base, float width) {
+  for (std::uint32_t i = current_; i <= last_ && i < buckets_.size(); ++i) {
+    buckets_[i].clear();
+  }
+  base_ = base;
+  inverse_width_ = 1.0F / width;
+  current_ = 0;
+  last_ = 0;
+}
+
+bool BucketQueue::pop(Entry& entry) {
+  while (buckets_[current_].empty()) {
+    if (current_ >= last_) {
+      return false;
+    }
+    ++current_;
+  }
+  entry = buckets_[current_].back();
+  buckets_[current_].pop_back();
+  return true;
+}
+
+}  // namespace ridgecraft::segment

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segment/concavity/hull_depth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgecraft::segment {
+namespace {
+
+/// Cosine below which a normal counts as parallel to a plane.
+constexpr double parallel_cosine = 1e-9;
+/// A hull facet whose doubled area is below this share of its longest side squared carries no plane (2.5).
+constexpr double sliver_share = 1e-7;
+
+}  // namespace
+
+HullDepth::HullDepth(const ScaledSurface& surface)
+    : surface_(&surface), mark_(surface.vertex_count(), 0), depth_(surface.vertex_count(), 0.0) {}
+
+void HullDepth::select(const Hull& hull) {
+  hull_ = &hull;
+  last_ = 0;
+  ++current_;
+  for (const std::uint32_t v : hull.vertices) {
+    mark_[v] = current_;
+    depth_[v] = 0.0;
+  }
+}
+
+std::uint32_t HullDepth::across(std::uint32_t triangle, std::size_t side) const {
+  const auto& [one, two] = hull_->edge_triangles[hull_->triangle_edges[triangle][side]];
+  return one == triangle ? two : one;
+}
+
+/// Infinite where the plane is behind or the triangle is too thin to have one.
+double HullDepth::to_plane(std::uint32_t triangle, Vec3 p, Vec3 n) const {
+  const auto& points = surface_->points;
+  const auto& [a, b, c] = hull_->triangles[triangle];
+  const Vec3 u = points[b] - points[a];
+  const Vec3 v = points[c] - points[a];
+  const Vec3 w = points[c] - points[b];
+  const Vec3 outward = cross(u, v);
+  const double size = length(outward);
+  const double cosine = dot(outward, n);
+  if (size <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)}) ||
+      cosine <= parallel_cosine * size) {
+    return INFINITY;
+  }
+  return std::max(0.0, dot(outward, points[a] - p)) / cosine;
+}
+
+/// The triangle through which the ray from p along n leaves the hull: seen from p, triangles tile the sphere
+/// of directions, and each step crosses a side that n lies beyond. Nothing where rounding sends the walk in
+/// circles or p isn't inside.
+std::optional<std::uint32_t> HullDepth::walk(Vec3 p, Vec3 n) {
+  const auto& points = surface_->points;
+  // A straight walk over a round hull of t triangles takes about their square root.
+  const std::size_t most_steps = 64 + 8 * static_cast<std::size_t>(std::sqrt(hull_->triangles.size()));
+  std::uint32_t t = last_;
+  for (std::size_t step = 0; step < most_steps; ++step) {
+    const auto& [a, b, c] = hull_->triangles[t];
+    const Vec3 to_a = points[a] - p;
+    const Vec3 to_b = points[b] - p;
+    const Vec3 to_c = points[c] - p;
+    const std::array<double, 3> beyond{dot(n, cross(to_a, to_b)), dot(n, cross(to_b, to_c)),
+                                       dot(n, cross(to_c, to_a))};
+    const auto side =
+        static_cast<std::size_t>(std::min_element(beyond.begin(), beyond.end()) - beyond.begin());
+    if (beyond[side] >= 0.0) {
+      last_ = t;
+      return t;
+    }
+    t = across(t, side);
+  }
+  return std::nullopt;
+}
+
+double HullDepth::along_normal(std::uint32_t v) {
+  const Vec3 p = surface_->points[v];
+  const Vec3 n = surface_->vertex_normals[v];
+  if (const auto exit = walk(p, n)) {
+    // The hull is that of points lifted a little (hull.hpp), so a neighbour's plane may be a little nearer;
+    // and the triangle may be a sliver.
+    double depth = to_plane(*exit, p, n);
+    for (std::size_t side = 0; side < 3; ++side) {
+      depth = std::min(depth, to_plane(across(*exit, side), p, n));
+    }
+    if (std::isfinite(depth)) {
+      return depth;
+    }
+  }
+  double depth = INFINITY;
+  for (std::uint32_t t = 0; t < hull_->triangles.size(); ++t) {
+    depth = std::min(depth, to_plane(t, p, n));
+  }
+  return depth;
+}
+
+double HullDepth::at(std::uint32_t v) {
+  if (mark_[v] != current_) {
+    mark_[v] = current_;
+    const bool unlimited = hull_->flat || surface_->vertex_normals[v] == Vec3{};
+    depth_[v] = unlimited ? static_cast<double>(INFINITY) : along_normal(v);
+  }
+  return depth_[v];
+}
+
+}  // namespace ridgecraft::segment

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part under consideration: which facets, which arcs, where it was cut off and what may jump across
+// (3.1, 3.2).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "segment/concavity/vertex_graph.hpp"
+#include "segment/surface/scaled_surface.hpp"
+
+namespace ridgecraft::segment {
+
+/// A view of the vertex graph that shows one part at a time. Choosing a part costs O(its facets); nothing is
+/// copied.
+class PartGraph {
+ public:
+  /// Both must outlive this.
+  /// `jumps`: whether cut loops are looked for, so that there is something to jump across.
+  PartGraph(const ScaledSurface& surface, const VertexGraph& graph, bool jumps);
+
+  /// Shows the part with these facets.
+  void select(std::span<const std::uint32_t> facets);
+
+  [[nodiscard]] bool has(std::uint32_t facet) const { return facet != none && member_[facet] == current_; }
+  [[nodiscard]] std::span<const std::uint32_t> facets() const { return facets_; }
+  /// In order of first appearance.
+  [[nodiscard]] std::span<const std::uint32_t> vertices() const { return vertices_; }
+
+  /// Calls visit(arc number, Arc) for each arc of the part at v.
+  template <class Visit>
+  void for_arcs(std::uint32_t v, Visit&& visit) const {
+    const std::uint32_t across = graph_->across[v];
+    const std::uint32_t last = graph_->first[v + 1];
+    if (partial_[v] != current_) {
+      for (std::uint32_t i = graph_->first[v]; i < last; ++i) {
+        visit(i, graph_->arcs[i]);
+      }
+      return;
+    }
+    for (std::uint32_t i = graph_->first[v]; i < across; ++i) {
+      const Arc& arc = graph_->arcs[i];
+      if (has(arc.first_facet) || has(arc.second_facet)) {
+        visit(i, arc);
+      }
+    }
+    for (std::uint32_t i = across; i < last; ++i) {
+      const Arc& arc = graph_->arcs[i];
+      if (has(arc.first_facet) && has(arc.second_facet)) {
+        visit(i, arc);
+      }
+    }
+  }
+  /// The shortest arc of the part between two vertices; its number or none.
+  [[nodiscard]] std::uint32_t find_arc(std::uint32_t from, std::uint32_t to) const;
+  /// Whether arc number i, which starts at v, exists in this part.
+  [[nodiscard]] bool arc_exists(std::uint32_t v, std::uint32_t i) const;
+  [[nodiscard]] const Arc& arc(std::uint32_t i) const { return graph_->arcs[i]; }
+
+  /// The cut loop at a vertex, or none; its vertices, ascending.
+  [[nodiscard]] std::uint32_t loop_at(std::uint32_t v) const {
+    return loop_mark_[v] == current_ ? loop_[v] : none;
+  }
+  [[nodiscard]] std::span<const std::uint32_t> loop(std::uint32_t index) const {
+    return {loop_vertices_.data() + loop_first_[index], loop_first_[index + 1] - loop_first_[index]};
+  }
+  [[nodiscard]] bool has_loops() const { return loop_first_.size() > 1; }
+  /// Whether the straight line from p to q starts into the solid at both ends; `distance` is its length,
+  /// above 0.
+  [[nodiscard]] bool starts_inside(std::uint32_t p, std::uint32_t q, double distance) const;
+  /// Both on one cut loop and the jump is legal.
+  [[nodiscard]] bool jump_exists(std::uint32_t p, std::uint32_t q) const;
+
+  [[nodiscard]] const ScaledSurface& surface() const { return *surface_; }
+  /// Of the whole surface; above 0.
+  [[nodiscard]] double mean_arc_length() const { return graph_->mean_length; }
+
+ private:
+  void find_loops();
+  std::uint32_t root(std::uint32_t v);
+
+  const ScaledSurface* surface_;
+  const VertexGraph* graph_;
+  bool jumps_;
+  std::uint32_t current_ = 0;
+  std::vector<std::uint32_t> member_;
+  std::vector<std::uint32_t> facets_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<std::uint32_t> vertex_mark_;
+  std::vector<std::uint32_t> partial_;  ///< vertices some of whose arcs are missing in this part
+  std::vector<std::uint32_t> loop_mark_;
+  std::vector<std::uint32_t> loop_;  ///< while they are found: union-find parent
+  std::vector<std::uint32_t> loop_vertices_;
+  std::vector<std::uint32_t> loop_first_;
+  std::vector<std::uint32_t> on_cut_;
+};
+
+}  // namespace ridgecraft::segment

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shortest paths on a part: valleys between two vertices (specification 3.3) and distances from several
+// (8.2).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "segment/concavity/bucket_queue.hpp"
+#include "segment/concavity/part_graph.hpp"
+
+namespace ridgecraft::segment {
+
+/// Length of a path that doesn't exist.
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Arc number of a step that is a jump across a cut loop.
+inline constexpr std::uint32_t jump_arc = 0xfffffffeU;
+
+/// One vertex of a valley and how it is reached from the vertex before.
+struct Step {
+  std::uint32_t vertex;
+  std::uint32_t arc;  ///< arc number, jump_arc, or none at the first vertex
+};
+
+/// A vertex and the key it starts with.
+struct Start {
+  std::uint32_t vertex;
+  double key;
+};
+
+/// Searches on whatever part the graph shows. Flat arrays that are never cleared: entries carry the search's
+/// number.
+class ValleySearch {
+ public:
+  explicit ValleySearch(const PartGraph& graph);
+
+  /// A* from one vertex to another along arcs and jumps, with the straight distance as estimate. Equal
+  /// lengths: over the vertex of least key and estimate, then the smaller one. Fills `path` from `from` to
+  /// `to` and gives its length; infinite when there is none.
+  double find(std::uint32_t from, std::uint32_t to, std::vector<Step>& path);
+
+  /// Dijkstra along arcs without jumps from several starts, until keys reach `limit`. Fills `reached` with
+  /// the vertices whose key is below it; their keys stay readable through key().
+  void flood(std::span<const Start> starts, double limit, std::vector<std::uint32_t>& reached);
+  /// Key of a vertex in the last search; infinite when it wasn't reached.
+  [[nodiscard]] double key(std::uint32_t v) const {
+    return nodes_[v].search == search_ ? nodes_[v].key : infinite;
+  }
+
+ private:
+  struct Node {
+    double key = 0.0;  ///< length of the path so far
+    float estimate = 0.0F;
+    std::uint32_t search = 0;
+    std::uint32_t from = none;
+    std::uint32_t arc = none;
+  };
+
+  [[nodiscard]] bool comes_first(std::uint32_t v, std::uint32_t other) const;
+  void relax_jumps(std::uint32_t v, std::uint32_t target);
+
+  const PartGraph* graph_;
+  std::vector<Node> nodes_;
+  BucketQueue queue_;
+  float bucket_width_ = 1.0F;
+  std::uint32_t search_ = 0;
+};
+
+}  // namespace ridgecraft::segment

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segment/concavity/vertex_graph.hpp"
+
+#include <cmath>
+
+namespace ridgecraft::segment {
+namespace {
+
+struct Candidate {
+  std::uint32_t from;
+  std::uint32_t to;
+  float length;  ///< negative: no such arc
+};
+
+double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 d = b - a;
+  const double squared = dot(d, d);
+  const double t = squared > 0.0 ? std::fmin(1.0, std::fmax(0.0, dot(p - a, d) / squared)) : 0.0;
+  return length(p - (a + t * d));
+}
+
+/// The straight line between the corners opposite to side k of f and its neighbour g, if it crosses the open
+/// side.
+Candidate line_across(const ScaledSurface& s, std::uint32_t f, unsigned k, std::uint32_t g, double sagitta) {
+  const std::uint32_t a = s.corners[f][k];
+  const std::uint32_t b = s.corners[f][(k + 1) % 3];
+  const std::uint32_t p = s.corners[f][(k + 2) % 3];
+  const auto& c = s.corners[g];
+  const std::uint32_t q = c[0] != a && c[0] != b ? c[0] : (c[1] != a && c[1] != b ? c[1] : c[2]);
+  Candidate none_there{p, q, -1.0F};
+  const Vec3 along = s.points[b] - s.points[a];
+  const double size = length(along);
+  if (p == q || !(size > 0.0)) {
+    return none_there;
+  }
+  const Vec3 unit = along / size;
+  const Vec3 to_p = s.points[p] - s.points[a];
+  const Vec3 to_q = s.points[q] - s.points[a];
+  const double tp = dot(to_p, unit);
+  const double tq = dot(to_q, unit);
+  const double hp = length(to_p - tp * unit);
+  const double hq = length(to_q - tq * unit);
+  const double rise = hp + hq;
+  if (!(rise > 0.0)) {
+    return none_there;
+  }
+  const double at = tp + (tq - tp) * (hp / rise);
+  if (!(at > 0.0 && at < size)) {
+    return none_there;
+  }
+  if (distance_to_segment(s.points[a] + at * unit, s.points[p], s.points[q]) > sagitta) {
+    return none_there;
+  }
+  return {p, q, static_cast<float>(std::sqrt((tp - tq) * (tp - tq) + rise * rise))};
+}
+
+}  // namespace
+
+VertexGraph build_vertex_graph(const ScaledSurface& s, double sagitta) {
+  VertexGraph graph;
+  const std::size_t vertices = s.vertex_count();
+  std::vector<std::uint32_t> along_count(vertices, 0);
+  std::vector<std::uint32_t> across_count(vertices, 0);
+  std::vector<Candidate> lines;
+  lines.reserve(3 * s.facet_count() / 2 + 1);
+  for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t g = s.neighbors[f][k];
+      if (g != none && g < f) {
+        continue;
+      }
+      ++along_count[s.corners[f][k]];
+      ++along_count[s.corners[f][(k + 1) % 3]];
+      if (g == none) {
+        continue;
+      }
+      lines.push_back(line_across(s, f, k, g, sagitta));
+      if (lines.back().length >= 0.0F) {
+        ++across_count[lines.back().from];
+        ++across_count[lines.back().to];
+      }
+    }
+  }
+  graph.first.resize(vertices + 1);
+  graph.across.resize(vertices);
+  std::vector<std::uint32_t> along_fill(vertices);
+  std::vector<std::uint32_t> across_fill(vertices);
+  std::uint32_t total = 0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    graph.first[v] = along_fill[v] = total;
+    total += along_count[v];
+    graph.across[v] = across_fill[v] = total;
+    total += across_count[v];
+  }
+  graph.first[vertices] = total;
+  graph.arcs.resize(total);
+  std::size_t line = 0;
+  for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t g = s.neighbors[f][k];
+      if (g != none && g < f) {
+        continue;
+      }
+      const std::uint32_t a = s.corners[f][k];
+      const std::uint32_t b = s.corners[f][(k + 1) % 3];
+      const auto size = static_cast<float>(length(s.points[b] - s.points[a]));
+      graph.arcs[along_fill[a]++] = {b, size, f, g};
+      graph.arcs[along_fill[b]++] = {a, size, f, g};
+      if (g != none) {
+        const Candidate& c = lines[line++];
+        if (c.length >= 0.0F) {
+          graph.arcs[across_fill[c.from]++] = {c.to, c.length, f, g};
+          graph.arcs[across_fill[c.to]++] = {c.from, c.length, f, g};
+        }
+      }
+    }
+  }
+  double sum = 0.0;
+  for (const Arc& arc : graph.arcs) {
+    sum += static_cast<double>(arc.length);
+  }
+  graph.mean_length = sum > 0.0 ? sum / static_cast<double>(total) : 1.0;
+  return graph;
+}
+
+}  // namespace ridgecraft::segment

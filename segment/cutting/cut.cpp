@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segment/cutting/cut.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace ridgecraft::segment {
+Cutter::Cutter(const ScaledSurface& surface, const EdgeWeights& weights, std::size_t coarse_from)
+    : surface_(&surface),
+      weights_(&weights),
+      coarse_from_(coarse_from),
+      regions_(surface),
+      label_(surface.facet_count(), none),
+      node_(surface.facet_count(), 0),
+      node_mark_(surface.facet_count(), 0) {}
+
+std::vector<Facets> Cutter::components(std::span<const std::uint32_t> facets) {
+  return components(facets, label_);
+}
+
+std::vector<Facets> Cutter::components(std::span<const std::uint32_t> facets,
+                                       std::span<const std::uint32_t> label) {
+  // The label says what may be together; a facet is taken out of its set by its mark.
+  ++mark_;
+  for (const std::uint32_t f : facets) {
+    node_mark_[f] = mark_;
+  }
+  const std::uint32_t open = mark_++;
+  std::vector<Facets> found;
+  // Facets ascend, so components are found, and filled, in order.
+  for (const std::uint32_t start : facets) {
+    if (node_mark_[start] == open) {
+      const auto number = static_cast<std::uint32_t>(found.size());
+      found.emplace_back();
+      nodes_.assign(1, start);
+      node_mark_[start] = mark_;
+      for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        node_[nodes_[i]] = number;
+        for (const std::uint32_t g : surface_->neighbors[nodes_[i]]) {
+          if (g != none && node_mark_[g] == open && label[g] == label[start]) {
+            node_mark_[g] = mark_;
+            nodes_.push_back(g);
+          }
+        }
+      }
+      found.back().reserve(nodes_.size());
+    }
+    found[node_[start]].push_back(start);
+  }
+  return found;
+}
+
+std::vector<std::uint32_t> Cutter::cut_order(std::span<const Ridge> ridges) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t r = 0; r < ridges.size(); ++r) {
+    if (!regions_.must_link(r).empty()) {
+      order.push_back(r);
+    }
+  }
+  if (order.size() > most_ridges) {
+    // Those with the largest must-links are cut off; one more stands for the rest, which stays together.
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t r, std::uint32_t s) {
+      return regions_.must_link(r).size() > regions_.must_link(s).size();
+    });
+    const auto cut_last = order.begin() + (most_ridges - 1);
+    std::sort(order.begin(), cut_last);
+    std::stable_sort(order.begin(), cut_last, [&](std::uint32_t r, std::uint32_t s) {
+      return ridges[r].diagonal < ridges[s].diagonal;
+    });
+    order.resize(most_ridges);
+    return order;
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t r, std::uint32_t s) { return ridges[r].diagonal < ridges[s].diagonal; });
+  return order;
+}
+
+std::vector<Facets> Cutter::cut(Measurer& measurer, const Measurement& measurement) {
+  const PartGraph& part = measurer.graph();
+  const std::vector<Ridge> ridges = find_ridges(measurement, surface_->points);
+  regions_.assign(measurer, ridges);
+  for (const std::uint32_t f : part.facets()) {
+    label_[f] = none;
+  }
+  const std::vector<std::uint32_t> order = cut_order(ridges);
+  cut_off_.assign(ridges.size(), false);
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    measurer.context().check();
+    cut_off(part, order[i]);
+  }
+  return components(part.facets());
+}
+
+void Cutter::cut_off(const PartGraph& part, std::uint32_t ridge) {
+  cut_off_[ridge] = true;
+  flood_fuzzy(part, ridge);
+  side_.assign(nodes_.size(), CutSide::open);
+  if (nodes_.size() >= coarse_from_) {
+    narrow_down(part, ridge);
+  }
+  do {
+    build_flow(part, ridge);
+    flow_.run();
+  } while (touched_holds(part) && coarse_.widen(touched_, side_));
+  for (const std::uint32_t f : regions_.must_link(ridge)) {
+    label_[f] = ridge;
+  }
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    if (side_[i] == CutSide::source || (side_[i] == CutSide::open && flow_.on_source_side(flow_node_[i]))) {
+      label_[nodes_[i]] = ridge;
+    }
+  }
+}
+
+/// Collects the fuzzy facets that nobody has yet and that hang together with the ridge's must-link.
+void Cutter::flood_fuzzy(const PartGraph& part, std::uint32_t ridge) {
+  ++mark_;
+  nodes_.clear();
+  const auto visit = [&](std::uint32_t f) {
+    for (const std::uint32_t g : surface_->neighbors[f]) {
+      if (part.has(g) && node_mark_[g] != mark_ && regions_.owner(g) == fuzzy && label_[g] == none) {
+        node_mark_[g] = mark_;
+        node_[g] = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back(g);
+      }
+    }
+  };
+  for (const std::uint32_t f : regions_.must_link(ridge)) {
+    visit(f);
+  }
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    visit(nodes_[i]);
+  }
+}
+
+/// Calls inner(side, other node, capacity) for each side of a node beyond which another one lies; gives what
+/// goes to the regions that are source and sink.
+template <class Inner>
+void Cutter::for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t node, Inner inner,
+                       std::int64_t& source, std::int64_t& sink) const {
+  const std::uint32_t f = nodes_[node];
+  source = 0;
+  sink = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    const std::uint32_t g = surface_->neighbors[f][k];
+    if (!part.has(g)) {
+      continue;
+    }
+    const std::int64_t capacity =
+        surface_->same_group(f, g) ? MaximumFlow::infinite_capacity : weights_->capacity[3 * f + k];
+    const std::uint32_t owner = regions_.owner(g);
+    if (owner == fuzzy) {
+      if (node_mark_[g] == mark_) {
+        inner(k, node_[g], capacity);
+      }
+    } else if (owner == ridge) {
+      source += capacity;
+    } else if (!cut_off_[owner]) {
+      sink += capacity;
+    }
+  }
+}
+
+/// Decides most nodes by a cut between clusters.
+void Cutter::narrow_down(const PartGraph& part, std::uint32_t ridge) {
+  coarse_graph_.reset(nodes_.size());
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const auto inner = [&](unsigned k, std::uint32_t other, std::int64_t capacity) {
+      coarse_graph_.sides[i][k] = {capacity, other, weights_->smoothness[3 * nodes_[i] + k] < 1.0};
+    };
+    for_sides(part, ridge, i, inner, coarse_graph_.source[i], coarse_graph_.sink[i]);
+  }
+  coarse_.run(coarse_graph_, side_);
+}
+
+/// Whether the cut runs against nodes that were decided among clusters: a better one may lie beyond.
+bool Cutter::touched_holds(const PartGraph& part) {
+  touched_.clear();
+  if (nodes_.size() < coarse_from_) {
+    return false;
+  }
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    if (side_[i] != CutSide::open) {
+      continue;
+    }
+    const CutSide other_side = flow_.on_source_side(flow_node_[i]) ? CutSide::sink : CutSide::source;
+    for (const std::uint32_t g : surface_->neighbors[nodes_[i]]) {
+      if (part.has(g) && node_mark_[g] == mark_ && side_[node_[g]] == other_side) {
+        touched_.push_back(node_[g]);
+      }
+    }
+  }
+  return !touched_.empty();
+}
+
+void Cutter::build_flow(const PartGraph& part, std::uint32_t ridge) {
+  flow_node_.resize(nodes_.size());
+  std::uint32_t open = 0;
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    flow_node_[i] = open;
+    open += side_[i] == CutSide::open ? 1U : 0U;
+  }
+  flow_.reset(open);
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    if (side_[i] != CutSide::open) {
+      continue;
+    }
+    const std::uint32_t node = flow_node_[i];
+    const auto inner = [&](unsigned k, std::uint32_t other, std::int64_t capacity) {
+      switch (side_[other]) {
+        case CutSide::open:
+          flow_.set_arc(node, k, flow_node_[other], capacity);
+          break;
+        case CutSide::source:
+          flow_.add_source(node, capacity);
+          break;
+        case CutSide::sink:
+          flow_.add_sink(node, capacity);
+          break;
+      }
+    };
+    std::int64_t source = 0;
+    std::int64_t sink = 0;
+    for_sides(part, ridge, i, inner, source, sink);
+    flow_.add_source(node, source);
+    flow_.add_sink(node, sink);
+  }
+}
+
+std::vector<Facets> Cutter::split(Measurer& measurer, const Measurement& measurement, bool halves) {
+  const PartGraph& part = measurer.graph();
+  const std::span<const std::uint32_t> facets = part.facets();
+  const std::uint32_t deepest = measurement.deepest;
+  std::array<std::vector<double>, 2> distance;
+  std::vector<std::uint32_t> reached;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const Start start{deepest == none ? part.vertices()[0]
+                      : end == 0      ? measurement.bridges[deepest].a
+                                      : measurement.bridges[deepest].b,
+                      0.0};
+    measurer.search().flood({&start, 1}, INFINITY, reached);
+    for (const std::uint32_t f : facets) {
+      const auto& v = surface_->corners[f];
+      distance[end].push_back(measurer.search().key(v[0]) + measurer.search().key(v[1]) +
+                              measurer.search().key(v[2]));
+    }
+  }
+  // Facets of one polygon count together, from its first one on.
+  std::vector<double> leaning(facets.size());
+  std::vector<std::uint32_t> position;  // of polygons' first facets in `facets`
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    leaning[i] = distance[0][i] - distance[1][i];
+    if (std::isnan(leaning[i])) {
+      leaning[i] = 0.0;
+    }
+    const auto together = surface_->facets_with(facets[i]);
+    if (*std::min_element(together.begin(), together.end()) == facets[i]) {
+      position.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  if (halves) {
+    std::stable_sort(position.begin(), position.end(),
+                     [&](std::uint32_t i, std::uint32_t j) { return leaning[i] < leaning[j]; });
+  }
+  for (std::size_t n = 0; n < position.size(); ++n) {
+    const std::uint32_t i = position[n];
+    const bool near_a = halves ? n < position.size() / 2 : leaning[i] <= 0.0;
+    for (const std::uint32_t f : surface_->facets_with(facets[i])) {
+      label_[f] = near_a ? 0 : 1;
+    }
+  }
+  std::vector<Facets> children = components(facets);
+  if (children.size() < 2) {
+    // Each facet, or each polygon, alone.
+    for (std::uint32_t n = 0; n < position.size(); ++n) {
+      for (const std::uint32_t f : surface_->facets_with(facets[position[n]])) {
+        label_[f] = n;
+      }
+    }
+    children = components(facets);
+  }
+  return children;
+}
+
+}  // namespace ridgecraft::segment

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a cut along an edge costs: concave and short edges are cheap (specification 9).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "segment/rules.hpp"
+#include "segment/surface/scaled_surface.hpp"
+
+namespace ridgecraft::segment {
+
+/// Per side, 3 f + k, of both facets of an edge alike; 0 at borders.
+struct EdgeWeights {
+  std::vector<double> length;
+  std::vector<double> smoothness;      ///< Theta: small on concave edges, 1 elsewhere
+  std::vector<std::int64_t> capacity;  ///< w(e) in steps of 2^-20, at least 1: flows are exact in integers
+};
+
+/// O(n).
+[[nodiscard]] EdgeWeights weigh_edges(const ScaledSurface& surface, const Rules& rules = {});
+
+}  // namespace ridgecraft::segment

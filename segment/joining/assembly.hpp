@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// More effort: parts are cut into smaller pieces, by planes too, and the pieces put together anew.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "segment/concavity/measure.hpp"
+#include "segment/concavity/pocket_test.hpp"
+#include "segment/concavity/vertex_graph.hpp"
+#include "segment/cutting/cut.hpp"
+#include "segment/cutting/edge_weights.hpp"
+#include "segment/cutting/plane_cut.hpp"
+#include "segment/joining/partition.hpp"
+#include "segment/segment.hpp"
+
+namespace ridgecraft::segment {
+
+/// One way to cut parts into pieces and to join these.
+struct Attempt {
+  /// Pieces are cut until they are within this share of the tolerance; 1 leaves the parts as they are.
+  double fineness = 1.0;
+  unsigned rounds = 0;       ///< of tearing some parts up and joining their pieces anew
+  bool planes = false;       ///< cut by planes where that saves more volume than the pieces are worth
+  double plane_price = 1.0;  ///< times the price of volume while planes cut: more pieces to choose from
+  bool at_any_cost = false;  ///< all joins that are possible: the merge pass
+};
+
+struct AssemblySettings {
+  std::vector<Attempt> attempts;  ///< the cheapest result counts, the first of equal ones
+  double volume_weight = 0.0;     ///< parts that one would give for a volume ratio less by 1
+  double border_weight = 0.0;  ///< parts for a border shorter by one ball radius, concave edges counting less
+  double noise = 0.0;          ///< of the order in which pieces are joined, in shares of a part
+  bool pockets = false;        ///< no part has a pocket (pocket_test.hpp)
+};
+
+/// What more effort, planes and a price of volume buy; measured in docs/segmentation.md. Attempts with planes
+/// come after those without.
+[[nodiscard]] AssemblySettings assembly_settings(const Options& options);
+
+/// Cuts and joins parts that are within the tolerance; what comes out is, too.
+class Assembly {
+ public:
+  /// All must outlive this. Throws Error(unusable_mesh) when pockets are to be avoided and the surface has
+  /// border edges: it encloses no solid.
+  Assembly(const ScaledSurface& surface, const EdgeWeights& weights, const VertexGraph& graph,
+           Measurer& measurer, Cutter& cutter, const AssemblySettings& settings);
+
+  /// Cuts parts into pieces and joins them. Parts ascend by smallest facet.
+  [[nodiscard]] std::vector<AssembledPart> assemble(const std::vector<Facets>& parts);
+  /// Joins parts where their union is within the tolerance when measured from scratch.
+  [[nodiscard]] std::vector<AssembledPart> join_from_scratch(std::vector<Facets> parts);
+
+ private:
+  struct Piece {
+    Facets facets;
+    bool by_plane = false;
+    int depth = 0;
+  };
+
+  [[nodiscard]] std::vector<std::vector<std::size_t>> overlapping(const std::vector<Facets>& parts);
+  [[nodiscard]] bool is_hollow(std::span<const std::uint32_t> facets);
+  [[nodiscard]] double piece_worth(const Attempt& attempt) const;
+  [[nodiscard]] std::vector<Piece> cut_by_planes(std::vector<Facets> parts, const Attempt& attempt);
+  void cut_further(std::vector<Piece> open, const Attempt& attempt, std::vector<Piece>& done);
+  [[nodiscard]] std::vector<Facets> cut_finely(std::vector<Piece> pieces, double fineness);
+  [[nodiscard]] Partition partition(std::vector<Facets> pieces, MeasureMode mode);
+
+  const ScaledSurface* surface_;
+  const EdgeWeights* weights_;
+  const VertexGraph* graph_;
+  Measurer* measurer_;
+  Cutter* cutter_;
+  AssemblySettings settings_;
+  std::optional<PocketTest> pockets_;
+  PlaneCutter planes_;
+  double unit_volume_;  ///< that the surface encloses
+  Measurement measurement_;
+};
+
+}  // namespace ridgecraft::segment

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smallest ball around a set of points (specification 1.2).
+#pragma once
+
+#include <span>
+
+#include "mesh/foundation/vector.hpp"
+
+namespace ridgecraft::segment {
+
+struct Ball {
+  Vec3 center;
+  double radius = 0.0;
+};
+
+/// Smallest enclosing ball of points whose coordinates are about 1 in size, by pivoting: the farthest point
+/// joins a support of at most four, until no point is outside by more than 1e-12. Typically ten passes of
+/// O(n). No points: radius 0.
+[[nodiscard]] Ball smallest_enclosing_ball(std::span<const Vec3> points);
+
+}  // namespace ridgecraft::segment

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surface as the segmentation sees it: in the scale of its enclosing ball, on an exact grid, in flat
+// arrays.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/foundation/vector.hpp"
+#include "mesh/surface.hpp"
+
+namespace ridgecraft::segment {
+
+/// "No facet", "no vertex" and so on in the flat arrays of this folder.
+inline constexpr std::uint32_t none = 0xffffffffU;
+
+/// Built once, then only read. Facet and vertex numbers are those of the surface.
+struct ScaledSurface {
+  std::vector<Vec3>
+      points;  ///< enclosing ball = unit ball about the origin; on the grid of exact_orientation.hpp
+  std::vector<std::array<std::uint32_t, 3>> corners;
+  std::vector<std::array<std::uint32_t, 3>> neighbors;  ///< across the side from corner k to k + 1, or none
+  std::vector<std::uint32_t> vertex_first;              ///< facets of v: vertex_facets[vertex_first[v] ...]
+  std::vector<std::uint32_t> vertex_facets;
+  std::vector<Vec3> facet_normals;   ///< unit, or zero for a facet without area
+  std::vector<Vec3> vertex_normals;  ///< facets' normals weighted by their angle at the vertex; unit or zero
+  /// Facets of one polygon that hang together over edges have one group; empty when every facet is its own.
+  std::vector<std::uint32_t> group;
+  std::vector<std::uint32_t> group_first;  ///< facets of a group: group_facets[group_first[g] ...]
+  std::vector<std::uint32_t> group_facets;
+  double unit = 1.0;  ///< length of the ball's radius in the surface's unit
+
+  [[nodiscard]] std::size_t facet_count() const { return corners.size(); }
+  [[nodiscard]] std::size_t vertex_count() const { return points.size(); }
+  [[nodiscard]] std::span<const std::uint32_t> facets_at(std::uint32_t v) const {
+    return {vertex_facets.data() + vertex_first[v], vertex_first[v + 1] - vertex_first[v]};
+  }
+  [[nodiscard]] bool same_group(std::uint32_t f, std::uint32_t g) const {
+    return !group.empty() && group[f] == group[g];
+  }
+  /// The facets that must stay with f, itself included.
+  [[nodiscard]] std::span<const std::uint32_t> facets_with(const std::uint32_t& f) const {
+    if (group.empty()) {
+      return {&f, 1};
+    }
+    const std::uint32_t g = group[f];
+    return {group_facets.data() + group_first[g], group_first[g + 1] - group_first[g]};
+  }
+};
+
+/// `polygon` as in segment(). O(n).
+[[nodiscard]] ScaledSurface scale_surface(const mesh::Surface& surface,
+                                          std::span<const std::uint32_t> polygon);
+
+/// Finds the facets at each vertex and all normals again, after points, corners or neighbours changed. O(n).
+void index_and_orient(ScaledSurface& surface);
+
+/// Facets from number `facets_before` on, which were added, become polygons of their own.
+void extend_groups(ScaledSurface& surface, std::size_t facets_before);
+
+}  // namespace ridgecraft::segment

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/folding/fold_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "mesh/foundation/disjoint_sets.hpp"
+#include "unfold/search/layout.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Folds of less don't move anything that one could see, radians.
+constexpr double flat_fold = 2e-6;
+
+/// Edges between two plates.
+using Links = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>;
+using Neighbours = std::vector<std::vector<std::uint32_t>>;
+
+/// Plates in breadth-first order from one of them, with the plate before each.
+struct Reach {
+  std::vector<std::uint32_t> order;
+  std::vector<std::uint32_t> before;
+};
+Reach reach_from(std::uint32_t start, const Neighbours& neighbours) {
+  Reach reach;
+  reach.before.resize(neighbours.size());
+  std::vector<bool> seen(neighbours.size(), false);
+  reach.order.push_back(start);
+  reach.before[start] = start;
+  seen[start] = true;
+  for (std::size_t i = 0; i < reach.order.size(); ++i) {
+    const std::uint32_t plate = reach.order[i];
+    for (const std::uint32_t next : neighbours[plate]) {
+      if (!seen[next]) {
+        seen[next] = true;
+        reach.before[next] = plate;
+        reach.order.push_back(next);
+      }
+    }
+  }
+  return reach;
+}
+
+/// Half way along a path to the plate that takes most creases from the first one reached: in a tree, which is
+/// what plates make but for closed flat places, nothing is farther from there than need be.
+std::uint32_t middle_plate(const Neighbours& neighbours) {
+  const std::uint32_t end = reach_from(0, neighbours).order.back();
+  const Reach reach = reach_from(end, neighbours);
+  std::vector<std::uint32_t> path{reach.order.back()};
+  while (path.back() != end) {
+    path.push_back(reach.before[path.back()]);
+  }
+  return path[path.size() / 2];
+}
+
+/// The plate of each face, numbered by their first faces.
+std::vector<std::uint32_t> plates_of(const FlatPiece& piece) {
+  const auto size = static_cast<std::uint32_t>(piece.flat.size());
+  DisjointSets sets(size);
+  for (std::uint32_t side = 0; side < piece.across.size(); ++side) {
+    if (piece.across[side] != nothing && std::abs(piece.angle[side]) < flat_fold) {
+      sets.join(side / 3, piece.across[side]);
+    }
+  }
+  std::vector<std::uint32_t> number(size, nothing);
+  std::vector<std::uint32_t> plate;
+  std::uint32_t plates = 0;
+  for (std::uint32_t f = 0; f < size; ++f) {
+    std::uint32_t& of_set = number[sets.find(f)];
+    of_set = of_set == nothing ? plates++ : of_set;
+    plate.push_back(of_set);
+  }
+  return plate;
+}
+
+}  // namespace
+
+FlatPiece flat_piece(const mesh::Surface& surface, const Nets& nets, PieceId piece) {
+  const std::vector<FaceId>& faces = nets.pieces[piece].faces;
+  FlatPiece flat;
+  for (const FaceId f : faces) {
+    flat.flat.push_back(nets.flat[f]);
+    for (unsigned k = 0; k < 3; ++k) {
+      const CornerId side = mesh::corner(f, k);
+      const EdgeId e = surface.edge(side);
+      std::uint32_t across = nothing;
+      if (nets.use[e] == EdgeUse::fold) {
+        const auto at = std::lower_bound(faces.begin(), faces.end(), surface.neighbor(side));
+        across = static_cast<std::uint32_t>(at - faces.begin());
+      }
+      flat.across.push_back(across);
+      flat.angle.push_back(surface.fold_angle(e));
+    }
+  }
+  return flat;
+}
+
+FlatPiece flat_piece(const Patch& patch, const Folds& tree) {
+  FlatPiece flat;
+  flat.flat = lay_out(patch, tree).flat;
+  flat.angle = patch.fold_angle;
+  flat.across.assign(tree.size(), nothing);
+  for (std::size_t side = 0; side < tree.size(); ++side) {
+    if (tree[side] != 0) {
+      flat.across[side] = patch.twin[side] / 3;
+    }
+  }
+  return flat;
+}
+
+FoldMotion::FoldMotion(const FlatPiece& piece) : flat_(piece.flat), plate_(plates_of(piece)) {
+  for (std::uint32_t f = 0; f < plate_.size(); ++f) {
+    faces_.resize(std::max<std::size_t>(faces_.size(), plate_[f] + 1));
+    faces_[plate_[f]].push_back(f);
+  }
+  Links links;
+  for (std::uint32_t side = 0; side < piece.across.size(); ++side) {
+    if (piece.across[side] != nothing && plate_[side / 3] != plate_[piece.across[side]]) {
+      links[{plate_[side / 3], plate_[piece.across[side]]}].push_back(side);
+    }
+  }
+  Neighbours neighbours(faces_.size());
+  for (const auto& [pair, sides] : links) {
+    neighbours[pair.first].push_back(pair.second);
+  }
+  const Reach reach = reach_from(middle_plate(neighbours), neighbours);
+  inner_of_ = reach.before;
+  hung_.resize(faces_.size());
+  std::vector<std::uint32_t> crease_of(faces_.size(), nothing);  // the one that moves the plate
+  for (std::size_t i = 1; i < reach.order.size(); ++i) {
+    const std::uint32_t outer = reach.order[i];
+    const std::uint32_t inner = reach.before[outer];
+    crease_of[outer] = static_cast<std::uint32_t>(creases_.size());
+    hung_[inner].push_back(crease_of[outer]);
+    const std::uint32_t depth = crease_of[inner] == nothing ? 1 : creases_[crease_of[inner]].depth + 1;
+    creases_.push_back({inner, outer, depth, links[{inner, outer}]});
+    const std::uint32_t side = creases_.back().sides.front();
+    const Triangle& corners = flat_[side / 3];
+    const Vec2 start = corners[side % 3];
+    const Vec2 along = corners[(side % 3 + 1) % 3] - start;
+    hinges_.push_back({start, along / length(along), -piece.angle[side]});
+  }
+  for (const auto& [pair, sides] : links) {
+    const auto [p, q] = pair;
+    if (p < q && !hinged(p, q)) {
+      const std::uint32_t later =
+          std::max(crease_of[p] == nothing ? 0 : crease_of[p], crease_of[q] == nothing ? 0 : crease_of[q]);
+      creases_[later].sides.insert(creases_[later].sides.end(), sides.begin(), sides.end());
+    }
+  }
+}
+
+void FoldMotion::place(std::uint32_t crease, Pose& pose) const {
+  const Crease& c = creases_[crease];
+  const Hinge& hinge = hinges_[crease];
+  const Motion motion =
+      pose.motion[c.inner] * turn_about(hinge.start, hinge.direction, pose.share[crease] * hinge.angle);
+  pose.motion[c.outer] = motion;
+  for (const std::uint32_t f : faces_[c.outer]) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      pose.corners[f][k] = motion({flat_[f][k].x, flat_[f][k].y, 0.0});
+    }
+  }
+}
+
+void FoldMotion::pose(std::vector<double> share, Pose& pose) const {
+  pose.share = std::move(share);
+  pose.motion.assign(faces_.size(), {});
+  pose.corners.resize(flat_.size());
+  for (std::size_t f = 0; f < flat_.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      pose.corners[f][k] = {flat_[f][k].x, flat_[f][k].y, 0.0};
+    }
+  }
+  for (std::uint32_t i = 0; i < creases_.size(); ++i) {
+    place(i, pose);
+  }
+}
+
+std::vector<std::uint32_t> FoldMotion::creases_from(std::uint32_t crease) const {
+  std::vector<std::uint32_t> found{crease};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto& next = hung_[creases_[found[i]].outer];
+    found.insert(found.end(), next.begin(), next.end());
+  }
+  return found;
+}
+
+std::vector<std::uint32_t> FoldMotion::faces_beyond(std::uint32_t crease) const {
+  std::vector<std::uint32_t> faces;
+  for (const std::uint32_t c : creases_from(crease)) {
+    const auto& more = faces_[creases_[c].outer];
+    faces.insert(faces.end(), more.begin(), more.end());
+  }
+  return faces;
+}
+
+void FoldMotion::fold(std::uint32_t crease, double share, Pose& pose) const {
+  pose.share[crease] = share;
+  for (const std::uint32_t c : creases_from(crease)) {
+    place(c, pose);
+  }
+}
+
+}  // namespace ridgecraft::unfold

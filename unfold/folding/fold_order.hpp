@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Can a piece be folded up without running through itself, and in which order? Self-folding sheets can't help
+// themselves with a finger, and makers like to know before they glue.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/foundation/context.hpp"
+#include "mesh/surface.hpp"
+#include "unfold/folding/fold_motion.hpp"
+#include "unfold/folding/fold_trial.hpp"
+#include "unfold/nets.hpp"
+
+namespace ridgecraft::unfold {
+
+/// A way to fold, and the creases in their order (none where all are folded at a time).
+struct Folding {
+  FoldWay way = FoldWay::together;
+  std::vector<std::uint32_t> order;
+};
+
+/// The first of these ways in which no two faces of the piece meet, found by sampled motion: all creases at a
+/// time, growing alike; one after the other, the outermost first; one after the other from the middle. Where
+/// each way fails it is `with_care`, in the second order. Single creases are tried where their number times
+/// that of the faces is no more than 120,000: about 350 flat regions. Tabs are not looked at. Deterministic
+/// but for the deadline.
+[[nodiscard]] Folding find_folding(const FoldMotion& motion, FoldTrial& trial, const Context& context);
+
+/// The same without the first way, which is known to fail.
+[[nodiscard]] Folding find_order(const FoldMotion& motion, FoldTrial& trial, const Context& context);
+
+/// The same for a finished piece, edge by edge.
+[[nodiscard]] FoldOrder find_fold_order(const mesh::Surface& surface, const Nets& nets, PieceId piece,
+                                        const Context& context);
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// When it is settled which faces make a piece, its tree is chosen once more: for tabs, and so that it folds
+// freely.
+#pragma once
+
+#include "mesh/foundation/context.hpp"
+#include "mesh/panels.hpp"
+#include "mesh/surface.hpp"
+#include "unfold/room.hpp"
+#include "unfold/search/patch.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::unfold {
+
+/// Changes the tree of each piece of a clean forest so that more of its cuts have room for a usable tab
+/// (tab_search.hpp, where tabs are wanted); then so that it doesn't run through itself while it is folded
+/// (free_folding.hpp), where that costs no more than a few edges to be glued; then for its shape
+/// (tidy_piece.hpp), where that costs neither. The pieces keep their faces, stay free of overlap and fit the
+/// room if they did. The patch is the whole surface. Deterministic for one seed but for the deadline; one
+/// piece is one task.
+[[nodiscard]] Folds better_trees(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch,
+                                 const Folds& folds, const Options& options, const Room& room,
+                                 const Context& context);
+
+}  // namespace ridgecraft::unfold

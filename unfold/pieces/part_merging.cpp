@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/part_merging.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "unfold/check.hpp"
+#include "unfold/objective.hpp"
+#include "unfold/pieces/piece_borders.hpp"
+#include "unfold/search/forest.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/one_piece.hpp"
+#include "unfold/search/sub_patch.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Cuts at which two pieces are tried to be joined as they are.
+constexpr std::size_t cuts_tried = 24;
+/// Faces times iterations of all unions that are unfolded afresh, and faces of all that are joined as they
+/// are: about two seconds each.
+constexpr std::uint64_t fresh_budget = 8'000'000;
+constexpr std::size_t join_budget = 1'000'000;
+/// Larger unions take too long.
+constexpr std::size_t most_faces = 1500;
+
+using Faces = std::vector<std::uint32_t>;
+
+struct Piece {
+  Faces faces;  ///< ascending
+  double cost = 0.0;
+  std::size_t parts = 1;
+  bool merged = false;
+};
+
+class PartMerger {
+ public:
+  PartMerger(const Patch& patch, std::span<const PartId> part, const Folds& folds, const Room& room,
+             const Weights& weights, double tolerance, std::uint64_t seed, const Context& context)
+      : patch_(patch),
+        part_(part),
+        folds_(folds),
+        room_(room),
+        weights_(weights),
+        random_(seed),
+        context_(context) {
+    search_.tolerance = tolerance;
+    search_.starts = 2;
+    for (Faces& faces : lay_out(patch, folds).faces) {
+      std::sort(faces.begin(), faces.end());
+      Piece& piece = pieces_.emplace_back();
+      piece.faces = std::move(faces);
+      renew(piece);
+    }
+  }
+
+  Folds run() {
+    for (bool again = true; again;) {
+      again = false;
+      for (const PieceBorder& border : borders()) {
+        context_.check();
+        if (context_.out_of_time()) {
+          return std::move(folds_);
+        }
+        if (merge(border)) {
+          again = true;
+          break;
+        }
+      }
+    }
+    return std::move(folds_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t count_parts(const Faces& faces) const {
+    std::set<PartId> parts;
+    for (const std::uint32_t f : faces) {
+      parts.insert(part_[f]);
+    }
+    return parts.size();
+  }
+
+  void renew(Piece& piece) {
+    piece.parts = count_parts(piece.faces);
+    piece.cost = cost_of_piece(sub_patch(patch_, piece.faces), sub_folds(patch_, folds_, piece.faces),
+                               piece.parts, weights_);
+  }
+
+  [[nodiscard]] std::vector<PieceBorder> borders() const {
+    std::vector<std::uint32_t> piece(patch_.size(), 0);
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
+      for (const std::uint32_t f : pieces_[p].faces) {
+        piece[f] = p;
+      }
+    }
+    return piece_borders(patch_, piece);
+  }
+
+  bool merge(const PieceBorder& border) {
+    Piece& a = pieces_[border.a];
+    Piece& b = pieces_[border.b];
+    Piece both;
+    std::merge(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
+               std::back_inserter(both.faces));
+    if (both.faces.size() > most_faces || failed_.contains(both.faces)) {
+      return false;
+    }
+    const double limit = a.cost + b.cost;
+    const Patch patch = sub_patch(patch_, both.faces);
+    const std::size_t parts = count_parts(both.faces);
+    std::optional<Folds> tree;
+    if (least_pieces(patch, room_) == 1 && least_cost_of_piece(patch, parts, weights_) < limit) {
+      tree = join_as_they_are(patch, both.faces, parts, limit);
+      // Pieces of one part were unfolded together in vain when the part was (unite_pieces.hpp).
+      if (!tree && (parts > 1 || a.merged || b.merged)) {
+        tree = unfold_afresh(patch, parts, limit);
+      }
+    }
+    if (!tree) {
+      failed_.insert(std::move(both.faces));
+      return false;
+    }
+    put_back(patch_, both.faces, *tree, folds_);
+    both.merged = true;
+    renew(both);
+    a = std::move(both);
+    pieces_.erase(pieces_.begin() + border.b);
+    return true;
+  }
+
+  /// Both nets stay as they are, one is laid against the other: over the cut between them that costs least.
+  std::optional<Folds> join_as_they_are(const Patch& patch, const Faces& faces, std::size_t parts,
+                                        double limit) {
+    const Folds apart = sub_folds(patch_, folds_, faces);
+    const Layout layout = lay_out(patch, apart);
+    std::vector<std::uint32_t> cuts;
+    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+      const std::uint32_t twin = patch.twin[side];
+      if (twin != nothing && side < twin && layout.piece[side / 3] != layout.piece[twin / 3]) {
+        cuts.push_back(side);
+      }
+    }
+    std::stable_sort(cuts.begin(), cuts.end(), [&](std::uint32_t s, std::uint32_t t) {
+      return patch.frozen[s] != patch.frozen[t] ? patch.frozen[s] > patch.frozen[t]
+                                                : patch.length[s] > patch.length[t];
+    });
+    cuts.resize(std::min(cuts.size(), cuts_tried));
+    std::optional<Folds> best;
+    for (const std::uint32_t side : cuts) {
+      if (joined_ >= join_budget) {
+        break;
+      }
+      joined_ += faces.size();
+      Folds trial = apart;
+      set_fold(patch, trial, side, true);
+      if (!all_fit(patch, trial, room_)) {
+        continue;
+      }
+      const double cost = cost_of_piece(patch, trial, parts, weights_);
+      if (cost < limit && find_overlaps(lay_out(patch, trial), search_.tolerance).empty()) {
+        limit = cost;
+        best = std::move(trial);
+      }
+    }
+    return best;
+  }
+
+  std::optional<Folds> unfold_afresh(const Patch& patch, std::size_t parts, double limit) {
+    if (fresh_ >= fresh_budget) {
+      return std::nullopt;
+    }
+    OnePieceFound found = find_one_piece(patch, room_, search_, random_.next(), context_);
+    fresh_ += found.cost;
+    std::optional<Folds> tree = std::move(found.tree);
+    if (tree && !(cost_of_piece(patch, *tree, parts, weights_) < limit)) {
+      tree.reset();
+    }
+    return tree;
+  }
+
+  const Patch& patch_;
+  std::span<const PartId> part_;
+  Folds folds_;
+  const Room& room_;
+  const Weights& weights_;
+  Random random_;
+  const Context& context_;
+  OnePieceSearch search_;
+  std::vector<Piece> pieces_;
+  std::set<Faces> failed_;
+  std::size_t joined_ = 0;
+  std::uint64_t fresh_ = 0;
+};
+
+}  // namespace
+
+Folds merge_parts(const Patch& patch, std::span<const PartId> part, const Folds& folds, const Room& room,
+                  const Weights& weights, double tolerance, std::uint64_t seed, const Context& context) {
+  return PartMerger(patch, part, folds, room, weights, tolerance, seed, context).run();
+}
+
+}  // namespace ridgecraft::unfold

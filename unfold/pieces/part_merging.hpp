@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// After the parts are unfolded: neighbouring pieces, of one part or of several, become one where that is
+// easier to build.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "mesh/foundation/context.hpp"
+#include "mesh/foundation/id.hpp"
+#include "unfold/piece_rules.hpp"
+#include "unfold/room.hpp"
+#include "unfold/search/patch.hpp"
+
+namespace ridgecraft::unfold {
+
+/// Replaces two neighbouring pieces by one net of both where there is one without overlap (deeper than
+/// `tolerance`, mm) that fits the room and costs less than the two (objective.hpp), the smallest pieces
+/// first, until there are no such neighbours. The patch is the whole surface; `part`: of each of its faces.
+/// Panels stay whole. Deterministic for one seed but for the deadline.
+[[nodiscard]] Folds merge_parts(const Patch& patch, std::span<const PartId> part, const Folds& folds,
+                                const Room& room, const Weights& weights, double tolerance,
+                                std::uint64_t seed, const Context& context);
+
+}  // namespace ridgecraft::unfold

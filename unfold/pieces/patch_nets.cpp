@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/patch_nets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "unfold/check.hpp"
+#include "unfold/pieces/merge_pieces.hpp"
+#include "unfold/pieces/overlap_split.hpp"
+#include "unfold/pieces/unite_pieces.hpp"
+#include "unfold/search/fit_search.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/net_search.hpp"
+#include "unfold/search/one_piece.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Pairs of faces that one merge pass may compare: about 0.1 s.
+constexpr std::uint64_t merge_budget = 4'000'000;
+
+/// Start trees of the attempts: the compact kinds first.
+constexpr std::array attempt_kinds{
+    StartTree::short_cuts,  StartTree::breadth_first, StartTree::flat_folds,    StartTree::short_cuts,
+    StartTree::depth_first, StartTree::breadth_first, StartTree::breadth_first, StartTree::short_cuts};
+
+/// Attempts that are made although a net was found: to choose the best. Fewer where each takes long.
+std::size_t attempts_for(std::uint32_t faces) {
+  return faces <= 500 ? attempt_kinds.size() : faces <= 1500 ? 4 : faces <= 3000 ? 2 : 1;
+}
+
+/// Changes of shape that are tried for a net that is larger than the sheet.
+constexpr std::uint64_t fit_trials = 400;
+/// Faces times iterations, about 0.5 s, after which no more of them are made: spiky solids take long each
+/// time.
+constexpr std::uint64_t attempts_cost = 2'000'000;
+
+/// Start trees before a patch counts as having no single net.
+constexpr int starts_tried = 3;
+
+/// Rounds of taking pieces apart and joining them anew: fewer where each takes long.
+int refine_rounds(std::uint32_t faces) {
+  return faces <= 500 ? 30 : faces <= 1500 ? 15 : 5;
+}
+
+/// A forest that could be the result.
+struct Proposal {
+  Folds folds;
+  SplitCost cost;
+  std::vector<std::uint32_t> net;  ///< per face: its net before any was split for the sheet
+};
+
+class PatchUnfolder {
+ public:
+  PatchUnfolder(const Patch& patch, const Room& room, PanelCuts cuts, double tolerance, std::uint64_t seed,
+                const Context& context)
+      : patch_(patch),
+        room_(room),
+        cuts_(cuts),
+        tolerance_(tolerance),
+        random_(seed),
+        context_(context),
+        least_pieces_(least_pieces(patch, room)) {
+    has_panels_ =
+        std::any_of(patch.frozen.begin(), patch.frozen.end(), [](std::uint8_t f) { return f != 0; });
+  }
+
+  PatchNets run() {
+    try_nets(patch_, static_cast<std::uint32_t>(panel_count(patch_)));
+    if (!best_ && has_panels_ && cuts_ == PanelCuts::before_pieces && !context_.out_of_time()) {
+      Patch loose = patch_;
+      std::fill(loose.frozen.begin(), loose.frozen.end(), std::uint8_t{0});
+      try_nets(loose, loose.size());
+      if (best_) {
+        notes_.emplace_back("no single net with all flat regions whole was found, so some are cut");
+      }
+    }
+    if (!best_) {
+      cut_conflicts();
+    }
+    if (best_->cost.pieces > 1) {
+      propose(merge_pieces(patch_, panel_folds(), room_, tolerance_, merge_budget, context_), best_->net);
+    }
+    refine();
+    unite();
+    insist_on_clean();
+    const std::size_t pieces = cost_of(patch_, best_->folds).pieces;
+    if (no_single_net_ && pieces > 1) {
+      notes_.push_back("no single net" + std::string(has_panels_ ? " with all flat regions whole" : "") +
+                       " was found" + (out_of_time_ ? " in the time given" : "") + ", so it becomes " +
+                       std::to_string(pieces) + " pieces");
+    }
+    return {best_->folds, reasons(), std::move(notes_)};
+  }
+
+ private:
+  /// Single nets from several start trees; keeps the best. Gives up when the first search fails with its full
+  /// budget; later ones may take twice as long as it took, since there is a net to fall back on.
+  void try_nets(const Patch& patch, std::uint32_t panels) {
+    NetSearch options;
+    options.tolerance = tolerance_;
+    // Where a piece more is the alternative, whole panels are worth the trouble.
+    options.starts = has_panels_ && cuts_ == PanelCuts::only_if_too_large ? 2 * starts_tried : starts_tried;
+    options.iterations = iteration_budget(panels);
+    options.idle = idle_iterations(panels);
+    std::uint64_t cost = 0;
+    for (std::size_t attempt = 0; attempt < attempts_for(patch.size()); ++attempt) {
+      if (attempt > 0 && (cost > attempts_cost || context_.out_of_time())) {
+        return;
+      }
+      options.start = attempt_kinds[attempt];
+      NetFound found = find_net(patch, options, random_.next(), context_);
+      cost += found.iterations * patch.size();
+      if (found.overlaps == 0) {
+        propose(found.folds, std::vector<std::uint32_t>(patch.size(), 0));
+      } else if (attempt == 0) {
+        failed_.push_back(std::move(found));
+        return;
+      }
+      if (attempt == 0) {
+        options.starts = 1;
+        options.iterations = 2 * found.iterations + patch.size();
+      }
+    }
+  }
+
+  /// Makes a clean forest fit the room and keeps it if it is better than the best so far.
+  void propose(const Folds& clean, std::vector<std::uint32_t> net) {
+    Folds folds = clean;
+    const bool single = cost_of(patch_, folds).pieces == 1;
+    if (single && room_.sheet && !all_fit(patch_, folds, room_)) {
+      // Where even one piece might do, a net is bent a little before it is split.
+      if (least_pieces_ == 1) {
+        folds = shrink_to_fit(patch_, folds, room_, tolerance_, fit_trials, random_.next(), context_);
+      }
+    }
+    too_many_panels_ = too_many_panels_ || (single && all_fit(patch_, folds, {room_.sheet, room_.strip, 0}));
+    if (!all_fit(patch_, folds, room_)) {
+      folds = split_to_fit(patch_, folds, room_, random_, context_);
+      folds = merge_pieces(patch_, folds, room_, tolerance_, merge_budget, context_);
+    }
+    const SplitCost cost = cost_of(patch_, folds);
+    if (!best_ || cost < best_->cost) {
+      best_ = {std::move(folds), cost, std::move(net)};
+    }
+  }
+
+  /// Takes a random piece, and sometimes one beside it, apart into panels and joins what lies there anew in
+  /// another order; keeps what isn't worse (ruin and recreate: G. Schrimpf et al., 2000).
+  void refine() {
+    const Folds panels = panel_folds();
+    for (int round = 0; round < refine_rounds(patch_.size()); ++round) {
+      if (best_->cost.pieces <= least_pieces_ || context_.out_of_time()) {
+        return;
+      }
+      context_.check();
+      Folds folds =
+          merge_pieces(patch_, taken_apart(panels), room_, tolerance_, merge_budget, context_, &random_);
+      const SplitCost cost = cost_of(patch_, folds);
+      if (!(best_->cost < cost) && all_fit(patch_, folds, room_)) {
+        best_->folds = std::move(folds);
+        best_->cost = cost;
+      }
+    }
+  }
+
+  /// Neighbours are unfolded afresh together, where that makes one piece of two.
+  void unite() {
+    if (best_->cost.pieces <= least_pieces_ || context_.out_of_time()) {
+      return;
+    }
+    Folds folds = unite_pieces(patch_, best_->folds, room_, tolerance_, random_.next(), context_);
+    const SplitCost cost = cost_of(patch_, folds);
+    if (cost.pieces < best_->cost.pieces) {
+      best_->folds = std::move(folds);
+      best_->cost = cost;
+    }
+  }
+
+  /// The best forest with one or two pieces broken into their panels.
+  [[nodiscard]] Folds taken_apart(const Folds& panels) {
+    const Layout layout = lay_out(patch_, best_->folds);
+    std::vector<std::uint8_t> broken(layout.faces.size(), 0);
+    // The smaller of two, since small pieces are the ones to get rid of.
+    const auto count = static_cast<std::uint32_t>(layout.faces.size());
+    const std::uint32_t a = random_.below(count);
+    const std::uint32_t b = random_.below(count);
+    const std::uint32_t chosen = layout.faces[a].size() <= layout.faces[b].size() ? a : b;
+    broken[chosen] = 1;
+    const auto& faces = layout.faces[chosen];
+    const std::uint32_t side =
+        3 * faces[random_.below(static_cast<std::uint32_t>(faces.size()))] + random_.below(3);
+    if (patch_.twin[side] != nothing) {
+      broken[layout.piece[patch_.twin[side] / 3]] = 1;
+    }
+    Folds folds = best_->folds;
+    for (std::uint32_t s = 0; s < folds.size(); ++s) {
+      // A panel may be cut between two pieces: a fold needs both of its faces taken apart.
+      const std::uint32_t twin = patch_.twin[s];
+      if (twin != nothing && broken[layout.piece[s / 3]] != 0 && broken[layout.piece[twin / 3]] != 0) {
+        folds[s] = panels[s];
+      }
+    }
+    return folds;
+  }
+
+  /// What is returned has passed the check in a fresh layout, whatever the steps before believed.
+  void insist_on_clean() {
+    while (!find_overlaps(lay_out(patch_, best_->folds), 2.0 * tolerance_).empty()) {
+      best_->folds = split_overlaps(patch_, best_->folds, 2.0 * tolerance_);
+      best_->net = lay_out(patch_, best_->folds).piece;
+    }
+  }
+
+  /// No single net was found: the best trees are cut where they overlap and joined where that is possible.
+  void cut_conflicts() {
+    const Room anywhere;
+    std::optional<Folds> fewest;
+    for (const NetFound& found : failed_) {
+      Folds folds = split_overlaps(patch_, found.folds, tolerance_);
+      folds = merge_pieces(patch_, folds, anywhere, tolerance_, merge_budget, context_);
+      if (!fewest || cost_of(patch_, folds) < cost_of(patch_, *fewest)) {
+        fewest = std::move(folds);
+      }
+    }
+    out_of_time_ = context_.out_of_time();
+    const Layout layout = lay_out(patch_, *fewest);
+    no_single_net_ = true;
+    propose(*fewest, layout.piece);
+  }
+
+  [[nodiscard]] Folds panel_folds() {
+    Random random(1);
+    Folds folds = start_tree(patch_, StartTree::short_cuts, random);
+    for (std::size_t side = 0; side < folds.size(); ++side) {
+      folds[side] = folds[side] != 0 && patch_.frozen[side] != 0 ? 1 : 0;
+    }
+    return folds;
+  }
+
+  /// The largest piece stands for the patch; the largest of each net that overlap forced apart is there for
+  /// that, any other is there for the page.
+  [[nodiscard]] std::vector<PieceReason> reasons() const {
+    const Layout layout = lay_out(patch_, best_->folds);
+    std::vector<PieceReason> reason(layout.faces.size(),
+                                    too_many_panels_ ? PieceReason::faces : PieceReason::page);
+    std::vector<std::uint32_t> by_size(layout.faces.size());
+    for (std::uint32_t i = 0; i < by_size.size(); ++i) {
+      by_size[i] = i;
+    }
+    std::stable_sort(by_size.begin(), by_size.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return layout.faces[a].size() > layout.faces[b].size();
+    });
+    std::vector<std::uint8_t> seen(patch_.size(), 0);
+    for (const std::uint32_t piece : by_size) {
+      const std::uint32_t net = best_->net[layout.faces[piece].front()];
+      if (seen[net] == 0) {
+        seen[net] = 1;
+        reason[piece] = out_of_time_ ? PieceReason::time : PieceReason::overlap;
+      }
+    }
+    reason[by_size.front()] = PieceReason::part;
+    return reason;
+  }
+
+  const Patch& patch_;
+  const Room& room_;
+  PanelCuts cuts_;
+  double tolerance_;
+  Random random_;
+  const Context& context_;
+  std::size_t least_pieces_;  ///< that no arrangement can do without
+  bool has_panels_ = false;
+  bool out_of_time_ = false;
+  bool no_single_net_ = false;
+  bool too_many_panels_ = false;  ///< a net fits the sheet, but has more panels than a piece may have
+  std::optional<Proposal> best_;
+  std::vector<NetFound> failed_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+PatchNets unfold_patch(const Patch& patch, const Room& room, PanelCuts cuts, double tolerance,
+                       std::uint64_t seed, const Context& context) {
+  return PatchUnfolder(patch, room, cuts, tolerance, seed, context).run();
+}
+
+}  // namespace ridgecraft::unfold
