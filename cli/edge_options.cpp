@@ -160,8 +160,13 @@ void add_edge_options(Verb& verb, EdgeArguments& edges) {
 }
 
 EdgeFiles read_edge_files(const EdgeArguments& edges) {
-  const auto read = [](const std::string& name) {
-    return name.empty() ? std::nullopt : std::optional(EdgeFile{name, mesh::read_file(name)});
+  const auto read = [](const std::string& name) -> std::optional<EdgeFile> {
+    if (name.empty()) {
+      return std::nullopt;
+    }
+    // Read before the aggregate begins: g++ 12 destroys its members twice where one of them throws.
+    std::string bytes = mesh::read_file(name);
+    return EdgeFile{name, std::move(bytes)};
   };
   return {read(edges.cuts), read(edges.keep), read(edges.from)};
 }
