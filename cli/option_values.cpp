@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/sentence.hpp"
 #include "cli/units.hpp"
 #include "mesh/foundation/error.hpp"
 #include "mesh/foundation/length_text.hpp"
@@ -61,12 +62,7 @@ double number_or_refuse(const std::string& option, const std::string& text, doub
 
 void refuse_choice(const std::string& option, const std::vector<std::string>& words,
                    const std::string& text) {
-  std::string list;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    list += i == 0 ? "" : i + 1 == words.size() ? " or " : ", ";
-    list += words[i];
-  }
-  refuse(option + " takes " + list + ", not '" + text + "'");
+  refuse(option + " takes " + listed(words, "or") + ", not '" + text + "'");
 }
 
 double percent_or_refuse(const std::string& option, const std::string& text, double low, double high) {

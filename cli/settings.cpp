@@ -51,15 +51,22 @@ void add_edges(const EdgeFiles& edges, paper::Settings& settings) {
   add("from", edges.from);
 }
 
-}  // namespace
-
-paper::Settings settings_of(const PaperJob& job, const SizeArguments& size, const EdgeFiles& edges) {
+/// What both jobs that make nets are told.
+template <class Job>
+paper::Settings shared_settings(const Job& job, const SizeArguments& size, const EdgeFiles& edges) {
   paper::Settings settings;
   add_size(size, settings);
   add_tabs(job.tabs, settings);
   add_edges(edges, settings);
   settings["seed"] = std::to_string(job.common.seed);
   settings["concavity"] = number(job.concavity);
+  return settings;
+}
+
+}  // namespace
+
+paper::Settings settings_of(const PaperJob& job, const SizeArguments& size, const EdgeFiles& edges) {
+  paper::Settings settings = shared_settings(job, size, edges);
   settings["paper_mm"] = fmt::format("[{},{}]", job.paper.size.x, job.paper.size.y);
   settings["margin_mm"] = number(job.paper.margin);
   settings["gap_mm"] = number(job.paper.gap);
@@ -74,12 +81,7 @@ paper::Settings settings_of(const PaperJob& job, const SizeArguments& size, cons
 }
 
 paper::Settings settings_of(const UnfoldJob& job, const SizeArguments& size, const EdgeFiles& edges) {
-  paper::Settings settings;
-  add_size(size, settings);
-  add_tabs(job.tabs, settings);
-  add_edges(edges, settings);
-  settings["seed"] = std::to_string(job.common.seed);
-  settings["concavity"] = number(job.concavity);
+  paper::Settings settings = shared_settings(job, size, edges);
   settings["whole"] = job.whole ? "true" : "false";
   return settings;
 }

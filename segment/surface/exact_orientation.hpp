@@ -38,34 +38,32 @@ __extension__ using Int128 = __int128;
   return value > 0 ? 1 : (value < 0 ? -1 : 0);
 }
 
-/// Sign of ((b - a) x (c - a)) . (d - a): 1 when d is on the side from which a, b, c run counterclockwise.
-[[nodiscard]] inline int exact_orientation(Vec3 pa, Vec3 pb, Vec3 pc, Vec3 pd) {
-  const GridPoint a = grid_point(pa);
-  const GridPoint b = grid_point(pb);
-  const GridPoint c = grid_point(pc);
-  const GridPoint d = grid_point(pd);
+/// (b - a) x (c - a), exactly.
+struct GridNormal {
+  Int128 x, y, z;
+};
+[[nodiscard]] inline GridNormal grid_normal(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
   const Int128 ux = b.x - a.x;
   const Int128 uy = b.y - a.y;
   const Int128 uz = b.z - a.z;
   const Int128 vx = c.x - a.x;
   const Int128 vy = c.y - a.y;
   const Int128 vz = c.z - a.z;
-  return sign_of((uy * vz - uz * vy) * (d.x - a.x) + (uz * vx - ux * vz) * (d.y - a.y) +
-                 (ux * vy - uy * vx) * (d.z - a.z));
+  return {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
+}
+
+/// Sign of ((b - a) x (c - a)) . (d - a): 1 when d is on the side from which a, b, c run counterclockwise.
+[[nodiscard]] inline int exact_orientation(Vec3 pa, Vec3 pb, Vec3 pc, Vec3 pd) {
+  const GridPoint a = grid_point(pa);
+  const GridPoint d = grid_point(pd);
+  const GridNormal n = grid_normal(a, grid_point(pb), grid_point(pc));
+  return sign_of(n.x * (d.x - a.x) + n.y * (d.y - a.y) + n.z * (d.z - a.z));
 }
 
 /// Whether three points of space lie on one line.
 [[nodiscard]] inline bool exactly_collinear(Vec3 pa, Vec3 pb, Vec3 pc) {
-  const GridPoint a = grid_point(pa);
-  const GridPoint b = grid_point(pb);
-  const GridPoint c = grid_point(pc);
-  const Int128 ux = b.x - a.x;
-  const Int128 uy = b.y - a.y;
-  const Int128 uz = b.z - a.z;
-  const Int128 vx = c.x - a.x;
-  const Int128 vy = c.y - a.y;
-  const Int128 vz = c.z - a.z;
-  return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
+  const GridNormal n = grid_normal(grid_point(pa), grid_point(pb), grid_point(pc));
+  return n.x == 0 && n.y == 0 && n.z == 0;
 }
 
 }  // namespace ridgecraft::segment

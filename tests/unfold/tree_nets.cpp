@@ -6,9 +6,9 @@
 #include <cmath>
 #include <deque>
 #include <numbers>
-#include <numeric>
 
 #include "mesh/foundation/context.hpp"
+#include "mesh/foundation/disjoint_sets.hpp"
 
 namespace ridgecraft::test {
 
@@ -17,23 +17,6 @@ using unfold::EdgeUse;
 using unfold::Nets;
 
 namespace {
-
-struct Sets {
-  explicit Sets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent[i] != i) {
-      i = parent[i] = parent[parent[i]];
-    }
-    return i;
-  }
-  bool unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-  std::vector<std::uint32_t> parent;
-};
 
 void shuffle(std::vector<EdgeId>& edges, Random& random) {
   for (std::size_t i = edges.size(); i > 1; --i) {
@@ -164,11 +147,11 @@ Nets lay_out(const Surface& s, const FoldOrder& order, const std::vector<EdgeId>
   nets.use = IdVector<EdgeId, EdgeUse>(s.edge_count(), EdgeUse::cut);
   nets.piece = IdVector<FaceId, PieceId>(s.face_count());
   nets.flat = IdVector<FaceId, std::array<Vec2, 3>>(s.face_count());
-  Sets sets(s.face_count());
+  DisjointSets sets(s.face_count());
   for (const EdgeId e : order) {
     const auto [a, b] = s.sides(e);
     if (b.valid() && std::find(keep_cut.begin(), keep_cut.end(), e) == keep_cut.end() &&
-        sets.unite(mesh::face_of(a).value(), mesh::face_of(b).value())) {
+        sets.join(mesh::face_of(a).value(), mesh::face_of(b).value())) {
       nets.use[e] = EdgeUse::fold;
     }
   }

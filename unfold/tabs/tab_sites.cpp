@@ -2,30 +2,13 @@
 #include "unfold/tabs/tab_sites.hpp"
 
 #include <cmath>
-#include <numeric>
 
+#include "mesh/foundation/disjoint_sets.hpp"
 #include "unfold/tabs/box_grid.hpp"
 
 namespace ridgecraft::unfold {
 
 namespace {
-
-/// Union-find with path halving; the smallest member stands for a set.
-struct Sets {
-  explicit Sets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent[i] != i) {
-      i = parent[i] = parent[parent[i]];
-    }
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent[a < b ? b : a] = a < b ? a : b;
-  }
-  std::vector<std::uint32_t> parent;
-};
 
 Vec2 flat_corner(const Nets& nets, CornerId c) {
   return nets.flat[mesh::face_of(c)][c.value() % 3];
@@ -160,7 +143,7 @@ ConvexShape Frame::in(const ConvexShape& shape) const {
 }
 
 FlatRegions flat_regions(const mesh::Surface& surface, const mesh::Panels& panels, const Nets& nets) {
-  Sets sets(surface.face_count());
+  DisjointSets sets(surface.face_count());
   const auto inside = [&](CornerId c) {
     const FaceId g = surface.neighbor(c);
     return g.valid() && nets.use[surface.edge(c)] == EdgeUse::fold &&
@@ -168,7 +151,7 @@ FlatRegions flat_regions(const mesh::Surface& surface, const mesh::Panels& panel
   };
   for (const CornerId c : ids<CornerId>(surface.corner_count())) {
     if (inside(c)) {
-      sets.unite(mesh::face_of(c).value(), surface.neighbor(c).value());
+      sets.join(mesh::face_of(c).value(), surface.neighbor(c).value());
     }
   }
   FlatRegions result;
@@ -192,10 +175,10 @@ FlatRegions flat_regions(const mesh::Surface& surface, const mesh::Panels& panel
 }
 
 std::vector<std::uint32_t> net_vertices(const mesh::Surface& surface, const Nets& nets) {
-  Sets sets(surface.corner_count());
+  DisjointSets sets(surface.corner_count());
   for (const CornerId c : ids<CornerId>(surface.corner_count())) {
     if (nets.use[surface.edge(c)] == EdgeUse::fold) {
-      sets.unite(c.value(), mesh::next(surface.twin(c)).value());
+      sets.join(c.value(), mesh::next(surface.twin(c)).value());
     }
   }
   std::vector<std::uint32_t> result(surface.corner_count());
