@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include "mesh/surface.hpp"
+
 namespace ridgecraft::test {
 
 void PlainPieces::add(const std::vector<std::array<Vec2, 3>>& triangles, std::uint32_t part) {
