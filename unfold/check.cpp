@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/foundation/convex_hull.hpp"
+
 namespace ridgecraft::unfold {
 namespace {
 
@@ -17,26 +19,12 @@ long double turn(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Convex hull, counterclockwise, without collinear points (A. Andrew's monotone chain, 1979).
 std::vector<Point> hull_of(std::array<Point, 9> points) {
   std::sort(points.begin(), points.end(),
             [](const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::vector<Point> hull;
   hull.reserve(12);
-  const auto add = [&hull](const Point& p, std::size_t keep) {
-    while (hull.size() >= keep + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0L) {
-      hull.pop_back();
-    }
-    hull.push_back(p);
-  };
-  for (const Point& p : points) {
-    add(p, 0);
-  }
-  const std::size_t lower = hull.size() - 1;
-  for (std::size_t i = points.size() - 1; i-- > 0;) {
-    add(points[i], lower);
-  }
-  hull.pop_back();
+  monotone_chain(points, turn, hull);
   return hull;
 }
 

@@ -2,7 +2,6 @@
 #include "mesh/foundation/convex_hull.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace ridgecraft {
 
@@ -14,20 +13,8 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
     return points;
   }
   std::vector<Vec2> hull;
-  const auto add = [&hull](Vec2 p, std::size_t keep) {
-    while (hull.size() >= keep + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0) {
-      hull.pop_back();
-    }
-    hull.push_back(p);
-  };
-  for (const Vec2 p : points) {
-    add(p, 0);
-  }
-  const std::size_t lower = hull.size() - 1;
-  for (std::size_t i = points.size() - 1; i-- > 0;) {
-    add(points[i], lower);
-  }
-  hull.pop_back();
+  monotone_chain(
+      points, [](Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - b); }, hull);
   return hull;
 }
 

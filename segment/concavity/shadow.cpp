@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "mesh/foundation/convex_hull.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
@@ -51,21 +53,10 @@ void Shadow::cast(std::span<const Vec3> points, std::span<const std::uint32_t> i
   std::sort(spots_.begin(), spots_.end(), [](const Spot& p, const Spot& q) {
     return p.x != q.x ? p.x < q.x : (p.y != q.y ? p.y < q.y : p.id < q.id);
   });
-  // Andrew's monotone chain.
-  const auto half = [&](auto first, auto last) {
-    chain_.clear();
-    for (auto spot = first; spot != last; ++spot) {
-      while (chain_.size() >= 2 && turn(chain_[chain_.size() - 2], chain_.back(), *spot) <= 0.0) {
-        chain_.pop_back();
-      }
-      chain_.push_back(*spot);
-    }
-    for (std::size_t i = 0; i + 1 < chain_.size(); ++i) {
-      corners_.push_back(chain_[i].id);
-    }
-  };
-  half(spots_.begin(), spots_.end());
-  half(spots_.rbegin(), spots_.rend());
+  monotone_chain(spots_, turn<Spot>, chain_);
+  for (const Spot& spot : chain_) {
+    corners_.push_back(spot.id);
+  }
 }
 
 std::array<std::uint32_t, 2> Shadow::longest(std::span<const Vec3> points) const {
