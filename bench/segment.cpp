@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 struct Arguments {
   fs::path psb;
   fs::path json;
+  fs::path labels;  ///< folder for NUMBER.seg: part of each face, as the benchmark writes people's
   segment::Options options;
   std::vector<double> sweep;  ///< tolerances
   bool subset = false;
@@ -56,12 +57,23 @@ Figures run_damaged(const bench::BenchmarkModel& model, double share, const segm
   return row;
 }
 
-Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& options) {
+void write_labels(const fs::path& file, const segment::Segmentation& result) {
+  std::ofstream out(file);
+  for (const PartId p : result.part) {
+    out << p.value() << '\n';
+  }
+}
+
+Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& options,
+                  const fs::path& labels_folder) {
   const Context context;
   const double start = bench::cpu_seconds();
   const segment::Segmentation result =
       segment::segment(model.read.surface, model.read.polygon.items(), options, context);
   const double seconds = bench::cpu_seconds() - start;
+  if (!labels_folder.empty()) {
+    write_labels(labels_folder / (std::to_string(model.number) + ".seg"), result);
+  }
   std::vector<std::uint32_t> labels;
   for (const PartId p : result.part) {
     labels.push_back(p.value());
@@ -154,6 +166,8 @@ bool parse_value(const std::string& option, const std::string& value, Arguments&
     arguments.psb = value;
   } else if (option == "--json") {
     arguments.json = value;
+  } else if (option == "--labels") {
+    arguments.labels = value;
   } else if (option == "--concavity") {
     arguments.options.concavity = std::stod(value);
   } else if (option == "--sweep") {
@@ -203,7 +217,7 @@ int main(int argc, char** argv) {
   if (!parse(argc, argv, arguments)) {
     std::fprintf(
         stderr,
-        "usage: bench_segment --psb DIR [--json FILE] [--subset] [--model N]... [--concavity T | "
+        "usage: bench_segment --psb DIR [--json FILE] [--labels DIR] [--subset] [--model N]... [--concavity T | "
         "--sweep T,T,...] [--effort 1..3] [--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] "
         "[--damage SHARE]\n");
     return 2;
@@ -218,7 +232,7 @@ int main(int argc, char** argv) {
       segment::Options options = arguments.options;
       options.concavity = arguments.sweep[t];
       runs[t].push_back(arguments.damage > 0.0 ? run_damaged(model, arguments.damage, options)
-                                               : run_whole(model, options));
+                                               : run_whole(model, options, arguments.labels));
       runs[t].back().tolerance = options.concavity;
       json << bench::json_line(runs[t].back()) << std::endl;  // a long run can be watched
       if (!arguments.models.empty()) {
