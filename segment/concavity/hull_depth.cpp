@@ -11,14 +11,24 @@ namespace {
 constexpr double parallel_cosine = 1e-9;
 /// A hull facet whose doubled area is below this share of its longest side squared carries no plane (2.5).
 constexpr double sliver_share = 1e-7;
+/// Cosine to the vertex normal above which a facet of the hull doesn't lie behind the surface: walls of
+/// vessels lean a little.
+constexpr double least_opening_cosine = -0.3;
+/// A hull that is thinner than this many tolerances has flat sides, no openings.
+constexpr double opening_thickness = 8.0;
 
 }  // namespace
 
-HullDepth::HullDepth(const ScaledSurface& surface)
-    : surface_(&surface), mark_(surface.vertex_count(), 0), depth_(surface.vertex_count(), 0.0) {}
+HullDepth::HullDepth(const ScaledSurface& surface, double tolerance)
+    : surface_(&surface),
+      tolerance_(tolerance),
+      mark_(surface.vertex_count(), 0),
+      depth_(surface.vertex_count(), 0.0) {}
 
-void HullDepth::select(const Hull& hull) {
+void HullDepth::select(const Hull& hull, HullIs is) {
   hull_ = &hull;
+  is_ = is;
+  planes_.clear();
   last_ = 0;
   ++current_;
   for (const std::uint32_t v : hull.vertices) {
@@ -96,11 +106,61 @@ double HullDepth::along_normal(std::uint32_t v) {
   return depth;
 }
 
+void HullDepth::find_planes() {
+  const auto& points = surface_->points;
+  planes_.resize(hull_->triangles.size());
+  for (std::size_t t = 0; t < planes_.size(); ++t) {
+    const auto& [a, b, c] = hull_->triangles[t];
+    const Vec3 u = points[b] - points[a];
+    const Vec3 v = points[c] - points[a];
+    const Vec3 w = points[c] - points[b];
+    const Vec3 outward = cross(u, v);
+    const double size = length(outward);
+    const bool sliver = size <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)});
+    planes_[t].normal = sliver ? Vec3{} : outward / size;
+    planes_[t].offset = sliver ? static_cast<double>(INFINITY) : dot(planes_[t].normal, points[a]);
+    planes_[t].thickness = -1.0;
+  }
+}
+
+double HullDepth::thickness(Plane& plane) const {
+  if (plane.thickness < 0.0) {
+    plane.thickness = 0.0;
+    for (const std::uint32_t v : hull_->vertices) {
+      plane.thickness = std::max(plane.thickness, plane.offset - dot(plane.normal, surface_->points[v]));
+    }
+  }
+  return plane.thickness;
+}
+
+/// Infinite where there is no opening within the tolerance. An inner hull may have other facets and is
+/// thinner, so of it any facet counts.
+double HullDepth::beside_opening(std::uint32_t v) {
+  if (planes_.empty()) {
+    find_planes();
+  }
+  const Vec3 p = surface_->points[v];
+  const Vec3 n = surface_->vertex_normals[v];
+  double nearest = INFINITY;
+  for (Plane& plane : planes_) {
+    const double distance = plane.offset - dot(plane.normal, p);
+    if (distance <= tolerance_ && distance < nearest &&
+        (is_ == HullIs::inner || (dot(plane.normal, n) > least_opening_cosine &&
+                                  thickness(plane) >= opening_thickness * tolerance_))) {
+      nearest = distance;
+    }
+  }
+  return std::max(0.0, nearest);
+}
+
 double HullDepth::at(std::uint32_t v) {
   if (mark_[v] != current_) {
     mark_[v] = current_;
     const bool unlimited = hull_->flat || surface_->vertex_normals[v] == Vec3{};
     depth_[v] = unlimited ? static_cast<double>(INFINITY) : along_normal(v);
+    if (!unlimited && depth_[v] > tolerance_) {
+      depth_[v] = std::min(depth_[v], beside_opening(v));
+    }
   }
   return depth_[v];
 }

@@ -49,7 +49,7 @@ Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, doubl
       part_(surface, graph, rules.jumps),
       search_(part_),
       hulls_(surface.points),
-      depth_(surface) {}
+      depth_(surface, tolerance) {}
 
 void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const std::uint32_t> hull_points,
                        MeasureMode mode, Measurement& out) {
@@ -144,7 +144,7 @@ bool Measurer::fails_in_shadow(std::span<const std::uint32_t> hull_points) {
       shadow_corners_.erase(std::unique(shadow_corners_.begin(), shadow_corners_.end()),
                             shadow_corners_.end());
       hulls_.build(shadow_corners_, inner_hull_);
-      depth_.select(inner_hull_);
+      depth_.select(inner_hull_, HullDepth::HullIs::inner);
     }
     if (cap(valley) > tolerance_) {
       return true;

@@ -179,8 +179,8 @@ TEST_CASE("Twenty benchmark models keep their number of parts, turned, scaled an
       by_two += by == 2 ? 1 : 0;
     }
   }
-  // Of 60. The one that may differ by two is cup 25, whose wall is just within the tolerance in one piece.
-  CHECK(same >= 45);
+  // Of 60. The one that differs by two is chair 105, renumbered.
+  CHECK(same >= 55);
   CHECK(by_two <= 1);
 }
 

@@ -60,6 +60,8 @@ class SlowMeasure {
     }
     return greatest;
   }
+  /// Times that an opening made a vertex less deep.
+  [[nodiscard]] std::size_t openings() const { return openings_; }
   [[nodiscard]] std::size_t hull_vertex_count() const {
     std::set<std::uint32_t> used;
     for (const auto& f : hull_) {
@@ -271,6 +273,30 @@ class SlowMeasure {
     return depth;
   }
 
+  /// Beside an opening: a facet that the surface doesn't turn its back on, of a hull eight tolerances thick.
+  double depth_beside_opening(std::uint32_t v) {
+    double depth = INFINITY;
+    for (const auto& [a, b, c] : hull_) {
+      const Vec3 n = normalized(cross(points_[b] - points_[a], points_[c] - points_[a]));
+      double thickness = 0.0;
+      for (const std::uint32_t w : vertices_) {
+        thickness = std::fmax(thickness, dot(n, points_[a] - points_[w]));
+      }
+      if (dot(n, normals_[v]) > -0.3 && thickness >= 8.0 * tolerance) {
+        depth = std::fmin(depth, std::fmax(0.0, dot(n, points_[a] - points_[v])));
+      }
+    }
+    return depth;
+  }
+
+  /// Only depths above the tolerance are looked at a second time.
+  double hull_depth(std::uint32_t v) {
+    const double along = depth_along_normal(v);
+    const double beside = along > tolerance ? depth_beside_opening(v) : infinite;
+    openings_ += beside <= tolerance ? 1U : 0U;
+    return beside <= tolerance ? beside : along;
+  }
+
   double valley_concavity(const std::vector<std::uint32_t>& path) {
     std::vector<Vec3> valley;
     for (const std::uint32_t v : path) {
@@ -282,8 +308,8 @@ class SlowMeasure {
     segment::chain_concavity(chain, depth);
     double greatest = 0.0;
     for (std::size_t i = 0; i < path.size(); ++i) {
-      greatest = std::max(greatest,
-                          depth[i] > tolerance ? std::fmin(depth[i], depth_along_normal(path[i])) : depth[i]);
+      greatest =
+          std::max(greatest, depth[i] > tolerance ? std::fmin(depth[i], hull_depth(path[i])) : depth[i]);
     }
     return greatest;
   }
@@ -291,6 +317,7 @@ class SlowMeasure {
   const mesh::Surface& surface_;
   const segment::Segmentation& segmentation_;
   PartId part_;
+  std::size_t openings_ = 0;
   std::vector<Vec3> points_;
   std::vector<std::uint32_t> vertices_;
   std::map<std::uint32_t, std::map<std::uint32_t, double>> arcs_;
@@ -313,11 +340,14 @@ mesh::Surface roughened(const mesh::Surface& surface) {
 TEST_CASE("What is reported is what a slow and independent measurement finds") {
   const std::vector<mesh::Surface> shapes{
       test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 4),
-      test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}}, 3), test::torus(1.0, 0.3, 12, 32),
+      test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}}, 3),
+      test::torus(1.0, 0.3, 12, 32),
       test::star_shaped([](Vec3 p) { return 1.0 + 0.35 * std::sin(4.0 * p.x) * std::cos(5.0 * p.y); }, 40,
                         20),
-      test::spiked_sphere(4, 0.05, 40, 20)};
+      test::spiked_sphere(4, 0.05, 40, 20),
+      test::uneven_cup()};
   std::size_t parts = 0;
+  std::size_t openings = 0;
   for (const mesh::Surface& smooth : shapes) {
     const mesh::Surface surface = roughened(smooth);
     const auto s = segment::segment(surface, {}, {tolerance}, Context{});
@@ -332,9 +362,11 @@ TEST_CASE("What is reported is what a slow and independent measurement finds") {
       CHECK(concavity <= tolerance + 1e-6);
       CHECK(concavity == Approx(s.parts[id].concavity).margin(1e-5));
       ++parts;
+      openings += slow.openings();
     }
   }
   CHECK(parts > 12);
+  CHECK(openings > 0);
 }
 
 }  // namespace ridgecraft

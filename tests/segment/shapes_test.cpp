@@ -210,6 +210,8 @@ TEST_CASE("Thin-walled vessels stay whole without the pocket check") {
                     -0.93 * std::cos(std::numbers::pi / 2 * k / 16)});
   }
   CHECK(parts_of(test::revolve(bowl, 64)) == 1);
+  // Chords of an uneven rim run over the inner wall's top row, whose normals lead across the whole cup.
+  CHECK(parts_of(test::uneven_cup()) == 1);
   std::vector<std::array<int, 3>> box;
   for (int x = 0; x < 8; ++x) {
     for (int y = 0; y < 8; ++y) {
@@ -232,6 +234,22 @@ TEST_CASE("Thin-walled vessels stay whole without the pocket check") {
   CHECK(parts_of(test::voxels(ring, 4)) == 1);
   // The tray of this disk is deeper than the tolerance, and the bridges over its opening see that.
   CHECK(parts_of(test::turned({{0, 0}, {1, 0}, {1, 0.25}, {0.94, 0.25}, {0.94, 0.06}, {0, 0.06}})) <= 6);
+}
+
+TEST_CASE("The flat sides of a thin fork are no openings") {
+  // Two prongs, half as wide as the gap between them, on a back; 1.2 tolerances thick with rounded edges.
+  std::vector<std::array<int, 3>> cells;
+  for (int x = 0; x < 16; ++x) {
+    for (int y = 0; y < 12; ++y) {
+      if (x < 4 || y < 3 || y >= 9) {
+        cells.push_back({x, y, 0});
+      }
+    }
+  }
+  CHECK(parts_of(test::mapped(test::voxels(cells, 2), [](Vec3 p) {
+          const double bulge = p.z == 0.5 ? 0.02 : 0.0;
+          return p + Vec3{0.0, bulge * (p.y < 6.0 ? 1.0 : -1.0), 0.0};
+        })) >= 2);
 }
 
 TEST_CASE("Components are segmented each by itself") {

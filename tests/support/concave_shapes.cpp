@@ -59,6 +59,15 @@ mesh::Surface sphere_chain(const std::vector<double>& heights, int steps) {
   return revolve(profile, steps);
 }
 
+mesh::Surface uneven_cup() {
+  const mesh::Surface even =
+      turned({{0, 0}, {1, 0}, {1, 1.97}, {0.97, 2}, {0.93, 2}, {0.9, 1.97}, {0.9, 0.1}, {0, 0.1}});
+  return mapped(even, [](Vec3 p) {
+    const double share = std::fmax(0.0, p.z - 1.0);
+    return p + Vec3{0.0, 0.0, 0.05 * share * std::sin(3.0 * std::atan2(p.y, p.x))};
+  });
+}
+
 mesh::Surface dumbbell() {
   std::vector<Vec2> profile;
   const double crease = std::asin(std::sqrt(1.0 - 0.25 * 0.25));

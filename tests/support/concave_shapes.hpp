@@ -16,6 +16,8 @@ namespace ridgecraft::test {
 [[nodiscard]] mesh::Surface turned(const std::vector<Vec2>& profile, int steps = 48);
 /// Outer surface of unit spheres at these heights, meeting in common rings.
 [[nodiscard]] mesh::Surface sphere_chain(const std::vector<double>& heights, int steps = 64);
+/// A cup with a rounded rim that goes up and down three times by a twentieth of its radius.
+[[nodiscard]] mesh::Surface uneven_cup();
 /// Two unit balls at z = -2 and 2, joined by a neck of radius 0.25.
 [[nodiscard]] mesh::Surface dumbbell();
 [[nodiscard]] mesh::Surface torus(double ring, double tube, int tube_steps = 32, int ring_steps = 64);
