@@ -137,13 +137,22 @@ std::size_t outside_hulls(const mesh::Surface& surface, const segment::Segmentat
     for (const FaceId f : part.faces) {
       vertices.insert(scaled.corners[f.value()].begin(), scaled.corners[f.value()].end());
     }
+    std::vector<Vec3> inside;
+    for (const std::uint32_t v : vertices) {
+      inside.push_back(points[v]);
+    }
     for (const auto& [a, b, c] : hull.triangles) {
       const Vec3 normal = normalized(cross(points[b] - points[a], points[c] - points[a]));
-      std::erase_if(vertices, [&](std::uint32_t v) {
-        const bool out = dot(normal, points[v] - points[a]) > -surely_below &&
-                         segment::exact_orientation(points[a], points[b], points[c], points[v]) > 0;
-        outside += out ? 1 : 0;
-        return out;
+      const double limit = dot(normal, points[a]) - surely_below;
+      std::size_t near = 0;
+      for (const Vec3 p : inside) {
+        near += dot(normal, p) > limit ? 1U : 0U;
+      }
+      if (near == 0) {
+        continue;
+      }
+      outside += std::erase_if(inside, [&](Vec3 p) {
+        return dot(normal, p) > limit && segment::exact_orientation(points[a], points[b], points[c], p) > 0;
       });
     }
   }

@@ -65,7 +65,7 @@ void write_labels(const fs::path& file, const segment::Segmentation& result) {
 }
 
 Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& options,
-                  const fs::path& labels_folder) {
+                  const fs::path& labels_folder, bool checks_hulls) {
   const Context context;
   const double start = bench::cpu_seconds();
   const segment::Segmentation result =
@@ -82,7 +82,9 @@ Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& op
   row.seconds = model.seconds + seconds;
   row.reading = model.seconds;
   row.worst = result.max_concavity();
-  row.outside = bench::outside_hulls(model.read.surface, result);
+  if (checks_hulls) {
+    row.outside = bench::outside_hulls(model.read.surface, result);
+  }
   return row;
 }
 
@@ -217,7 +219,8 @@ int main(int argc, char** argv) {
   if (!parse(argc, argv, arguments)) {
     std::fprintf(
         stderr,
-        "usage: bench_segment --psb DIR [--json FILE] [--labels DIR] [--subset] [--model N]... [--concavity T | "
+        "usage: bench_segment --psb DIR [--json FILE] [--labels DIR] [--subset] [--model N]... [--concavity "
+        "T | "
         "--sweep T,T,...] [--effort 1..3] [--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] "
         "[--damage SHARE]\n");
     return 2;
@@ -231,8 +234,9 @@ int main(int argc, char** argv) {
     for (std::size_t t = 0; t < runs.size(); ++t) {
       segment::Options options = arguments.options;
       options.concavity = arguments.sweep[t];
-      runs[t].push_back(arguments.damage > 0.0 ? run_damaged(model, arguments.damage, options)
-                                               : run_whole(model, options, arguments.labels));
+      runs[t].push_back(arguments.damage > 0.0
+                            ? run_damaged(model, arguments.damage, options)
+                            : run_whole(model, options, arguments.labels, runs.size() == 1));
       runs[t].back().tolerance = options.concavity;
       json << bench::json_line(runs[t].back()) << std::endl;  // a long run can be watched
       if (!arguments.models.empty()) {
