@@ -27,7 +27,8 @@ struct Arguments {
   segment::Options options;
   std::vector<double> sweep;  ///< tolerances
   bool subset = false;
-  double damage = 0.0;  ///< share of the faces to remove at random
+  bool only_speed = false;  ///< no comparison with people and hulls: parts, seconds and a sum of the labels
+  double damage = 0.0;      ///< share of the faces to remove at random
   std::vector<int> models;
 };
 
@@ -42,6 +43,12 @@ mesh::Surface damaged(const mesh::Surface& whole, double share) {
   }
   return {{whole.points().begin(), whole.points().end()}, std::move(corners)};
 }
+
+/// Equal for equal results: shows whether a faster program still does the same.
+struct Sum {
+  std::uint64_t value = 0;
+  void add(std::uint32_t label) { value = Random(value ^ label).next(); }
+};
 
 Figures run_damaged(const bench::BenchmarkModel& model, double share, const segment::Options& options) {
   const mesh::Surface surface = damaged(model.read.surface, share);
@@ -84,6 +91,24 @@ Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& op
   row.worst = result.max_concavity();
   if (checks_hulls) {
     row.outside = bench::outside_hulls(model.read.surface, result);
+  }
+  return row;
+}
+
+Figures run_speed(const bench::BenchmarkModel& model, const segment::Options& options, Sum& labels) {
+  const double start = bench::cpu_seconds();
+  const segment::Segmentation result =
+      segment::segment(model.read.surface, model.read.polygon.items(), options, Context{});
+  Figures row;
+  row.model = model.number;
+  row.category = bench::category_of(model.number);
+  row.faces = model.read.surface.face_count();
+  row.parts = static_cast<double>(result.parts.size());
+  row.seconds = model.seconds + bench::cpu_seconds() - start;
+  row.reading = model.seconds;
+  row.worst = result.max_concavity();
+  for (const PartId p : result.part) {
+    labels.add(p.value());
   }
   return row;
 }
@@ -153,6 +178,8 @@ void print_sweep(const std::vector<double>& tolerances, const std::vector<std::v
 bool parse_switch(const std::string& option, Arguments& arguments) {
   if (option == "--subset") {
     arguments.subset = true;
+  } else if (option == "--only-speed") {
+    arguments.only_speed = true;
   } else if (option == "--planes") {
     arguments.options.planes = true;
   } else if (option == "--pockets") {
@@ -222,20 +249,22 @@ int main(int argc, char** argv) {
         "usage: bench_segment --psb DIR [--json FILE] [--labels DIR] [--subset] [--model N]... [--concavity "
         "T | "
         "--sweep T,T,...] [--effort 1..3] [--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] "
-        "[--damage SHARE]\n");
+        "[--damage SHARE] [--only-speed]\n");
     return 2;
   }
   const std::vector<int> models =
       arguments.models.empty() ? bench::models_in(arguments.psb, arguments.subset) : arguments.models;
   std::ofstream json(arguments.json);
   std::vector<std::vector<Figures>> runs(arguments.sweep.size());
+  Sum labels;
   for (const int m : models) {
     const bench::BenchmarkModel model = bench::read_model(arguments.psb, m, Context{});
     for (std::size_t t = 0; t < runs.size(); ++t) {
       segment::Options options = arguments.options;
       options.concavity = arguments.sweep[t];
-      runs[t].push_back(arguments.damage > 0.0
-                            ? run_damaged(model, arguments.damage, options)
+      runs[t].push_back(arguments.damage > 0.0 ? run_damaged(model, arguments.damage, options)
+                        : arguments.only_speed
+                            ? run_speed(model, options, labels)
                             : run_whole(model, options, arguments.labels, runs.size() == 1));
       runs[t].back().tolerance = options.concavity;
       json << bench::json_line(runs[t].back()) << std::endl;  // a long run can be watched
@@ -248,6 +277,9 @@ int main(int argc, char** argv) {
     print_sweep(arguments.sweep, runs);
   } else {
     print_table(runs[0]);
+  }
+  if (arguments.only_speed) {
+    std::printf("sum of labels %016llx\n", static_cast<unsigned long long>(labels.value));
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

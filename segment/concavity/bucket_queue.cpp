@@ -13,6 +13,13 @@ void BucketQueue::start(float base, float width) {
   last_ = 0;
 }
 
+void BucketQueue::drain(std::vector<Entry>& left) {
+  for (; current_ <= last_ && current_ < buckets_.size(); ++current_) {
+    left.insert(left.end(), buckets_[current_].begin(), buckets_[current_].end());
+    buckets_[current_].clear();
+  }
+}
+
 bool BucketQueue::pop(Entry& entry) {
   while (buckets_[current_].empty()) {
     if (current_ >= last_) {

@@ -12,10 +12,10 @@
 #include "segment/concavity/hull.hpp"
 #include "segment/concavity/hull_depth.hpp"
 #include "segment/concavity/part_graph.hpp"
+#include "segment/concavity/shadow.hpp"
 #include "segment/concavity/valley_cache.hpp"
 #include "segment/concavity/valley_search.hpp"
 #include "segment/rules.hpp"
-#include "segment/concavity/shadow.hpp"
 
 namespace ridgecraft::segment {
 

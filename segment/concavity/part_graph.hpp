@@ -23,6 +23,8 @@ class PartGraph {
   /// Shows the part with these facets.
   void select(std::span<const std::uint32_t> facets);
 
+  /// Another number for each part that was shown.
+  [[nodiscard]] std::uint32_t selection() const { return current_; }
   [[nodiscard]] bool has(std::uint32_t facet) const { return facet != none && member_[facet] == current_; }
   [[nodiscard]] std::span<const std::uint32_t> facets() const { return facets_; }
   /// In order of first appearance.

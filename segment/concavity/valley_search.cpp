@@ -17,99 +17,163 @@ ValleySearch::ValleySearch(const PartGraph& graph)
       nodes_(graph.surface().vertex_count()),
       bucket_width_(static_cast<float>(bucket_share * graph.mean_arc_length())) {}
 
-void ValleySearch::relax_jumps(std::uint32_t v, std::uint32_t target) {
+float ValleySearch::estimate(std::uint32_t v, const Node& node) const {
+  return node.search == search_ && node.goal == goal_
+             ? node.estimate
+             : static_cast<float>(length(goal_point_ - graph_->surface().points[v]));
+}
+
+/// Whether all jumps were taken that shorten a way; false when some lead beyond `bound`.
+bool ValleySearch::relax_jumps(std::uint32_t v, std::uint32_t to, float bound) {
   const std::uint32_t loop = graph_->loop_at(v);
   if (loop == none) {
-    return;
+    return true;
   }
+  bool finished = true;
   const auto& points = graph_->surface().points;
   const double key = nodes_[v].key;
-  const double bound = nodes_[target].search == search_ ? nodes_[target].key : infinite;
   for (const std::uint32_t q : graph_->loop(loop)) {
     const double distance = length(points[q] - points[v]);
     const double reached = key + distance;
     Node& node = nodes_[q];
-    if (q == v || reached >= bound || (node.search == search_ && reached >= node.key) || distance == 0.0) {
+    if (q == v || (node.search == search_ && reached >= node.key) || distance == 0.0) {
+      continue;
+    }
+    const float ahead = estimate(q, node);
+    const float through = static_cast<float>(reached) + ahead;
+    if (through > bound) {
+      finished = false;
       continue;
     }
     if (!graph_->starts_inside(v, q, distance)) {
       continue;
     }
-    if (node.search != search_) {
-      node.search = search_;
-      node.estimate = static_cast<float>(length(points[target] - points[q]));
+    node = {reached, ahead, search_, v, jump_arc, goal_};
+    queue_.push(through, q);
+    if (q == to) {
+      bound = through;
     }
-    node.key = reached;
-    node.from = v;
-    node.arc = jump_arc;
-    queue_.push(static_cast<float>(reached) + node.estimate, q);
   }
+  return finished;
 }
 
 bool ValleySearch::comes_first(std::uint32_t v, std::uint32_t other) const {
-  const float a = static_cast<float>(nodes_[v].key) + nodes_[v].estimate;
-  const float b = static_cast<float>(nodes_[other].key) + nodes_[other].estimate;
+  const double a = nodes_[v].key;
+  const double b = nodes_[other].key;
   return a != b ? a < b : v < other;
 }
 
-double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step>& path) {
+void ValleySearch::begin(std::uint32_t from) {
   ++search_;
-  path.clear();
-  const auto& points = graph_->surface().points;
-  const Vec3 goal = points[to];
-  nodes_[from] = {0.0, static_cast<float>(length(goal - points[from])), search_, none, none};
-  queue_.start(nodes_[from].estimate, bucket_width_);
-  queue_.push(nodes_[from].estimate, from);
-  // Entries behind that of the goal are never taken: they aren't even pushed.
-  float bound = std::numeric_limits<float>::infinity();
-  BucketQueue::Entry entry{};
-  while (queue_.pop(entry)) {
-    if (queue_.is_past(bound)) {
-      break;
+  source_ = from;
+  selection_ = graph_->selection();
+  unfinished_.clear();
+  const auto ahead = static_cast<float>(length(goal_point_ - graph_->surface().points[from]));
+  nodes_[from] = {0.0, ahead, search_, none, none, goal_};
+  queue_.start(ahead, bucket_width_);
+  queue_.push(ahead, from);
+}
+
+/// Puts the vertices from which ways may still be found into the queue again, now for this goal.
+void ValleySearch::go_on() {
+  left_.clear();
+  queue_.drain(left_);
+  // An entry that was overtaken has another key than its vertex now.
+  for (const BucketQueue::Entry& entry : left_) {
+    const Node& node = nodes_[entry.vertex];
+    if (static_cast<float>(node.key) + node.estimate == entry.key) {
+      unfinished_.push_back(entry.vertex);
     }
-    const std::uint32_t v = entry.vertex;
-    const double key = nodes_[v].key;
-    if (static_cast<float>(key) + nodes_[v].estimate != entry.key || v == to) {
-      continue;  // a shorter way was found since, or this is the goal
-    }
-    graph_->for_arcs(v, [&](std::uint32_t i, const Arc& arc) {
-      const double reached = key + static_cast<double>(arc.length);
-      Node& node = nodes_[arc.target];
-      const bool fresh = node.search != search_;
-      if (!fresh && reached >= node.key) {
-        // Of two ways of one length, the one over the vertex that an exact queue would have taken first.
-        if (reached == node.key && arc.length > 0.0F && comes_first(v, node.from)) {
-          node.from = v;
-          node.arc = i;
-        }
-        return;
-      }
-      const float estimate = fresh ? static_cast<float>(length(goal - points[arc.target])) : node.estimate;
-      const float through = static_cast<float>(reached) + estimate;
-      if (through > bound) {
-        return;
-      }
-      node = {reached, estimate, search_, v, i};
-      queue_.push(through, arc.target);
-      if (arc.target == to) {
-        bound = through;
-      }
-    });
-    relax_jumps(v, to);
-    bound = nodes_[to].search == search_ ? static_cast<float>(nodes_[to].key) : bound;
   }
-  if (nodes_[to].search != search_) {
+  left_.clear();
+  const float base = static_cast<float>(length(goal_point_ - graph_->surface().points[source_]));
+  queue_.start(base, bucket_width_);
+  for (const std::uint32_t v : unfinished_) {
+    Node& node = nodes_[v];
+    if (node.goal != goal_) {
+      node.estimate = static_cast<float>(length(goal_point_ - graph_->surface().points[v]));
+      node.goal = goal_;
+      queue_.push(static_cast<float>(node.key) + node.estimate, v);
+    }
+  }
+  unfinished_.clear();
+}
+
+/// `bound`: entries behind that of the goal are never taken, so they aren't even pushed.
+void ValleySearch::expand(std::uint32_t v, std::uint32_t to, float& bound) {
+  const double key = nodes_[v].key;
+  bool finished = true;
+  graph_->for_arcs(v, [&](std::uint32_t i, const Arc& arc) {
+    const double reached = key + static_cast<double>(arc.length);
+    Node& node = nodes_[arc.target];
+    if (node.search == search_ && reached >= node.key) {
+      // Of two ways of one length, the one over the vertex that Dijkstra's queue would have taken first.
+      if (reached == node.key && arc.length > 0.0F && node.from != none && comes_first(v, node.from)) {
+        node.from = v;
+        node.arc = i;
+      }
+      return;
+    }
+    const float ahead = estimate(arc.target, node);
+    const float through = static_cast<float>(reached) + ahead;
+    if (through > bound) {
+      finished = false;
+      return;
+    }
+    node = {reached, ahead, search_, v, i, goal_};
+    queue_.push(through, arc.target);
+    if (arc.target == to) {
+      bound = through;
+    }
+  });
+  finished = relax_jumps(v, to, bound) && finished;
+  if (!finished) {
+    unfinished_.push_back(v);
+  }
+}
+
+double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step>& path) {
+  path.clear();
+  ++goal_;
+  goal_point_ = graph_->surface().points[to];
+  if (from == source_ && graph_->selection() == selection_) {
+    go_on();
+  } else {
+    begin(from);
+  }
+  const Node& goal = nodes_[to];
+  float bound = std::numeric_limits<float>::infinity();
+  if (goal.search == search_) {
+    bound = static_cast<float>(goal.key);
+  }
+  BucketQueue::Entry entry{};
+  while (!queue_.is_past(bound) && queue_.pop(entry)) {
+    const Node& node = nodes_[entry.vertex];
+    if (static_cast<float>(node.key) + node.estimate != entry.key) {
+      continue;  // a shorter way was found since
+    }
+    if (entry.vertex == to || entry.key > bound) {
+      unfinished_.push_back(entry.vertex);
+      continue;
+    }
+    expand(entry.vertex, to, bound);
+    if (goal.search == search_) {
+      bound = static_cast<float>(goal.key);
+    }
+  }
+  if (goal.search != search_) {
     return infinite;
   }
   for (std::uint32_t v = to; v != none; v = nodes_[v].from) {
     path.push_back({v, nodes_[v].arc});
   }
   std::reverse(path.begin(), path.end());
-  return nodes_[to].key;
+  return goal.key;
 }
 
 void ValleySearch::flood(std::span<const Start> starts, double limit, std::vector<std::uint32_t>& reached) {
   ++search_;
+  source_ = none;
   queue_.start(0.0F, bucket_width_);
   reached.clear();
   double least = 0.0;
@@ -120,7 +184,7 @@ void ValleySearch::flood(std::span<const Start> starts, double limit, std::vecto
   for (const Start& s : starts) {
     Node& node = nodes_[s.vertex];
     if (s.key < limit && (node.search != search_ || s.key < node.key)) {
-      node = {s.key, 0.0F, search_, none, none};
+      node = {s.key, 0.0F, search_, none, none, none};
       queue_.push(static_cast<float>(s.key - least), s.vertex);
     }
   }

@@ -38,8 +38,9 @@ class ValleySearch {
   explicit ValleySearch(const PartGraph& graph);
 
   /// A* from one vertex to another along arcs and jumps, with the straight distance as estimate. Equal
-  /// lengths: over the vertex of least key and estimate, then the smaller one. Fills `path` from `from` to
-  /// `to` and gives its length; infinite when there is none.
+  /// lengths: over the vertex of least key, then the smaller one, whatever was searched before. Fills `path`
+  /// from `from` to `to` and gives its length; infinite when there is none. From the same vertex as the last
+  /// time, on the same part, it goes on with what is known: bridges of one vertex are searched in a row.
   double find(std::uint32_t from, std::uint32_t to, std::vector<Step>& path);
 
   /// Dijkstra along arcs without jumps from several starts, until keys reach `limit`. Fills `reached` with
@@ -57,16 +58,28 @@ class ValleySearch {
     std::uint32_t search = 0;
     std::uint32_t from = none;
     std::uint32_t arc = none;
+    std::uint32_t goal = none;  ///< number of the goal that the estimate is for
   };
 
   [[nodiscard]] bool comes_first(std::uint32_t v, std::uint32_t other) const;
-  void relax_jumps(std::uint32_t v, std::uint32_t target);
+  void begin(std::uint32_t from);
+  void go_on();
+  void expand(std::uint32_t v, std::uint32_t to, float& bound);
+  bool relax_jumps(std::uint32_t v, std::uint32_t to, float bound);
+  [[nodiscard]] float estimate(std::uint32_t v, const Node& node) const;
 
   const PartGraph* graph_;
   std::vector<Node> nodes_;
   BucketQueue queue_;
   float bucket_width_ = 1.0F;
   std::uint32_t search_ = 0;
+  std::uint32_t goal_ = 0;  ///< number of the goal, not a vertex
+  Vec3 goal_point_;
+  std::uint32_t source_ = none;  ///< of the last find(); none after a flood
+  std::uint32_t selection_ = 0;  ///< part that it was on
+  /// Vertices that the last find() reached, but from which it didn't take all arcs.
+  std::vector<BucketQueue::Entry> left_;
+  std::vector<std::uint32_t> unfinished_;
 };
 
 }  // namespace ridgecraft::segment
