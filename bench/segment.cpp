@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -95,21 +96,27 @@ Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& op
   return row;
 }
 
+/// The least of three times: other work on the machine only ever adds.
 Figures run_speed(const bench::BenchmarkModel& model, const segment::Options& options, Sum& labels) {
-  const double start = bench::cpu_seconds();
-  const segment::Segmentation result =
-      segment::segment(model.read.surface, model.read.polygon.items(), options, Context{});
+  constexpr int runs = 3;
   Figures row;
   row.model = model.number;
   row.category = bench::category_of(model.number);
   row.faces = model.read.surface.face_count();
-  row.parts = static_cast<double>(result.parts.size());
-  row.seconds = model.seconds + bench::cpu_seconds() - start;
   row.reading = model.seconds;
-  row.worst = result.max_concavity();
-  for (const PartId p : result.part) {
-    labels.add(p.value());
+  double seconds = INFINITY;
+  for (int run = 0; run < runs; ++run) {
+    const double start = bench::cpu_seconds();
+    const segment::Segmentation result =
+        segment::segment(model.read.surface, model.read.polygon.items(), options, Context{});
+    seconds = std::min(seconds, bench::cpu_seconds() - start);
+    row.parts = static_cast<double>(result.parts.size());
+    row.worst = result.max_concavity();
+    for (const PartId p : result.part) {
+      labels.add(p.value());
+    }
   }
+  row.seconds = row.reading + seconds;
   return row;
 }
 
@@ -258,7 +265,12 @@ int main(int argc, char** argv) {
   std::vector<std::vector<Figures>> runs(arguments.sweep.size());
   Sum labels;
   for (const int m : models) {
-    const bench::BenchmarkModel model = bench::read_model(arguments.psb, m, Context{});
+    bench::BenchmarkModel model = bench::read_model(arguments.psb, m, Context{});
+    if (arguments.only_speed) {
+      for (int again = 0; again < 2; ++again) {
+        model.seconds = std::min(model.seconds, bench::read_model(arguments.psb, m, Context{}).seconds);
+      }
+    }
     for (std::size_t t = 0; t < runs.size(); ++t) {
       segment::Options options = arguments.options;
       options.concavity = arguments.sweep[t];

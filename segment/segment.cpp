@@ -37,7 +37,7 @@ bool closes_holes(const mesh::Surface& surface, const Options& options) {
 
 ScaledSurface scaled_and_whole(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
                                bool close, Options::Components components) {
-  ScaledSurface scaled = scale_surface(surface, polygon);
+  ScaledSurface scaled = scale_surface(surface, polygon, Numbering::along_curve);
   if (close) {
     close_holes(scaled);
   }
@@ -343,8 +343,23 @@ class Run {
     std::erase_if(final_, [](const Part& part) { return part.faces.empty(); });
   }
 
+  /// Faces and vertices get the numbers that they have in the surface.
+  void number_as_given() {
+    for (Part& part : final_) {
+      for (FaceId& f : part.faces) {
+        f = FaceId(scaled_.face_of[f.value()]);
+      }
+      for (VertexId& v : part.hull_vertices) {
+        v = VertexId(scaled_.vertex_of[v.value()]);
+      }
+      std::sort(part.faces.begin(), part.faces.end());
+      std::sort(part.hull_vertices.begin(), part.hull_vertices.end());
+    }
+  }
+
   Segmentation result() {
     drop_virtual_facets();
+    number_as_given();
     std::sort(final_.begin(), final_.end(),
               [](const Part& a, const Part& b) { return a.faces.front() < b.faces.front(); });
     Segmentation s;

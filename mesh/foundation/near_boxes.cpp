@@ -6,20 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/foundation/curve_order.hpp"
 #include "mesh/foundation/extent.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
-
-constexpr unsigned curve_bits = 10;
-
-/// Spreads ten bits to every third place.
-std::uint32_t spread(std::uint32_t x) {
-  x = (x | x << 16U) & 0x030000ffU;
-  x = (x | x << 8U) & 0x0300f00fU;
-  x = (x | x << 4U) & 0x030c30c3U;
-  return (x | x << 2U) & 0x09249249U;
-}
 
 float rounded_down(double x) {
   const auto f = static_cast<float>(x);
@@ -47,10 +38,7 @@ NearBoxes::NearBoxes(const std::vector<Box3>& boxes) {
   std::vector<std::uint64_t> curve(boxes.size());
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     const Vec3 at = cells * (0.5 * (boxes[i].low + boxes[i].high) - all.low);
-    const std::uint32_t code = spread(static_cast<std::uint32_t>(at.x)) |
-                               spread(static_cast<std::uint32_t>(at.y)) << 1U |
-                               spread(static_cast<std::uint32_t>(at.z)) << 2U;
-    curve[i] = std::uint64_t{code} << 32U | i;
+    curve[i] = std::uint64_t{place_on_curve(at)} << 32U | i;
   }
   std::sort(curve.begin(), curve.end());
   // Relative to the corner of everything and its size, single precision is enough wherever the model lies.

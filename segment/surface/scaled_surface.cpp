@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "mesh/foundation/curve_order.hpp"
 #include "mesh/foundation/error.hpp"
 #include "segment/surface/enclosing_ball.hpp"
 #include "segment/surface/exact_orientation.hpp"
@@ -27,6 +29,53 @@ void scale_points(const mesh::Surface& surface, ScaledSurface& out) {
     p = snap_to_grid((p - ball.center) / radius);
   }
   out.unit = first * radius;
+}
+
+/// Vertices in the order in which a space-filling curve meets them; facets by their smallest vertex.
+void number_along_curve(const mesh::Surface& surface, ScaledSurface& out) {
+  out.vertex_of = mesh::curve_order(out.points);
+  std::vector<Vec3> points(out.points.size());
+  std::vector<std::uint32_t> rank(out.points.size());
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    points[v] = out.points[out.vertex_of[v]];
+    rank[out.vertex_of[v]] = v;
+  }
+  out.points = std::move(points);
+  std::vector<std::uint32_t> first(out.points.size() + 1, 0);
+  std::vector<std::uint32_t> smallest(surface.face_count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const auto [a, b, c] = surface.vertices(f);
+    smallest[f.value()] = std::min({rank[a.value()], rank[b.value()], rank[c.value()]});
+    ++first[smallest[f.value()] + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  out.face_of.resize(surface.face_count());
+  for (std::uint32_t f = 0; f < smallest.size(); ++f) {
+    out.face_of[first[smallest[f]]++] = f;
+  }
+}
+
+/// As copy_connections(), with the numbers of number_along_curve().
+void renumber_connections(const mesh::Surface& surface, ScaledSurface& out) {
+  const std::size_t facets = surface.face_count();
+  std::vector<std::uint32_t> facet(facets);
+  for (std::uint32_t f = 0; f < facets; ++f) {
+    facet[out.face_of[f]] = f;
+  }
+  std::vector<std::uint32_t> vertex(surface.vertex_count());
+  for (std::uint32_t v = 0; v < vertex.size(); ++v) {
+    vertex[out.vertex_of[v]] = v;
+  }
+  out.corners.resize(facets);
+  out.neighbors.resize(facets);
+  for (std::uint32_t f = 0; f < facets; ++f) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const CornerId c = mesh::corner(FaceId(out.face_of[f]), k);
+      const FaceId beyond = surface.neighbor(c);
+      out.corners[f][k] = vertex[surface.vertex(c).value()];
+      out.neighbors[f][k] = beyond.valid() ? facet[beyond.value()] : none;
+    }
+  }
 }
 
 void copy_connections(const mesh::Surface& surface, ScaledSurface& out) {
@@ -138,10 +187,24 @@ void index_and_orient(ScaledSurface& surface) {
   find_normals(surface);
 }
 
-ScaledSurface scale_surface(const mesh::Surface& surface, std::span<const std::uint32_t> polygon) {
+ScaledSurface scale_surface(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                            Numbering numbering) {
   ScaledSurface scaled;
   scale_points(surface, scaled);
-  copy_connections(surface, scaled);
+  std::vector<std::uint32_t> renumbered_polygon;
+  if (numbering == Numbering::along_curve) {
+    number_along_curve(surface, scaled);
+    renumber_connections(surface, scaled);
+    if (!polygon.empty()) {
+      RIDGECRAFT_ASSERT(polygon.size() == scaled.facet_count());
+      for (const std::uint32_t f : scaled.face_of) {
+        renumbered_polygon.push_back(polygon[f]);
+      }
+      polygon = renumbered_polygon;
+    }
+  } else {
+    copy_connections(surface, scaled);
+  }
   index_and_orient(scaled);
   find_groups(polygon, scaled);
   return scaled;

@@ -16,7 +16,13 @@ namespace ridgecraft::segment {
 /// "No facet", "no vertex" and so on in the flat arrays of this folder.
 inline constexpr std::uint32_t none = 0xffffffffU;
 
-/// Built once, then only read. Facet and vertex numbers are those of the surface.
+/// How facets and vertices are numbered.
+enum class Numbering {
+  kept,         ///< as in the surface
+  along_curve,  ///< as a space-filling curve runs: what is near in space is near in memory
+};
+
+/// Built once, then only read.
 struct ScaledSurface {
   std::vector<Vec3>
       points;  ///< enclosing ball = unit ball about the origin; on the grid of exact_orientation.hpp
@@ -30,6 +36,9 @@ struct ScaledSurface {
   std::vector<std::uint32_t> group;
   std::vector<std::uint32_t> group_first;  ///< facets of a group: group_facets[group_first[g] ...]
   std::vector<std::uint32_t> group_facets;
+  /// Numbers in the surface, of each facet and vertex; empty when they are the same.
+  std::vector<std::uint32_t> face_of;
+  std::vector<std::uint32_t> vertex_of;
   double unit = 1.0;  ///< length of the ball's radius in the surface's unit
 
   [[nodiscard]] std::size_t facet_count() const { return corners.size(); }
@@ -52,7 +61,8 @@ struct ScaledSurface {
 
 /// `polygon` as in segment(). O(n).
 [[nodiscard]] ScaledSurface scale_surface(const mesh::Surface& surface,
-                                          std::span<const std::uint32_t> polygon);
+                                          std::span<const std::uint32_t> polygon,
+                                          Numbering numbering = Numbering::kept);
 
 /// Finds the facets at each vertex and all normals again, after points, corners or neighbours changed. O(n).
 void index_and_orient(ScaledSurface& surface);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/foundation/curve_order.hpp"
+
+#include <array>
+#include <numeric>
+
+#include "mesh/foundation/extent.hpp"
+
+namespace ridgecraft::mesh {
+namespace {
+
+/// Digits by which places are sorted: three rounds of counting.
+constexpr unsigned digit_bits = curve_bits;
+constexpr std::uint32_t digits = 1U << digit_bits;
+
+/// Spreads ten bits to every third place.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | x << 16U) & 0x030000ffU;
+  x = (x | x << 8U) & 0x0300f00fU;
+  x = (x | x << 4U) & 0x030c30c3U;
+  return (x | x << 2U) & 0x09249249U;
+}
+
+}  // namespace
+
+std::uint32_t place_on_curve(Vec3 cell) {
+  return spread(static_cast<std::uint32_t>(cell.x)) | spread(static_cast<std::uint32_t>(cell.y)) << 1U |
+         spread(static_cast<std::uint32_t>(cell.z)) << 2U;
+}
+
+std::vector<std::uint32_t> curve_order(std::span<const Vec3> points) {
+  Box3 box;
+  for (const Vec3 p : points) {
+    box.add(p);
+  }
+  const double largest = points.empty() ? 0.0 : largest_extent(box);
+  const double cells = largest > 0.0 ? (static_cast<double>(1U << curve_bits) - 1.0) / largest : 0.0;
+  std::vector<std::uint32_t> place(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    place[i] = place_on_curve(cells * (points[i] - box.low));
+  }
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::vector<std::uint32_t> sorted(points.size());
+  for (unsigned shift = 0; shift < 3 * curve_bits; shift += digit_bits) {
+    std::array<std::uint32_t, digits + 1> first{};
+    for (const std::uint32_t p : place) {
+      ++first[((p >> shift) & (digits - 1)) + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    for (const std::uint32_t i : order) {
+      sorted[first[(place[i] >> shift) & (digits - 1)]++] = i;
+    }
+    order.swap(sorted);
+  }
+  return order;
+}
+
+}  // namespace ridgecraft::mesh
