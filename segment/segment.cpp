@@ -15,6 +15,7 @@
 #include "segment/cutting/edge_weights.hpp"
 #include "segment/joining/assembly.hpp"
 #include "segment/joining/merge.hpp"
+#include "segment/part_tasks.hpp"
 #include "segment/recursion.hpp"
 #include "segment/surface/component_ties.hpp"
 #include "segment/surface/scaled_surface.hpp"
@@ -25,8 +26,6 @@ namespace {
 
 /// Share of the tolerance by which an arc across an edge may leave the straight line (vertex_graph.hpp).
 constexpr double arc_sagitta_share = 0.25;
-/// From this depth on parts are halved, so that no input makes the recursion linear (specification 11.3).
-constexpr int deepest_cut = 60;
 /// A component with at most this part of the largest one's facets is a crumb of a damaged surface.
 constexpr std::size_t crumb_ratio = 20;
 
@@ -47,10 +46,11 @@ ScaledSurface scaled_and_whole(const mesh::Surface& surface, std::span<const std
   return scaled;
 }
 
-struct Work {
-  Facets facets;
-  int depth = 0;
-  PartReason reason = PartReason::component;
+/// A part that is within the tolerance, or can't be divided.
+struct DonePart {
+  PartTask task;  ///< without its hull
+  double concavity = 0.0;
+  Hull hull;
 };
 
 /// Everything one run needs, and its stages in order.
@@ -64,11 +64,10 @@ class Run {
         rules_(rules_of(options.reading)),
         weights_(weigh_edges(scaled_, rules_)),
         graph_(build_vertex_graph(scaled_, arc_sagitta_share * options.concavity)),
-        measurer_(scaled_, graph_, options.concavity, context, rules_),
-        cutter_(scaled_, weights_),
+        workers_(scaled_, graph_, weights_, options.concavity, context, rules_),
         context_(&context) {
     if (options.effort > 1 || volume_weight(options) > 0.0 || options.planes || options.pockets) {
-      assembly_.emplace(scaled_, weights_, graph_, measurer_, cutter_, assembly_settings(options));
+      assembly_.emplace(scaled_, weights_, graph_, measurer(), cutter(), assembly_settings(options));
     }
   }
 
@@ -88,172 +87,157 @@ class Run {
   [[nodiscard]] const Recursion& recursion() const { return recursion_; }
 
  private:
-  /// The pieces of a measured part that is too concave; a single one when it can't be divided.
-  std::vector<Facets> divide(const Work& work, PartReason& reason) {
-    if (work.depth < deepest_cut) {
-      std::vector<Facets> children = cutter_.cut(measurer_, measurement_);
-      if (children.size() > 1) {
-        reason = PartReason::ridge;
-        return children;
-      }
-    }
-    reason = PartReason::split;
-    const bool halves = work.depth >= deepest_cut;
-    ++(halves ? recursion_.halvings : recursion_.splits);
-    return cutter_.split(measurer_, measurement_, halves);
-  }
+  [[nodiscard]] Measurer& measurer() { return workers_.first().measurer; }
+  [[nodiscard]] Cutter& cutter() { return workers_.first().cutter; }
 
-  /// Takes a part off the stack that is too concave and puts its pieces there, the first one on top. False
-  /// when it can't be divided.
-  bool replace_by_pieces(Work& work) {
-    PartReason reason = PartReason::ridge;
-    std::vector<Facets> children = divide(work, reason);
-    if (children.size() < 2) {
-      return false;
+  /// Measures and divides these parts and all that come of them, round by round. What is done, by smallest
+  /// facet. `from`, `to`: shares of the whole work.
+  std::vector<DonePart> divide_all(std::vector<PartTask> tasks, MeasureMode mode, double from, double to) {
+    const auto total = static_cast<double>(std::max<std::size_t>(1, scaled_.facet_count()));
+    std::vector<DonePart> done;
+    std::size_t done_facets = 0;
+    while (!tasks.empty()) {
+      std::vector<TaskOutcome> outcomes = workers_.run(tasks, mode, valleys_);
+      std::vector<PartTask> pieces;
+      for (std::size_t i = 0; i < tasks.size(); ++i) {
+        TaskOutcome& outcome = outcomes[i];
+        if (outcome.pieces.empty()) {
+          done_facets += tasks[i].facets.size();
+          done.push_back({std::move(tasks[i]), outcome.concavity, std::move(outcome.hull)});
+          continue;
+        }
+        const int depth = tasks[i].depth + 1;
+        recursion_.depth = std::max(recursion_.depth, depth);
+        if (!outcome.cut) {
+          ++(outcome.halved ? recursion_.halvings : recursion_.splits);
+        }
+        for (Facets& piece : outcome.pieces) {
+          pieces.push_back({std::move(piece), depth, outcome.cut ? PartReason::ridge : PartReason::split});
+        }
+      }
+      tasks = std::move(pieces);
+      context_->report("segment", from + (to - from) * static_cast<double>(done_facets) / total);
     }
-    recursion_.depth = std::max(recursion_.depth, work.depth + 1);
-    for (std::size_t i = children.size(); i-- > 0;) {
-      stack_.push_back({std::move(children[i]), work.depth + 1, reason});
-    }
-    return true;
+    std::sort(done.begin(), done.end(), [](const DonePart& a, const DonePart& b) {
+      return a.task.facets.front() < b.task.facets.front();
+    });
+    return done;
   }
 
   void cut_all() {
     Facets all(scaled_.facet_count());
-    for (std::uint32_t f = 0; f < all.size(); ++f) {
-      all[f] = f;
+    std::iota(all.begin(), all.end(), 0U);
+    std::vector<PartTask> tasks;
+    for (Facets& component : cutter().components(all)) {
+      tasks.push_back({std::move(component)});
     }
-    std::vector<Facets> components = cutter_.components(all);
-    for (std::size_t i = components.size(); i-- > 0;) {
-      stack_.push_back({std::move(components[i]), 0, PartReason::component});
-    }
-    std::size_t done = 0;
-    while (!stack_.empty()) {
-      context_->check();
-      Work work = std::move(stack_.back());
-      stack_.pop_back();
-      measurer_.measure(work.facets, {}, MeasureMode::split, measurement_);
-      if (measurement_.concavity > measurer_.tolerance() && replace_by_pieces(work)) {
-        continue;
-      }
-      done += work.facets.size();
-      context_->report("segment",
-                       0.7 * static_cast<double>(done) / static_cast<double>(scaled_.facet_count()));
-      parts_.push_back({std::move(work.facets), measurement_.hull.vertices, false, true});
-      reasons_.push_back(work.reason);
-      if (!assembly_) {
-        measurer_.keep_hull(measurement_);
-      }
-    }
+    parts_ = divide_all(std::move(tasks), MeasureMode::split, 0.0, 0.7);
   }
 
   void merge_all() {
-    // Parts in order of their smallest facet, whatever order the stack made them in.
-    std::vector<std::size_t> order(parts_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      order[i] = i;
+    std::vector<MergePart> parts;
+    for (DonePart& part : parts_) {
+      parts.push_back({std::move(part.task.facets), part.hull.vertices, false, true});
     }
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-      return parts_[i].facets.front() < parts_[j].facets.front();
-    });
-    std::vector<MergePart> sorted;
-    std::vector<PartReason> reasons;
-    for (const std::size_t i : order) {
-      sorted.push_back(std::move(parts_[i]));
-      reasons.push_back(reasons_[i]);
-    }
-    parts_ = std::move(sorted);
     if (rules_.merging) {
-      merge_parts(measurer_, weights_, parts_, MeasureMode::test);
+      join(parts, MeasureMode::test);
     }
-    for (std::size_t i = parts_.size(); i-- > 0;) {
-      if (!parts_[i].facets.empty()) {
-        stack_.push_back(
-            {std::move(parts_[i].facets), 0, parts_[i].merged ? PartReason::merged : reasons[i]});
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].facets.empty()) {
+        continue;
       }
+      PartTask task{std::move(parts[i].facets), 0, parts_[i].task.reason};
+      if (parts[i].merged) {
+        task.reason = PartReason::merged;
+      } else {
+        task.hull = std::move(parts_[i].hull);
+      }
+      tasks_.push_back(std::move(task));
     }
     parts_.clear();
   }
 
+  /// The merge pass, which goes on with the valleys that are known and leaves its own among them.
+  void join(std::vector<MergePart>& parts, MeasureMode mode) {
+    measurer().use_valleys(std::move(valleys_), nullptr);
+    merge_parts(measurer(), weights_, parts, mode);
+    valleys_ = measurer().take_valleys();
+  }
+
   std::vector<Facets> take_parts() {
     std::vector<Facets> parts;
-    for (MergePart& part : parts_) {
-      parts.push_back(std::move(part.facets));
+    for (DonePart& part : parts_) {
+      parts.push_back(std::move(part.task.facets));
     }
     parts_.clear();
     return parts;
   }
 
   void assemble_all() {
-    std::vector<AssembledPart> parts = assembly_->assemble(take_parts());
-    for (std::size_t i = parts.size(); i-- > 0;) {
-      stack_.push_back(
-          {std::move(parts[i].facets), 0, parts[i].joined ? PartReason::merged : PartReason::ridge});
+    measurer().use_valleys(std::move(valleys_), nullptr);
+    for (AssembledPart& part : assembly_->assemble(take_parts())) {
+      tasks_.push_back({std::move(part.facets), 0, part.joined ? PartReason::merged : PartReason::ridge});
     }
+    valleys_ = measurer().take_valleys();
   }
 
   /// What is reported is measured from scratch; a part that turns out too concave is divided once more
   /// (12.6), and its pieces join each other and their neighbours where that holds from scratch, too.
   void measure_all() {
-    const auto total = static_cast<double>(std::max<std::size_t>(1, scaled_.facet_count()));
-    std::size_t done = 0;
-    bool divided = false;
-    while (!stack_.empty()) {
-      context_->check();
-      Work work = std::move(stack_.back());
-      stack_.pop_back();
-      measurer_.measure(work.facets, {}, MeasureMode::scratch, measurement_);
-      if (measurement_.concavity > measurer_.tolerance() && replace_by_pieces(work)) {
-        divided = true;
-        continue;
-      }
-      done += work.facets.size();
-      context_->report("segment", 0.8 + 0.2 * static_cast<double>(done) / total);
-      final_.push_back(describe(work));
-      parts_.push_back({std::move(work.facets), {}, false, work.depth > 0});
-    }
+    parts_ = divide_all(std::move(tasks_), MeasureMode::scratch, 0.8, 1.0);
+    const bool divided =
+        std::any_of(parts_.begin(), parts_.end(), [](const DonePart& p) { return p.task.depth > 0; });
     if (divided && rules_.merging) {
       merge_divided();
     }
+    for (DonePart& part : parts_) {
+      final_.push_back(describe(std::move(part)));
+    }
+    parts_.clear();
   }
 
   void merge_divided() {
+    std::vector<PartTask> changed;
+    std::vector<DonePart> remaining;
     if (assembly_) {
-      final_.clear();
+      measurer().use_valleys(std::move(valleys_), nullptr);
       for (AssembledPart& part : assembly_->join_from_scratch(take_parts())) {
-        const Work work{std::move(part.facets), 0, part.joined ? PartReason::merged : PartReason::ridge};
-        measurer_.measure(work.facets, {}, MeasureMode::scratch, measurement_);
-        final_.push_back(describe(work));
+        changed.push_back({std::move(part.facets), 0, part.joined ? PartReason::merged : PartReason::ridge});
       }
-      return;
+      valleys_ = measurer().take_valleys();
+    } else {
+      std::vector<MergePart> parts;
+      for (DonePart& part : parts_) {
+        parts.push_back({part.task.facets, {}, false, part.task.depth > 0});
+      }
+      join(parts, MeasureMode::test_scratch);
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i].merged) {
+          changed.push_back({std::move(parts[i].facets), 0, PartReason::merged});
+        } else if (!parts[i].facets.empty()) {
+          remaining.push_back(std::move(parts_[i]));
+        }
+      }
     }
-    merge_parts(measurer_, weights_, parts_, MeasureMode::test_scratch);
-    std::vector<Part> remaining;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      if (parts_[i].merged) {
-        const Work work{parts_[i].facets, 0, PartReason::merged};
-        measurer_.measure(work.facets, {}, MeasureMode::scratch, measurement_);
-        final_[i] = describe(work);
-      }
-      if (!parts_[i].facets.empty()) {
-        remaining.push_back(std::move(final_[i]));
-      }
+    // Their unions were within the tolerance from scratch, so none of them is divided here.
+    for (DonePart& part : divide_all(std::move(changed), MeasureMode::scratch, 1.0, 1.0)) {
+      remaining.push_back(std::move(part));
     }
-    final_ = std::move(remaining);
+    parts_ = std::move(remaining);
   }
 
-  Part describe(const Work& work) const {
+  Part describe(const DonePart& done) const {
     Part part;
-    part.faces.reserve(work.facets.size());
-    for (const std::uint32_t f : work.facets) {
+    part.faces.reserve(done.task.facets.size());
+    for (const std::uint32_t f : done.task.facets) {
       part.faces.emplace_back(f);
     }
-    part.concavity = measurement_.concavity;
-    for (const std::uint32_t v : measurement_.hull.vertices) {
+    part.concavity = done.concavity;
+    for (const std::uint32_t v : done.hull.vertices) {
       part.hull_vertices.emplace_back(v);
     }
-    part.hull_volume = measurement_.hull.volume(scaled_.points) * scaled_.unit * scaled_.unit * scaled_.unit;
-    part.reason = work.reason;
+    part.hull_volume = done.hull.volume(scaled_.points) * scaled_.unit * scaled_.unit * scaled_.unit;
+    part.reason = done.task.reason;
     return part;
   }
 
@@ -272,7 +256,7 @@ class Run {
     Facets all(scaled_.facet_count());
     std::iota(all.begin(), all.end(), 0U);
     const std::vector<std::uint32_t> together(scaled_.facet_count(), 0);
-    std::vector<Facets> components = cutter_.components(all, together);
+    std::vector<Facets> components = cutter().components(all, together);
     std::vector<std::size_t> size_of(scaled_.facet_count(), 0);
     for (const Facets& component : components) {
       for (const std::uint32_t f : component) {
@@ -319,19 +303,21 @@ class Run {
 
   /// Adds a crumb to a part; false, and nothing is changed, when the part would be too concave.
   bool take_in(const Facets& crumb, std::uint32_t into, const std::vector<std::uint32_t>& part_of) {
-    Work work{crumb, 0, final_[into].reason};
+    PartTask task{crumb, 0, final_[into].reason};
     for (const FaceId f : final_[into].faces) {
-      work.facets.push_back(f.value());
+      task.facets.push_back(f.value());
     }
-    std::sort(work.facets.begin(), work.facets.end());
-    measurer_.measure(work.facets, {}, MeasureMode::scratch, measurement_);
-    if (measurement_.concavity > measurer_.tolerance()) {
+    std::sort(task.facets.begin(), task.facets.end());
+    Measurement& measurement = workers_.first().measurement;
+    measurer().use_valleys(ValleyCache(), nullptr);
+    measurer().measure(task.facets, {}, MeasureMode::scratch, measurement);
+    if (measurement.concavity > measurer().tolerance()) {
       return false;
     }
     for (const std::uint32_t f : crumb) {
       final_[part_of[f]].faces.clear();
     }
-    final_[into] = describe(work);
+    final_[into] = describe({std::move(task), measurement.concavity, measurement.hull});
     return true;
   }
 
@@ -380,14 +366,12 @@ class Run {
   Rules rules_;
   EdgeWeights weights_;
   VertexGraph graph_;
-  Measurer measurer_;
-  Cutter cutter_;
+  PartWorkers workers_;
   std::optional<Assembly> assembly_;
   const Context* context_;
-  Measurement measurement_;
-  std::vector<Work> stack_;
-  std::vector<MergePart> parts_;
-  std::vector<PartReason> reasons_;
+  ValleyCache valleys_;  ///< known to all; with a worker while that works alone
+  std::vector<PartTask> tasks_;
+  std::vector<DonePart> parts_;
   std::vector<Part> final_;
   Recursion recursion_;
 };

@@ -6,11 +6,11 @@
 #include <map>
 
 #include "mesh/foundation/error.hpp"
+#include "mesh/foundation/parallel.hpp"
 #include "unfold/check.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/joins.hpp"
 #include "unfold/panel_parts.hpp"
-#include "unfold/parallel.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/fitting_panels.hpp"

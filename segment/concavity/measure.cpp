@@ -62,7 +62,20 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
     out.stopped = true;
     return;
   }
-  find_hull(hull_points, out.hull);
+  hulls_.build(hull_points.empty() ? part_.vertices() : hull_points, out.hull, flat_face_lift);
+  measure_selected(mode, out);
+}
+
+void Measurer::measure_with_hull(std::span<const std::uint32_t> facets, Hull hull, MeasureMode mode,
+                                 Measurement& out) {
+  part_.select(facets);
+  signature_ = signature_of(facets);
+  out.hull = std::move(hull);
+  measure_selected(mode, out);
+}
+
+/// Measures the part that the graph shows, when its hull is there.
+void Measurer::measure_selected(MeasureMode mode, Measurement& out) {
   depth_.select(out.hull);
   out.bridges.assign(out.hull.edges.size(), Bridge{});
   out.concavity = 0.0;
@@ -153,19 +166,13 @@ bool Measurer::fails_in_shadow(std::span<const std::uint32_t> hull_points) {
   return false;
 }
 
-/// A hull that was kept is that of the same points in the same order.
-void Measurer::find_hull(std::span<const std::uint32_t> hull_points, Hull& hull) {
-  const auto kept = kept_hulls_.find(signature_);
-  if (hull_points.empty() && kept != kept_hulls_.end()) {
-    hull = std::move(kept->second);
-    kept_hulls_.erase(kept);
-    return;
-  }
-  hulls_.build(hull_points.empty() ? part_.vertices() : hull_points, hull, flat_face_lift);
+void Measurer::use_valleys(ValleyCache own, const ValleyCache* known) {
+  cache_ = std::move(own);
+  known_ = known;
 }
 
-void Measurer::keep_hull(Measurement& measurement) {
-  kept_hulls_[signature_] = std::move(measurement.hull);
+ValleyCache Measurer::take_valleys() {
+  return std::exchange(cache_, ValleyCache());
 }
 
 /// Puts the bridges of the order from number `from` on in order of length, at 0 the first_tested longest
@@ -275,7 +282,8 @@ bool Measurer::survives(const Valley& valley) const {
 
 Valley Measurer::find_valley(const Bridge& bridge, bool scratch) {
   Valley valley;
-  if (cache_.find(bridge.a, bridge.b, valley)) {
+  if (cache_.find(bridge.a, bridge.b, valley) ||
+      (known_ != nullptr && known_->find(bridge.a, bridge.b, valley))) {
     // A search on the same part would find the same valley again. From other parts only what is surely still
     // shortest is taken: where there are cut loops, a jump may be shorter than a deep valley.
     if (valley.part == signature_ ||

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -65,10 +64,15 @@ class Measurer {
   /// for all. Afterwards graph() shows the part.
   void measure(std::span<const std::uint32_t> facets, std::span<const std::uint32_t> hull_points,
                MeasureMode mode, Measurement& out);
+  /// The same for a part whose hull, among all its vertices, is known.
+  void measure_with_hull(std::span<const std::uint32_t> facets, Hull hull, MeasureMode mode,
+                         Measurement& out);
 
-  /// Takes the hull out of the last measurement, for when this very part is measured again: once, and not
-  /// among given points. That measurement must have been among all points, too.
-  void keep_hull(Measurement& measurement);
+  /// From now on uses and adds to these valleys, and uses those of `known`, which may be null, but outlives
+  /// their use and isn't changed.
+  void use_valleys(ValleyCache own, const ValleyCache* known);
+  /// What it found, and was given as own, since use_valleys().
+  [[nodiscard]] ValleyCache take_valleys();
 
   [[nodiscard]] PartGraph& graph() { return part_; }
   [[nodiscard]] ValleySearch& search() { return search_; }
@@ -76,7 +80,7 @@ class Measurer {
   [[nodiscard]] const Context& context() const { return *context_; }
 
  private:
-  void find_hull(std::span<const std::uint32_t> hull_points, Hull& hull);
+  void measure_selected(MeasureMode mode, Measurement& out);
   void sort_longest_first(std::size_t from, std::span<Bridge> bridges);
   [[nodiscard]] bool fails_in_shadow(std::span<const std::uint32_t> hull_points);
   [[nodiscard]] bool is_zero(Bridge& bridge) const;
@@ -95,9 +99,9 @@ class Measurer {
   PartGraph part_;
   ValleySearch search_;
   ValleyCache cache_;
+  const ValleyCache* known_ = nullptr;
   std::uint64_t signature_ = 0;  ///< of the part that the graph shows: a hash of its facets
   HullBuilder hulls_;
-  std::map<std::uint64_t, Hull> kept_hulls_;  ///< by signature
   HullDepth depth_;
   Shadow shadow_;
   std::vector<std::uint32_t> shadow_corners_;

@@ -6,7 +6,8 @@
 namespace ridgecraft::segment {
 namespace {
 
-constexpr std::size_t first_size = 1024;
+/// Small: each part that is measured for itself has a cache of its own.
+constexpr std::size_t first_size = 64;
 
 std::uint64_t key_of(std::uint32_t from, std::uint32_t to) {
   return std::uint64_t{from} << 32U | to;
@@ -51,6 +52,21 @@ void ValleyCache::store(std::uint32_t from, std::uint32_t to, const Valley& vall
        valley.length,    valley.greatest, valley.part};
   steps_.insert(steps_.end(), valley.steps.begin(), valley.steps.end());
   concavity_.insert(concavity_.end(), valley.concavity.begin(), valley.concavity.end());
+}
+
+void ValleyCache::absorb(const ValleyCache& other) {
+  for (const Entry& e : other.table_) {
+    if (e.count != 0) {
+      const auto from = static_cast<std::uint32_t>(e.key >> 32U);
+      const auto to = static_cast<std::uint32_t>(e.key & 0xffffffffU);
+      store(from, to,
+            {{other.steps_.data() + e.first, e.count},
+             {other.concavity_.data() + e.first, e.count},
+             e.length,
+             e.greatest,
+             e.part});
+    }
+  }
 }
 
 void ValleyCache::grow() {

@@ -27,6 +27,8 @@ class ValleyCache {
   [[nodiscard]] bool find(std::uint32_t from, std::uint32_t to, Valley& out) const;
   /// Keeps a copy, in place of an earlier one between the same vertices.
   void store(std::uint32_t from, std::uint32_t to, const Valley& valley);
+  /// Takes all valleys of another one over, in place of those between the same vertices.
+  void absorb(const ValleyCache& other);
 
  private:
   struct Entry {

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <stop_token>
 #include <string>
 
 #include <catch2/catch.hpp>
 
 #include "mesh/foundation/context.hpp"
+#include "mesh/foundation/error.hpp"
 #include "segment/agreement.hpp"
 #include "segment/evaluate.hpp"
 #include "segment/segment.hpp"
@@ -77,6 +79,38 @@ TEST_CASE("The same run twice gives the same parts") {
   for (const mesh::Surface& s : shapes()) {
     CHECK(segmented(s).part == segmented(s).part);
   }
+}
+
+TEST_CASE("The number of threads changes nothing") {
+  std::vector<mesh::Surface> all = shapes();
+  all.push_back(test::together(all));
+  for (const mesh::Surface& s : all) {
+    for (const int effort : {1, 2}) {
+      segment::Options options{0.05};
+      options.effort = effort;
+      const segment::Segmentation one = segment::segment(s, {}, options, Context{});
+      for (const unsigned threads : {2U, 4U}) {
+        Context context;
+        context.threads = threads;
+        const segment::Segmentation several = segment::segment(s, {}, options, context);
+        REQUIRE(several.part == one.part);
+        for (const PartId p : ids<PartId>(one.parts.size())) {
+          CHECK(several.parts[p].concavity == one.parts[p].concavity);
+          CHECK(several.parts[p].hull_vertices == one.parts[p].hull_vertices);
+          CHECK(several.parts[p].reason == one.parts[p].reason);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("Segmenting on several threads stops when it is asked to") {
+  std::stop_source source;
+  Context context;
+  context.threads = 4;
+  context.stop = source.get_token();
+  context.progress = [&](std::string_view, double) { source.request_stop(); };
+  CHECK_THROWS_AS(segment::segment(test::spiked_sphere(6, 0.02, 80, 40), {}, {0.1}, context), Error);
 }
 
 TEST_CASE("Scaled, moved and turned shapes have the same parts") {

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/foundation/parallel.hpp"
 #include "unfold/check.hpp"
 #include "unfold/folding/free_folding.hpp"
 #include "unfold/objective.hpp"
-#include "unfold/parallel.hpp"
 #include "unfold/pieces/tidy_piece.hpp"
 #include "unfold/search/layout.hpp"
 #include "unfold/search/sub_patch.hpp"

@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "mesh/foundation/parallel.hpp"
 #include "unfold/check.hpp"
-#include "unfold/parallel.hpp"
 #include "unfold/search/layout.hpp"
 #include "unfold/search/tree_search.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "mesh/foundation/context.hpp"
 
-namespace ridgecraft::unfold {
+namespace ridgecraft {
 
 /// Calls work(i, own) for each i < count on as many threads as the context allows, and afterwards
 /// finished(how many are done) under a lock. `own` is the context with the threads that a task may use by
@@ -66,4 +66,4 @@ void do_in_parallel(std::size_t count, const Context& context, Work work) {
   do_in_parallel(count, context, work, [](std::size_t) {});
 }
 
-}  // namespace ridgecraft::unfold
+}  // namespace ridgecraft
