@@ -26,6 +26,9 @@ namespace {
 
 /// Share of the tolerance by which an arc across an edge may leave the straight line (vertex_graph.hpp).
 constexpr double arc_sagitta_share = 0.25;
+/// Surfaces of so many faces don't fit into a processor's caches: numbers that are near in space save a fifth
+/// of the time. Smaller ones gain 2 % and keep their numbers, by which ties are decided.
+constexpr std::size_t renumbered_from = 100000;
 /// A component with at most this part of the largest one's facets is a crumb of a damaged surface.
 constexpr std::size_t crumb_ratio = 20;
 
@@ -36,7 +39,9 @@ bool closes_holes(const mesh::Surface& surface, const Options& options) {
 
 ScaledSurface scaled_and_whole(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
                                bool close, Options::Components components) {
-  ScaledSurface scaled = scale_surface(surface, polygon, Numbering::along_curve);
+  const Numbering numbering =
+      surface.face_count() < renumbered_from ? Numbering::kept : Numbering::along_curve;
+  ScaledSurface scaled = scale_surface(surface, polygon, numbering);
   if (close) {
     close_holes(scaled);
   }
@@ -331,6 +336,9 @@ class Run {
 
   /// Faces and vertices get the numbers that they have in the surface.
   void number_as_given() {
+    if (scaled_.face_of.empty()) {
+      return;
+    }
     for (Part& part : final_) {
       for (FaceId& f : part.faces) {
         f = FaceId(scaled_.face_of[f.value()]);

@@ -146,18 +146,19 @@ bool is_manifold(const TriangleList& list) {
   return edges_are_sound(uses) && vertices_are_sound(list, uses);
 }
 
-void make_manifold(TriangleList& list, RepairReport& report, const Context& context) {
+void make_manifold(TriangleList& list, std::vector<EdgeUse>& uses, RepairReport& report,
+                   const Context& context) {
   // One round is enough as far as is known; the others cost nothing where it was.
   constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round) {
     context.check();
-    const std::vector<EdgeUse> uses = edge_uses(list.triangles);
     if (edges_are_sound(uses) && vertices_are_sound(list, uses)) {
       return;
     }
     const TriangleList before = list;
     orient_once(list);
     remark_cuts(before, list, uses, report);
+    uses = edge_uses(list.triangles);
   }
   throw Error(ErrorKind::internal, "the surface could not be made manifold");
 }

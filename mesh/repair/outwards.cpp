@@ -31,8 +31,7 @@ struct Component {
   bool was_turned = false;  ///< as a whole
 };
 
-std::vector<Component> find_components(const TriangleList& list) {
-  const std::vector<EdgeUse> uses = edge_uses(list.triangles);
+std::vector<Component> find_components(const TriangleList& list, const std::vector<EdgeUse>& uses) {
   DisjointSets sets(list.triangles.size());
   std::vector<std::uint8_t> open(list.triangles.size(), 0);
   for_each_edge(uses, [&](std::size_t i, std::size_t j) {
@@ -231,8 +230,9 @@ void remark_turned(const TriangleList& list, const Component& c, RepairReport& r
 
 }  // namespace
 
-void turn_outwards(TriangleList& list, RepairReport& report, const Context& context) {
-  std::vector<Component> components = find_components(list);
+void turn_outwards(TriangleList& list, const std::vector<EdgeUse>& uses, RepairReport& report,
+                   const Context& context) {
+  std::vector<Component> components = find_components(list, uses);
   for (Component& c : components) {
     measure(list, c);
   }

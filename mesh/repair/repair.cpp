@@ -174,9 +174,11 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
     report.add(RepairKind::flat_faces_collapsed, collapse_flat_triangles(triangles, context));
     drop_duplicates(triangles, report);
   }
-  report.add(RepairKind::t_junctions_joined, join_t_junctions(triangles, near * diagonal, context));
-  make_manifold(triangles, report, context);
-  turn_outwards(triangles, report, context);
+  std::vector<EdgeUse> uses = edge_uses(triangles.triangles);
+  report.add(RepairKind::t_junctions_joined, join_t_junctions(triangles, uses, near * diagonal, context));
+  make_manifold(triangles, uses, report, context);
+  turn_outwards(triangles, uses, report, context);
+  uses = {};
   Model model = build(soup, std::move(triangles));
   model.file_scale = file_scale;
   model.lines = std::move(lines);

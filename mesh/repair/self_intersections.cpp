@@ -1,47 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/repair/self_intersections.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 #include <vector>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include "mesh/foundation/near_boxes.hpp"
+#include "mesh/foundation/same_place.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// Points at one place get one number: corners of different vertices may lie there, as where an edge with
+/// Points at one place have one number: corners of different vertices may lie there, as where an edge with
 /// more than two faces was cut open.
-std::vector<std::uint32_t> number_places(std::span<const Vec3> points) {
-  std::vector<std::uint32_t> order(points.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-  }
-  const auto key = [&](std::uint32_t i) { return std::tie(points[i].x, points[i].y, points[i].z); };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
-  std::vector<std::uint32_t> place(points.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    place[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? place[order[k - 1]] : order[k];
-  }
-  return place;
-}
+using Places = std::array<std::uint32_t, 3>;
 
 struct Face {
-  std::array<std::uint32_t, 3> places;
   std::array<Vec3, 3> points;
   Vec3 normal;         ///< not normalised
   double bound = 0.0;  ///< of the rounding of normal . (p - points[0]), for p within the model
 };
 
-bool share_a_place(const Face& f, const Face& g) {
-  for (const std::uint32_t p : f.places) {
-    if (p == g.places[0] || p == g.places[1] || p == g.places[2]) {
+bool share_a_place(const Places& f, const Places& g) {
+  for (const std::uint32_t p : f) {
+    if (p == g[0] || p == g[1] || p == g[2]) {
       return true;
     }
   }
@@ -81,9 +67,12 @@ std::size_t count_self_intersections(const Surface& surface) {
   // stay within 30 eps d^3 (hull.cpp counts the same), taken with a margin of 30.
   constexpr double rounding = 1e-13;
   const double diagonal = surface.bounds().diagonal();
-  const std::vector<std::uint32_t> place = number_places(surface.points());
+  const std::vector<std::uint32_t> place = first_at_place(surface.points());
+  // Nearly all pairs share a place: what that takes lies close together.
+  std::vector<Places> places;
   std::vector<Face> faces;
   std::vector<Box3> boxes;
+  places.reserve(surface.face_count());
   faces.reserve(surface.face_count());
   boxes.reserve(surface.face_count());
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
@@ -92,10 +81,7 @@ std::size_t count_self_intersections(const Surface& surface) {
       continue;
     }
     const auto [a, b, c] = surface.vertices(f);
-    Face face{{place[a.value()], place[b.value()], place[c.value()]},
-              {surface.point(a), surface.point(b), surface.point(c)},
-              {},
-              0.0};
+    Face face{{surface.point(a), surface.point(b), surface.point(c)}, {}, 0.0};
     const Vec3 u = face.points[1] - face.points[0];
     const Vec3 v = face.points[2] - face.points[0];
     face.normal = cross(u, v);
@@ -105,13 +91,17 @@ std::size_t count_self_intersections(const Surface& surface) {
       box.add(p);
     }
     boxes.push_back(box);
+    places.push_back({place[a.value()], place[b.value()], place[c.value()]});
     faces.push_back(face);
   }
   std::size_t count = 0;
   NearBoxes(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+    if (share_a_place(places[i], places[j])) {
+      return;
+    }
     const Face& f = faces[i];
     const Face& g = faces[j];
-    if (!share_a_place(f, g) && !beside_plane(f, g) && !beside_plane(g, f) && intersect(f, g)) {
+    if (!beside_plane(f, g) && !beside_plane(g, f) && intersect(f, g)) {
       ++count;
     }
   });

@@ -38,9 +38,8 @@ bool meets(Vec3 a, Vec3 along, double size, const Box3& box) {
 /// One pass: each triangle is divided at one side at most.
 class Pass {
  public:
-  Pass(TriangleList& list, double distance)
+  Pass(TriangleList& list, const std::vector<EdgeUse>& uses, double distance)
       : list_(list), distance_(distance), reach_(list.points.size(), distance) {
-    const std::vector<EdgeUse> uses = edge_uses(list.triangles);
     for_each_edge(uses, [&](std::size_t i, std::size_t j) {
       if (j - i == 1) {
         border_.push_back(uses[i]);
@@ -156,15 +155,17 @@ class Pass {
 
 }  // namespace
 
-std::size_t join_t_junctions(TriangleList& list, double distance, const Context& context) {
+std::size_t join_t_junctions(TriangleList& list, std::vector<EdgeUse>& uses, double distance,
+                             const Context& context) {
   // Three sides need three passes; more are for parts of what was divided.
   constexpr int passes = 6;
   std::size_t count = 0;
   for (int pass = 0; pass < passes; ++pass) {
-    const std::size_t now = Pass(list, distance).run(context);
+    const std::size_t now = Pass(list, uses, distance).run(context);
     if (now == 0) {
       break;
     }
+    uses = edge_uses(list.triangles);
     count += now;
   }
   return count;

@@ -4,47 +4,24 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
-#include <tuple>
 #include <unordered_set>
 #include <utility>
 
 #include "mesh/foundation/disjoint_sets.hpp"
 #include "mesh/foundation/point_tree.hpp"
+#include "mesh/foundation/same_place.hpp"
 #include "mesh/simplify/edge_order.hpp"
 
 namespace ridgecraft::mesh {
-namespace {
-
-bool before(Vec3 a, Vec3 b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
-
-}  // namespace
-
 std::size_t join_equal_points(PolygonList& list) {
   std::vector<std::uint8_t> used(list.points.size(), 0);
   for (const std::uint32_t c : list.corners) {
     used[c] = 1;
   }
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t i = 0; i < list.points.size(); ++i) {
-    if (used[i] != 0) {
-      order.push_back(i);
-    }
-  }
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Vec3 p = list.points[a];
-    const Vec3 q = list.points[b];
-    return before(p, q) || (!before(q, p) && a < b);
-  });
-  std::vector<std::uint32_t> stays(list.points.size());
-  std::iota(stays.begin(), stays.end(), 0U);
+  const std::vector<std::uint32_t> stays = first_at_place(list.points, used);
   std::size_t gone = 0;
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    if (list.points[order[k]] == list.points[order[k - 1]]) {
-      stays[order[k]] = stays[order[k - 1]];
-      ++gone;
-    }
+  for (std::uint32_t i = 0; i < stays.size(); ++i) {
+    gone += stays[i] != i ? 1U : 0U;
   }
   if (gone > 0) {
     for (std::uint32_t& c : list.corners) {
