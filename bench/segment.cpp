@@ -286,11 +286,9 @@ int main(int argc, char** argv) {
       segment::Options options = arguments.options;
       options.concavity = arguments.sweep[t];
       runs[t].push_back(arguments.damage > 0.0 ? run_damaged(model, arguments.damage, options)
-      runs[t].push_back(
-          arguments.damage > 0.0 ? run_damaged(model, arguments.damage, options)
-          : arguments.only_speed
-              ? run_speed(model, options, arguments.threads, labels)
-              : run_whole(model, options, arguments.labels, runs.size() == 1));
+                        : arguments.only_speed
+                            ? run_speed(model, options, arguments.threads, labels)
+                            : run_whole(model, options, arguments.labels, runs.size() == 1));
       runs[t].back().tolerance = options.concavity;
       json << bench::json_line(runs[t].back()) << std::endl;  // a long run can be watched
       if (!arguments.models.empty()) {
