@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How many cut edges of whole models get a usable tab:
 //
-//   bench_tabs [--seeds N] [--effort TRIALS] [--faces N] [--rule strict|weak] [--each] [--every K]
-//   [--psb FOLDER] MODEL...
+//   bench_tabs [--seeds N] [--effort TRIALS] [--faces N] [--rule strict|weak] [--phase off|on|split]
+//   [--each] [--every K] [--psb FOLDER] MODEL...
 //
 // Each model is made 150 mm large and unfolded into one net, with 5 mm tabs, without and with the second
-// phase; TRIALS (20) are for each face. With the folder of the Princeton benchmark's meshes (1.off, 3.off,
+// phase; TRIALS (20) are for each face. In a third run ("split", strict rule only) pieces may be split until
+// every edge that is wide enough has a tab. With the folder of the Princeton benchmark's meshes
+// (1.off, 3.off,
 // ...) the 3rd, 9th and 15th of each category (every K-th of them) are simplified to N faces (200 and 500).
 // The strict rule is the library's; the weak one lets a tab show beyond the face behind which it is glued,
 // and overlap by 0.01 mm. Shares are means over the models, and of these the median over the seeds. One
@@ -42,6 +44,7 @@ struct Settings {
   std::vector<std::size_t> faces{200, 500};
   bool strict = true;
   bool weak = true;
+  std::vector<std::string> phases{"off", "on", "split"};
   bool each = false;
   int every = 1;
   std::string psb;
@@ -62,6 +65,7 @@ struct Figures {
   double cuts = 0.0;
   double usable = 0.0;  ///< share of the cuts
   double any = 0.0;
+  double of_wide = 0.0;        ///< share of the cuts that are wide enough for a usable tab
   double usable_long = 0.0;    ///< share of those longer than bench::long_edge_mm
   double of_bound = 0.0;       ///< share of what geometry allows
   double of_long_bound = 0.0;  ///< the same of the long ones
@@ -101,12 +105,14 @@ double share(double part, double whole) {
 
 Figures figures_of(const Example& example, const unfold::Nets& nets, const unfold::TabOptions& options) {
   double usable = 0.0;
+  double wide = 0.0;
   double long_cuts = 0.0;
   double long_usable = 0.0;
   for (const unfold::Join& join : nets.joins) {
     const bool is_long = example.surface.length(join.edge) > bench::long_edge_mm;
     const bool good = join.tab.valid() && unfold::is_usable(example.surface, nets, join.tab, options);
     usable += good ? 1.0 : 0.0;
+    wide += join.too_narrow ? 0.0 : 1.0;
     long_cuts += is_long ? 1.0 : 0.0;
     long_usable += is_long && good ? 1.0 : 0.0;
   }
@@ -117,6 +123,7 @@ Figures figures_of(const Example& example, const unfold::Nets& nets, const unfol
   result.cuts = joins;
   result.usable = share(usable, joins);
   result.any = share(static_cast<double>(nets.tabs.size()), joins);
+  result.of_wide = share(usable, wide);
   result.usable_long = share(long_usable, long_cuts);
   result.of_bound = share(result.usable, example.bound.cuts);
   result.of_long_bound = share(result.usable_long, example.bound.long_cuts);
@@ -126,9 +133,10 @@ Figures figures_of(const Example& example, const unfold::Nets& nets, const unfol
 }
 
 /// Every member, so that sums, means and medians need be written once.
-constexpr double Figures::*members[] = {&Figures::runs,     &Figures::pieces,        &Figures::cuts,
-                                        &Figures::usable,   &Figures::any,           &Figures::usable_long,
-                                        &Figures::of_bound, &Figures::of_long_bound, &Figures::collisions};
+constexpr double Figures::*members[] = {&Figures::runs,        &Figures::pieces,   &Figures::cuts,
+                                        &Figures::usable,      &Figures::any,      &Figures::of_wide,
+                                        &Figures::usable_long, &Figures::of_bound, &Figures::of_long_bound,
+                                        &Figures::collisions};
 
 Figures mean(const std::vector<Figures>& all) {
   Figures result;
@@ -161,26 +169,27 @@ Figures median(const std::vector<Figures>& all) {
 }
 
 void print_head() {
-  std::printf("%-7s %-6s %-6s %5s %7s %7s %8s %8s %9s %9s %7s %6s %6s %8s %8s\n", "faces", "rule", "phase",
-              "nets", "pieces", "cuts", "usable", "any tab", "of bound", "over 8mm", "of bnd", "colls", "",
-              "median s", "90 % s");
+  std::printf("%-7s %-6s %-6s %5s %7s %7s %8s %8s %8s %9s %9s %7s %6s %9s %8s\n", "faces", "rule", "phase",
+              "nets", "pieces", "cuts", "usable", "any tab", "of wide", "of bound", "over 8mm", "of bnd",
+              "colls", "median s", "90 % s");
 }
 
 void print(const std::string& faces, const std::string& rule, const std::string& phase, const Figures& row,
            const std::vector<double>& seconds) {
   std::printf(
-      "%-7s %-6s %-6s %5.0f %7.2f %7.1f %7.1f%% %7.1f%% %8.1f%% %8.1f%% %6.1f%% %6.0f %6s %8.3f %8.3f\n",
+      "%-7s %-6s %-6s %5.0f %7.2f %7.1f %7.1f%% %7.1f%% %7.2f%% %8.1f%% %8.1f%% %6.1f%% %6.0f %9.3f %8.3f\n",
       faces.c_str(), rule.c_str(), phase.c_str(), row.runs, row.pieces, row.cuts, 100.0 * row.usable,
-      100.0 * row.any, 100.0 * row.of_bound, 100.0 * row.usable_long, 100.0 * row.of_long_bound,
-      row.collisions, "", quantile(seconds, 0.5), quantile(seconds, 0.9));
+      100.0 * row.any, 100.0 * row.of_wide, 100.0 * row.of_bound, 100.0 * row.usable_long,
+      100.0 * row.of_long_bound, row.collisions, quantile(seconds, 0.5), quantile(seconds, 0.9));
   std::fflush(stdout);
 }
 
-void run(const std::string& faces, const std::vector<Example>& examples, bool strict, double effort,
-         const Settings& settings) {
+void run(const std::string& faces, const std::vector<Example>& examples, bool strict,
+         const std::string& phase, const Settings& settings) {
   unfold::Options options;
   options.panel_cuts = unfold::PanelCuts::before_pieces;
-  options.tabs.trials_per_face = effort;
+  options.tabs.trials_per_face = phase == "off" ? 0.0 : settings.effort;
+  options.tabs.split_pieces = phase == "split";
   options.tabs.inside_target = strict;
   options.tabs.clearance_mm = strict ? options.tabs.clearance_mm : -weak_overlap_mm;
   std::vector<Figures> of_seed;
@@ -198,13 +207,12 @@ void run(const std::string& faces, const std::vector<Example>& examples, bool st
       seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
       of_model.push_back(figures_of(example, nets, options.tabs));
       if (settings.each) {
-        print(example.name, strict ? "strict" : "weak", effort > 0.0 ? "on" : "off", of_model.back(),
-              {seconds.back()});
+        print(example.name, strict ? "strict" : "weak", phase, of_model.back(), {seconds.back()});
       }
     }
     of_seed.push_back(mean(of_model));
   }
-  print(faces, strict ? "strict" : "weak", effort > 0.0 ? "on" : "off", median(of_seed), seconds);
+  print(faces, strict ? "strict" : "weak", phase, median(of_seed), seconds);
 }
 
 void run_all(const std::string& faces, const std::vector<Example>& examples, const Settings& settings) {
@@ -224,8 +232,11 @@ void run_all(const std::string& faces, const std::vector<Example>& examples, con
       faces.c_str(), 100.0 * bound.edges, 100.0 * bound.cuts, 100.0 * bound.long_cuts);
   for (const bool strict : {true, false}) {
     if (strict ? settings.strict : settings.weak) {
-      run(faces, examples, strict, 0.0, settings);
-      run(faces, examples, strict, settings.effort, settings);
+      for (const std::string& phase : settings.phases) {
+        if (strict || phase != "split") {
+          run(faces, examples, strict, phase, settings);
+        }
+      }
     }
   }
 }
@@ -278,6 +289,8 @@ Settings parse(int argc, char** argv) {
       const std::string rule = argv[++i];
       settings.strict = rule != "weak";
       settings.weak = rule != "strict";
+    } else if (word == "--phase" && has_value) {
+      settings.phases = {argv[++i]};
     } else if (word == "--each") {
       settings.each = true;
     } else if (word == "--every" && has_value) {

@@ -38,6 +38,9 @@ void add_tabs(const unfold::TabOptions& tabs, paper::Settings& settings) {
   settings["tabs"] = tabs.wanted ? "true" : "false";
   settings["tab_height_mm"] = number(tabs.height_mm);
   settings["tab_angle_deg"] = degrees(tabs.angle);
+  if (tabs.wanted && tabs.split_pieces) {
+    settings["all_tabs"] = "true";
+  }
 }
 
 void add_edges(const EdgeFiles& edges, paper::Settings& settings) {

@@ -146,6 +146,7 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
   json["size_mm"] = size_json(model.surface);
   json["tabs"] = result.figures.tabs;
   json["tabs_usable"] = unfold::tabs_usable(model.surface, result.nets, job.tabs);
+  json["joins_too_narrow"] = joins_too_narrow(result.nets);
   json["joins"] = result.figures.joins;
   json["joins_without_tab"] = result.figures.joins_without_tab;
   json["cut_mm"] = rounded(result.figures.cut_mm);
@@ -203,6 +204,7 @@ std::string summary_json(const UnfoldJob& job, const UnfoldResult& result) {
     json["tabs"] = result.nets.tabs.size();
     json["tabs_usable"] = unfold::tabs_usable(model.surface, result.nets, {});
     json["joins_without_tab"] = joins_without_tab(result.nets);
+    json["joins_too_narrow"] = joins_too_narrow(result.nets);
   }
   json["size_mm"] = size_json(model.surface);
   json["cut_mm"] = rounded(result.figures.cut_mm);

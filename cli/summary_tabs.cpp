@@ -63,6 +63,11 @@ std::size_t joins_without_tab(const unfold::Nets& nets) {
                                                 [](const auto& join) { return !join.tab.valid(); }));
 }
 
+std::size_t joins_too_narrow(const unfold::Nets& nets) {
+  return static_cast<std::size_t>(
+      std::count_if(nets.joins.begin(), nets.joins.end(), [](const auto& join) { return join.too_narrow; }));
+}
+
 std::string tabs_text(const unfold::Nets& nets, double asked_mm) {
   const std::size_t without = joins_without_tab(nets);
   return fmt::format("  tabs        {} for {}{}{}\n", nets.tabs.size(), counted(nets.joins.size(), "join"),

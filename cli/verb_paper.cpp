@@ -83,6 +83,8 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.option("Tabs and lines", "--tab-height", tab_height, "LENGTH", "Height of the glue tabs (5mm).");
   verb.option("Tabs and lines", "--tab-angle", tab_angle, "DEGREES",
               "Side angle of the glue tabs; steeper where an edge is short (45).");
+  verb.flag("Tabs and lines", "--all-tabs", job.tabs.split_pieces,
+            "Split pieces further until every edge with a face wide enough behind it has a glue tab.");
   verb.flag("Tabs and lines", "--no-tabs", no_tabs, "Draw no glue tabs.");
   verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
               "Draw no line where the surface is folded by less than this (3).");
@@ -120,6 +122,9 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     job.concavity = concavity_or_refuse(concavity);
     job.pieces = pieces.rules();
     job.pieces_asked = pieces.mode;
+    if (no_tabs && job.tabs.split_pieces) {
+      refuse("--all-tabs and --no-tabs exclude each other");
+    }
     job.tabs.wanted = !no_tabs;
     if (!tab_height.empty()) {
       job.tabs.height_mm = length_or_refuse("--tab-height", tab_height);

@@ -33,10 +33,13 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   size.add_to(verb, "keep");
   verb.flag("Tabs", "--tabs", job.tabs.wanted,
             "Search nets whose cut edges have room for 5 mm glue tabs, and draw these.");
+  verb.flag("Tabs", "--all-tabs", job.tabs.split_pieces,
+            "The same, and split pieces until every edge with a face wide enough behind it has a tab.");
   common.add_to(verb);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.model, "name the model to unfold", "ridgecraft unfold");
     job.common = common.checked();
+    job.tabs.wanted = job.tabs.wanted || job.tabs.split_pieces;
     job.size = size.checked();
     job.concavity = concavity_or_refuse(concavity);
     return job;

@@ -86,14 +86,16 @@ NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& opti
     return NoTab::edge_too_short;
   }
   for (const TabSite* site : {&a, &b}) {
-    std::vector<Obstacle> target;
-    std::copy_if(site->obstacles.begin(), site->obstacles.end(), std::back_inserter(target),
-                 [](const Obstacle& o) { return o.kind == Obstacle::Kind::target_edge; });
-    if (!low_tab_shape(site->length, target, options).outline.empty()) {
+    if (!low_tab_shape(site->length, target_outline(*site), options).outline.empty()) {
       return NoTab::no_room;
     }
   }
   return NoTab::target_too_small;
+}
+
+/// Could neither side of a join have a usable tab, whatever the net?
+bool both_too_narrow(const TabSite& a, const TabSite& b, const TabOptions& options) {
+  return !target_allows_usable(a, options) && !target_allows_usable(b, options);
 }
 
 }  // namespace
@@ -104,6 +106,7 @@ void place_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const 
   for (Join& join : nets.joins) {
     join.tab = TabId();
     join.no_tab = NoTab::not_wanted;
+    join.too_narrow = false;
   }
   if (!options.wanted) {
     return;
@@ -118,6 +121,8 @@ void place_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const 
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];
     const auto& tab = chosen[j.value()];
+    join.too_narrow = !(tab && tab->shape.usable) &&
+                      both_too_narrow(sites[2 * j.value()], sites[2 * j.value() + 1], options);
     if (!tab) {
       join.no_tab = reason_for_none(sites[2 * j.value()], sites[2 * j.value() + 1], options);
       continue;

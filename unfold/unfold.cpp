@@ -17,6 +17,7 @@
 #include "unfold/pieces/kept_edges.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/pieces/patch_nets.hpp"
+#include "unfold/pieces/tab_split.hpp"
 #include "unfold/search/layout.hpp"
 #include "unfold/sheet.hpp"
 #include "unfold/tabs.hpp"
@@ -212,7 +213,9 @@ std::vector<Draft> order_pieces(const mesh::Surface& surface, const IdVector<Fac
   return drafts;
 }
 
-Nets assemble(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part, const Forest& forest) {
+/// The forest with other folds as nets: nothing but tabs and joins is missing.
+Nets assemble(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part, const Forest& forest,
+              const Folds& folds) {
   Nets nets;
   nets.use = IdVector<EdgeId, EdgeUse>(surface.edge_count(), EdgeUse::cut);
   nets.piece = IdVector<FaceId, PieceId>(surface.face_count());
@@ -223,7 +226,7 @@ Nets assemble(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part
       nets.use[e] = EdgeUse::border;
     }
   }
-  const Layout layout = lay_out(forest.patch, forest.folds);
+  const Layout layout = lay_out(forest.patch, folds);
   std::vector<Draft> drafts = order_pieces(surface, part, layout);
   find_reasons(forest, part, drafts);
   for (const Draft& draft : drafts) {
@@ -238,7 +241,7 @@ Nets assemble(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part
       nets.piece[face] = id;
       nets.flat[face] = layout.flat[f];
       for (unsigned k = 0; k < 3; ++k) {
-        if (forest.folds[3 * f + k] != 0) {
+        if (folds[3 * f + k] != 0) {
           nets.use[surface.edge(mesh::corner(face, k))] = EdgeUse::fold;
         }
       }
@@ -261,6 +264,28 @@ void note_broken_wishes(const EdgeWishes& wishes, Nets& nets) {
   }
 }
 
+/// What splitting for tabs came to.
+void note_all_tabs(const mesh::Surface& surface, const TabOptions& options, Nets& nets) {
+  const auto count = [](auto number, const char* one, const char* more) {
+    return std::to_string(number) + (number == 1 ? one : more);
+  };
+  const auto pieces = std::count_if(nets.pieces.begin(), nets.pieces.end(),
+                                    [](const Piece& piece) { return piece.reason == PieceReason::tabs; });
+  const auto narrow =
+      std::count_if(nets.joins.begin(), nets.joins.end(), [](const Join& join) { return join.too_narrow; });
+  const auto crowded =
+      static_cast<std::ptrdiff_t>(nets.joins.size() - tabs_usable(surface, nets, options)) - narrow;
+  std::string note = pieces == 0 ? "no piece had to be" : count(pieces, " piece was", " pieces were");
+  note += " split off for tabs";
+  if (narrow > 0) {
+    note += "; no face is wide enough for a tab at " + count(narrow, " edge", " edges");
+  }
+  if (crowded > 0) {
+    note += "; " + count(crowded, " edge has", " edges have") + " no room for a tab even so";
+  }
+  nets.notes.push_back(std::move(note));
+}
+
 /// The promise of the header, checked on what is about to be returned.
 void insist_on_no_overlap(const Nets& nets) {
   std::vector<Triangle> triangles;
@@ -273,6 +298,53 @@ void insist_on_no_overlap(const Nets& nets) {
       throw Error(ErrorKind::internal, "the net of piece " + piece.name + " overlaps itself");
     }
   }
+}
+
+/// Joins and tabs on nets that are complete otherwise.
+void add_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const Options& options, Nets& nets,
+              const Context& context) {
+  number_joins(surface, nets);
+  if (options.tabs.wanted) {
+    place_tabs(surface, panels, options.tabs, nets, context);
+    if (options.sheet) {
+      fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context);
+    }
+  }
+}
+
+/// The pieces that were split off others, but for the largest of each, are there for tabs.
+void blame_tabs(const Folds& split, Forest& forest) {
+  const Layout before = lay_out(forest.patch, forest.folds);
+  const Layout after = lay_out(forest.patch, split);
+  std::vector<std::uint32_t> largest(before.faces.size(), nothing);
+  for (std::uint32_t piece = 0; piece < after.faces.size(); ++piece) {
+    std::uint32_t& other = largest[before.piece[after.faces[piece].front()]];
+    if (other == nothing ||
+        area_of(forest.patch, after.faces[piece]) > area_of(forest.patch, after.faces[other])) {
+      other = piece;
+    }
+  }
+  for (std::uint32_t f = 0; f < forest.patch.size(); ++f) {
+    if (largest[before.piece[f]] != after.piece[f]) {
+      forest.cause[f] = PieceReason::tabs;
+    }
+  }
+}
+
+/// Pieces are split until every edge that is wide enough has a usable tab.
+void give_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
+                   const IdVector<FaceId, PartId>& part, const Plan& plan, const Options& options,
+                   Forest& forest, const Context& context) {
+  const NetsOf nets_of = [&](const Folds& folds) {
+    Nets nets = assemble(surface, part, forest, folds);
+    close_flat_cuts(surface, panels, plan.wishes, nets);
+    add_tabs(surface, panels, options, nets, context);
+    return nets;
+  };
+  TabSplit split = split_for_tabs(surface, panels, forest.patch, forest.folds, room_of(options), options.tabs,
+                                  nets_of, net_tolerance(forest.patch.extent), context.seed, context);
+  blame_tabs(split.folds, forest);
+  forest.folds = std::move(split.folds);
 }
 
 }  // namespace
@@ -295,7 +367,10 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   if (options.tabs.wanted && context.out_of_time()) {
     forest.notes.emplace_back("the time given was up before all nets with more tabs were tried");
   }
-  Nets nets = assemble(surface, part, forest);
+  if (options.tabs.wanted && options.tabs.split_pieces) {
+    give_all_tabs(surface, panels, part, plan, options, forest, context);
+  }
+  Nets nets = assemble(surface, part, forest, forest.folds);
   close_flat_cuts(surface, panels, plan.wishes, nets);
   note_broken_wishes(options.wishes, nets);
   count_holes(surface, nets);
@@ -303,12 +378,9 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   do_in_parallel(nets.pieces.size(), context, [&](std::size_t i, const Context& own) {
     nets.pieces[PieceId(i)].folding = find_fold_order(surface, nets, PieceId(i), own);
   });
-  number_joins(surface, nets);
-  if (options.tabs.wanted) {
-    place_tabs(surface, panels, options.tabs, nets, context);
-    if (options.sheet) {
-      fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context);
-    }
+  add_tabs(surface, panels, options, nets, context);
+  if (options.tabs.wanted && options.tabs.split_pieces) {
+    note_all_tabs(surface, options.tabs, nets);
   }
   return nets;
 }

@@ -33,6 +33,8 @@ struct TabOptions {
   bool inside_target = true;
   /// How long trees with room for more tabs are searched for, in trials per face; 0: not at all.
   double trials_per_face = 10.0;
+  /// May pieces be split until every edge that is wide enough has a usable tab (pieces/tab_split.hpp)?
+  bool split_pieces = false;
 };
 
 /// What may be cut where a part has no single net with all its flat regions (panels) whole.
@@ -53,7 +55,8 @@ struct Options {
 };
 
 /// Unfolds each part into one net where one exists, splits those that don't fit the sheet in as few pieces as
-/// possible, and gives every cut edge that has room a tab. `part` gives each face its part (parts are
+/// possible, and gives every cut edge that has room a tab; where tabs.split_pieces asks for it, splits them
+/// further until every edge that is wide enough has a usable one. `part` gives each face its part (parts are
 /// connected over edges or are treated as several); neighbouring pieces are merged as `pieces` says; panels
 /// larger than the sheet are cut, others as `panel_cuts` says. The result has no overlap deeper than
 /// overlap_tolerance_mm (unfold/tolerance.hpp): an all-pairs check of its own confirms it before it is

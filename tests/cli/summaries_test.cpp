@@ -167,3 +167,37 @@ TEST_CASE("numbers without a place are listed by their pieces", "[summaries]") {
                       [&](const Json& j) { return j["number"] == lost["number"]; }));
   }
 }
+
+TEST_CASE("pieces are split where all tabs are asked for, and it is told", "[summary]") {
+  // A sheet of six squares with two low tips: a cut that ends at a tip hardly opens.
+  const TemporaryFolder folder;
+  write_bytes(folder / "tips.obj",
+              "v 0 0 0\nv 15 0 0\nv 30 0 0\nv 45 0 0\nv 0 15 0\nv 15 15 4\nv 30 15 3\nv 45 15 0\n"
+              "v 0 30 0\nv 15 30 0\nv 30 30 0\nv 45 30 0\n"
+              "f 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\n"
+              "f 5 6 10\nf 5 10 9\nf 6 7 11\nf 6 11 10\nf 7 8 12\nf 7 12 11\n");
+  const auto figures = [&](std::vector<std::string> all) {
+    for (const char* word : {"--size", "45mm", "--faces", "keep", "--json", "--overwrite"}) {
+      all.emplace_back(word);
+    }
+    const Outcome outcome = run_program(all, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(outcome.out);
+  };
+  const Json whole = figures({"unfold", "tips.obj", "--whole", "--tabs", "-o", "a.fold"});
+  CHECK(whole["pieces"] == 1);
+  CHECK(whole["tabs_usable"] < whole["joins"]);
+  for (const Json& split : {figures({"unfold", "tips.obj", "--whole", "--all-tabs", "-o", "b.fold"}),
+                            figures({"tips.obj", "--concavity", "1", "--all-tabs", "-o", "b.fold"})}) {
+    CHECK(split["pieces"] == 2);
+    CHECK(split["joins_too_narrow"] == 0);
+    CHECK(split["tabs_usable"] == split["joins"]);
+    CHECK(split["notes"].back() == "1 piece was split off for tabs");
+    CHECK(run_program({"verify", "b.fold"}, in(folder)).exit_code == 0);
+    const Json fold = Json::parse(read_bytes(folder / "b.fold"));
+    CHECK(fold["ridgecraft:pieces"][1]["reason"] == "tabs");
+    CHECK(fold.dump().find("\"all_tabs\":true") != std::string::npos);
+  }
+  check_refusal(run_program({"tips.obj", "--all-tabs", "--no-tabs"}, in(folder)), 2, "--no-tabs");
+}

@@ -87,7 +87,7 @@ class Assignment {
                                                 : largest_tab({0.0, site.length, site.length}, site.obstacles,
                                                               options, TabNeed::usable));
       shapes_.push_back(tab_shapes(largest_.back(), site.length, options));
-      if (shapes_.back().empty() && target_allows_usable(site)) {
+      if (shapes_.back().empty() && target_allows_usable(site, options)) {
         shapes_.back() = partial_tab_shapes(site.length, site.obstacles, options);
       }
     }
@@ -142,17 +142,6 @@ class Assignment {
     if (++steps_ % 256 == 0) {
       context.check();
     }
-  }
-
-  /// A part of the edge can't have a usable tab where the target has no room for one over the whole edge.
-  bool target_allows_usable(const TabSite& site) const {
-    std::vector<Obstacle> target;
-    for (const Obstacle& obstacle : site.obstacles) {
-      if (obstacle.kind == Obstacle::Kind::target_edge) {
-        target.push_back(obstacle);
-      }
-    }
-    return !largest_tab({0.0, site.length, site.length}, target, options_, TabNeed::usable).empty();
   }
 
   /// Cost of using the site instead of the preferred one.

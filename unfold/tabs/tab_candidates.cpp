@@ -41,6 +41,9 @@ std::vector<TabCandidate> tab_candidates(const ConvexShape& largest, double leng
   }
   const double height = std::fmin(std::fmin(usable_height_mm, options.height_mm), largest.box().high.y);
   const Span room = span_at(largest, height);
+  if (room.to - room.from < least_top(length, options)) {
+    return result;
+  }
   const double width = std::fmin(std::fmax(0.5 * length, least_top(length, options)), room.to - room.from);
   const double way = room.to - width - room.from;
   for (const double place : places) {

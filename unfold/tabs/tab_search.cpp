@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "unfold/search/linked_patch.hpp"
 #include "unfold/tabs/tab_start.hpp"
 #include "unfold/tabs/tab_state.hpp"
 
@@ -28,12 +29,13 @@ constexpr double last_heat = 0.15;
 /// Simulated annealing over clean swaps.
 class Search {
  public:
-  Search(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch, const Folds& folds,
-         const TabOptions& options, const TabSearch& search, std::uint64_t seed)
+  /// `patch` and `joined` differ where pieces are searched together (linked_patch.hpp).
+  Search(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch, const Patch& joined,
+         const Folds& folds, const TabOptions& options, const TabSearch& search, std::uint64_t seed)
       : patch_(patch),
         search_(search),
         random_(seed),
-        net_(patch, search.tolerance, random_.next()),
+        net_(joined, search.tolerance, random_.next()),
         clearance_(options.clearance_mm),
         state_((net_.set_tree(folds), surface), panels, patch, net_, options) {}
 
@@ -174,7 +176,25 @@ class Search {
 TabSearchResult search_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch,
                             const Folds& folds, const TabOptions& options, const TabSearch& search,
                             std::uint64_t seed, const Context& context) {
-  return Search(surface, panels, patch, folds, options, search, seed).run(context);
+  if (search.links.empty()) {
+    return Search(surface, panels, patch, patch, folds, options, search, seed).run(context);
+  }
+  const LinkedPatch linked = linked_patch(patch, search.links);
+  TabSearch within = search;
+  const auto unlinked = [&](const Folds& tree) {
+    Folds forest = tree;
+    for (const std::uint32_t side : search.links) {
+      forest[side] = forest[patch.twin[side]] = 0;
+    }
+    return forest;
+  };
+  if (search.allowed) {
+    within.allowed = [&](const Folds& tree) { return search.allowed(unlinked(tree)); };
+  }
+  TabSearchResult result =
+      Search(surface, panels, linked.apart, linked.joined, folds, options, within, seed).run(context);
+  result.folds = unlinked(result.folds);
+  return result;
 }
 
 }  // namespace ridgecraft::unfold

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "mesh/foundation/context.hpp"
 #include "mesh/panels.hpp"
@@ -19,6 +20,9 @@ struct TabSearch {
   std::uint64_t trials = 0;  ///< swaps that are tried
   /// Asked of every tree that is about to be gone on from, if given: may it be (does it fit the sheet)?
   std::function<bool(const Folds&)> allowed;
+  /// Folds of the given tree that are cut for good, one side of each: the pieces that this makes of the patch
+  /// are searched together (linked_patch.hpp).
+  std::vector<std::uint32_t> links = {};
 };
 
 struct TabSearchResult {

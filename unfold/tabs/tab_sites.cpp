@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/tabs/tab_sites.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mesh/foundation/disjoint_sets.hpp"
 #include "unfold/tabs/box_grid.hpp"
@@ -140,6 +142,19 @@ ConvexShape Frame::in(const ConvexShape& shape) const {
     result.push_back(in(p));
   }
   return result;
+}
+
+std::vector<Obstacle> target_outline(const TabSite& site) {
+  std::vector<Obstacle> target;
+  std::copy_if(site.obstacles.begin(), site.obstacles.end(), std::back_inserter(target),
+               [](const Obstacle& o) { return o.kind == Obstacle::Kind::target_edge; });
+  return target;
+}
+
+bool target_allows_usable(const TabSite& site, const TabOptions& options) {
+  const ConvexShape largest =
+      largest_tab({0.0, site.length, site.length}, target_outline(site), options, TabNeed::usable);
+  return !tab_shapes(largest, site.length, options).empty();
 }
 
 FlatRegions flat_regions(const mesh::Surface& surface, const mesh::Panels& panels, const Nets& nets) {

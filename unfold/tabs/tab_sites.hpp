@@ -42,6 +42,13 @@ struct TabSite {
   std::vector<Obstacle> obstacles;      ///< in the frame of tab shapes
 };
 
+/// Of a site's obstacles the outline of its target.
+[[nodiscard]] std::vector<Obstacle> target_outline(const TabSite& site);
+
+/// Is the target wide enough for a usable tab, if nothing else stood in its way? Where one over the whole
+/// edge doesn't fit, none on a part of it does.
+[[nodiscard]] bool target_allows_usable(const TabSite& site, const TabOptions& options);
+
 /// Faces that lie in one panel and are connected by folds inside it: what a tab may be glued behind as one
 /// face.
 struct FlatRegions {

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces that are split until every edge that is wide enough has a tab.
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "mesh/foundation/disjoint_sets.hpp"
+#include "support/shapes.hpp"
+#include "unfold/check.hpp"
+#include "unfold/nets_checks.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/search/start_tree.hpp"
+#include "unfold/search/tree_search.hpp"
+#include "unfold/tabs.hpp"
+#include "unfold/tabs/tab_search.hpp"
+#include "unfold/tree_nets.hpp"
+
+using namespace ridgecraft;
+using mesh::Surface;
+using unfold::Nets;
+using unfold::Options;
+using unfold::PieceReason;
+
+namespace {
+
+const std::vector<std::string> none;
+
+/// Corners of a surface moved in or out at random, up to a share of their distance from the origin.
+Surface dented(const Surface& s, double share, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> points;
+  for (const Vec3 p : s.points()) {
+    points.push_back((1.0 - share * random.unit()) * p);
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    faces.push_back(s.vertices(f));
+  }
+  return Surface(std::move(points), std::move(faces));
+}
+
+/// A sheet of `columns` by `rows` squares of two triangles, its inner corners a little above or below: cuts
+/// that end at one of these hardly open.
+Surface relief(int columns, int rows, double square, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> points;
+  for (int y = 0; y <= rows; ++y) {
+    for (int x = 0; x <= columns; ++x) {
+      const bool inner = x > 0 && x < columns && y > 0 && y < rows;
+      const double z = inner ? square * (0.6 * random.unit() - 0.2) : 0.0;
+      points.push_back({square * x, square * y, z});
+    }
+  }
+  const auto v = [&](int x, int y) { return VertexId(y * (columns + 1) + x); };
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      if (random.unit() < 0.5) {
+        faces.push_back({v(x, y), v(x + 1, y), v(x + 1, y + 1)});
+        faces.push_back({v(x, y), v(x + 1, y + 1), v(x, y + 1)});
+      } else {
+        faces.push_back({v(x, y), v(x + 1, y), v(x, y + 1)});
+        faces.push_back({v(x + 1, y), v(x + 1, y + 1), v(x, y + 1)});
+      }
+    }
+  }
+  return Surface(std::move(points), std::move(faces));
+}
+
+Nets unfolded(const Surface& s, Options options, bool split, unsigned threads = 1) {
+  options.tabs.split_pieces = split;
+  Context context;
+  context.threads = threads;
+  return unfold::unfold(s, test::no_panels(s), test::one_part(s), options, context);
+}
+
+/// Joins without a usable tab that could have one.
+std::size_t missing(const Surface& s, const Nets& nets) {
+  return static_cast<std::size_t>(
+      std::count_if(nets.joins.begin(), nets.joins.end(), [&](const unfold::Join& join) {
+        return !join.too_narrow && !(join.tab.valid() && unfold::is_usable(s, nets, join.tab, {}));
+      }));
+}
+
+std::size_t narrow(const Nets& nets) {
+  return static_cast<std::size_t>(
+      std::count_if(nets.joins.begin(), nets.joins.end(), [](const auto& join) { return join.too_narrow; }));
+}
+
+std::vector<Vec2> polygon(const Nets& nets, FaceId f) {
+  return {nets.flat[f].begin(), nets.flat[f].end()};
+}
+
+bool tabs_collide(const Nets& nets) {
+  for (const unfold::Tab& tab : nets.tabs) {
+    const PieceId piece = nets.piece[mesh::face_of(tab.side)];
+    for (const FaceId f : nets.pieces[piece].faces) {
+      if (test::penetration(tab.polygon, polygon(nets, f)) > 1e-6) {
+        return true;
+      }
+    }
+    for (const unfold::Tab& other : nets.tabs) {
+      if (&other < &tab && nets.piece[mesh::face_of(other.side)] == piece &&
+          test::penetration(tab.polygon, other.polygon) > 1e-6) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// How wide the triangle behind a side is 3 mm above it, told by its height alone.
+double width_behind(const Surface& s, CornerId side) {
+  const CornerId twin = s.twin(side);
+  const double edge = s.length(s.edge(side));
+  const double height = 2.0 * s.area(mesh::face_of(twin)) / edge;
+  return height > 3.0 ? edge * (1.0 - 3.0 / height) : 0.0;
+}
+
+/// The fewest pieces in which a surface of few edges has no join without a tab that could have one, by trying
+/// all spanning forests.
+std::size_t fewest_pieces(const Surface& s) {
+  test::FoldOrder order;
+  std::vector<EdgeId> inner;
+  for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
+    order.push_back(e);
+    if (!s.is_border(e)) {
+      inner.push_back(e);
+    }
+  }
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (std::uint32_t set = 0; set < 1U << inner.size(); ++set) {
+    const std::size_t folds = inner.size() - static_cast<std::size_t>(std::popcount(set));
+    if (folds >= s.face_count() || s.face_count() - folds >= fewest) {
+      continue;
+    }
+    DisjointSets faces(s.face_count());
+    std::vector<EdgeId> cuts;
+    bool is_forest = true;
+    for (std::uint32_t i = 0; i < inner.size() && is_forest; ++i) {
+      const auto [c, d] = s.sides(inner[i]);
+      if ((set >> i & 1U) != 0) {
+        cuts.push_back(inner[i]);
+      } else {
+        is_forest = faces.join(mesh::face_of(c).value(), mesh::face_of(d).value());
+      }
+    }
+    if (!is_forest) {
+      continue;
+    }
+    Nets nets = test::lay_out(s, order, cuts);
+    REQUIRE(nets.joins.size() == cuts.size());
+    if (test::faces_overlap(nets)) {
+      continue;
+    }
+    unfold::place_tabs(s, test::no_panels(s), {}, nets, {});
+    if (missing(s, nets) == 0) {
+      fewest = nets.pieces.size();
+    }
+  }
+  return fewest;
+}
+
+}  // namespace
+
+TEST_CASE("split pieces have a tab on every edge that is wide enough", "[tabs]") {
+  std::size_t missing_before = 0;
+  std::size_t more = 0;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Surface s = dented(test::scaled(test::sphere(12, 6), seed % 2 == 0 ? 15.0 : 20.0), 0.1, seed);
+    const Nets whole = unfolded(s, {}, false);
+    const Nets split = unfolded(s, {}, true);
+    CHECK(test::faults_of(s, split, {}) == none);
+    CHECK(missing(s, split) == 0);
+    CHECK_FALSE(tabs_collide(split));
+    missing_before += missing(s, whole);
+    more += split.pieces.size() - whole.pieces.size();
+    const auto for_tabs = std::count_if(split.pieces.begin(), split.pieces.end(),
+                                        [](const auto& piece) { return piece.reason == PieceReason::tabs; });
+    CHECK(static_cast<std::size_t>(for_tabs) == split.pieces.size() - whole.pieces.size());
+    // One note, and it counts what can't be helped.
+    REQUIRE_FALSE(split.notes.empty());
+    const std::string& note = split.notes.back();
+    CHECK(note.find("split off for tabs") != std::string::npos);
+    CHECK((note.find("at " + std::to_string(narrow(split)) + " edge") != std::string::npos) ==
+          (narrow(split) > 0));
+    CHECK(note.find("even so") == std::string::npos);
+  }
+  CHECK(missing_before > 8);
+  CHECK(more > 0);
+  CHECK(2 * more <= missing_before);
+}
+
+TEST_CASE("an edge is called too narrow where the faces behind it are", "[tabs]") {
+  for (const double size : {15.0, 25.0, 80.0}) {
+    const Surface s = dented(test::scaled(test::sphere(14, 8), size), 0.3, 7);
+    const Nets nets = unfolded(s, {}, false);
+    std::size_t told = 0;
+    for (const unfold::Join& join : nets.joins) {
+      const auto [a, b] = s.sides(join.edge);
+      const double width = std::max(width_behind(s, a), width_behind(s, b));
+      const double edge = s.length(join.edge);
+      if (width < 0.5 * edge - 1e-6) {
+        CHECK(join.too_narrow);
+        ++told;
+      } else if (width > std::max(0.5 * edge, 2.0) + 1e-6) {
+        CHECK_FALSE(join.too_narrow);
+      }
+      CHECK_FALSE((join.too_narrow && join.tab.valid() && unfold::is_usable(s, nets, join.tab, {})));
+    }
+    CHECK((told > 0) == (size < 50.0));
+  }
+}
+
+TEST_CASE("no fewer pieces would do for small surfaces", "[tabs]") {
+  // All spanning forests of 12 to 16 faces.
+  std::size_t split = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Surface s = relief(seed % 2 == 0 ? 4 : 3, 2, 15.0, seed);
+    const Nets nets = unfolded(s, {}, true);
+    CHECK(missing(s, nets) == 0);
+    const std::size_t fewest = fewest_pieces(s);
+    INFO("seed " << seed);
+    CHECK(nets.pieces.size() == fewest);
+    split += fewest > 1 ? 1U : 0U;
+  }
+  CHECK(split >= 3);
+}
+
+TEST_CASE("splitting for tabs keeps to the sheet, and threads change nothing", "[tabs]") {
+  const Surface s = dented(test::scaled(test::sphere(12, 6), 20.0), 0.1, 5);
+  const Options options = test::on_sheet(70.0, 90.0);
+  const Nets nets = unfolded(s, options, true);
+  CHECK(test::faults_of(s, nets, options) == none);
+  CHECK(missing(s, nets) == 0);
+  const Nets again = unfolded(s, options, true, 3);
+  CHECK(nets.use == again.use);
+  CHECK(nets.notes == again.notes);
+}
+
+TEST_CASE("what has all its tabs isn't split", "[tabs]") {
+  const Surface cube = test::scaled(test::cube(), 40.0);
+  Options options;
+  options.tabs.split_pieces = true;
+  const Nets nets = unfold::unfold(cube, test::flat_panels(cube), test::one_part(cube), options, {});
+  CHECK(nets.pieces.size() == 1);
+  CHECK(nets.tabs.size() == 7);
+}
+
+TEST_CASE("pieces that are searched together stay as many and clean", "[tabs]") {
+  const Surface s = dented(test::scaled(test::sphere(12, 6), 20.0), 0.3, 9);
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    faces.push_back(f);
+  }
+  const unfold::Patch patch = unfold::make_patch(s, test::no_panels(s), faces);
+  constexpr double tolerance = 1e-5;
+  Random random(3);
+  unfold::TreeSearch net(patch, tolerance, 3);
+  net.set_tree(unfold::start_tree(patch, unfold::StartTree::short_cuts, random));
+  REQUIRE(net.run({20000, 20000}, Context()));
+  unfold::TabSearch search;
+  search.tolerance = tolerance;
+  search.trials = 20 * patch.size();
+  std::uint32_t tabs_of_one = 0;
+  for (std::size_t links = 0; links <= 3; ++links) {
+    const unfold::TabSearchResult found =
+        unfold::search_tabs(s, test::no_panels(s), patch, net.folds(), {}, search, 5, Context());
+    const unfold::Layout layout = unfold::lay_out(patch, found.folds);
+    CHECK(layout.faces.size() == links + 1);
+    CHECK(unfold::find_overlaps(layout, tolerance).empty());
+    for (const std::uint32_t side : search.links) {
+      CHECK(found.folds[side] == 0);
+      CHECK(layout.piece[side / 3] != layout.piece[patch.twin[side] / 3]);
+    }
+    tabs_of_one = links == 0 ? found.tabs : tabs_of_one;
+    CHECK(found.tabs >= tabs_of_one);
+    // One link more, anywhere.
+    for (std::uint32_t side = 0; side < patch.twin.size() && search.links.size() == links; ++side) {
+      const bool used = std::find(search.links.begin(), search.links.end(), side) != search.links.end();
+      if (net.folds()[side] != 0 && side < patch.twin[side] && !used && side > 100 * links) {
+        search.links.push_back(side);
+      }
+    }
+  }
+}

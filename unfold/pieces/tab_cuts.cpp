@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/tab_cuts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "unfold/search/forest.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// A place from which a share s of what stands in the way is cut off is worth s to this power: one cut that
+/// frees a tab is better than many that nearly do.
+constexpr int sharpness = 3;
+/// A cut that can't have a tab itself costs so much of one.
+constexpr double narrow_cut = 0.7;
+/// What a cut of this length costs more than a short one, in tabs: only to choose among equals.
+constexpr double cost_of_length = 1e-4;  // per mm
+
+/// All trees of a forest at once.
+struct RootedForest {
+  std::vector<std::uint32_t> up;     ///< per face: its side to its parent; nothing at a root
+  std::vector<std::uint32_t> depth;  ///< per face
+
+  RootedForest(const Patch& patch, const Folds& folds) : up(patch.size()), depth(patch.size(), nothing) {
+    std::vector<std::uint32_t> place(patch.size());
+    for (std::uint32_t root = 0; root < patch.size(); ++root) {
+      if (depth[root] != nothing) {
+        continue;
+      }
+      const RootedTree tree = rooted_tree(patch, folds, root, place);
+      for (std::size_t i = 0; i < tree.order.size(); ++i) {
+        up[tree.order[i]] = tree.up[i];
+        depth[tree.order[i]] = i == 0 ? 0 : depth[tree.order[tree.parent[i]]] + 1;
+      }
+    }
+  }
+};
+
+class Chooser {
+ public:
+  Chooser(const mesh::Surface& surface, const Patch& patch, const Folds& folds, const TabGaps& tab_gaps,
+          std::span<const TabGap> gaps)
+      : surface_(surface), patch_(patch), tab_gaps_(tab_gaps), forest_(patch, folds) {
+    for (const TabGap& gap : gaps) {
+      Gap& own = gaps_.emplace_back();
+      for (const TabGap::Place& place : gap.places) {
+        add_place(place, own);
+      }
+      if (own.places.empty()) {
+        cut_off(gap, folds, own);
+      }
+    }
+  }
+
+  std::vector<std::uint32_t> run(double blur, Random& random) {
+    std::vector<std::uint32_t> cuts;
+    for (;;) {
+      std::uint32_t best = nothing;
+      double most = 0.0;
+      for (const auto& [side, worth] : worths()) {
+        const double blurred = worth * (1.0 + blur * random.unit());
+        if (blurred > most) {
+          most = blurred;
+          best = side;
+        }
+      }
+      if (best == nothing) {
+        return cuts;
+      }
+      cuts.push_back(best);
+      take_away(best);
+    }
+  }
+
+ private:
+  using Path = std::vector<std::uint32_t>;  ///< folds that may be cut, each by its side of the lower face
+  using Place = std::vector<Path>;          ///< to each thing in the way that isn't cut off yet
+  struct Gap {
+    std::vector<Place> places;
+    bool closed = false;
+  };
+
+  [[nodiscard]] Path path(std::uint32_t f, std::uint32_t g) const {
+    Path result;
+    while (f != g) {
+      std::uint32_t& deeper = forest_.depth[f] >= forest_.depth[g] ? f : g;
+      const std::uint32_t side = forest_.up[deeper];
+      if (patch_.frozen[side] == 0) {
+        result.push_back(side);
+      }
+      deeper = patch_.twin[side] / 3;
+    }
+    return result;
+  }
+
+  void add_place(const TabGap::Place& place, Gap& gap) const {
+    Place paths;
+    for (const FaceId f : place.in_the_way) {
+      paths.push_back(path(place.face.value(), f.value()));
+      if (paths.back().empty()) {
+        return;
+      }
+    }
+    if (!paths.empty()) {
+      gap.places.push_back(std::move(paths));
+    }
+  }
+
+  /// Where no place can be freed that was thought of: around the faces of the join.
+  void cut_off(const TabGap& gap, const Folds& folds, Gap& own) const {
+    for (const TabGap::Place& place : gap.places) {
+      for (std::uint32_t side = 3 * place.face.value(); side < 3 * place.face.value() + 3; ++side) {
+        if (folds[side] != 0 && patch_.frozen[side] == 0) {
+          const std::uint32_t twin = patch_.twin[side];
+          own.places.push_back({{forest_.up[side / 3] == side ? side : twin}});
+        }
+      }
+    }
+  }
+
+  /// What cutting each fold is worth, in tabs.
+  [[nodiscard]] std::map<std::uint32_t, double> worths() const {
+    std::map<std::uint32_t, double> sum;
+    for (const Gap& gap : gaps_) {
+      if (gap.closed) {
+        continue;
+      }
+      std::map<std::uint32_t, double> most;
+      for (const Place& place : gap.places) {
+        std::map<std::uint32_t, std::uint32_t> count;
+        for (const Path& path : place) {
+          for (const std::uint32_t side : path) {
+            ++count[side];
+          }
+        }
+        for (const auto& [side, n] : count) {
+          const double share = static_cast<double>(n) / static_cast<double>(place.size());
+          double& worth = most[side];
+          worth = std::max(worth, std::pow(share, sharpness));
+        }
+      }
+      for (const auto& [side, worth] : most) {
+        sum[side] += worth;
+      }
+    }
+    for (auto& [side, worth] : sum) {
+      const EdgeId edge = surface_.edge(mesh::corner(patch_.face[side / 3], side % 3));
+      const double cost = (tab_gaps_.able(edge) ? 0.0 : narrow_cut) + cost_of_length * patch_.length[side];
+      worth = std::max(worth - cost, 0.01 * worth);
+    }
+    return sum;
+  }
+
+  void take_away(std::uint32_t cut) {
+    for (Gap& gap : gaps_) {
+      for (Place& place : gap.places) {
+        std::erase_if(
+            place, [&](const Path& path) { return std::find(path.begin(), path.end(), cut) != path.end(); });
+        gap.closed = gap.closed || place.empty();
+      }
+    }
+  }
+
+  const mesh::Surface& surface_;
+  const Patch& patch_;
+  const TabGaps& tab_gaps_;
+  RootedForest forest_;
+  std::vector<Gap> gaps_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> choose_tab_cuts(const mesh::Surface& surface, const Patch& patch,
+                                           const Folds& folds, const TabGaps& tab_gaps,
+                                           std::span<const TabGap> gaps, double blur, Random& random) {
+  return Chooser(surface, patch, folds, tab_gaps, gaps).run(blur, random);
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/tab_split.hpp"
+
+#include <vector>
+
+#include "mesh/foundation/parallel.hpp"
+#include "unfold/pieces/page_split.hpp"
+#include "unfold/pieces/tab_cuts.hpp"
+#include "unfold/pieces/tab_unite.hpp"
+#include "unfold/search/forest.hpp"
+#include "unfold/search/layout.hpp"
+#include "unfold/tabs/tab_gaps.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Ways to split that are tried: the first by the order of worth, the others with blurred orders.
+constexpr std::size_t attempts = 4;
+constexpr double blur_of_order = 0.5;
+
+/// Cuts until no tab is missing, or none of those that are can be had by cutting.
+TabSplit cut_for_tabs(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+                      const TabGaps& tab_gaps, const NetsOf& nets_of, double blur, Random& random,
+                      const Context& context) {
+  TabSplit result{folds, 0};
+  for (;;) {
+    context.check();
+    const Nets nets = nets_of(result.folds);
+    const std::vector<JoinId> missing = tab_gaps.missing(nets);
+    result.missing = missing.size();
+    if (missing.empty() || context.out_of_time()) {
+      return result;
+    }
+    const std::vector<TabGap> gaps = tab_gaps.gaps(nets, missing);
+    const std::vector<std::uint32_t> cuts =
+        choose_tab_cuts(surface, patch, result.folds, tab_gaps, gaps, blur, random);
+    if (cuts.empty()) {
+      return result;
+    }
+    for (const std::uint32_t side : cuts) {
+      set_fold(patch, result.folds, side, false);
+    }
+  }
+}
+
+}  // namespace
+
+TabSplit split_for_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch,
+                        const Folds& folds, const Room& room, const TabOptions& options,
+                        const NetsOf& nets_of, double tolerance, std::uint64_t seed, const Context& context) {
+  const TabGaps tab_gaps(surface, panels, patch, folds, options, context);
+  const Layout before = lay_out(patch, folds);
+  TabUnions rules{surface, panels, patch, room, options, tab_gaps, nets_of, before.piece, tolerance, false};
+  std::vector<TabSplit> tried(attempts);
+  do_in_parallel(attempts, context, [&](std::size_t i, const Context& own) {
+    Random random(seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
+    const double blur = i == 0 ? 0.0 : blur_of_order;
+    const TabSplit cut = cut_for_tabs(surface, patch, folds, tab_gaps, nets_of, blur, random, own);
+    tried[i] = unite_with_tabs(rules, cut.folds, cut.missing, random.next(), own);
+  });
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < attempts; ++i) {
+    const bool fewer = tried[i].missing < tried[best].missing;
+    if (fewer || (tried[i].missing == tried[best].missing &&
+                  cost_of(patch, tried[i].folds) < cost_of(patch, tried[best].folds))) {
+      best = i;
+    }
+  }
+  rules.search = true;
+  return unite_with_tabs(rules, tried[best].folds, tried[best].missing, seed, context);
+}
+
+}  // namespace ridgecraft::unfold

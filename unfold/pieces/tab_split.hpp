@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where pieces may be split so that every edge that is wide enough has a tab: as few pieces more as can be
+// found.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "mesh/foundation/context.hpp"
+#include "mesh/panels.hpp"
+#include "mesh/surface.hpp"
+#include "unfold/nets.hpp"
+#include "unfold/room.hpp"
+#include "unfold/search/patch.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::unfold {
+
+/// The nets of a forest with all their tabs, as they will be returned. Asked from several threads.
+using NetsOf = std::function<Nets(const Folds&)>;
+
+struct TabSplit {
+  Folds folds;
+  std::size_t missing = 0;  ///< joins that could have a usable tab (TabGaps::able) and have none
+};
+
+/// Cuts pieces of a clean forest until every join that can (TabGaps::able) has a usable tab, and unites what
+/// was cut again where all keep theirs, folded otherwise if need be. Each round cuts the folds that lie
+/// between the most tabs and what stands in their way (greedy set cover over tree paths, as in
+/// overlap_split.hpp); the best of several attempts is kept. Single flat regions stay whole, all pieces fit
+/// the room. Every tab that is counted was placed by place_tabs. Deterministic for one seed but for the
+/// deadline, at which it returns what it has. `patch`: of the whole surface.
+[[nodiscard]] TabSplit split_for_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
+                                      const Patch& patch, const Folds& folds, const Room& room,
+                                      const TabOptions& options, const NetsOf& nets_of, double tolerance,
+                                      std::uint64_t seed, const Context& context);
+
+}  // namespace ridgecraft::unfold
