@@ -178,7 +178,7 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   report.add(RepairKind::t_junctions_joined, join_t_junctions(triangles, uses, near * diagonal, context));
   make_manifold(triangles, uses, report, context);
   turn_outwards(triangles, uses, report, context);
-  uses = {};
+  uses = std::vector<EdgeUse>();  // = {} would keep its memory while the surface is built
   Model model = build(soup, std::move(triangles));
   model.file_scale = file_scale;
   model.lines = std::move(lines);

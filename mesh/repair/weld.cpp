@@ -13,6 +13,7 @@
 #include "mesh/simplify/edge_order.hpp"
 
 namespace ridgecraft::mesh {
+
 std::size_t join_equal_points(PolygonList& list) {
   std::vector<std::uint8_t> used(list.points.size(), 0);
   for (const std::uint32_t c : list.corners) {
