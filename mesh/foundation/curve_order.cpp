@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/foundation/curve_order.hpp"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -13,6 +14,13 @@ namespace {
 constexpr unsigned digit_bits = curve_bits;
 constexpr std::uint32_t digits = 1U << digit_bits;
 
+constexpr double last_cell = static_cast<double>((1U << curve_bits) - 1U);
+
+/// Written so that NaN, which infinity times 0 makes of an extent beyond all measure, comes out as 0.
+std::uint32_t cell_number(double x) {
+  return x > 0.0 ? static_cast<std::uint32_t>(std::min(x, last_cell)) : 0U;
+}
+
 /// Spreads ten bits to every third place.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | x << 16U) & 0x030000ffU;
@@ -24,8 +32,7 @@ std::uint32_t spread(std::uint32_t x) {
 }  // namespace
 
 std::uint32_t place_on_curve(Vec3 cell) {
-  return spread(static_cast<std::uint32_t>(cell.x)) | spread(static_cast<std::uint32_t>(cell.y)) << 1U |
-         spread(static_cast<std::uint32_t>(cell.z)) << 2U;
+  return spread(cell_number(cell.x)) | spread(cell_number(cell.y)) << 1U | spread(cell_number(cell.z)) << 2U;
 }
 
 std::vector<std::uint32_t> curve_order(std::span<const Vec3> points) {
@@ -34,7 +41,7 @@ std::vector<std::uint32_t> curve_order(std::span<const Vec3> points) {
     box.add(p);
   }
   const double largest = points.empty() ? 0.0 : largest_extent(box);
-  const double cells = largest > 0.0 ? (static_cast<double>(1U << curve_bits) - 1.0) / largest : 0.0;
+  const double cells = largest > 0.0 ? last_cell / largest : 0.0;
   std::vector<std::uint32_t> place(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     place[i] = place_on_curve(cells * (points[i] - box.low));

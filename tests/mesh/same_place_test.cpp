@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "mesh/foundation/context.hpp"
-#include "mesh/foundation/curve_order.hpp"
 
 namespace ridgecraft {
 
@@ -35,14 +34,6 @@ TEST_CASE("The first point at each place is what looking at all pairs finds") {
     }
   }
   CHECK(mesh::first_at_place({}).empty());
-}
-
-TEST_CASE("A curve's order has each point once, and points of one cell in theirs") {
-  const std::vector<Vec3> points{{1, 1, 1}, {0, 0, 0}, {1, 1, 1}, {0, 0, 1e-9}, {1, 0, 0}, {0, 1, 0}};
-  CHECK(mesh::curve_order(points) == std::vector<std::uint32_t>{1, 3, 4, 5, 0, 2});
-  CHECK(mesh::curve_order({}).empty());
-  const std::vector<Vec3> one{{7, 7, 7}, {7, 7, 7}};
-  CHECK(mesh::curve_order(one) == std::vector<std::uint32_t>{0, 1});
 }
 
 }  // namespace ridgecraft
