@@ -30,8 +30,6 @@ constexpr Vec3 plain{0.86, 0.87, 0.9};
 constexpr Vec3 open_to_cuts{0.62, 0.62, 0.64};
 constexpr Vec3 bridge_colour{0.8, 0.1, 0.1};
 constexpr Vec3 valley_colour{0.1, 0.25, 0.75};
-/// As in segment/segment.cpp: how far arcs may leave the surface.
-constexpr double arc_sagitta_share = 0.25;
 
 struct Arguments {
   std::string model;
@@ -84,7 +82,7 @@ class FirstCut {
   FirstCut(const mesh::Surface& surface, double tolerance)
       : surface_(segment::scale_surface(surface, {})),
         weights_(segment::weigh_edges(surface_, {})),
-        graph_(segment::build_vertex_graph(surface_, arc_sagitta_share * tolerance)),
+        graph_(segment::build_vertex_graph(surface_, segment::arc_sagitta_share * tolerance)),
         measurer_(surface_, graph_, tolerance, context_),
         regions_(surface_) {
     segment::Cutter cutter(surface_, weights_);

@@ -18,8 +18,6 @@ namespace {
 /// Tolerances of the finest parts: fine enough to slide through, and where to stop looking for more.
 constexpr double first_tolerance = 0.03;
 constexpr double least_tolerance = 0.005;
-/// As in segment().
-constexpr double arc_sagitta_share = 0.25;
 
 class Joiner {
  public:

@@ -2,7 +2,9 @@
 // Parts that are measured, and divided where they are too concave, on several threads.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -40,7 +42,8 @@ struct PartWorker {
   Measurement measurement;
 };
 
-/// As many workers as were at work at the same time.
+/// As many workers as were at work at the same time: at most one for each thread, each task of the largest
+/// round and each sixteenth of the surface.
 class PartWorkers {
  public:
   /// All must outlive this.
@@ -53,10 +56,17 @@ class PartWorkers {
   /// Measures all parts and divides those that are too concave. Each task uses the same valleys, `known`, and
   /// those that it finds itself; afterwards all found ones are among the known, in the order of the tasks. So
   /// neither the number of threads nor their speed enters the result. Takes the hulls out of the tasks.
-  std::vector<TaskOutcome> run(std::span<PartTask> tasks, MeasureMode mode, ValleyCache& known);
+  /// `progress` is called after each task, from one thread at a time, with a number that never falls: the
+  /// facets that this round has done. Those of a part that was divided count for half of what was left to do
+  /// of them, so over all rounds each facet counts for one.
+  std::vector<TaskOutcome> run(std::span<PartTask> tasks, MeasureMode mode, ValleyCache& known,
+                               const std::function<void(double facets)>& progress);
 
  private:
   [[nodiscard]] std::unique_ptr<PartWorker> make_worker() const;
+  [[nodiscard]] unsigned threads_for(std::span<const PartTask> tasks) const;
+  /// An idle worker, or a new one.
+  [[nodiscard]] PartWorker* take_worker();
   void run_one(PartTask& task, MeasureMode mode, const ValleyCache& known, TaskOutcome& outcome);
 
   const ScaledSurface* surface_;

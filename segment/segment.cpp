@@ -24,8 +24,6 @@
 namespace ridgecraft::segment {
 namespace {
 
-/// Share of the tolerance by which an arc across an edge may leave the straight line (vertex_graph.hpp).
-constexpr double arc_sagitta_share = 0.25;
 /// Surfaces of so many faces don't fit into a processor's caches: numbers that are near in space save a fifth
 /// of the time. Smaller ones gain 2 % and keep their numbers, by which ties are decided.
 constexpr std::size_t renumbered_from = 100000;
@@ -99,15 +97,19 @@ class Run {
   /// facet. `from`, `to`: shares of the whole work.
   std::vector<DonePart> divide_all(std::vector<PartTask> tasks, MeasureMode mode, double from, double to) {
     const auto total = static_cast<double>(std::max<std::size_t>(1, scaled_.facet_count()));
+    double facets_done = 0.0;
     std::vector<DonePart> done;
-    std::size_t done_facets = 0;
     while (!tasks.empty()) {
-      std::vector<TaskOutcome> outcomes = workers_.run(tasks, mode, valleys_);
+      double round = 0.0;
+      std::vector<TaskOutcome> outcomes = workers_.run(tasks, mode, valleys_, [&](double facets) {
+        round = facets;
+        context_->report("segment", from + (to - from) * std::min(1.0, (facets_done + facets) / total));
+      });
+      facets_done += round;
       std::vector<PartTask> pieces;
       for (std::size_t i = 0; i < tasks.size(); ++i) {
         TaskOutcome& outcome = outcomes[i];
         if (outcome.pieces.empty()) {
-          done_facets += tasks[i].facets.size();
           done.push_back({std::move(tasks[i]), outcome.concavity, std::move(outcome.hull)});
           continue;
         }
@@ -121,7 +123,6 @@ class Run {
         }
       }
       tasks = std::move(pieces);
-      context_->report("segment", from + (to - from) * static_cast<double>(done_facets) / total);
     }
     std::sort(done.begin(), done.end(), [](const DonePart& a, const DonePart& b) {
       return a.task.facets.front() < b.task.facets.front();
@@ -231,7 +232,8 @@ class Run {
     parts_ = std::move(remaining);
   }
 
-  Part describe(const DonePart& done) const {
+  /// By value: the hull, which is larger than what is kept of it, goes with the argument.
+  Part describe(DonePart done) const {
     Part part;
     part.faces.reserve(done.task.facets.size());
     for (const std::uint32_t f : done.task.facets) {

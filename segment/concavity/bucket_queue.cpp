@@ -18,6 +18,10 @@ void BucketQueue::drain(std::vector<Entry>& left) {
     left.insert(left.end(), buckets_[current_].begin(), buckets_[current_].end());
     buckets_[current_].clear();
   }
+  // All buckets in use are past; pop() looks at the next one.
+  if (current_ >= buckets_.size()) {
+    buckets_.resize(std::size_t{current_} + 1);
+  }
 }
 
 bool BucketQueue::pop(Entry& entry) {

@@ -34,7 +34,7 @@ class BucketQueue {
   }
   /// Takes an entry of the first bucket that has one, the one that came last; false when there is none.
   [[nodiscard]] bool pop(Entry& entry);
-  /// Takes all entries that are left, in order of their buckets.
+  /// Takes all entries that are left, in order of their buckets. Their keys are past then, and it is empty.
   void drain(std::vector<Entry>& left);
   /// Whether all entries with keys up to this one have been taken.
   [[nodiscard]] bool is_past(float key) const { return bucket_of(key) < current_; }

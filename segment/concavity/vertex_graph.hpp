@@ -28,6 +28,9 @@ struct VertexGraph {
   double mean_length = 1.0;           ///< of an arc; 1 where all are points
 };
 
+/// Share of the tolerance that segmenting uses as `sagitta` below: far less than what counts as concave.
+inline constexpr double arc_sagitta_share = 0.25;
+
 /// `sagitta`: arcs across an edge that dip or rise by more than this from the straight line between their
 /// ends are left out (a deviation from 3.1): a fold between two large triangles would otherwise be a bridge
 /// of concavity 0 however deep it is. O(n).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same shape in other clothes, and a few models of the Princeton Segmentation Benchmark.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -7,6 +8,8 @@
 #include <random>
 #include <stop_token>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -111,6 +114,47 @@ TEST_CASE("Segmenting on several threads stops when it is asked to") {
   context.stop = source.get_token();
   context.progress = [&](std::string_view, double) { source.request_stop(); };
   CHECK_THROWS_AS(segment::segment(test::spiked_sphere(6, 0.02, 80, 40), {}, {0.1}, context), Error);
+}
+
+TEST_CASE("Another thread may stop segmenting in its first round") {
+  const mesh::Surface one = test::spiked_sphere(6, 0.02, 80, 40);
+  const auto at = [&](double x) { return test::mapped(one, [=](Vec3 p) { return p + Vec3{x, 0, 0}; }); };
+  const std::vector<mesh::Surface> four{one, at(4.0), at(8.0), at(12.0)};
+  const mesh::Surface s = test::together(four);
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    std::stop_source source;
+    Context context;
+    context.threads = threads;
+    context.stop = source.get_token();
+    std::size_t reports = 0;
+    context.progress = [&](std::string_view, double) {
+      // The first task, a component, is done. Nothing goes on before the other thread has asked.
+      if (++reports == 1) {
+        std::jthread([&] { source.request_stop(); }).join();
+      }
+    };
+    CHECK_THROWS_AS(segment::segment(s, {}, {0.1}, context), Error);
+    // Tasks that were past their last look may be done, but no second round.
+    CHECK(reports >= 1);
+    CHECK(reports <= std::min<std::size_t>(threads, four.size()));
+  }
+}
+
+TEST_CASE("Progress moves with every part and never back") {
+  std::vector<mesh::Surface> all = shapes();
+  const mesh::Surface s = test::together(all);
+  for (const unsigned threads : {1U, 4U}) {
+    Context context;
+    context.threads = threads;
+    std::vector<double> shares;
+    context.progress = [&](std::string_view, double share) { shares.push_back(share); };
+    const segment::Segmentation result = segment::segment(s, {}, {0.05}, context);
+    CHECK(std::is_sorted(shares.begin(), shares.end()));
+    CHECK(std::all_of(shares.begin(), shares.end(), [](double x) { return x > 0.0 && x <= 1.0; }));
+    CHECK(shares.back() == Approx(1.0));
+    // Each component is measured once at least and each part once more from scratch.
+    CHECK(shares.size() >= all.size() + result.parts.size());
+  }
 }
 
 TEST_CASE("Scaled, moved and turned shapes have the same parts") {
