@@ -14,8 +14,10 @@
 namespace ridgecraft {
 
 TEST_CASE("Numbered along a curve, a surface is the same one in another order") {
-  for (const mesh::Surface& s :
+  for (const mesh::Surface& ordered :
        {test::dumbbell(), test::together({test::torus(1.0, 0.3, 16, 40), test::dumbbell()})}) {
+    // In any order: that of these shapes runs along rings, so what is near is near already.
+    const mesh::Surface s = test::shuffled(ordered, 23);
     std::vector<std::uint32_t> polygon(s.face_count());
     for (std::uint32_t f = 0; f < polygon.size(); ++f) {
       polygon[f] = f / 3;
@@ -33,8 +35,7 @@ TEST_CASE("Numbered along a curve, a surface is the same one in another order") 
       CHECK(curve.points[v] == kept.points[curve.vertex_of[v]]);
       if (v > 0) {
         step_curve += length(curve.points[v] - curve.points[v - 1]);
-        step_kept += length(kept.points[curve.vertex_of[v]] -
-                            kept.points[(curve.vertex_of[v] * 7919U) % s.vertex_count()]);
+        step_kept += length(kept.points[v] - kept.points[v - 1]);
       }
     }
     CHECK(step_curve < 0.5 * step_kept);

@@ -237,7 +237,8 @@ TEST_CASE("Thin-walled vessels stay whole without the pocket check") {
 }
 
 TEST_CASE("The flat sides of a thin fork are no openings") {
-  // Two prongs, half as wide as the gap between them, on a back; 1.2 tolerances thick with rounded edges.
+  // Two prongs, half as wide as the gap between them, on a back, as thick as the tolerance. Halfway up, the
+  // sides towards the gap bulge and the outer ones are dented, by a fiftieth of the thickness.
   std::vector<std::array<int, 3>> cells;
   for (int x = 0; x < 16; ++x) {
     for (int y = 0; y < 12; ++y) {
