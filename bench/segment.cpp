@@ -8,12 +8,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <map>
 #include <sstream>
 
 #include <sys/resource.h>
 
+#include "mesh/foundation/error.hpp"
 #include "psb.hpp"
 
 namespace {
@@ -71,6 +73,10 @@ void write_labels(const fs::path& file, const segment::Segmentation& result) {
   std::ofstream out(file);
   for (const PartId p : result.part) {
     out << p.value() << '\n';
+  }
+  out.close();
+  if (!out) {
+    throw Error(ErrorKind::cant_write, "can't write " + file.string());
   }
 }
 
@@ -257,22 +263,30 @@ bool parse(int argc, char** argv, Arguments& arguments) {
   return !arguments.psb.empty();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Arguments arguments;
-  if (!parse(argc, argv, arguments)) {
-    std::fprintf(
-        stderr,
-        "usage: bench_segment --psb DIR [--json FILE] [--labels DIR] [--subset] [--model N]... [--concavity "
-        "T | "
-        "--sweep T,T,...] [--effort 1..3] [--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] "
-        "[--damage SHARE] [--only-speed [--threads N]]\n");
-    return 2;
+/// What is wrong with arguments that go with each other badly, or can't be served; nothing when all is well.
+std::string fault_of(const Arguments& arguments) {
+  if (!fs::is_directory(arguments.psb)) {
+    return "there is no folder " + arguments.psb.string();
   }
+  if (arguments.labels.empty()) {
+    return {};
+  }
+  if (arguments.only_speed || arguments.damage > 0.0 || arguments.sweep.size() > 1) {
+    return "--labels goes with neither --only-speed nor --damage nor --sweep: one file of labels a model";
+  }
+  if (!fs::is_directory(arguments.labels)) {
+    return "there is no folder " + arguments.labels.string() + " to write labels into";
+  }
+  return {};
+}
+
+int run(const Arguments& arguments) {
   const std::vector<int> models =
       arguments.models.empty() ? bench::models_in(arguments.psb, arguments.subset) : arguments.models;
   std::ofstream json(arguments.json);
+  if (!arguments.json.empty() && !json) {
+    throw Error(ErrorKind::cant_write, "can't write " + arguments.json.string());
+  }
   std::vector<std::vector<Figures>> runs(arguments.sweep.size());
   Sum labels;
   for (const int m : models) {
@@ -309,4 +323,29 @@ int main(int argc, char** argv) {
   std::printf("models %zu, peak memory %.0f MiB\n", models.size(),
               static_cast<double>(usage.ru_maxrss) / 1024.0);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  if (!parse(argc, argv, arguments)) {
+    std::fprintf(
+        stderr,
+        "usage: bench_segment --psb DIR [--json FILE] [--labels DIR] [--subset] [--model N]... [--concavity "
+        "T | "
+        "--sweep T,T,...] [--effort 1..3] [--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] "
+        "[--damage SHARE] [--only-speed [--threads N]]\n");
+    return 2;
+  }
+  if (const std::string fault = fault_of(arguments); !fault.empty()) {
+    std::fprintf(stderr, "bench_segment: %s\n", fault.c_str());
+    return 2;
+  }
+  try {
+    return run(arguments);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "bench_segment: %s\n", e.what());
+    return 1;
+  }
 }
