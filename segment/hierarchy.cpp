@@ -18,6 +18,9 @@ namespace {
 /// Tolerances of the finest parts: fine enough to slide through, and where to stop looking for more.
 constexpr double first_tolerance = 0.03;
 constexpr double least_tolerance = 0.005;
+/// Of openings (hull_depth.hpp), whatever the tolerance: each union has one concavity, and rims of vessels
+/// aren't deep. That of segment() by default.
+constexpr double opening_scale = Options{}.concavity;
 
 class Joiner {
  public:
@@ -26,7 +29,7 @@ class Joiner {
       : scaled_(scale_surface(surface, polygon)),
         weights_(weigh_edges(scaled_)),
         graph_(build_vertex_graph(scaled_, arc_sagitta_share * tolerance)),
-        measurer_(scaled_, graph_, tolerance, context),
+        measurer_(scaled_, graph_, tolerance, context, {}, opening_scale),
         context_(&context) {}
 
   Hierarchy run(const Segmentation& finest) {

@@ -14,14 +14,19 @@ constexpr double sliver_share = 1e-7;
 /// Cosine to the vertex normal above which a facet of the hull doesn't lie behind the surface: walls of
 /// vessels lean a little.
 constexpr double least_opening_cosine = -0.3;
-/// A hull that is thinner than this many tolerances has flat sides, no openings.
+/// A hull that is thinner than this many times the scale of openings has flat sides, no openings.
 constexpr double opening_thickness = 8.0;
+/// Facets looked at between two questions whether to stop: about a millisecond.
+constexpr std::size_t facets_per_check = 200'000;
 
 }  // namespace
 
-HullDepth::HullDepth(const ScaledSurface& surface, double tolerance)
+HullDepth::HullDepth(const ScaledSurface& surface, double tolerance, double opening_scale,
+                     const Context& context)
     : surface_(&surface),
+      context_(&context),
       tolerance_(tolerance),
+      opening_scale_(opening_scale),
       mark_(surface.vertex_count(), 0),
       depth_(surface.vertex_count(), 0.0) {}
 
@@ -30,6 +35,8 @@ void HullDepth::select(const Hull& hull, HullIs is) {
   is_ = is;
   planes_.clear();
   last_ = 0;
+  far_triangle_ = 0;
+  far_corner_ = 0;
   ++current_;
   for (const std::uint32_t v : hull.vertices) {
     mark_[v] = current_;
@@ -119,34 +126,62 @@ void HullDepth::find_planes() {
     const bool sliver = size <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)});
     planes_[t].normal = sliver ? Vec3{} : outward / size;
     planes_[t].offset = sliver ? static_cast<double>(INFINITY) : dot(planes_[t].normal, points[a]);
-    planes_[t].thickness = -1.0;
   }
 }
 
-double HullDepth::thickness(Plane& plane) const {
-  if (plane.thickness < 0.0) {
-    plane.thickness = 0.0;
-    for (const std::uint32_t v : hull_->vertices) {
-      plane.thickness = std::max(plane.thickness, plane.offset - dot(plane.normal, surface_->points[v]));
+/// Whether some vertex lies far enough behind the plane. From the one that was far behind the last plane,
+/// over edges to ever farther ones: on a convex body no neighbour is farther only where none is.
+bool HullDepth::is_thick(Plane& plane) {
+  if (plane.thickness != Thickness::unknown) {
+    return plane.thickness == Thickness::thick;
+  }
+  const double needed = opening_thickness * opening_scale_;
+  const auto behind = [&](std::uint32_t triangle, std::size_t corner) {
+    return plane.offset - dot(plane.normal, surface_->points[hull_->triangles[triangle][corner]]);
+  };
+  double farthest = behind(far_triangle_, far_corner_);
+  std::uint32_t triangle = far_triangle_;
+  std::size_t corner = far_corner_;
+  // Round the farthest vertex, beginning anew at each one that is farther.
+  for (std::size_t turned = 0; farthest < needed && turned < hull_->triangles.size(); ++turned) {
+    const std::size_t next = (corner + 1) % 3;
+    if (const double distance = behind(triangle, next); distance > farthest) {
+      farthest = distance;
+      far_triangle_ = triangle;
+      far_corner_ = corner = next;
+      turned = 0;
+      continue;
+    }
+    const std::uint32_t centre = hull_->triangles[triangle][corner];
+    triangle = across(triangle, (corner + 2) % 3);
+    const auto& corners = hull_->triangles[triangle];
+    corner = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), centre) - corners.begin());
+    if (triangle == far_triangle_) {
+      break;
     }
   }
-  return plane.thickness;
+  plane.thickness = farthest >= needed ? Thickness::thick : Thickness::thin;
+  return plane.thickness == Thickness::thick;
 }
 
-/// Infinite where there is no opening within the tolerance. An inner hull may have other facets and is
+/// Infinite where there is no opening within their scale. An inner hull may have other facets and is
 /// thinner, so of it any facet counts.
 double HullDepth::beside_opening(std::uint32_t v) {
   if (planes_.empty()) {
     find_planes();
+  }
+  unchecked_ += planes_.size();
+  if (unchecked_ >= facets_per_check) {
+    unchecked_ = 0;
+    context_->check();
   }
   const Vec3 p = surface_->points[v];
   const Vec3 n = surface_->vertex_normals[v];
   double nearest = INFINITY;
   for (Plane& plane : planes_) {
     const double distance = plane.offset - dot(plane.normal, p);
-    if (distance <= tolerance_ && distance < nearest &&
-        (is_ == HullIs::inner || (dot(plane.normal, n) > least_opening_cosine &&
-                                  thickness(plane) >= opening_thickness * tolerance_))) {
+    if (distance <= opening_scale_ && distance < nearest &&
+        (is_ == HullIs::inner || (dot(plane.normal, n) > least_opening_cosine && is_thick(plane)))) {
       nearest = distance;
     }
   }

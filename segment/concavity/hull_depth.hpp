@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/foundation/context.hpp"
 #include "segment/concavity/hull.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
@@ -21,31 +22,36 @@ class HullDepth {
     inner   ///< that of some of the part's points: depths are lower bounds of those under the whole hull
   };
 
-  HullDepth(const ScaledSurface& surface, double tolerance);
+  /// Depths up to `tolerance` needn't be exact: of those nothing but the way along the normal is looked at.
+  /// `opening_scale`: how far an opening may be, mostly the tolerance.
+  HullDepth(const ScaledSurface& surface, double tolerance, double opening_scale, const Context& context);
   /// Must be called when the part changes; the hull must stay alive.
   void select(const Hull& hull, HullIs is = HullIs::whole);
   /// Distance from v, a point in the hull, along its normal to the hull's boundary; 0 for hull vertices;
   /// infinite when v has no normal or the hull is flat.
   ///
   /// Where that is above the tolerance: at most the distance to the plane of a hull facet that lies within
-  /// the tolerance, doesn't lie behind the surface and closes an opening: the hull is many times as thick
-  /// there as the tolerance. So the rim of a vessel isn't deep, though the way along the normal leads across
-  /// all of it; where the gap between two arms of a flat thing meets its flat side, it is.
+  /// the scale of openings, doesn't lie behind the surface and closes an opening: the hull is many times as
+  /// thick there as that scale. So the rim of a vessel isn't deep, though the way along the normal leads
+  /// across all of it; where the gap between two arms of a flat thing meets its flat side, it is.
   ///
-  /// When first asked for a vertex: a walk over the hull from where the last one ended, and for those above
-  /// the tolerance a pass over all facets.
+  /// When first asked for a vertex: a walk over the hull from where the last one ended; for those above the
+  /// tolerance a pass over all facets, and once for each facet that is near enough a climb over the hull.
+  /// Throws Cancelled when the context says so.
   [[nodiscard]] double at(std::uint32_t v);
 
  private:
+  /// Of the hull along a plane's normal.
+  enum class Thickness : std::uint8_t { unknown, thin, thick };
   struct Plane {
-    Vec3 normal;              ///< unit; zero for a triangle too thin to have one
-    double offset = 0.0;      ///< of its points along the normal
-    double thickness = -1.0;  ///< of the hull along the normal; negative: not yet known
+    Vec3 normal;          ///< unit; zero for a triangle too thin to have one
+    double offset = 0.0;  ///< of its points along the normal
+    Thickness thickness = Thickness::unknown;
   };
 
   [[nodiscard]] double along_normal(std::uint32_t v);
   [[nodiscard]] double beside_opening(std::uint32_t v);
-  [[nodiscard]] double thickness(Plane& plane) const;
+  [[nodiscard]] bool is_thick(Plane& plane);
   void find_planes();
   [[nodiscard]] std::optional<std::uint32_t> walk(Vec3 p, Vec3 n);
   [[nodiscard]] double to_plane(std::uint32_t triangle, Vec3 p, Vec3 n) const;
@@ -53,9 +59,14 @@ class HullDepth {
 
   const ScaledSurface* surface_;
   const Hull* hull_ = nullptr;
+  const Context* context_;
   double tolerance_;
+  double opening_scale_;
   HullIs is_ = HullIs::whole;
-  std::vector<Plane> planes_;  ///< of the hull's triangles; empty while nobody asked
+  std::vector<Plane> planes_;       ///< of the hull's triangles; empty while nobody asked
+  std::uint32_t far_triangle_ = 0;  ///< with a corner far behind the last plane
+  std::size_t far_corner_ = 0;
+  std::size_t unchecked_ = 0;  ///< facets since the last question whether to stop
   std::uint32_t current_ = 0;
   std::uint32_t last_ = 0;  ///< triangle at which the last walk ended
   std::vector<std::uint32_t> mark_;

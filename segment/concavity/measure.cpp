@@ -41,7 +41,7 @@ std::uint64_t signature_of(std::span<const std::uint32_t> facets) {
 }  // namespace
 
 Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, double tolerance,
-                   const Context& context, const Rules& rules)
+                   const Context& context, const Rules& rules, std::optional<double> opening_scale)
     : surface_(&surface),
       context_(&context),
       tolerance_(tolerance),
@@ -49,7 +49,7 @@ Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, doubl
       part_(surface, graph, rules.jumps),
       search_(part_),
       hulls_(surface.points),
-      depth_(surface, tolerance) {}
+      depth_(surface, tolerance, opening_scale.value_or(tolerance), context) {}
 
 void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const std::uint32_t> hull_points,
                        MeasureMode mode, Measurement& out) {

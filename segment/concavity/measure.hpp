@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -57,8 +58,9 @@ enum class MeasureMode {
 /// Measures one part at a time.
 class Measurer {
  public:
+  /// `opening_scale`: how far openings may be (hull_depth.hpp), where that isn't the tolerance.
   Measurer(const ScaledSurface& surface, const VertexGraph& graph, double tolerance, const Context& context,
-           const Rules& rules = {});
+           const Rules& rules = {}, std::optional<double> opening_scale = {});
 
   /// Measures the part with these facets. `hull_points`: vertices among which its hull vertices are; empty
   /// for all. Afterwards graph() shows the part.

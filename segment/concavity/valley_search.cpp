@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ridgecraft::segment {
 namespace {
 
 /// Width of the queue's buckets, in mean lengths of an arc: about a dozen buckets are then in use at once.
 constexpr double bucket_share = 0.125;
+/// Sums of keys and estimates are rounded to float: ways that are as long as the best known one aren't left
+/// out for that, or which one is found would depend on what was searched before.
+constexpr float rounding_slack = 1.0F + 4.0F * std::numeric_limits<float>::epsilon();
 
 }  // namespace
 
@@ -51,7 +55,7 @@ bool ValleySearch::relax_jumps(std::uint32_t v, std::uint32_t to, float bound) {
     node = {reached, ahead, search_, v, jump_arc, goal_};
     queue_.push(through, q);
     if (q == to) {
-      bound = through;
+      bound = rounding_slack * through;
     }
   }
   return finished;
@@ -123,7 +127,7 @@ void ValleySearch::expand(std::uint32_t v, std::uint32_t to, float& bound) {
     node = {reached, ahead, search_, v, i, goal_};
     queue_.push(through, arc.target);
     if (arc.target == to) {
-      bound = through;
+      bound = rounding_slack * through;
     }
   });
   finished = relax_jumps(v, to, bound) && finished;
@@ -144,7 +148,7 @@ double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step
   const Node& goal = nodes_[to];
   float bound = std::numeric_limits<float>::infinity();
   if (goal.search == search_) {
-    bound = static_cast<float>(goal.key);
+    bound = rounding_slack * static_cast<float>(goal.key);
   }
   BucketQueue::Entry entry{};
   while (!queue_.is_past(bound) && queue_.pop(entry)) {
@@ -158,7 +162,7 @@ double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step
     }
     expand(entry.vertex, to, bound);
     if (goal.search == search_) {
-      bound = static_cast<float>(goal.key);
+      bound = rounding_slack * static_cast<float>(goal.key);
     }
   }
   if (goal.search != search_) {

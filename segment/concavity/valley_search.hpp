@@ -38,7 +38,8 @@ class ValleySearch {
   explicit ValleySearch(const PartGraph& graph);
 
   /// A* from one vertex to another along arcs and jumps, with the straight distance as estimate. Equal
-  /// lengths: over the vertex of least key, then the smaller one, whatever was searched before. Fills `path`
+  /// lengths: over the vertex of least key, then the smaller one, whatever was searched before (of jumps, the
+  /// one that was found first). Fills `path`
   /// from `from` to `to` and gives its length; infinite when there is none. From the same vertex as the last
   /// time, on the same part, it goes on with what is known: bridges of one vertex are searched in a row.
   double find(std::uint32_t from, std::uint32_t to, std::vector<Step>& path);

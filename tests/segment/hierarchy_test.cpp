@@ -84,6 +84,12 @@ TEST_CASE("The parts that people name come out when their number is given") {
   CHECK(legs.parts(4).max_concavity() > 0.1);
 }
 
+TEST_CASE("A vessel's rim isn't deep in the hierarchy either") {
+  const auto cup = segment::find_hierarchy(test::uneven_cup(), {}, 2, Context{});
+  CHECK(cup.parts(1).max_concavity() <= 0.1);
+  CHECK(cup.joinings.back().concavity <= 0.1);
+}
+
 TEST_CASE("Components are never joined, and a single face is a hierarchy, too") {
   const mesh::Surface pair = test::voxels({{0, 0, 0}, {3, 0, 0}}, 2);
   const auto two = segment::find_hierarchy(pair, {}, 1, Context{});
