@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "mesh/foundation/convex_hull.hpp"
@@ -26,21 +27,19 @@ constexpr double many_panels = 80.0;
 
 /// How thin the necks of a tree are: for each fold the width of the smaller side (the root of its area) over
 /// the fold's length, beyond what is harmless.
-double thinness(const Patch& piece, const Folds& tree) {
-  std::vector<std::uint32_t> place(piece.size(), nothing);
-  const RootedTree rooted = rooted_tree(piece, tree, 0, place);
-  std::vector<double> area(rooted.order.size(), 0.0);
-  for (std::size_t i = area.size(); i-- > 0;) {
-    area[i] += area_of(piece.shape[rooted.order[i]]);
-    if (i > 0) {
-      area[rooted.parent[i]] += area[i];
-    }
+double thinness(const Patch& piece, const RootedTree& tree, const std::vector<double>& areas) {
+  std::vector<double> area(tree.order.size());
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    area[i] = areas[tree.order[i]];
+  }
+  for (std::size_t i = area.size(); i-- > 1;) {
+    area[tree.parent[i]] += area[i];
   }
   double thin = 0.0;
   for (std::size_t i = 1; i < area.size(); ++i) {
-    if (piece.frozen[rooted.up[i]] == 0) {
+    if (piece.frozen[tree.up[i]] == 0) {
       const double width = std::sqrt(std::min(area[i], area[0] - area[i]));
-      thin += std::max(0.0, width / std::max(piece.length[rooted.up[i]], 1e-3 * width + 1e-9) - thin_ratio);
+      thin += std::max(0.0, width / std::max(piece.length[tree.up[i]], 1e-3 * width + 1e-9) - thin_ratio);
     }
   }
   return thin;
@@ -64,25 +63,37 @@ double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights&
          weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
 }
 
-double cost_of_piece(const Patch& piece, const Folds& tree, std::size_t parts, const Weights& weights) {
+PieceCost::PieceCost(const Patch& piece, std::size_t parts, const Weights& weights)
+    : piece_(piece),
+      weights_(weights),
+      least_(least_cost_of_piece(piece, parts, weights)),
+      place_(piece.size(), nothing) {
+  for (const Triangle& t : piece.shape) {
+    area_.push_back(area_of(t));
+    whole_area_ += area_.back();
+  }
+}
+
+double PieceCost::of(const Folds& tree, std::span<const Vec2> hull) {
   double cut = 0.0;
   for (std::size_t side = 0; side < tree.size(); ++side) {
-    cut += tree[side] == 0 && piece.twin[side] != nothing ? 0.5 * piece.length[side] : 0.0;
+    cut += tree[side] == 0 && piece_.twin[side] != nothing ? 0.5 * piece_.length[side] : 0.0;
   }
-  double area = 0.0;
-  std::vector<Vec2> points;
-  for (const Triangle& t : lay_out(piece, tree).flat) {
-    area += area_of(t);
-    points.insert(points.end(), t.begin(), t.end());
-  }
-  const std::vector<Vec2> hull = convex_hull(std::move(points));
   double hull_area = 0.0;
   for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
     hull_area += 0.5 * cross(hull[i] - hull[0], hull[i + 1] - hull[0]);
   }
-  const double hollow = std::max(0.0, hull_area - area) / hollow_unit_mm2;
-  return least_cost_of_piece(piece, parts, weights) + weights.cut * cut / cut_unit_mm +
-         weights.compact * hollow + weights.thin * thinness(piece, tree);
+  const double hollow = std::max(0.0, hull_area - whole_area_) / hollow_unit_mm2;
+  return least_ + weights_.cut * cut / cut_unit_mm + weights_.compact * hollow +
+         weights_.thin * thinness(piece_, rooted_tree(piece_, tree, 0, place_), area_);
+}
+
+double cost_of_piece(const Patch& piece, const Folds& tree, std::size_t parts, const Weights& weights) {
+  std::vector<Vec2> points;
+  for (const Triangle& t : lay_out(piece, tree).flat) {
+    points.insert(points.end(), t.begin(), t.end());
+  }
+  return PieceCost(piece, parts, weights).of(tree, convex_hull(std::move(points)));
 }
 
 }  // namespace ridgecraft::unfold

@@ -220,8 +220,14 @@ TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "
         continue;
       }
       ++stuck;
-      const auto any = [](const unfold::Folds&) { return true; };
-      const unfold::Folds other = unfold::fold_freely(patch, net.folds, any, search.tolerance, seed, {});
+      const auto freed_if = [&](bool allowed) {
+        unfold::ChangingNet changing(patch, net.folds, search.tolerance, seed);
+        const bool changed =
+            unfold::fold_freely(changing, [&](unfold::ChangingNet&) { return allowed; }, seed, {});
+        CHECK(changed == (changing.folds() != net.folds));
+        return changing.folds();
+      };
+      const unfold::Folds other = freed_if(true);
       CHECK(unfold::lay_out(patch, other).faces.size() == 1);
       CHECK(unfold::find_overlaps(unfold::lay_out(patch, other), search.tolerance).empty());
       for (std::size_t side = 0; side < other.size(); ++side) {
@@ -229,9 +235,8 @@ TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "
       }
       CHECK((other == net.folds || unfold::folds_freely(patch, other, {})));
       freed += other != net.folds ? 1 : 0;
-      CHECK(unfold::fold_freely(patch, net.folds, any, search.tolerance, seed, {}) == other);
-      const auto none = [](const unfold::Folds&) { return false; };
-      CHECK(unfold::fold_freely(patch, net.folds, none, search.tolerance, seed, {}) == net.folds);
+      CHECK(freed_if(true) == other);
+      CHECK(freed_if(false) == net.folds);
     }
   }
   CHECK(stuck > 0);

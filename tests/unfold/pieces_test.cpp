@@ -208,14 +208,19 @@ TEST_CASE("a piece that is tidied costs less and stays a clean net", "[pieces]")
     const auto cost = [&](const unfold::Folds& tree) {
       return unfold::cost_of_piece(patch, tree, 1, weights);
     };
-    const auto any = [](const unfold::Folds&) { return true; };
-    const unfold::Folds tidy = unfold::tidy_piece(patch, straggly, any, weights, search.tolerance, seed, {});
+    const auto tidied_if = [&](bool allowed) {
+      unfold::ChangingNet net(patch, straggly, search.tolerance, seed);
+      const bool changed =
+          unfold::tidy_piece(net, [&](unfold::ChangingNet&) { return allowed; }, weights, seed, {});
+      CHECK(changed == allowed);
+      return net.folds();
+    };
+    const unfold::Folds tidy = tidied_if(true);
     CHECK(cost(tidy) < cost(straggly) - 1.0);
     CHECK(unfold::cost_of(patch, tidy).pieces == 1);
     CHECK(unfold::find_overlaps(unfold::lay_out(patch, tidy), search.tolerance).empty());
-    CHECK(unfold::tidy_piece(patch, straggly, any, weights, search.tolerance, seed, {}) == tidy);
-    const auto none_is = [](const unfold::Folds&) { return false; };
-    CHECK(unfold::tidy_piece(patch, straggly, none_is, weights, search.tolerance, seed, {}) == straggly);
+    CHECK(tidied_if(true) == tidy);
+    CHECK(tidied_if(false) == straggly);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "unfold/check.hpp"
 #include "unfold/search/layout.hpp"
 #include "unfold/search/start_tree.hpp"
+#include "unfold/tabs/changing_net.hpp"
 #include "unfold/tabs/tab_assignment.hpp"
 #include "unfold/tabs/tab_state.hpp"
 #include "unfold/tree_nets.hpp"
@@ -113,7 +114,7 @@ void check_no_collision(const Patch& patch, const TreeSearch& net, const TabStat
 TEST_CASE("the search for tabs gains tabs and keeps a clean spanning tree", "[tab_search]") {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Example example(lumpy(seed), seed);
-    const unfold::TabSearch search{tolerance, 300, {}};
+    const unfold::TabSearch search{tolerance, 300, {}, {}};
     const auto run = [&] {
       return unfold::search_tabs(example.surface, example.panels, example.patch, example.folds, TabOptions(),
                                  search, seed, Context());
@@ -129,10 +130,85 @@ TEST_CASE("the search for tabs gains tabs and keeps a clean spanning tree", "[ta
 
 TEST_CASE("trees that aren't allowed aren't taken", "[tab_search]") {
   const Example example(lumpy(4), 4);
-  const unfold::TabSearch search{tolerance, 100, [](const Folds&) { return false; }};
+  const unfold::TabSearch search{tolerance, 100, [](const Folds&) { return false; }, {}};
   CHECK(unfold::search_tabs(example.surface, example.panels, example.patch, example.folds, TabOptions(),
                             search, 1, Context())
             .folds == example.folds);
+}
+
+TEST_CASE("a tree that may not be the best is walked over, but not taken", "[tab_search]") {
+  const Example example(lumpy(4), 4);
+  unfold::TabSearch search{tolerance, 100, {}, {}};
+  search.best_allowed = [&](const Folds& folds) { return folds == example.folds; };
+  CHECK(unfold::search_tabs(example.surface, example.panels, example.patch, example.folds, TabOptions(),
+                            search, 1, Context())
+            .folds == example.folds);
+}
+
+TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_search]") {
+  const Example example(lumpy(7), 7);
+  const Patch& patch = example.patch;
+  unfold::ChangingNet net(example.surface, example.panels, patch, example.folds, TabOptions(), tolerance, 1);
+  unfold::ChangingNet bare(patch, example.folds, tolerance, 1);
+  CHECK(bare.tabs() == 0);
+  Random random(8);
+  int kept = 0;
+  int hopeless = 0;
+  for (int trial = 0; trial < 1000 && kept < 40; ++trial) {
+    const std::uint32_t side = random.below(static_cast<std::uint32_t>(patch.twin.size()));
+    if (!net.tab_state().is_cut(side)) {
+      continue;
+    }
+    const auto swap = unfold::draw_swap_at(side, patch, net.tree(), random);
+    REQUIRE(swap);
+    if (!net.is_clean(*swap)) {
+      continue;
+    }
+    const Folds before = net.folds();
+    const std::uint32_t tabs = net.tabs();
+    const double lost = net.room_lost(*swap);
+    CHECK(net.folds() == before);
+    net.make(*swap);
+    CHECK(is_spanning_tree(patch, net.folds()));
+    CHECK(net.folds() != before);
+    const bool ask = random.below(2) == 0;
+    if (ask && lost > 1.5) {
+      hopeless += net.tabs() >= tabs ? 1 : 0;
+    } else if (ask) {
+      static_cast<void>(net.tabs());
+    }
+    if (random.below(3) == 0) {
+      net.take_back();
+      CHECK(net.folds() == before);
+      CHECK(net.tabs() == tabs);
+      continue;
+    }
+    net.keep();
+    ++kept;
+    CHECK(net.is_clean());
+    check_no_collision(patch, net.tree(), net.tab_state());
+    bare.set_tree(net.folds());
+    double area = 0.0;
+    const auto hull = net.hull();
+    const auto bare_hull = bare.hull();
+    for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
+      area += cross(hull[i] - hull[0], hull[i + 1] - hull[0]);
+    }
+    for (std::size_t i = 1; i + 1 < bare_hull.size(); ++i) {
+      area -= cross(bare_hull[i] - bare_hull[0], bare_hull[i + 1] - bare_hull[0]);
+    }
+    CHECK(std::abs(area) < 1e-6);
+  }
+  CHECK(kept == 40);
+  CHECK(hopeless == 0);
+  // Set afresh, the tabs depend on the tree alone.
+  const Folds last = net.folds();
+  net.set_tree(last);
+  unfold::ChangingNet other(example.surface, example.panels, patch, last, TabOptions(), tolerance, 2);
+  CHECK(net.tabs() == other.tabs());
+  net.set_tree(example.folds);
+  net.set_tree(last);
+  CHECK(net.tabs() == other.tabs());
 }
 
 TEST_CASE("tabs that are kept up to date collide with nothing, and changes can be taken back",

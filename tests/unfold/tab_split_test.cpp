@@ -210,7 +210,9 @@ TEST_CASE("an edge is called too narrow where the faces behind it are", "[tabs]"
       }
       CHECK_FALSE((join.too_narrow && join.tab.valid() && unfold::is_usable(s, nets, join.tab, {})));
     }
-    CHECK((told > 0) == (size < 50.0));
+    // In between a good tree cuts none of them.
+    CHECK((told == 0 || size < 50.0));
+    CHECK((told > 0 || size > 20.0));
   }
 }
 

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
-#include "unfold/check.hpp"
 #include "unfold/folding/fold_order.hpp"
-#include "unfold/search/branch.hpp"
-#include "unfold/search/layout.hpp"
-#include "unfold/search/tree_search.hpp"
+#include "unfold/pieces/tree_improvement.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -38,79 +36,43 @@ Course course_of(const Patch& piece, const Folds& tree, std::size_t most, const 
   return course;
 }
 
-class FreeFolding {
+class FreeFolding : public TreeGoal {
  public:
-  FreeFolding(const Patch& piece, const Folds& tree, double tolerance, std::uint64_t seed,
+  FreeFolding(const Patch& piece, Course course, const std::function<bool(ChangingNet&)>& allowed,
               const Context& context)
-      : piece_(piece),
-        random_(seed),
+      : course_(std::move(course)),
+        allowed_(allowed),
         context_(context),
-        net_(piece, tolerance, random_.next()),
-        branch_(piece) {
-    net_.set_tree(tree);
+        trees_(std::min(most_tried, faces_tried / piece.size())),
+        branch_(piece) {}
+
+  std::optional<Swap> draw(ChangingNet& net, Random& random) override {
+    const auto [f, g] = unfold::draw(course_.meetings, random);
+    return draw_swap_between(f, g, net.tree(), branch_, random);
   }
 
-  /// True when the tree has come to fold freely.
-  bool run(Course course, const std::function<bool(const Folds&)>& allowed) {
-    std::size_t trees = std::min(most_tried, faces_tried / piece_.size());
-    for (std::size_t draws = draws_per_tree * trees; draws > 0 && trees > 0; --draws) {
-      if (context_.out_of_time()) {
-        return false;
-      }
-      if (!swap_between(course.meetings)) {
-        continue;
-      }
-      --trees;
-      Course changed = course_of(piece_, net_.folds(), course.meetings.size(), context_);
-      if (changed.meetings.size() <= course.meetings.size() && allowed(net_.folds())) {
-        course = std::move(changed);
-        if (course.free) {
-          return true;
-        }
-      } else {
-        net_.swap(moved_, removed_);
-      }
-    }
-    return false;
-  }
-
-  [[nodiscard]] const Folds& tree() const { return net_.folds(); }
-
- private:
-  template <class T>
-  const T& draw(const std::vector<T>& from) {
-    return from[random_.below(static_cast<std::uint32_t>(from.size()))];
-  }
-
-  /// Exchanges a fold on the path between two faces that meet, so that they come to each other by another
-  /// way.
-  bool swap_between(const std::vector<FoldTrial::Pair>& meetings) {
-    const auto [f, g] = draw(meetings);
-    const std::vector<std::uint32_t> path = net_.removable_between(f, g);
-    if (path.empty()) {
+  bool accepts(ChangingNet& net) override {
+    if (!allowed_(net)) {
       return false;
     }
-    const std::uint32_t below = draw(path);
-    removed_ = net_.side_above(below);
-    branch_.find(net_.folds(), removed_, f);
-    if (branch_.places().empty()) {
+    --trees_;
+    Course changed = course_of(net.patch(), net.folds(), course_.meetings.size(), context_);
+    if (changed.meetings.size() > course_.meetings.size()) {
       return false;
     }
-    const std::uint32_t side = draw(branch_.places());
-    if (!net_.swap_is_clean(below, side)) {
-      return false;
-    }
-    moved_ = net_.swap(below, side);
+    course_ = std::move(changed);
     return true;
   }
 
-  const Patch& piece_;
-  Random random_;
+  [[nodiscard]] bool done() const override { return course_.free || trees_ == 0; }
+  [[nodiscard]] bool free() const { return course_.free; }
+
+ private:
+  Course course_;
+  const std::function<bool(ChangingNet&)>& allowed_;
   const Context& context_;
-  TreeSearch net_;
+  std::size_t trees_;  ///< that may still be tried
   Branch branch_;
-  std::uint32_t removed_ = 0;  ///< by the last swap: a side of the fold ...
-  std::uint32_t moved_ = 0;    ///< ... and the face below the new one
 };
 
 }  // namespace
@@ -121,20 +83,26 @@ bool folds_freely(const Patch& piece, const Folds& tree, const Context& context)
   return find_folding(motion, trial, context).way != FoldWay::with_care;
 }
 
-Folds fold_freely(const Patch& piece, const Folds& tree, const std::function<bool(const Folds&)>& allowed,
-                  double tolerance, std::uint64_t seed, const Context& context) {
+bool fold_freely(ChangingNet& net, const std::function<bool(ChangingNet&)>& allowed, std::uint64_t seed,
+                 const Context& context) {
+  const Patch& piece = net.patch();
   if (piece.size() > most_faces) {
-    return tree;
+    return false;
   }
-  Course course = course_of(piece, tree, std::numeric_limits<std::size_t>::max(), context);
+  const Folds given = net.folds();
+  Course course = course_of(piece, given, std::numeric_limits<std::size_t>::max(), context);
   if (course.free) {
-    return tree;
+    return false;
   }
-  FreeFolding search(piece, tree, tolerance, seed, context);
-  // As everywhere: the search counts by small steps, only a fresh layout may call a net clean.
-  const bool better = search.run(std::move(course), allowed) &&
-                      find_overlaps(lay_out(piece, search.tree()), tolerance).empty();
-  return better ? search.tree() : tree;
+  FreeFolding goal(piece, std::move(course), allowed, context);
+  const std::size_t draws = draws_per_tree * std::min(most_tried, faces_tried / piece.size());
+  if (!improve_tree(net, goal, draws, seed, context)) {
+    return false;
+  }
+  if (!goal.free()) {
+    net.set_tree(given);
+  }
+  return goal.free();
 }
 
 }  // namespace ridgecraft::unfold

@@ -4,91 +4,94 @@
 #include <algorithm>
 #include <vector>
 
-#include "unfold/check.hpp"
 #include "unfold/objective.hpp"
-#include "unfold/search/layout.hpp"
-#include "unfold/search/tree_search.hpp"
+#include "unfold/pieces/tree_improvement.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
 /// Trials for each face, and in all: later ones gain little.
-constexpr std::uint64_t trials_per_face = 4;
-constexpr std::uint64_t most_trials = 500;
-/// Shapes that are better but not allowed, one after the other, after which no more are tried: asking is what
-/// takes the time, and those that come later are hardly ever allowed.
-constexpr unsigned most_refused = 32;
+constexpr std::uint64_t trials_per_face = 8;
+constexpr std::uint64_t most_trials = 1000;
+/// Share of the trials that begin at a cut without a tab.
+constexpr double open_share = 0.3;
 /// Above this a trial takes too long.
 constexpr std::uint32_t most_faces = 1000;
-/// Trials between two looks at the clock.
-constexpr std::uint64_t trials_per_look = 16;
 /// Below this there is no other tree worth looking at.
 constexpr std::uint32_t fewest_faces = 4;
-/// The number of parts of a piece costs the same whatever its tree is.
-constexpr std::size_t one_part = 1;
+/// A swap that takes the room of a tab from the outline, by angles alone, is hardly ever allowed.
+constexpr double most_room_lost = 0.5;
 
-/// Sides that could be folded instead of others, one of each two.
-std::vector<std::uint32_t> cuts_of(const Patch& piece, const Folds& tree) {
-  std::vector<std::uint32_t> cuts;
-  for (std::uint32_t side = 0; side < tree.size(); ++side) {
-    const std::uint32_t twin = piece.twin[side];
-    if (twin != nothing && side < twin && tree[side] == 0 && piece.frozen[side] == 0) {
-      cuts.push_back(side);
+class Tidying : public TreeGoal {
+ public:
+  Tidying(ChangingNet& net, const std::function<bool(ChangingNet&)>& allowed, const Weights& weights)
+      : allowed_(allowed), cost_of_(net.patch(), one_part, weights), tabs_(net.tabs()) {
+    cost_ = cost_of_.of(net.folds(), net.hull());
+    find_cuts(net);
+  }
+
+  std::optional<Swap> draw(ChangingNet& net, Random& random) override {
+    const bool at_open = !open_.empty() && random.unit() < open_share;
+    const std::uint32_t cut = unfold::draw(at_open ? open_ : cuts_, random);
+    const std::optional<Swap> swap = draw_swap_at(cut, net.patch(), net.tree(), random);
+    if (!swap) {
+      return std::nullopt;
+    }
+    const double lost = net.room_lost(*swap);
+    most_tabs_won_ = std::max(0.0, -lost);
+    return lost > most_room_lost ? std::nullopt : swap;
+  }
+
+  bool accepts(ChangingNet& net) override {
+    const double cost = cost_of_.of(net.folds(), net.hull());
+    if (!(cost < cost_ + most_tabs_won_) || net.tabs() < tabs_ ||
+        !(cost < cost_ + static_cast<double>(net.tabs() - tabs_)) || !allowed_(net)) {
+      return false;
+    }
+    cost_ = cost;
+    tabs_ = net.tabs();
+    find_cuts(net);
+    return true;
+  }
+
+  [[nodiscard]] bool done() const override { return cuts_.empty(); }
+
+ private:
+  /// One side of each cut that could be a fold.
+  void find_cuts(const ChangingNet& net) {
+    const Patch& piece = net.patch();
+    cuts_.clear();
+    open_.clear();
+    for (std::uint32_t side = 0; side < piece.twin.size(); ++side) {
+      const std::uint32_t twin = piece.twin[side];
+      if (twin != nothing && side < twin && net.folds()[side] == 0 && piece.frozen[side] == 0) {
+        cuts_.push_back(side);
+        if (net.has_tabs() && !net.tab_state().has_tab(side)) {
+          open_.push_back(side);
+        }
+      }
     }
   }
-  return cuts;
-}
+
+  const std::function<bool(ChangingNet&)>& allowed_;
+  PieceCost cost_of_;
+  double cost_ = 0.0;
+  std::uint32_t tabs_;
+  double most_tabs_won_ = 0.0;  ///< by the swap that was drawn last
+  std::vector<std::uint32_t> cuts_;
+  std::vector<std::uint32_t> open_;  ///< those without a tab
+};
 
 }  // namespace
 
-Folds tidy_piece(const Patch& piece, const Folds& tree, const std::function<bool(const Folds&)>& allowed,
-                 const Weights& weights, double tolerance, std::uint64_t seed, const Context& context) {
-  if (piece.size() < fewest_faces || piece.size() > most_faces) {
-    return tree;
+bool tidy_piece(ChangingNet& net, const std::function<bool(ChangingNet&)>& allowed, const Weights& weights,
+                std::uint64_t seed, const Context& context) {
+  const std::uint32_t faces = net.patch().size();
+  if (faces < fewest_faces || faces > most_faces) {
+    return false;
   }
-  Random random(seed);
-  TreeSearch net(piece, tolerance, random.next());
-  net.set_tree(tree);
-  const double before = cost_of_piece(piece, tree, one_part, weights);
-  double cost = before;
-  std::vector<std::uint32_t> cuts = cuts_of(piece, tree);
-  const auto draw = [&](const std::vector<std::uint32_t>& from) {
-    return from[random.below(static_cast<std::uint32_t>(from.size()))];
-  };
-  const std::uint64_t trials = std::min(most_trials, trials_per_face * piece.size());
-  unsigned refused = 0;
-  for (std::uint64_t trial = 0; trial < trials && !cuts.empty() && refused < most_refused; ++trial) {
-    if (trial % trials_per_look == 0) {
-      context.check();
-      if (context.out_of_time()) {
-        break;
-      }
-    }
-    const std::uint32_t side = draw(cuts);
-    const std::vector<std::uint32_t> path = net.removable_between(side / 3, piece.twin[side] / 3);
-    if (path.empty()) {
-      continue;
-    }
-    const std::uint32_t below = draw(path);
-    if (!net.swap_is_clean(below, side)) {
-      continue;
-    }
-    const std::uint32_t removed = net.side_above(below);
-    const std::uint32_t moved = net.swap(below, side);
-    const double changed = cost_of_piece(piece, net.folds(), one_part, weights);
-    const bool better_shape = changed < cost;
-    if (better_shape && allowed(net.folds())) {
-      refused = 0;
-      cost = changed;
-      cuts = cuts_of(piece, net.folds());
-    } else {
-      refused += better_shape ? 1U : 0U;
-      net.swap(moved, removed);
-    }
-  }
-  // As everywhere: the search counts by small steps, only a fresh layout may call a net clean.
-  const bool better = cost < before && find_overlaps(lay_out(piece, net.folds()), tolerance).empty();
-  return better ? net.folds() : tree;
+  Tidying goal(net, allowed, weights);
+  return improve_tree(net, goal, std::min(most_trials, trials_per_face * faces), seed, context);
 }
 
 }  // namespace ridgecraft::unfold

@@ -186,6 +186,12 @@ void TabState::mark_near(std::uint32_t below, bool pairs) {
 }
 
 void TabState::renew_all() {
+  for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+    chosen_[side] = {};
+    free_[side] = 0;
+  }
+  tabs_ = 0;
+  worth_ = 0.0;
   ++round_;
   marked_.clear();
   for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
@@ -193,6 +199,8 @@ void TabState::renew_all() {
   }
   refresh();
   fill_open();
+  old_free_.clear();
+  old_choices_.clear();
 }
 
 void TabState::swap(std::uint32_t below, std::uint32_t side) {

@@ -32,7 +32,7 @@ class TabState {
   TabState(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch, TreeSearch& net,
            const TabOptions& options);
 
-  /// Looks at all sides afresh.
+  /// Chooses all tabs afresh, whatever was chosen before: they depend on the tree alone.
   void renew_all();
   /// Makes the cut `side` a fold and the fold above `below`, which it crosses, a cut (TreeSearch::swap), and
   /// looks afresh at the tabs that this brings near other things or frees of them.
