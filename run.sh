@@ -18,7 +18,7 @@ quietly() {
   fi
 }
 if [ ! -f "$build/build.ninja" ]; then
-  echo "Building Ridgecraft; the first time takes a few minutes." >&2
+  echo "Building Ridgecraft; the first time takes a few minutes ($log tells how far it is)." >&2
   quietly cmake -S "$here" --preset release
 fi
 quietly cmake --build "$build" --target ridgecraft man_page
