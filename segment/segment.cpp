@@ -308,11 +308,21 @@ class Run {
     std::erase_if(final_, [](const Part& part) { return part.faces.empty(); });
   }
 
-  /// Adds a crumb to a part; false, and nothing is changed, when the part would be too concave.
+  /// Adds a crumb, with all that is in its parts because it followed the crumb, to a part; false, and nothing
+  /// is changed, when the part would be too concave or has all of that already.
   bool take_in(const Facets& crumb, std::uint32_t into, const std::vector<std::uint32_t>& part_of) {
-    PartTask task{crumb, 0, final_[into].reason};
-    for (const FaceId f : final_[into].faces) {
-      task.facets.push_back(f.value());
+    std::set<std::uint32_t> sources;
+    for (const std::uint32_t f : crumb) {
+      sources.insert(part_of[f]);
+    }
+    if (!sources.insert(into).second && sources.size() == 1) {
+      return false;
+    }
+    PartTask task{{}, 0, final_[into].reason};
+    for (const std::uint32_t p : sources) {
+      for (const FaceId f : final_[p].faces) {
+        task.facets.push_back(f.value());
+      }
     }
     std::sort(task.facets.begin(), task.facets.end());
     Measurement& measurement = workers_.first().measurement;
@@ -321,8 +331,8 @@ class Run {
     if (measurement.concavity > measurer().tolerance()) {
       return false;
     }
-    for (const std::uint32_t f : crumb) {
-      final_[part_of[f]].faces.clear();
+    for (const std::uint32_t p : sources) {
+      final_[p].faces.clear();
     }
     final_[into] = describe({std::move(task), measurement.concavity, measurement.hull});
     return true;

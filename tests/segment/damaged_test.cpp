@@ -89,6 +89,40 @@ TEST_CASE("Few holes don't divide a part, and large openings stay open") {
   CHECK(open.facet_count() == half.face_count());
 }
 
+TEST_CASE("A crumb that follows others takes along what followed it") {
+  // A sheet; at its corner a crumb of one face, on that one of two, on that another of one. The second has no
+  // larger neighbour, and waits until the first is part of the sheet; the third has joined it before.
+  constexpr std::uint32_t side = 10;
+  std::vector<Vec3> points;
+  std::vector<std::array<VertexId, 3>> corners;
+  const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    corners.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  };
+  for (std::uint32_t y = 0; y <= side; ++y) {
+    for (std::uint32_t x = 0; x <= side; ++x) {
+      points.push_back({0.1 * x, 0.1 * y, 0.0});
+      if (x < side && y < side) {
+        const std::uint32_t v = y * (side + 1) + x;
+        face(v, v + 1, v + side + 2);
+        face(v, v + side + 2, v + side + 1);
+      }
+    }
+  }
+  const auto last = static_cast<std::uint32_t>(points.size() - 1);
+  for (const Vec3 p :
+       {Vec3{1.02, 1.01, 0.0}, Vec3{1.01, 1.02, 0.0}, Vec3{1.03, 1.02, 0.0}, Vec3{1.03, 1.03, 0.0},
+        Vec3{1.02, 1.03, 0.0}, Vec3{1.05, 1.04, 0.0}, Vec3{1.04, 1.05, 0.0}}) {
+    points.push_back(p);
+  }
+  face(last, last + 1, last + 2);
+  face(last + 1, last + 3, last + 4);
+  face(last + 1, last + 4, last + 5);
+  face(last + 4, last + 6, last + 7);
+  const mesh::Surface sheet(points, corners);
+  CHECK(parts(sheet, segment::Options::Holes::keep) == 4);
+  CHECK(parts(sheet, segment::Options::Holes::close) == 1);
+}
+
 TEST_CASE("Neighbours agree after holes are closed, also where fans meet in a vertex") {
   for (const double share : {0.2, 0.45, 0.7}) {
     segment::ScaledSurface s = segment::scale_surface(damaged(test::sphere(40, 20), share, 9), {});
