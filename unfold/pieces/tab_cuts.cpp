@@ -41,9 +41,15 @@ struct RootedForest {
 class Chooser {
  public:
   Chooser(const mesh::Surface& surface, const Patch& patch, const Folds& folds, const TabGaps& tab_gaps,
-          std::span<const TabGap> gaps)
-      : surface_(surface), patch_(patch), tab_gaps_(tab_gaps), forest_(patch, folds) {
+          std::span<const TabGap> gaps, const Context& context)
+      : surface_(surface),
+        patch_(patch),
+        tab_gaps_(tab_gaps),
+        context_(context),
+        forest_(patch, folds),
+        sum_(patch.twin.size(), 0.0) {
     for (const TabGap& gap : gaps) {
+      context_.check();
       Gap& own = gaps_.emplace_back();
       for (const TabGap::Place& place : gap.places) {
         add_place(place, own);
@@ -51,19 +57,21 @@ class Chooser {
       if (own.places.empty()) {
         cut_off(gap, folds, own);
       }
+      measure(own);
     }
   }
 
   std::vector<std::uint32_t> run(double blur, Random& random) {
     std::vector<std::uint32_t> cuts;
     for (;;) {
+      context_.check();
       std::uint32_t best = nothing;
       double most = 0.0;
-      for (const auto& [side, worth] : worths()) {
-        const double blurred = worth * (1.0 + blur * random.unit());
+      for (const Worth& worth : worths()) {
+        const double blurred = worth.tabs * (1.0 + blur * random.unit());
         if (blurred > most) {
           most = blurred;
-          best = side;
+          best = worth.side;
         }
       }
       if (best == nothing) {
@@ -77,9 +85,13 @@ class Chooser {
  private:
   using Path = std::vector<std::uint32_t>;  ///< folds that may be cut, each by its side of the lower face
   using Place = std::vector<Path>;          ///< to each thing in the way that isn't cut off yet
+  struct Worth {
+    std::uint32_t side = nothing;
+    double tabs = 0.0;
+  };
   struct Gap {
     std::vector<Place> places;
-    bool closed = false;
+    std::vector<Worth> worths;  ///< of cutting each fold, for this gap; ascending by side
   };
 
   [[nodiscard]] Path path(std::uint32_t f, std::uint32_t g) const {
@@ -120,45 +132,64 @@ class Chooser {
     }
   }
 
-  /// What cutting each fold is worth, in tabs.
-  [[nodiscard]] std::map<std::uint32_t, double> worths() const {
-    std::map<std::uint32_t, double> sum;
-    for (const Gap& gap : gaps_) {
-      if (gap.closed) {
-        continue;
-      }
-      std::map<std::uint32_t, double> most;
-      for (const Place& place : gap.places) {
-        std::map<std::uint32_t, std::uint32_t> count;
-        for (const Path& path : place) {
-          for (const std::uint32_t side : path) {
-            ++count[side];
-          }
-        }
-        for (const auto& [side, n] : count) {
-          const double share = static_cast<double>(n) / static_cast<double>(place.size());
-          double& worth = most[side];
-          worth = std::max(worth, std::pow(share, sharpness));
+  static void measure(Gap& gap) {
+    std::map<std::uint32_t, double> most;
+    for (const Place& place : gap.places) {
+      std::map<std::uint32_t, std::uint32_t> count;
+      for (const Path& path : place) {
+        for (const std::uint32_t side : path) {
+          ++count[side];
         }
       }
-      for (const auto& [side, worth] : most) {
-        sum[side] += worth;
+      for (const auto& [side, n] : count) {
+        const double share = static_cast<double>(n) / static_cast<double>(place.size());
+        double& worth = most[side];
+        worth = std::max(worth, std::pow(share, sharpness));
       }
     }
-    for (auto& [side, worth] : sum) {
+    gap.worths.clear();
+    for (const auto& [side, worth] : most) {
+      gap.worths.push_back({side, worth});
+    }
+  }
+
+  /// What cutting each fold is worth, in tabs; ascending by side.
+  [[nodiscard]] std::vector<Worth> worths() {
+    std::vector<Worth> result;
+    for (const Gap& gap : gaps_) {
+      for (const Worth& worth : gap.worths) {
+        if (sum_[worth.side] == 0.0) {
+          result.push_back({worth.side, 0.0});
+        }
+        sum_[worth.side] += worth.tabs;
+      }
+    }
+    std::sort(result.begin(), result.end(), [](const Worth& x, const Worth& y) { return x.side < y.side; });
+    for (auto& [side, worth] : result) {
       const EdgeId edge = surface_.edge(mesh::corner(patch_.face[side / 3], side % 3));
       const double cost = (tab_gaps_.able(edge) ? 0.0 : narrow_cut) + cost_of_length * patch_.length[side];
-      worth = std::max(worth - cost, 0.01 * worth);
+      worth = std::max(sum_[side] - cost, 0.01 * sum_[side]);
+      sum_[side] = 0.0;
     }
-    return sum;
+    return result;
   }
 
   void take_away(std::uint32_t cut) {
     for (Gap& gap : gaps_) {
+      const auto at =
+          std::lower_bound(gap.worths.begin(), gap.worths.end(), cut,
+                           [](const Worth& worth, std::uint32_t side) { return worth.side < side; });
+      if (at == gap.worths.end() || at->side != cut) {
+        continue;
+      }
       for (Place& place : gap.places) {
         std::erase_if(
             place, [&](const Path& path) { return std::find(path.begin(), path.end(), cut) != path.end(); });
-        gap.closed = gap.closed || place.empty();
+      }
+      if (std::any_of(gap.places.begin(), gap.places.end(), [](const Place& p) { return p.empty(); })) {
+        gap = {};
+      } else {
+        measure(gap);
       }
     }
   }
@@ -166,16 +197,19 @@ class Chooser {
   const mesh::Surface& surface_;
   const Patch& patch_;
   const TabGaps& tab_gaps_;
+  const Context& context_;
   RootedForest forest_;
   std::vector<Gap> gaps_;
+  std::vector<double> sum_;  ///< per side: space to work in, 0
 };
 
 }  // namespace
 
 std::vector<std::uint32_t> choose_tab_cuts(const mesh::Surface& surface, const Patch& patch,
                                            const Folds& folds, const TabGaps& tab_gaps,
-                                           std::span<const TabGap> gaps, double blur, Random& random) {
-  return Chooser(surface, patch, folds, tab_gaps, gaps).run(blur, random);
+                                           std::span<const TabGap> gaps, double blur, Random& random,
+                                           const Context& context) {
+  return Chooser(surface, patch, folds, tab_gaps, gaps, context).run(blur, random);
 }
 
 }  // namespace ridgecraft::unfold

@@ -15,10 +15,11 @@ namespace ridgecraft::unfold {
 /// Chooses folds, one side of each, until each gap has a place from which all that stands in its way is cut
 /// off, as far as cutting can do that: the fold that does most for all gaps first (greedy set cover, V.
 /// Chvatal 1979, over tree paths). What the tabs of the new cuts need isn't foreseen. `blur` of 0 or more
-/// makes the order random by so much. `patch`: of the whole surface. O(cuts gaps path).
+/// makes the order random by so much. `patch`: of the whole surface. O(cuts (gaps + folds on their paths)).
+/// Throws Error(interrupted).
 [[nodiscard]] std::vector<std::uint32_t> choose_tab_cuts(const mesh::Surface& surface, const Patch& patch,
                                                          const Folds& folds, const TabGaps& tab_gaps,
                                                          std::span<const TabGap> gaps, double blur,
-                                                         Random& random);
+                                                         Random& random, const Context& context);
 
 }  // namespace ridgecraft::unfold

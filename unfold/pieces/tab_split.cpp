@@ -31,9 +31,9 @@ TabSplit cut_for_tabs(const mesh::Surface& surface, const Patch& patch, const Fo
     if (missing.empty() || context.out_of_time()) {
       return result;
     }
-    const std::vector<TabGap> gaps = tab_gaps.gaps(nets, missing);
+    const std::vector<TabGap> gaps = tab_gaps.gaps(nets, missing, context);
     const std::vector<std::uint32_t> cuts =
-        choose_tab_cuts(surface, patch, result.folds, tab_gaps, gaps, blur, random);
+        choose_tab_cuts(surface, patch, result.folds, tab_gaps, gaps, blur, random, context);
     if (cuts.empty()) {
       return result;
     }

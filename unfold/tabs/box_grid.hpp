@@ -33,7 +33,7 @@ class BoxGrid {
       mean += std::fmax(box.size().x, box.size().y);
     }
     const double n = static_cast<double>(std::max<std::size_t>(boxes_.size(), 1));
-    const Vec2 size = all_.size();
+    const Vec2 size = boxes_.empty() ? Vec2{} : all_.size();
     // Two cells per box at most: a few large and many small boxes must not make millions of cells.
     cell_ =
         std::fmax(mean / n, std::fmax(std::sqrt(size.x * size.y / (2.0 * n)), (size.x + size.y) / (2.0 * n)));

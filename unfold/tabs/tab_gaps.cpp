@@ -12,6 +12,9 @@ namespace ridgecraft::unfold {
 
 namespace {
 
+/// Gaps looked at between two questions whether to go on: about 1 ms.
+constexpr std::size_t gaps_per_check = 64;
+
 /// The folds that nothing cuts.
 Folds frozen_folds(const Patch& patch, const Folds& folds) {
   Folds result = folds;
@@ -50,24 +53,27 @@ Nets all_apart(const mesh::Surface& surface, const Patch& patch, const Folds& fo
   return nets;
 }
 
-Obstacle::Kind kind_of(bool left, bool right) {
-  return left ? (right ? Obstacle::Kind::at_both : Obstacle::Kind::at_base_left)
-              : (right ? Obstacle::Kind::at_base_right : Obstacle::Kind::thing);
-}
-
 }  // namespace
 
 /// What stands around a side of a join.
 class TabGaps::Surroundings {
  public:
   Surroundings(const mesh::Surface& surface, const Nets& nets, const TabOptions& options)
-      : surface_(surface),
-        nets_(nets),
-        options_(options),
-        vertices_(net_vertices(surface, nets)),
-        tabs_(nets.pieces.size()) {
+      : nets_(nets), options_(options), vertices_(net_vertices(surface, nets)), tabs_(nets.pieces.size()) {
     for (const TabId t : ids<TabId>(nets.tabs.size())) {
       tabs_[nets.piece[mesh::face_of(nets.tabs[t].side)]].push_back(t);
+    }
+    for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+      std::vector<Box2> faces;
+      for (const FaceId f : nets.pieces[p].faces) {
+        faces.push_back(ConvexShape(std::span<const Vec2>(nets.flat[f])).box());
+      }
+      face_boxes_.push_back(BoxGrid(std::move(faces)));
+      std::vector<Box2> tabs;
+      for (const TabId t : tabs_[p]) {
+        tabs.push_back(ConvexShape(std::span<const Vec2>(nets.tabs[t].polygon)).box());
+      }
+      tab_boxes_.push_back(BoxGrid(std::move(tabs)));
     }
   }
 
@@ -78,13 +84,13 @@ class TabGaps::Surroundings {
     const ConvexShape shape(std::span<const Vec2>(tab.whole.corner));
     const Box2 box = grown(own.out(shape).box(), options_.clearance_mm);
     const auto meets_shape = [&](const ConvexShape& other, bool left, bool right) {
-      return meet(box, other.box()) &&
-             !clear_of(shape, {own.in(other), kind_of(left && tab.at_left, right && tab.at_right)},
+      return !clear_of(shape, {own.in(other), kind_sharing(left && tab.at_left, right && tab.at_right)},
                        options_.clearance_mm);
     };
     const std::uint32_t left = vertices_[mesh::next(side).value()];
     const std::uint32_t right = vertices_[side.value()];
-    for (const FaceId f : nets_.pieces[piece].faces) {
+    face_boxes_[piece].visit(box, [&](std::uint32_t i) {
+      const FaceId f = nets_.pieces[piece].faces[i];
       bool at_left = false;
       bool at_right = false;
       for (unsigned k = 0; k < 3; ++k) {
@@ -95,9 +101,9 @@ class TabGaps::Surroundings {
           meets_shape(ConvexShape(std::span<const Vec2>(nets_.flat[f])), at_left, at_right)) {
         result.in_the_way.push_back(f);
       }
-    }
-    for (const TabId t : tabs_[piece]) {
-      const Tab& other = nets_.tabs[t];
+    });
+    tab_boxes_[piece].visit(box, [&](std::uint32_t i) {
+      const Tab& other = nets_.tabs[tabs_[piece][i]];
       const auto at = [&](std::uint32_t vertex) {
         return vertices_[other.side.value()] == vertex || vertices_[mesh::next(other.side).value()] == vertex;
       };
@@ -105,7 +111,7 @@ class TabGaps::Surroundings {
           meets_shape(ConvexShape(std::span<const Vec2>(other.polygon)), at(left), at(right))) {
         result.in_the_way.push_back(mesh::face_of(other.side));
       }
-    }
+    });
     std::sort(result.in_the_way.begin(), result.in_the_way.end());
     result.in_the_way.erase(std::unique(result.in_the_way.begin(), result.in_the_way.end()),
                             result.in_the_way.end());
@@ -113,11 +119,12 @@ class TabGaps::Surroundings {
   }
 
  private:
-  const mesh::Surface& surface_;
   const Nets& nets_;
   const TabOptions& options_;
   std::vector<std::uint32_t> vertices_;
   IdVector<PieceId, std::vector<TabId>> tabs_;
+  IdVector<PieceId, BoxGrid> face_boxes_;  ///< in the order of the piece's faces ...
+  IdVector<PieceId, BoxGrid> tab_boxes_;   ///< ... and of tabs_
 };
 
 TabGaps::TabGaps(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch,
@@ -149,10 +156,14 @@ std::vector<JoinId> TabGaps::missing(const Nets& nets) const {
   return result;
 }
 
-std::vector<TabGap> TabGaps::gaps(const Nets& nets, std::span<const JoinId> joins) const {
+std::vector<TabGap> TabGaps::gaps(const Nets& nets, std::span<const JoinId> joins,
+                                  const Context& context) const {
   const Surroundings surroundings(surface_, nets, options_);
   std::vector<TabGap> result;
   for (const JoinId join : joins) {
+    if (result.size() % gaps_per_check == 0) {
+      context.check();
+    }
     TabGap& gap = result.emplace_back(TabGap{join, {}});
     for (const CornerId side : surface_.sides(nets.joins[join].edge)) {
       for (const TabCandidate& tab : candidates_[side.value()]) {

@@ -40,8 +40,9 @@ class TabGaps {
   /// The joins of able edges that have no usable tab.
   [[nodiscard]] std::vector<JoinId> missing(const Nets& nets) const;
 
-  /// What stands in the way of their tabs. O(joins faces) in the largest piece.
-  [[nodiscard]] std::vector<TabGap> gaps(const Nets& nets, std::span<const JoinId> joins) const;
+  /// What stands in the way of their tabs. About O(joins + faces). Throws Error(interrupted).
+  [[nodiscard]] std::vector<TabGap> gaps(const Nets& nets, std::span<const JoinId> joins,
+                                         const Context& context) const;
 
  private:
   class Surroundings;

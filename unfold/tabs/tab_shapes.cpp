@@ -102,8 +102,7 @@ Obstacle without_corners_off_base(const Obstacle& obstacle, const TabBase& base)
   if (shares_left(obstacle.kind) || shares_right(obstacle.kind)) {
     const bool left = shares_left(obstacle.kind) && base.left <= same_place_mm;
     const bool right = shares_right(obstacle.kind) && base.right >= base.edge - same_place_mm;
-    result.kind =
-        left ? (right ? Kind::at_both : Kind::at_base_left) : (right ? Kind::at_base_right : Kind::thing);
+    result.kind = kind_sharing(left, right);
   }
   return result;
 }

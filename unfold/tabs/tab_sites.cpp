@@ -37,13 +37,6 @@ struct PieceGrids {
   std::vector<BoxGrid> grids;
 };
 
-Obstacle::Kind kind_of(bool left, bool right) {
-  if (left) {
-    return right ? Obstacle::Kind::at_both : Obstacle::Kind::at_base_left;
-  }
-  return right ? Obstacle::Kind::at_base_right : Obstacle::Kind::thing;
-}
-
 class SiteFinder {
  public:
   SiteFinder(const mesh::Surface& surface, const mesh::Panels& panels, const Nets& nets,
@@ -110,7 +103,7 @@ class SiteFinder {
         left = left || v == site.ends[0];
         right = right || v == site.ends[1];
       }
-      Obstacle obstacle{site.own.in(ConvexShape(std::span<const Vec2>(nets_.flat[f]))), kind_of(left, right)};
+      Obstacle obstacle{site.own.in(ConvexShape(std::span<const Vec2>(nets_.flat[f]))), kind_sharing(left, right)};
       if (!clear_of(widest, obstacle, options_.clearance_mm)) {
         (left || right ? site.obstacles : others).push_back(obstacle);
       }

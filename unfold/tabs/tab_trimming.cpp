@@ -112,6 +112,9 @@ bool shares_left(Obstacle::Kind kind) {
 bool shares_right(Obstacle::Kind kind) {
   return kind == Kind::at_base_right || kind == Kind::at_both;
 }
+Kind kind_sharing(bool left, bool right) {
+  return left ? (right ? Kind::at_both : Kind::at_base_left) : (right ? Kind::at_base_right : Kind::thing);
+}
 
 bool clear_of(const ConvexShape& tab, const Obstacle& obstacle, double clearance_mm) {
   if (obstacle.kind == Kind::target_edge) {

@@ -32,6 +32,8 @@ struct Obstacle {
 [[nodiscard]] bool shares_left(Obstacle::Kind kind);
 /// ... at (length, 0)?
 [[nodiscard]] bool shares_right(Obstacle::Kind kind);
+/// Of a face or a tab that shares the base's corner at (0, 0), at (length, 0), or neither.
+[[nodiscard]] Obstacle::Kind kind_sharing(bool left, bool right);
 
 /// A target lower than this has no inside to be glued behind, mm: its outline can't be told from the base.
 inline constexpr double least_target_mm = 1e-5;
