@@ -3,17 +3,22 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <stop_token>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
 #include "mesh/foundation/disjoint_sets.hpp"
+#include "mesh/foundation/error.hpp"
 #include "support/shapes.hpp"
 #include "unfold/check.hpp"
 #include "unfold/nets_checks.hpp"
+#include "unfold/pieces/tab_cuts.hpp"
 #include "unfold/search/layout.hpp"
 #include "unfold/search/start_tree.hpp"
 #include "unfold/search/tree_search.hpp"
 #include "unfold/tabs.hpp"
+#include "unfold/tabs/tab_gaps.hpp"
 #include "unfold/tabs/tab_search.hpp"
 #include "unfold/tree_nets.hpp"
 
@@ -240,6 +245,74 @@ TEST_CASE("splitting for tabs keeps to the sheet, and threads change nothing", "
   const Nets again = unfolded(s, options, true, 3);
   CHECK(nets.use == again.use);
   CHECK(nets.notes == again.notes);
+}
+
+TEST_CASE("a slit in a flat region takes no edge its tab", "[tabs]") {
+  // A cube with two neighbouring squares as fans around points near one end of their common edge.
+  const std::vector<Vec3> points{{0, 0, 0},   {40, 0, 0},   {40, 40, 0}, {0, 40, 0},  {0, 0, 40},
+                                 {40, 0, 40}, {40, 40, 40}, {0, 40, 40}, {36, 4, 40}, {36, 0, 36}};
+  const auto v = [](int i) { return VertexId(i); };
+  std::vector<std::array<VertexId, 3>> faces;
+  const auto square = [&](int a, int b, int c, int d) {
+    faces.push_back({v(a), v(b), v(c)});
+    faces.push_back({v(a), v(c), v(d)});
+  };
+  const auto fan = [&](int a, int b, int c, int d, int middle) {
+    for (const auto& [x, y] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, d}, std::pair{d, a}}) {
+      faces.push_back({v(x), v(y), v(middle)});
+    }
+  };
+  square(0, 3, 2, 1);
+  square(1, 2, 6, 5);
+  square(2, 3, 7, 6);
+  square(3, 0, 4, 7);
+  fan(4, 5, 6, 7, 8);
+  fan(0, 1, 5, 4, 9);
+  const Surface s(points, faces);
+  const mesh::Panels panels = test::flat_panels(s);
+  std::vector<FaceId> all;
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    all.push_back(f);
+  }
+  const unfold::Patch patch = unfold::make_patch(s, panels, all);
+  unfold::Folds folds(patch.frozen.begin(), patch.frozen.end());
+  for (const EdgeId slit : {test::edge_between(s, v(4), v(8)), test::edge_between(s, v(4), v(9))}) {
+    for (const CornerId side : s.sides(slit)) {
+      folds[side.value()] = 0;
+    }
+  }
+  const unfold::TabOptions options;
+  const unfold::TabGaps gaps(s, panels, patch, folds, options, Context());
+  CHECK(gaps.able(test::edge_between(s, v(4), v(5))));
+  CHECK_FALSE(gaps.able(test::edge_between(s, v(4), v(8))));
+}
+
+TEST_CASE("what stands in the way of tabs is looked for until somebody says stop", "[tabs]") {
+  const Surface s = dented(test::scaled(test::sphere(24, 12), 40.0), 0.1, 5);
+  const mesh::Panels panels = test::no_panels(s);
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    faces.push_back(f);
+  }
+  const unfold::Patch patch = unfold::make_patch(s, panels, faces);
+  const Nets nets = unfolded(s, {}, false);
+  unfold::Folds folds(patch.twin.size(), 0);
+  for (const CornerId c : ids<CornerId>(s.corner_count())) {
+    folds[c.value()] = nets.use[s.edge(c)] == unfold::EdgeUse::fold ? 1 : 0;
+  }
+  const unfold::TabOptions options;
+  const unfold::TabGaps tab_gaps(s, panels, patch, folds, options, Context());
+  const std::vector<JoinId> lacking = tab_gaps.missing(nets);
+  REQUIRE_FALSE(lacking.empty());
+  const auto gaps = tab_gaps.gaps(nets, lacking, Context());
+  Random random(1);
+  CHECK_FALSE(unfold::choose_tab_cuts(s, patch, folds, tab_gaps, gaps, 0.0, random, Context()).empty());
+  std::stop_source source;
+  source.request_stop();
+  Context stopped;
+  stopped.stop = source.get_token();
+  CHECK_THROWS_AS(tab_gaps.gaps(nets, lacking, stopped), Error);
+  CHECK_THROWS_AS(unfold::choose_tab_cuts(s, patch, folds, tab_gaps, gaps, 0.0, random, stopped), Error);
 }
 
 TEST_CASE("what has all its tabs isn't split", "[tabs]") {

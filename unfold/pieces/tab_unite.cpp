@@ -221,7 +221,7 @@ class Uniter {
       nets.pieces.push_back(std::move(piece));
     }
     for (std::uint32_t side = 0; side < folds.size(); ++side) {
-      if (folds[side] != 0) {
+      if (folds[side] != 0 || is_slit(given.patch, folds, layout, side)) {
         nets.use[edge_of(given, side)] = EdgeUse::fold;
       } else if (given.patch.twin[side] != nothing && side < given.patch.twin[side]) {
         nets.joins.push_back({edge_of(given, side), 0, TabId(), NoTab::not_wanted, false});

@@ -3,6 +3,7 @@
 
 #include "mesh/foundation/convex_hull.hpp"
 #include "mesh/foundation/error.hpp"
+#include "unfold/tolerance.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -39,6 +40,18 @@ Layout lay_out(const Patch& patch, const Folds& folds) {
     }
   }
   return layout;
+}
+
+bool is_slit(const Patch& patch, const Folds& folds, const Layout& layout, std::uint32_t side) {
+  const std::uint32_t twin = patch.twin[side];
+  if (twin == nothing || patch.frozen[side] == 0 || folds[side] != 0 ||
+      layout.piece[side / 3] != layout.piece[twin / 3]) {
+    return false;
+  }
+  const Triangle& here = layout.flat[side / 3];
+  const Triangle& there = layout.flat[twin / 3];
+  return length(here[side % 3] - there[(twin % 3 + 1) % 3]) <= closing_tolerance_mm &&
+         length(here[(side % 3 + 1) % 3] - there[twin % 3]) <= closing_tolerance_mm;
 }
 
 std::vector<Vec2> hull_of(const Layout& layout, std::span<const std::uint32_t> faces) {

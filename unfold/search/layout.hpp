@@ -22,6 +22,10 @@ struct Layout {
 /// O(n).
 [[nodiscard]] Layout lay_out(const Patch& patch, const Folds& folds);
 
+/// Whether a side is cut only because folds are a tree: its flat region goes on over it, and both copies of
+/// it lie at one place. The paper is whole there (pieces/closing.hpp).
+[[nodiscard]] bool is_slit(const Patch& patch, const Folds& folds, const Layout& layout, std::uint32_t side);
+
 /// The convex hull of these faces of one piece.
 [[nodiscard]] std::vector<Vec2> hull_of(const Layout& layout, std::span<const std::uint32_t> faces);
 

@@ -44,7 +44,8 @@ Nets all_apart(const mesh::Surface& surface, const Patch& patch, const Folds& fo
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     if (surface.is_border(e)) {
       nets.use[e] = EdgeUse::border;
-    } else if (frozen[surface.sides(e)[0].value()] != 0) {
+    } else if (const std::uint32_t side = surface.sides(e)[0].value();
+               frozen[side] != 0 || is_slit(patch, frozen, layout, side)) {
       nets.use[e] = EdgeUse::fold;
     } else {
       nets.joins.push_back({e, 0, TabId(), NoTab::not_wanted, false});
