@@ -170,21 +170,33 @@ class Run {
     valleys_ = measurer().take_valleys();
   }
 
-  std::vector<Facets> take_parts() {
-    std::vector<Facets> parts;
+  /// What the assembly makes of the parts, with the valleys that are known. A part that comes out as it went
+  /// in keeps its reason.
+  template <class Assemble>
+  std::vector<PartTask> assembled(const Assemble& assemble) {
+    std::vector<Facets> before;
+    std::vector<PartReason> reasons;
     for (DonePart& part : parts_) {
-      parts.push_back(std::move(part.task.facets));
+      before.push_back(std::move(part.task.facets));
+      reasons.push_back(part.task.reason);
     }
     parts_.clear();
-    return parts;
+    measurer().use_valleys(std::move(valleys_), nullptr);
+    std::vector<PartTask> tasks;
+    for (AssembledPart& part : assemble(before)) {
+      // Parts ascend by smallest facet, so as wholes, too.
+      const auto same = std::lower_bound(before.begin(), before.end(), part.facets);
+      const bool kept = same != before.end() && *same == part.facets;
+      const PartReason cut = part.joined ? PartReason::merged : PartReason::ridge;
+      tasks.push_back(
+          {std::move(part.facets), 0, kept ? reasons[static_cast<std::size_t>(same - before.begin())] : cut});
+    }
+    valleys_ = measurer().take_valleys();
+    return tasks;
   }
 
   void assemble_all() {
-    measurer().use_valleys(std::move(valleys_), nullptr);
-    for (AssembledPart& part : assembly_->assemble(take_parts())) {
-      tasks_.push_back({std::move(part.facets), 0, part.joined ? PartReason::merged : PartReason::ridge});
-    }
-    valleys_ = measurer().take_valleys();
+    tasks_ = assembled([&](const std::vector<Facets>& parts) { return assembly_->assemble(parts); });
   }
 
   /// What is reported is measured from scratch; a part that turns out too concave is divided once more
@@ -206,11 +218,8 @@ class Run {
     std::vector<PartTask> changed;
     std::vector<DonePart> remaining;
     if (assembly_) {
-      measurer().use_valleys(std::move(valleys_), nullptr);
-      for (AssembledPart& part : assembly_->join_from_scratch(take_parts())) {
-        changed.push_back({std::move(part.facets), 0, part.joined ? PartReason::merged : PartReason::ridge});
-      }
-      valleys_ = measurer().take_valleys();
+      changed =
+          assembled([&](const std::vector<Facets>& parts) { return assembly_->join_from_scratch(parts); });
     } else {
       std::vector<MergePart> parts;
       for (DonePart& part : parts_) {

@@ -62,9 +62,9 @@ struct Options {
 /// Why a part is a part of its own.
 enum class PartReason {
   component,  ///< a whole connected component
-  ridge,      ///< a cut separated its convex ridge from others
+  ridge,      ///< a cut separated its convex ridge from others, or a plane, or a finer cut
   split,      ///< the fallback split (no cut made two pieces)
-  merged,     ///< the merge pass joined several
+  merged,     ///< several were joined
 };
 
 /// One word for machines: "component", "ridge", ...

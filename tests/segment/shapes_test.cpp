@@ -253,6 +253,26 @@ TEST_CASE("The flat sides of a thin fork are no openings") {
         })) >= 2);
 }
 
+TEST_CASE("A component that nothing divides says so, at each effort and with planes") {
+  const mesh::Surface apart = test::mapped(test::cube(), [](Vec3 p) { return p + Vec3{3.0, 0.0, 0.0}; });
+  const mesh::Surface two = test::together({test::cube(), apart});
+  for (const int effort : {1, 2, 3}) {
+    for (const bool planes : {false, true}) {
+      segment::Options options;
+      options.effort = effort;
+      options.planes = planes;
+      const auto whole = segment::segment(two, {}, options, Context{});
+      REQUIRE(whole.parts.size() == 2);
+      for (const segment::Part& part : whole.parts) {
+        CHECK(part.reason == segment::PartReason::component);
+      }
+      for (const segment::Part& part : segment::segment(test::dumbbell(), {}, options, Context{}).parts) {
+        CHECK(part.reason != segment::PartReason::component);
+      }
+    }
+  }
+}
+
 TEST_CASE("Components are segmented each by itself") {
   const auto at = [](const mesh::Surface& s, double x) {
     return test::mapped(s, [=](Vec3 p) { return p + Vec3{x, 0, 0}; });
