@@ -12,6 +12,7 @@ namespace ridgecraft::bench {
 namespace {
 
 struct Edge {
+  EdgeId id;
   std::uint32_t a = 0;  // panels
   std::uint32_t b = 0;
   bool able = false;
@@ -43,12 +44,13 @@ std::vector<Edge> find_edges(const mesh::Surface& surface, const mesh::Panels& p
       continue;
     }
     Edge edge;
+    edge.id = surface.edge(c);
     edge.a = panels.panel[mesh::face_of(c)].value();
     edge.b = panels.panel[mesh::face_of(twin)].value();
     if (edge.a == edge.b) {
       continue;
     }
-    const double size = surface.length(surface.edge(c));
+    const double size = surface.length(edge.id);
     edge.is_long = size > long_edge_mm;
     edge.able =
         width_behind(surface, panels, c) >= 0.5 * size || width_behind(surface, panels, twin) >= 0.5 * size;
@@ -79,6 +81,10 @@ double most_gained(const std::vector<Edge>& edges, std::size_t panels, const Gai
 TabBound tab_bound(const mesh::Surface& surface, const mesh::Panels& panels) {
   const std::vector<Edge> edges = find_edges(surface, panels);
   TabBound bound;
+  bound.able = IdVector<EdgeId, std::uint8_t>(surface.edge_count(), 0);
+  for (const Edge& edge : edges) {
+    bound.able[edge.id] = edge.able ? 1 : 0;
+  }
   const auto able = std::count_if(edges.begin(), edges.end(), [](const Edge& e) { return e.able; });
   bound.edges = static_cast<double>(able) / static_cast<double>(std::max<std::size_t>(edges.size(), 1));
   const double cuts = most_gained(edges, panels.count(), [](const Edge&) { return 1.0; });

@@ -2,6 +2,8 @@
 // What geometry allows at most: which edges can have a usable tab at all, whatever the net.
 #pragma once
 
+#include <cstdint>
+
 #include "mesh/panels.hpp"
 #include "mesh/surface.hpp"
 
@@ -12,6 +14,7 @@ struct TabBound {
   double edges = 0.0;      ///< share of the edges between flat regions that can have a usable tab
   double cuts = 0.0;       ///< largest share that the cuts of a net can have
   double long_cuts = 0.0;  ///< the same for the cuts longer than long_edge_mm alone
+  IdVector<EdgeId, std::uint8_t> able;  ///< 1: this edge can have a usable tab
 };
 
 /// "Long" in the sense.
