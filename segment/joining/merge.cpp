@@ -2,91 +2,107 @@
 #include "segment/joining/merge.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace ridgecraft::segment {
 namespace {
 
-/// Two parts with a common border.
-struct Border {
-  double length = 0.0;
-  double smoothness = 0.0;  ///< Theta times length, summed
-  bool failed = false;      ///< the union was too concave, and neither has changed since
+/// Borders between parts, and which of them come next.
+class Borders {
+ public:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< ascending
 
-  [[nodiscard]] double mean() const { return length > 0.0 ? smoothness / length : 0.0; }
-};
-
-using Borders = std::map<std::pair<std::uint32_t, std::uint32_t>, Border>;
-
-Borders find_borders(const ScaledSurface& s, const EdgeWeights& weights,
-                     const std::vector<MergePart>& parts) {
-  std::vector<std::uint32_t> part_of(s.facet_count(), none);
-  for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    for (const std::uint32_t f : parts[p].facets) {
-      part_of[f] = p;
-    }
-  }
-  Borders borders;
-  for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
-    for (unsigned k = 0; k < 3; ++k) {
-      const std::uint32_t g = s.neighbors[f][k];
-      if (g == none || g < f || part_of[f] == part_of[g] || part_of[f] == none || part_of[g] == none ||
-          !(parts[part_of[f]].open || parts[part_of[g]].open)) {
-        continue;
+  Borders(const ScaledSurface& s, const EdgeWeights& weights, const std::vector<MergePart>& parts)
+      : beside_(parts.size()) {
+    std::vector<std::uint32_t> part_of(s.facet_count(), none);
+    for (std::uint32_t p = 0; p < parts.size(); ++p) {
+      for (const std::uint32_t f : parts[p].facets) {
+        part_of[f] = p;
       }
-      Border& b = borders[std::minmax(part_of[f], part_of[g])];
-      b.length += weights.length[3 * f + k];
-      b.smoothness += weights.smoothness[3 * f + k] * weights.length[3 * f + k];
+    }
+    for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const std::uint32_t g = s.neighbors[f][k];
+        if (g == none || g < f || part_of[f] == part_of[g] || part_of[f] == none || part_of[g] == none ||
+            !(parts[part_of[f]].open || parts[part_of[g]].open)) {
+          continue;
+        }
+        Border& b = border(part_of[f], part_of[g]);
+        b.length += weights.length[3 * f + k];
+        b.smoothness += weights.smoothness[3 * f + k] * weights.length[3 * f + k];
+      }
+    }
+    for (const auto& [pair, b] : borders_) {
+      open_.insert({b.mean(), pair});
     }
   }
-  return borders;
-}
 
-/// `from` becomes part of `into`: its borders are into's now, and all of into's are to be tested again.
-void redirect(Borders& borders, std::uint32_t into, std::uint32_t from) {
-  Borders changed;
-  for (auto it = borders.begin(); it != borders.end();) {
-    const auto [p, q] = it->first;
-    if (p != from && q != from) {
-      it->second.failed = it->second.failed && p != into && q != into;
-      ++it;
-      continue;
+  [[nodiscard]] bool empty() const { return open_.empty(); }
+  /// The most convex one, the first of equal ones, taken out: unless one of its parts grows, it had its turn.
+  Pair take() { return open_.extract(open_.begin()).value().pair; }
+
+  /// `from` becomes part of `into`: its borders are into's now, and all of into's have a turn again.
+  void redirect(std::uint32_t into, std::uint32_t from) {
+    for (const std::uint32_t other : std::exchange(beside_[from], {})) {
+      const auto at = borders_.find(std::minmax(from, other));
+      const Border moved = at->second;
+      open_.erase({moved.mean(), at->first});
+      borders_.erase(at);
+      beside_[other].erase(from);
+      if (other != into) {
+        Border& b = border(into, other);
+        open_.erase({b.mean(), std::minmax(into, other)});
+        b.length += moved.length;
+        b.smoothness += moved.smoothness;
+      }
     }
-    const std::uint32_t other = p == from ? q : p;
-    if (other != into) {
-      changed[std::minmax(into, other)] = it->second;
+    for (const std::uint32_t other : beside_[into]) {
+      open_.insert({border(into, other).mean(), std::minmax(into, other)});
     }
-    it = borders.erase(it);
   }
-  for (const auto& [pair, border] : changed) {
-    Border& b = borders[pair];
-    b.length += border.length;
-    b.smoothness += border.smoothness;
-    b.failed = false;
+
+ private:
+  struct Border {
+    double length = 0.0;
+    double smoothness = 0.0;  ///< Theta times length, summed
+
+    [[nodiscard]] double mean() const { return length > 0.0 ? smoothness / length : 0.0; }
+  };
+  struct Turn {
+    double mean = 0.0;
+    Pair pair;
+
+    bool operator<(const Turn& other) const {
+      return mean != other.mean ? mean > other.mean : pair < other.pair;
+    }
+  };
+
+  /// The one between two parts, a new one where there is none.
+  Border& border(std::uint32_t p, std::uint32_t q) {
+    beside_[p].insert(q);
+    beside_[q].insert(p);
+    return borders_[std::minmax(p, q)];
   }
-}
+
+  std::map<Pair, Border> borders_;
+  std::vector<std::set<std::uint32_t>> beside_;  ///< of each part, those that it has a border with
+  std::set<Turn> open_;  ///< those that weren't tried, or whose parts have changed since
+};
 
 }  // namespace
 
 void merge_parts(Measurer& measurer, const EdgeWeights& weights, std::vector<MergePart>& parts,
                  MeasureMode mode) {
-  Borders borders = find_borders(measurer.graph().surface(), weights, parts);
+  Borders borders(measurer.graph().surface(), weights, parts);
   Measurement measurement;
   Facets facets;
   std::vector<std::uint32_t> hull_points;
-  for (;;) {
+  while (!borders.empty()) {
     measurer.context().check();
-    auto best = borders.end();
-    for (auto it = borders.begin(); it != borders.end(); ++it) {
-      if (!it->second.failed && (best == borders.end() || it->second.mean() > best->second.mean())) {
-        best = it;
-      }
-    }
-    if (best == borders.end()) {
-      return;
-    }
-    const auto [p, q] = best->first;
+    const auto [p, q] = borders.take();
     MergePart& into = parts[p];
     MergePart& from = parts[q];
     facets.clear();
@@ -99,7 +115,6 @@ void merge_parts(Measurer& measurer, const EdgeWeights& weights, std::vector<Mer
     }
     measurer.measure(facets, hull_points, mode, measurement);
     if (measurement.stopped) {
-      best->second.failed = true;
       continue;
     }
     into.facets.swap(facets);
@@ -107,7 +122,7 @@ void merge_parts(Measurer& measurer, const EdgeWeights& weights, std::vector<Mer
     into.merged = true;
     into.open = true;
     from.facets.clear();
-    redirect(borders, p, q);
+    borders.redirect(p, q);
   }
 }
 
