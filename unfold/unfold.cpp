@@ -264,8 +264,8 @@ void note_broken_wishes(const EdgeWishes& wishes, Nets& nets) {
   }
 }
 
-/// What splitting for tabs came to.
-void note_all_tabs(const mesh::Surface& surface, const TabOptions& options, Nets& nets) {
+/// What splitting for tabs came to. `in_time`: all that was to be tried was.
+void note_all_tabs(const mesh::Surface& surface, const TabOptions& options, bool in_time, Nets& nets) {
   const auto count = [](auto number, const char* one, const char* more) {
     return std::to_string(number) + (number == 1 ? one : more);
   };
@@ -281,7 +281,11 @@ void note_all_tabs(const mesh::Surface& surface, const TabOptions& options, Nets
     note += "; no face is wide enough for a tab at " + count(narrow, " edge", " edges");
   }
   if (crowded > 0) {
-    note += "; " + count(crowded, " edge has", " edges have") + " no room for a tab even so";
+    note += "; " + count(crowded, " edge has", " edges have") +
+            (in_time ? " no room for a tab even so" : " no room for a tab yet");
+  }
+  if (!in_time) {
+    note += "; the time given was up before all ways to split were tried";
   }
   nets.notes.push_back(std::move(note));
 }
@@ -331,8 +335,9 @@ void blame_tabs(const Folds& split, Forest& forest) {
   }
 }
 
-/// Pieces are split until every edge that is wide enough has a usable tab.
-void give_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
+/// Pieces are split until every edge that is wide enough has a usable tab. False where the time was up
+/// before.
+bool give_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
                    const IdVector<FaceId, PartId>& part, const Plan& plan, const Options& options,
                    Forest& forest, const Context& context) {
   const NetsOf nets_of = [&](const Folds& folds) {
@@ -345,6 +350,7 @@ void give_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
                                   nets_of, net_tolerance(forest.patch.extent), context.seed, context);
   blame_tabs(split.folds, forest);
   forest.folds = std::move(split.folds);
+  return !context.out_of_time();
 }
 
 }  // namespace
@@ -367,8 +373,9 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   if (options.tabs.wanted && context.out_of_time()) {
     forest.notes.emplace_back("the time given was up before all nets with more tabs were tried");
   }
+  bool in_time = true;
   if (options.tabs.wanted && options.tabs.split_pieces) {
-    give_all_tabs(surface, panels, part, plan, options, forest, context);
+    in_time = give_all_tabs(surface, panels, part, plan, options, forest, context);
   }
   Nets nets = assemble(surface, part, forest, forest.folds);
   close_flat_cuts(surface, panels, plan.wishes, nets);
@@ -380,7 +387,7 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   });
   add_tabs(surface, panels, options, nets, context);
   if (options.tabs.wanted && options.tabs.split_pieces) {
-    note_all_tabs(surface, options.tabs, nets);
+    note_all_tabs(surface, options.tabs, in_time, nets);
   }
   return nets;
 }

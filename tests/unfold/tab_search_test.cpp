@@ -151,6 +151,8 @@ TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_sear
   unfold::ChangingNet net(example.surface, example.panels, patch, example.folds, TabOptions(), tolerance, 1);
   unfold::ChangingNet bare(patch, example.folds, tolerance, 1);
   CHECK(bare.tabs() == 0);
+  unfold::TabWedges fresh(patch, net.tab_state().candidates(), net.tab_state().seams(),
+                          TabOptions().clearance_mm);
   Random random(8);
   int kept = 0;
   int hopeless = 0;
@@ -168,7 +170,11 @@ TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_sear
     const std::uint32_t tabs = net.tabs();
     const double lost = net.room_lost(*swap);
     CHECK(net.folds() == before);
-    net.make(*swap);
+    if (random.below(3) == 0) {
+      net.make_with_tabs(*swap);
+    } else {
+      net.make(*swap);
+    }
     CHECK(is_spanning_tree(patch, net.folds()));
     CHECK(net.folds() != before);
     const bool ask = random.below(2) == 0;
@@ -187,6 +193,8 @@ TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_sear
     ++kept;
     CHECK(net.is_clean());
     check_no_collision(patch, net.tree(), net.tab_state());
+    fresh.set_tree(net.folds());
+    CHECK(net.wedges().missing() == fresh.missing());
     bare.set_tree(net.folds());
     double area = 0.0;
     const auto hull = net.hull();

@@ -2,7 +2,9 @@
 // Pieces that are split until every edge that is wide enough has a tab.
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <limits>
+#include <optional>
 #include <stop_token>
 #include <utility>
 
@@ -245,6 +247,26 @@ TEST_CASE("splitting for tabs keeps to the sheet, and threads change nothing", "
   const Nets again = unfolded(s, options, true, 3);
   CHECK(nets.use == again.use);
   CHECK(nets.notes == again.notes);
+}
+
+TEST_CASE("nets that were split in too little time say so", "[tabs]") {
+  const Surface s = dented(test::scaled(test::sphere(12, 6), 20.0), 0.1, 5);
+  Options options;
+  options.tabs.split_pieces = true;
+  const auto note_of = [&](std::optional<std::chrono::steady_clock::time_point> deadline) {
+    Context context;
+    context.deadline = deadline;
+    const Nets nets = unfold::unfold(s, test::no_panels(s), test::one_part(s), options, context);
+    CHECK(test::faults_of(s, nets, options) == none);
+    CHECK((deadline || missing(s, nets) == 0));
+    return nets.notes.back();
+  };
+  const std::string late = note_of(std::chrono::steady_clock::now());
+  CHECK(late.find("the time given was up") != std::string::npos);
+  // Whoever had no time to look for room doesn't know that there is none.
+  CHECK(late.find("no room for a tab yet") != std::string::npos);
+  CHECK(late.find("even so") == std::string::npos);
+  CHECK(note_of({}).find("the time given was up") == std::string::npos);
 }
 
 TEST_CASE("a slit in a flat region takes no edge its tab", "[tabs]") {
