@@ -50,6 +50,12 @@ struct Forest {
   std::vector<std::string> notes;
 };
 
+/// What splitting for tabs came to.
+struct SplitForTabs {
+  std::size_t pieces = 0;  ///< more than before
+  bool in_time = true;     ///< all that was to be tried was
+};
+
 /// A piece before it has its place in the order of all.
 struct Draft {
   std::vector<std::uint32_t> faces;
@@ -264,27 +270,26 @@ void note_broken_wishes(const EdgeWishes& wishes, Nets& nets) {
   }
 }
 
-/// What splitting for tabs came to. `in_time`: all that was to be tried was.
-void note_all_tabs(const mesh::Surface& surface, const TabOptions& options, bool in_time, Nets& nets) {
+void note_all_tabs(const mesh::Surface& surface, const TabOptions& options, const SplitForTabs& split,
+                   Nets& nets) {
   const auto count = [](auto number, const char* one, const char* more) {
     return std::to_string(number) + (number == 1 ? one : more);
   };
-  const auto pieces = std::count_if(nets.pieces.begin(), nets.pieces.end(),
-                                    [](const Piece& piece) { return piece.reason == PieceReason::tabs; });
   const auto narrow =
       std::count_if(nets.joins.begin(), nets.joins.end(), [](const Join& join) { return join.too_narrow; });
   const auto crowded =
       static_cast<std::ptrdiff_t>(nets.joins.size() - tabs_usable(surface, nets, options)) - narrow;
-  std::string note = pieces == 0 ? "no piece had to be" : count(pieces, " piece was", " pieces were");
+  std::string note =
+      split.pieces == 0 ? "no piece had to be" : count(split.pieces, " piece was", " pieces were");
   note += " split off for tabs";
   if (narrow > 0) {
     note += "; no face is wide enough for a tab at " + count(narrow, " edge", " edges");
   }
   if (crowded > 0) {
     note += "; " + count(crowded, " edge has", " edges have") +
-            (in_time ? " no room for a tab even so" : " no room for a tab yet");
+            (split.in_time ? " no room for a tab even so" : " no room for a tab yet");
   }
-  if (!in_time) {
+  if (!split.in_time) {
     note += "; the time given was up before all ways to split were tried";
   }
   nets.notes.push_back(std::move(note));
@@ -316,8 +321,8 @@ void add_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const Op
   }
 }
 
-/// The pieces that were split off others, but for the largest of each, are there for tabs.
-void blame_tabs(const Folds& split, Forest& forest) {
+/// The pieces that were split off others, but for the largest of each, are there for tabs. Their number.
+std::size_t blame_tabs(const Folds& split, Forest& forest) {
   const Layout before = lay_out(forest.patch, forest.folds);
   const Layout after = lay_out(forest.patch, split);
   std::vector<std::uint32_t> largest(before.faces.size(), nothing);
@@ -333,13 +338,13 @@ void blame_tabs(const Folds& split, Forest& forest) {
       forest.cause[f] = PieceReason::tabs;
     }
   }
+  return after.faces.size() - before.faces.size();
 }
 
-/// Pieces are split until every edge that is wide enough has a usable tab. False where the time was up
-/// before.
-bool give_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
-                   const IdVector<FaceId, PartId>& part, const Plan& plan, const Options& options,
-                   Forest& forest, const Context& context) {
+/// Pieces are split until every edge that is wide enough has a usable tab.
+SplitForTabs give_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
+                           const IdVector<FaceId, PartId>& part, const Plan& plan, const Options& options,
+                           Forest& forest, const Context& context) {
   const NetsOf nets_of = [&](const Folds& folds) {
     Nets nets = assemble(surface, part, forest, folds);
     close_flat_cuts(surface, panels, plan.wishes, nets);
@@ -348,9 +353,9 @@ bool give_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
   };
   TabSplit split = split_for_tabs(surface, panels, forest.patch, forest.folds, room_of(options), options.tabs,
                                   nets_of, net_tolerance(forest.patch.extent), context.seed, context);
-  blame_tabs(split.folds, forest);
+  const std::size_t pieces = blame_tabs(split.folds, forest);
   forest.folds = std::move(split.folds);
-  return !context.out_of_time();
+  return {pieces, !context.out_of_time()};
 }
 
 }  // namespace
@@ -373,9 +378,9 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   if (options.tabs.wanted && context.out_of_time()) {
     forest.notes.emplace_back("the time given was up before all nets with more tabs were tried");
   }
-  bool in_time = true;
+  SplitForTabs split;
   if (options.tabs.wanted && options.tabs.split_pieces) {
-    in_time = give_all_tabs(surface, panels, part, plan, options, forest, context);
+    split = give_all_tabs(surface, panels, part, plan, options, forest, context);
   }
   Nets nets = assemble(surface, part, forest, forest.folds);
   close_flat_cuts(surface, panels, plan.wishes, nets);
@@ -387,7 +392,7 @@ Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVe
   });
   add_tabs(surface, panels, options, nets, context);
   if (options.tabs.wanted && options.tabs.split_pieces) {
-    note_all_tabs(surface, options.tabs, in_time, nets);
+    note_all_tabs(surface, options.tabs, split, nets);
   }
   return nets;
 }
