@@ -337,6 +337,55 @@ TEST_CASE("a slit in a flat region takes no edge its tab", "[tabs]") {
   CHECK_FALSE(gaps.able(test::edge_between(s, v(4), v(8))));
 }
 
+TEST_CASE("a face deep inside a flat region is cut off with what is around it", "[tabs]") {
+  // A cube whose top has a triangle in the middle: all of its edges are folds of the flat region.
+  const std::vector<Vec3> points{{0, 0, 0},    {40, 0, 0},   {40, 40, 0},  {0, 40, 0},
+                                 {0, 0, 40},   {40, 0, 40},  {40, 40, 40}, {0, 40, 40},
+                                 {15, 15, 40}, {25, 15, 40}, {20, 25, 40}};
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const auto& [a, b, c] : std::initializer_list<std::array<int, 3>>{{0, 3, 2},
+                                                                         {0, 2, 1},
+                                                                         {0, 1, 5},
+                                                                         {0, 5, 4},
+                                                                         {1, 2, 6},
+                                                                         {1, 6, 5},
+                                                                         {2, 3, 7},
+                                                                         {2, 7, 6},
+                                                                         {3, 0, 4},
+                                                                         {3, 4, 7},
+                                                                         {4, 5, 9},
+                                                                         {4, 9, 8},
+                                                                         {5, 6, 9},
+                                                                         {6, 10, 9},
+                                                                         {6, 7, 10},
+                                                                         {7, 4, 8},
+                                                                         {7, 8, 10},
+                                                                         {8, 9, 10}}) {
+    faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  }
+  const Surface s(points, faces);
+  const mesh::Panels panels = test::flat_panels(s);
+  REQUIRE(panels.count() == 6);
+  std::vector<FaceId> all;
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    all.push_back(f);
+  }
+  const unfold::Patch patch = unfold::make_patch(s, panels, all);
+  Random random(1);
+  const unfold::Folds folds = unfold::start_tree(patch, unfold::StartTree::breadth_first, random);
+  const unfold::TabOptions options;
+  const unfold::TabGaps tab_gaps(s, panels, patch, folds, options, Context());
+  const FaceId middle(17);
+  const std::vector<unfold::TabGap> gaps{{JoinId(0), {{middle, {FaceId(10)}}}}};
+  const auto cuts = unfold::choose_tab_cuts(s, patch, folds, tab_gaps, gaps, 0.0, random, Context());
+  REQUIRE(cuts.size() == 1);
+  CHECK(folds[cuts[0]] != 0);
+  CHECK(patch.frozen[cuts[0]] == 0);
+  const PanelId here = panels.panel[FaceId(cuts[0] / 3)];
+  const PanelId there = panels.panel[FaceId(patch.twin[cuts[0]] / 3)];
+  CHECK((here == panels.panel[middle] || there == panels.panel[middle]));
+}
+
 TEST_CASE("what stands in the way of tabs is looked for until somebody says stop", "[tabs]") {
   const Surface s = dented(test::scaled(test::sphere(24, 12), 40.0), 0.1, 5);
   const mesh::Panels panels = test::no_panels(s);

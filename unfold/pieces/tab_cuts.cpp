@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "unfold/search/forest.hpp"
 
@@ -120,15 +122,30 @@ class Chooser {
     }
   }
 
-  /// Where no place can be freed that was thought of: around the faces of the join.
+  /// Where no place can be freed that was thought of: around the faces of the join, or where these lie inside
+  /// flat regions, at the faces of those that are next to them.
   void cut_off(const TabGap& gap, const Folds& folds, Gap& own) const {
+    std::set<std::uint32_t> ring;
     for (const TabGap::Place& place : gap.places) {
-      for (std::uint32_t side = 3 * place.face.value(); side < 3 * place.face.value() + 3; ++side) {
-        if (folds[side] != 0 && patch_.frozen[side] == 0) {
+      ring.insert(place.face.value());
+    }
+    for (std::set<std::uint32_t> seen; !ring.empty() && own.places.empty();) {
+      seen.insert(ring.begin(), ring.end());
+      std::set<std::uint32_t> next;
+      for (const std::uint32_t f : ring) {
+        for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+          if (folds[side] == 0) {
+            continue;
+          }
           const std::uint32_t twin = patch_.twin[side];
-          own.places.push_back({{forest_.up[side / 3] == side ? side : twin}});
+          if (patch_.frozen[side] == 0) {
+            own.places.push_back({{forest_.up[f] == side ? side : twin}});
+          } else if (seen.count(twin / 3) == 0) {
+            next.insert(twin / 3);
+          }
         }
       }
+      ring = std::move(next);
     }
   }
 
