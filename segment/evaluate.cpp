@@ -47,7 +47,7 @@ class Shadow {
         }
         const double z = u * a.z + v * b.z + w * c.z;
         Interval& cell = cells_[std::size_t{j} * rays_ + i];
-        cell = {std::fmin(cell.low, z), std::fmax(cell.high, z)};
+        cell = {std::min(cell.low, z), std::max(cell.high, z)};
       }
     }
   }
@@ -79,8 +79,8 @@ double union_length(std::vector<Interval>& intervals) {
   double sum = 0.0;
   double reached = -INFINITY;
   for (const Interval& i : intervals) {
-    sum += std::fmax(0.0, i.high - std::fmax(i.low, reached));
-    reached = std::fmax(reached, i.high);
+    sum += std::max(0.0, i.high - std::max(i.low, reached));
+    reached = std::max(reached, i.high);
   }
   return sum;
 }

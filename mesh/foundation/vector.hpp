@@ -2,6 +2,7 @@
 // Points and vectors of the plane and of space: two small structs of doubles, and nothing that allocates.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace ridgecraft {
@@ -61,8 +62,8 @@ struct Box3 {
   Vec3 high{-INFINITY, -INFINITY, -INFINITY};
 
   void add(Vec3 p) {
-    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
-    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
   /// Extent in x, y, z; zero for an empty box.
@@ -76,8 +77,8 @@ struct Box2 {
   Vec2 high{-INFINITY, -INFINITY};
 
   void add(Vec2 p) {
-    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y)};
-    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y)};
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
   [[nodiscard]] Vec2 size() const { return empty() ? Vec2{} : high - low; }

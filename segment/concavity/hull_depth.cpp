@@ -16,8 +16,10 @@ constexpr double sliver_share = 1e-7;
 constexpr double least_opening_cosine = -0.3;
 /// A hull that is thinner than this many times the scale of openings has flat sides, no openings.
 constexpr double opening_thickness = 8.0;
-/// Facets looked at between two questions whether to stop: about a millisecond.
-constexpr std::size_t facets_per_check = 200'000;
+/// Below all cosines.
+constexpr double any_cosine = -2.0;
+/// Vertices looked at between two questions whether to stop: at most some milliseconds.
+constexpr std::size_t questions_per_check = 64;
 
 }  // namespace
 
@@ -33,7 +35,7 @@ HullDepth::HullDepth(const ScaledSurface& surface, double tolerance, double open
 void HullDepth::select(const Hull& hull, HullIs is) {
   hull_ = &hull;
   is_ = is;
-  planes_.clear();
+  has_planes_ = false;
   last_ = 0;
   far_triangle_ = 0;
   far_corner_ = 0;
@@ -115,25 +117,34 @@ double HullDepth::along_normal(std::uint32_t v) {
 
 void HullDepth::find_planes() {
   const auto& points = surface_->points;
-  planes_.resize(hull_->triangles.size());
-  for (std::size_t t = 0; t < planes_.size(); ++t) {
+  Box3 box;
+  for (const std::uint32_t v : hull_->vertices) {
+    box.add(points[v]);
+  }
+  found_.clear();
+  for (std::uint32_t t = 0; t < hull_->triangles.size(); ++t) {
     const auto& [a, b, c] = hull_->triangles[t];
     const Vec3 u = points[b] - points[a];
     const Vec3 v = points[c] - points[a];
     const Vec3 w = points[c] - points[b];
     const Vec3 outward = cross(u, v);
     const double size = length(outward);
-    const bool sliver = size <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)});
-    planes_[t].normal = sliver ? Vec3{} : outward / size;
-    planes_[t].offset = sliver ? static_cast<double>(INFINITY) : dot(planes_[t].normal, points[a]);
+    if (size > sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)})) {
+      const Vec3 normal = outward / size;
+      found_.push_back({normal, dot(normal, points[a]), t});
+    }
   }
+  planes_.assign(found_, 0.5 * (box.low + box.high));
+  thickness_.assign(hull_->triangles.size(), Thickness::unknown);
+  has_planes_ = true;
 }
 
-/// Whether some vertex lies far enough behind the plane. From the one that was far behind the last plane,
-/// over edges to ever farther ones: on a convex body no neighbour is farther only where none is.
-bool HullDepth::is_thick(Plane& plane) {
-  if (plane.thickness != Thickness::unknown) {
-    return plane.thickness == Thickness::thick;
+/// Whether some vertex lies far enough behind the triangle's plane. From the one that was far behind the last
+/// plane, over edges to ever farther ones: on a convex body no neighbour is farther only where none is.
+bool HullDepth::is_thick(const HullPlane& plane) {
+  Thickness& known = thickness_[plane.number];
+  if (known != Thickness::unknown) {
+    return known == Thickness::thick;
   }
   const double needed = opening_thickness * opening_scale_;
   const auto behind = [&](std::uint32_t triangle, std::size_t corner) {
@@ -160,31 +171,24 @@ bool HullDepth::is_thick(Plane& plane) {
       break;
     }
   }
-  plane.thickness = farthest >= needed ? Thickness::thick : Thickness::thin;
-  return plane.thickness == Thickness::thick;
+  known = farthest >= needed ? Thickness::thick : Thickness::thin;
+  return known == Thickness::thick;
 }
 
 /// Infinite where there is no opening within their scale. An inner hull may have other facets and is
 /// thinner, so of it any facet counts.
 double HullDepth::beside_opening(std::uint32_t v) {
-  if (planes_.empty()) {
+  if (!has_planes_) {
     find_planes();
   }
-  unchecked_ += planes_.size();
-  if (unchecked_ >= facets_per_check) {
+  if (++unchecked_ >= questions_per_check) {
     unchecked_ = 0;
     context_->check();
   }
-  const Vec3 p = surface_->points[v];
-  const Vec3 n = surface_->vertex_normals[v];
-  double nearest = INFINITY;
-  for (Plane& plane : planes_) {
-    const double distance = plane.offset - dot(plane.normal, p);
-    if (distance <= opening_scale_ && distance < nearest &&
-        (is_ == HullIs::inner || (dot(plane.normal, n) > least_opening_cosine && is_thick(plane)))) {
-      nearest = distance;
-    }
-  }
+  const bool inner = is_ == HullIs::inner;
+  const double nearest = planes_.nearest(surface_->points[v], surface_->vertex_normals[v], opening_scale_,
+                                         inner ? any_cosine : least_opening_cosine,
+                                         [&](const HullPlane& plane) { return inner || is_thick(plane); });
   return std::max(0.0, nearest);
 }
 

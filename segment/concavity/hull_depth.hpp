@@ -9,6 +9,7 @@
 
 #include "mesh/foundation/context.hpp"
 #include "segment/concavity/hull.hpp"
+#include "segment/concavity/plane_directions.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {
@@ -36,22 +37,17 @@ class HullDepth {
   /// across all of it; where the gap between two arms of a flat thing meets its flat side, it is.
   ///
   /// When first asked for a vertex: a walk over the hull from where the last one ended; for those above the
-  /// tolerance a pass over all facets, and once for each facet that is near enough a climb over the hull.
+  /// tolerance a search among the facets, and once for each facet that is near enough a climb over the hull.
   /// Throws Cancelled when the context says so.
   [[nodiscard]] double at(std::uint32_t v);
 
  private:
   /// Of the hull along a plane's normal.
   enum class Thickness : std::uint8_t { unknown, thin, thick };
-  struct Plane {
-    Vec3 normal;          ///< unit; zero for a triangle too thin to have one
-    double offset = 0.0;  ///< of its points along the normal
-    Thickness thickness = Thickness::unknown;
-  };
 
   [[nodiscard]] double along_normal(std::uint32_t v);
   [[nodiscard]] double beside_opening(std::uint32_t v);
-  [[nodiscard]] bool is_thick(Plane& plane);
+  [[nodiscard]] bool is_thick(const HullPlane& plane);
   void find_planes();
   [[nodiscard]] std::optional<std::uint32_t> walk(Vec3 p, Vec3 n);
   [[nodiscard]] double to_plane(std::uint32_t triangle, Vec3 p, Vec3 n) const;
@@ -63,10 +59,13 @@ class HullDepth {
   double tolerance_;
   double opening_scale_;
   HullIs is_ = HullIs::whole;
-  std::vector<Plane> planes_;       ///< of the hull's triangles; empty while nobody asked
-  std::uint32_t far_triangle_ = 0;  ///< with a corner far behind the last plane
+  bool has_planes_ = false;           ///< for this hull: not while nobody asked
+  PlaneDirections planes_;            ///< of the hull's triangles that aren't slivers
+  std::vector<Thickness> thickness_;  ///< of each triangle
+  std::vector<HullPlane> found_;      ///< scratch
+  std::uint32_t far_triangle_ = 0;    ///< with a corner far behind the last plane
   std::size_t far_corner_ = 0;
-  std::size_t unchecked_ = 0;  ///< facets since the last question whether to stop
+  std::size_t unchecked_ = 0;  ///< questions since the last one whether to stop
   std::uint32_t current_ = 0;
   std::uint32_t last_ = 0;  ///< triangle at which the last walk ended
   std::vector<std::uint32_t> mark_;

@@ -73,8 +73,8 @@ double union_length(std::vector<RaySpan>& spans) {
   for (const RaySpan& s : spans) {
     const auto low = static_cast<double>(s.low);
     const auto high = static_cast<double>(s.high);
-    sum += std::fmax(0.0, high - std::fmax(low, reached));
-    reached = std::fmax(reached, high);
+    sum += std::max(0.0, high - std::max(low, reached));
+    reached = std::max(reached, high);
   }
   return sum;
 }

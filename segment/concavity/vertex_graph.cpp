@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "segment/concavity/vertex_graph.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ridgecraft::segment {
@@ -15,7 +16,7 @@ struct Candidate {
 double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
   const Vec3 d = b - a;
   const double squared = dot(d, d);
-  const double t = squared > 0.0 ? std::fmin(1.0, std::fmax(0.0, dot(p - a, d) / squared)) : 0.0;
+  const double t = squared > 0.0 ? std::min(1.0, std::max(0.0, dot(p - a, d) / squared)) : 0.0;
   return length(p - (a + t * d));
 }
 

@@ -2,6 +2,7 @@
 // A triangle with its edges as half-planes worked out once: the overlap test of the inner loops.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -31,7 +32,7 @@ struct EdgedTriangle {
     e.x[lane / 2][lane % 2] = out.x;
     e.y[lane / 2][lane % 2] = out.y;
     e.reach[lane / 2][lane % 2] = size > 0.0
-                                      ? std::fmax(dot(out, t[0]), std::fmax(dot(out, t[1]), dot(out, t[2])))
+                                      ? std::max(dot(out, t[0]), std::max(dot(out, t[1]), dot(out, t[2])))
                                       : std::numeric_limits<double>::infinity();
   }
   return e;

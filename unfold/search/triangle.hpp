@@ -6,6 +6,7 @@
 // minus the depth.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -34,10 +35,10 @@ using Triangle = std::array<Vec2, 3>;
       continue;
     }
     const Vec2 out{along.y / size, -along.x / size};
-    const double nearest = std::fmin(dot(out, b[0] - p), std::fmin(dot(out, b[1] - p), dot(out, b[2] - p)));
+    const double nearest = std::min(dot(out, b[0] - p), std::min(dot(out, b[1] - p), dot(out, b[2] - p)));
     // The third corner lies on the inner side but for rounding; counting it keeps the bound where the edge is
     // so short that its direction means nothing.
-    best = std::fmax(best, nearest - std::fmax(0.0, dot(out, a[(k + 2) % 3] - p)));
+    best = std::max(best, nearest - std::max(0.0, dot(out, a[(k + 2) % 3] - p)));
   }
   return best;
 }
@@ -52,7 +53,7 @@ using Triangle = std::array<Vec2, 3>;
 /// direction, is an axis that proves the separation measured along it. In a net the corners themselves carry
 /// the error of the chain of folds, near 1e-15 of the net's size for thousands of faces.
 [[nodiscard]] inline double penetration(const Triangle& a, const Triangle& b) {
-  return -std::fmax(separation(a, b), separation(b, a));
+  return -std::max(separation(a, b), separation(b, a));
 }
 
 /// penetration(a, b) > tolerance, but stops at the first axis that tells. A negative tolerance asks for a

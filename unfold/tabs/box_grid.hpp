@@ -30,13 +30,13 @@ class BoxGrid {
     for (const Box2& box : boxes_) {
       all_.add(box.low);
       all_.add(box.high);
-      mean += std::fmax(box.size().x, box.size().y);
+      mean += std::max(box.size().x, box.size().y);
     }
     const double n = static_cast<double>(std::max<std::size_t>(boxes_.size(), 1));
     const Vec2 size = boxes_.empty() ? Vec2{} : all_.size();
     // Two cells per box at most: a few large and many small boxes must not make millions of cells.
     cell_ =
-        std::fmax(mean / n, std::fmax(std::sqrt(size.x * size.y / (2.0 * n)), (size.x + size.y) / (2.0 * n)));
+        std::max(mean / n, std::max(std::sqrt(size.x * size.y / (2.0 * n)), (size.x + size.y) / (2.0 * n)));
     if (!(cell_ > 0.0)) {
       cell_ = 1.0;
     }
@@ -73,7 +73,7 @@ class BoxGrid {
   };
 
   [[nodiscard]] static std::uint32_t clamp(double value, std::uint32_t count) {
-    return value <= 0.0 ? 0 : static_cast<std::uint32_t>(std::fmin(value, static_cast<double>(count - 1)));
+    return value <= 0.0 ? 0 : static_cast<std::uint32_t>(std::min(static_cast<double>(count - 1), value));
   }
   [[nodiscard]] Range cells(const Box2& box) const {
     const Vec2 low = (box.low - all_.low) / cell_;

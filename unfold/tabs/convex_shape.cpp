@@ -20,9 +20,9 @@ double gap_beyond(const ConvexShape& a, const ConvexShape& b, double enough) {
     const Vec2 outward = -perpendicular(along) / size;
     double nearest = INFINITY;
     for (const Vec2 p : b) {
-      nearest = std::fmin(nearest, dot(outward, p - a[i]));
+      nearest = std::min(nearest, dot(outward, p - a[i]));
     }
-    best = std::fmax(best, nearest);
+    best = std::max(best, nearest);
   }
   return best;
 }
@@ -39,7 +39,7 @@ double corner_distance(const ConvexShape& a, const ConvexShape& b) {
   double best = INFINITY;
   for (const Vec2 p : a) {
     for (std::uint32_t i = 0; i < b.size(); ++i) {
-      best = std::fmin(best, distance(p, b[i], b[(i + 1) % b.size()]));
+      best = std::min(best, distance(p, b[i], b[(i + 1) % b.size()]));
     }
   }
   return best;
@@ -99,7 +99,7 @@ ConvexShape clipped(const ConvexShape& shape, const HalfPlane& keep) {
 }
 
 double separation(const ConvexShape& a, const ConvexShape& b) {
-  return std::fmax(gap_beyond(a, b, INFINITY), gap_beyond(b, a, INFINITY));
+  return std::max(gap_beyond(a, b, INFINITY), gap_beyond(b, a, INFINITY));
 }
 
 bool apart(const ConvexShape& a, const ConvexShape& b, double clearance) {
@@ -108,12 +108,12 @@ bool apart(const ConvexShape& a, const ConvexShape& b, double clearance) {
   if (gap >= enough) {
     return true;
   }
-  gap = std::fmax(gap, gap_beyond(b, a, enough));
+  gap = std::max(gap, gap_beyond(b, a, enough));
   if (gap >= enough || gap <= 0.0) {
     return gap >= enough;
   }
   // Apart, but nearest with two corners: then the gap along the normals is less than the distance.
-  return std::fmin(corner_distance(a, b), corner_distance(b, a)) >= clearance;
+  return std::min(corner_distance(a, b), corner_distance(b, a)) >= clearance;
 }
 
 Span span_at(const ConvexShape& shape, double y) {
@@ -121,13 +121,13 @@ Span span_at(const ConvexShape& shape, double y) {
   for (std::uint32_t i = 0; i < shape.size(); ++i) {
     const Vec2 a = shape[i];
     const Vec2 b = shape[(i + 1) % shape.size()];
-    if (std::fmin(a.y, b.y) > y || std::fmax(a.y, b.y) < y) {
+    if (std::min(a.y, b.y) > y || std::max(a.y, b.y) < y) {
       continue;
     }
     const double t = a.y == b.y ? 0.0 : (y - a.y) / (b.y - a.y);
     const double x = a.x + t * (b.x - a.x);
-    span.from = std::fmin(span.from, a.y == b.y ? std::fmin(a.x, b.x) : x);
-    span.to = std::fmax(span.to, a.y == b.y ? std::fmax(a.x, b.x) : x);
+    span.from = std::min(span.from, a.y == b.y ? std::min(a.x, b.x) : x);
+    span.to = std::max(span.to, a.y == b.y ? std::max(a.x, b.x) : x);
   }
   return span;
 }

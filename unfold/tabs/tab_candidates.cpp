@@ -20,7 +20,7 @@ constexpr double inset_mm = 0.3;
 TabCandidate candidate(Vec2 base, Vec2 top, double height, double length) {
   TabCandidate result;
   result.whole.corner = {Vec2{base.x, 0.0}, {base.y, 0.0}, {top.y, height}, {top.x, height}};
-  const double share = std::fmin(corner_zone_mm / height, 0.999);
+  const double share = std::min(corner_zone_mm / height, 0.999);
   const Vec2 low = base + share * (top - base);
   result.upper.corner = {
       Vec2{low.x, share * height}, {low.y, share * height}, {top.y, height}, {top.x, height}};
@@ -39,12 +39,12 @@ std::vector<TabCandidate> tab_candidates(const ConvexShape& largest, double leng
   if (!is_usable(largest, length, options)) {
     return result;
   }
-  const double height = std::fmin(std::fmin(usable_height_mm, options.height_mm), largest.box().high.y);
+  const double height = std::min(std::min(usable_height_mm, options.height_mm), largest.box().high.y);
   const Span room = span_at(largest, height);
   if (room.to - room.from < least_top(length, options)) {
     return result;
   }
-  const double width = std::fmin(std::fmax(0.5 * length, least_top(length, options)), room.to - room.from);
+  const double width = std::min(std::max(0.5 * length, least_top(length, options)), room.to - room.from);
   const double way = room.to - width - room.from;
   for (const double place : places) {
     const double left = room.from + place * way;
@@ -57,11 +57,11 @@ std::vector<TabCandidate> tab_candidates(const ConvexShape& largest, double leng
   const double steep = height / std::tan(options.steepest_angle);
   for (const double place : {0.5, 0.0, 1.0}) {
     const double left =
-        std::clamp(room.from + place * way, inset_mm, std::fmax(inset_mm, length - inset_mm - width));
+        std::clamp(room.from + place * way, inset_mm, std::max(inset_mm, length - inset_mm - width));
     if (left + width > length - inset_mm || left < room.from || left + width > room.to) {
       continue;
     }
-    const Vec2 base{std::fmax(left - steep, inset_mm), std::fmin(left + width + steep, length - inset_mm)};
+    const Vec2 base{std::max(left - steep, inset_mm), std::min(left + width + steep, length - inset_mm)};
     result.push_back(candidate(base, {left, left + width}, height, length));
     if (way < shortest_way_mm) {
       break;

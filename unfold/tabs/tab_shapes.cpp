@@ -33,7 +33,7 @@ double top_of(const ConvexShape& shape) {
 }
 
 double usable_height(const TabOptions& options) {
-  return std::fmin(usable_height_mm, options.height_mm);
+  return std::min(usable_height_mm, options.height_mm);
 }
 
 /// Cuts a pointed or narrow top off, so that it is at least as wide as asked; empty if it is nowhere.
@@ -141,7 +141,7 @@ void add_trapezoids(const ConvexShape& largest, double length, const TabOptions&
       if (h > 0 && all.heights[h] >= all.heights[h - 1]) {
         continue;
       }
-      if (all.heights[h] > std::fmax(0.5 * length, usable_height(options)) + same_place_mm) {
+      if (all.heights[h] > std::max(0.5 * length, usable_height(options)) + same_place_mm) {
         continue;
       }
       for (std::uint32_t i = std::min(steep, 2U) + 1; i-- > 0;) {
@@ -198,7 +198,7 @@ ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstac
   const ConvexShape upright =
       top < options.smallest_height_mm
           ? ConvexShape()
-          : trim(trapezoid(base.left, base.right, std::fmin(options.height_mm, top), steep, steep));
+          : trim(trapezoid(base.left, base.right, std::min(options.height_mm, top), steep, steep));
   return upright.empty() ? trim(widest_over(base.left, base.right, options)) : upright;
 }
 
@@ -212,7 +212,7 @@ bool is_usable(const ConvexShape& tab, double length, const TabOptions& options)
     return false;
   }
   // A hair below the top: turned in the plane and back, a level top isn't quite level.
-  return width_at(tab, std::fmin(height, top_of(tab)) - same_place_mm) >= 0.5 * length - same_place_mm;
+  return width_at(tab, std::min(height, top_of(tab)) - same_place_mm) >= 0.5 * length - same_place_mm;
 }
 
 bool long_enough(double length, const TabOptions& options) {
@@ -220,7 +220,7 @@ bool long_enough(double length, const TabOptions& options) {
 }
 
 double least_top(double length, const TabOptions& options) {
-  return std::fmin(options.smallest_top_mm, std::fmax(0.5 * length, options.narrowest_top_mm));
+  return std::min(options.smallest_top_mm, std::max(0.5 * length, options.narrowest_top_mm));
 }
 
 std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length, const TabOptions& options) {
@@ -236,24 +236,23 @@ std::vector<TabShape> tab_shapes(const ConvexShape& largest, double length, cons
     }
   };
   const Family all = family(options);
-  const double height = std::fmin(options.height_mm, std::fmax(0.5 * length, usable_height(options)));
+  const double height = std::min(options.height_mm, std::max(0.5 * length, usable_height(options)));
   for (std::uint32_t i = 0; i < 3; ++i) {
     add(height, all.cotangents[i], all.cotangents[i], tab_costs.trimmed + tab_costs.lower * i);
   }
   // No more than a usable tab needs, upright or as far to one end as there is room.
-  const double low = std::fmin(usable_height(options), top_of(largest));
+  const double low = std::min(usable_height(options), top_of(largest));
   const auto [from, to] = span_at(largest, low);
-  const double least = std::fmin(std::fmax(0.5 * length, least_top(length, options)), to - from);
+  const double least = std::min(std::max(0.5 * length, least_top(length, options)), to - from);
   const double middle = 0.5 * (largest[0].x + largest[1].x - least);
   const double upright = std::clamp(middle, from, to - least);
   for (const double left : {upright, from, to - least}) {
     const double cot_left = (left - largest[0].x) / low;
     const double cot_right = (largest[1].x - left - least) / low;
     const double cost =
-        tab_costs.leaning + (std::fmin(cot_left, cot_right) < 0.0 ? tab_costs.overhanging : 0.0);
+        tab_costs.leaning + (std::min(cot_left, cot_right) < 0.0 ? tab_costs.overhanging : 0.0);
     if (left == upright) {
-      add(height, std::fmin(cot_left, all.cotangents[2]), std::fmin(cot_right, all.cotangents[2]),
-          cost - 2.0);
+      add(height, std::min(cot_left, all.cotangents[2]), std::min(cot_right, all.cotangents[2]), cost - 2.0);
     }
     add(low, cot_left, cot_right, cost);
   }

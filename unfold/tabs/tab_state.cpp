@@ -61,7 +61,7 @@ TabState::TabState(const mesh::Surface& surface, const mesh::Panels& panels, con
     for (const TabCandidate& tab : candidates_[side]) {
       for (const Vec2 p : tab.whole.corner) {
         box.add(p);
-        reach_ = std::fmax(reach_, length(p - Vec2{std::clamp(p.x, 0.0, patch.length[side]), 0.0}));
+        reach_ = std::max(reach_, length(p - Vec2{std::clamp(p.x, 0.0, patch.length[side]), 0.0}));
       }
     }
     if (!candidates_[side].empty()) {
@@ -107,7 +107,7 @@ TabState::Mask TabState::free_among_faces(std::uint32_t side) {
     for (std::size_t k = 0; k < 3; ++k) {
       shape.corner[k] = own.in(net_.flat(face)[k]);
     }
-    if (std::fmax(shape.corner[0].y, std::fmax(shape.corner[1].y, shape.corner[2].y)) <= -gap) {
+    if (std::max(shape.corner[0].y, std::max(shape.corner[1].y, shape.corner[2].y)) <= -gap) {
       return;
     }
     shape.build_walls();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/tabs/tab_trimming.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -20,7 +21,7 @@ ConvexShape above(const ConvexShape& shape, double y) {
 /// How good a shape is while it is being cut back: width at the usable height up to half the edge, then area.
 double worth(const ConvexShape& shape) {
   const double base = width_at(shape, 0.0);
-  return 100.0 * std::fmin(width_at(shape, usable_height_mm), 0.5 * base) + shape.area();
+  return 100.0 * std::min(width_at(shape, usable_height_mm), 0.5 * base) + shape.area();
 }
 
 /// Slope (dx per dy) of the steepest line through the left end of the base that keeps `clearance` from point
@@ -55,7 +56,7 @@ std::optional<HalfPlane> past_corner(const ConvexShape& obstacle, Vec2 corner, d
     if (!s) {
       return {};
     }
-    slope = std::fmax(slope, *s);
+    slope = std::max(slope, *s);
   }
   if (!std::isfinite(slope)) {
     return {};

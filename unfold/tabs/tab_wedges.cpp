@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/tabs/tab_wedges.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesh/foundation/error.hpp"
@@ -32,7 +33,7 @@ float angle_needed(const TabCandidate& tab, bool at_corner, Seen seen, double cl
       const Vec2 p = seen(corner);
       const double r = length(p);
       if (r > 0.0) {
-        most = std::fmax(most, std::atan2(p.y, p.x) + std::asin(std::fmin(1.0, distance / r)));
+        most = std::max(most, std::atan2(p.y, p.x) + std::asin(std::min(1.0, distance / r)));
       }
     }
   };
