@@ -16,6 +16,8 @@ constexpr double sliver_share = 1e-7;
 constexpr double least_opening_cosine = -0.3;
 /// A hull that is thinner than this many times the scale of openings has flat sides, no openings.
 constexpr double opening_thickness = 8.0;
+/// Distance at which a vertex counts as lying in a plane, on the unit sphere.
+constexpr double on_plane = 1e-9;
 /// Below all cosines.
 constexpr double any_cosine = -2.0;
 /// Vertices looked at between two questions whether to stop: at most some milliseconds.
@@ -169,6 +171,12 @@ bool HullDepth::is_thick(const HullPlane& plane) {
     corner = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), centre) - corners.begin());
     if (triangle == far_triangle_) {
       break;
+    }
+  }
+  if (farthest <= on_plane) {
+    // Begun amid a flat side that lies in the plane: no neighbour is farther there, but others may be.
+    for (const std::uint32_t v : hull_->vertices) {
+      farthest = std::max(farthest, plane.offset - dot(plane.normal, surface_->points[v]));
     }
   }
   known = farthest >= needed ? Thickness::thick : Thickness::thin;
