@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "cli/cage_check.hpp"
 #include "cli/formats.hpp"
 #include "cli/part_files.hpp"
+#include "cli/sentence.hpp"
 #include "cli/targets.hpp"
 #include "mesh/file_numbers.hpp"
 #include "mesh/foundation/error.hpp"
@@ -217,6 +219,7 @@ SolidResult make_shell(const ShellJob& job, const Context& context, PendingFiles
 SolidResult make_deformed(const DeformJob& job, const Context& context, PendingFiles& pending) {
   SolidResult result = begin(job, mesh_suffixes, mesh_formats, context);
   const solid::Body before = read_cage(job.cage, context);
+  require_closed(job.cage, before);
   const solid::Body after = read_cage(job.to, context);
   if (before.points.size() != after.points.size() || before.triangles != after.triangles) {
     throw Error(ErrorKind::unusable_mesh,
@@ -225,6 +228,10 @@ SolidResult make_deformed(const DeformJob& job, const Context& context, PendingF
   solid::Body moved = result.clock("deform", context, [&] {
     std::vector<Vec3> points(result.model.surface.points().begin(), result.model.surface.points().end());
     mesh::to_file_numbers(points, result.model.file_scale);  // as those of the cages are
+    if (const std::size_t outside = count_outside(points, before, context); outside > 0) {
+      result.notes.push_back(fmt::format("{} of {} lie outside {}, where they follow it less well", outside,
+                                         counted(points.size(), "point"), job.cage));
+    }
     solid::Body body;
     body.points = solid::deform(points, before, after, context);
     return body;

@@ -20,6 +20,9 @@ std::string summary(const std::string& model, const SolidResult& result) {
   }
   text += fmt::format("  result      {} {}, {} vertices, {} faces\n", result.bodies.size(),
                       result.bodies.size() == 1 ? "body" : "bodies", points, triangles);
+  for (const std::string& note : result.notes) {
+    text += "  note        " + note + "\n";
+  }
   text += fmt::format("  time        {}\n", seconds_text(result.clock));
   return text + written_text(result.files);
 }
@@ -35,6 +38,7 @@ std::string summary_json(const SolidResult& result) {
                               {"faces", body.triangles.size()},
                               {"volume", solid::mass_properties(body).volume}});
   }
+  json["notes"] = result.notes;
   json["seconds"] = result.clock.total();
   json["stages"] = seconds_json(result.clock);
   json["repairs"] = repairs_json(result.model.repairs);

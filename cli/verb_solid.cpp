@@ -106,7 +106,8 @@ Job build_deform(const Arguments* arguments, Manual* manual) {
   DeformJob job;
   CommonTexts common;
   verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF.");
-  verb.option("Input", "--cage", job.cage, "FILE", "A closed mesh of triangles around the model.");
+  verb.option("Input", "--cage", job.cage, "FILE",
+              "A closed mesh of triangles around the model; what lies outside it follows less well.");
   verb.option("Input", "--to", job.to, "FILE", "The same mesh with its points moved.");
   verb.option("Output", "-o,--output", job.output, "FILE", ".obj, .ply or .off.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");

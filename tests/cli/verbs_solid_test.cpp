@@ -46,6 +46,87 @@ TEST_CASE("hulls, cages, shells and deformed models are made from the command li
   CHECK_FALSE(fs::exists(folder / "x.obj"));
 }
 
+TEST_CASE("a cage has to be closed, and is told of when it doesn't surround the model", "[verbs_solid]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  // A box with points from `low` to `high` in each direction, its last triangles left out or turned around.
+  const auto box = [](const std::string& low, const std::string& high, const std::string& last) {
+    std::string text;
+    for (const char* corner : {"000", "100", "110", "010", "001", "101", "111", "011"}) {
+      text += "v";
+      for (const char* c = corner; *c != '\0'; ++c) {
+        text += " " + (*c == '1' ? high : low);
+      }
+      text += "\n";
+    }
+    return text +
+           "f 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\n"
+           "f 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\n" +
+           last;
+  };
+  const std::string whole = "f 4 5 8\n";
+  const auto deform = [&](const std::string& cage) {
+    write_bytes(folder / "cage.obj", cage);
+    return run_program({"deform", "house.obj", "--cage", "cage.obj", "--to", "cage.obj", "-o", "moved.obj"},
+                       in(folder));
+  };
+  const auto notes = [&](const std::string& cage) {
+    write_bytes(folder / "cage.obj", cage);
+    const Outcome outcome = run_program(
+        {"deform", "house.obj", "--cage", "cage.obj", "--to", "cage.obj", "-o", "moved.obj", "--json"},
+        in(folder));
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(outcome.out)["notes"];
+  };
+  check_refusal(deform(box("-1", "7", "")), 4, "cage.obj isn't closed, as a cage has to be: 3 edges have a");
+  check_refusal(deform(box("-1", "7", "f 4 8 5\n")), 4, "3 edges lie between triangles that face opposite");
+  check_refusal(deform(box("-1", "7", whole + "f 1 2 9\nf 2 1 9\nv 0 0 9\n")), 4,
+                "1 edge has more than two triangles");
+  CHECK_FALSE(fs::exists(folder / "moved.obj"));
+
+  CHECK(notes(box("-1", "7", whole)).empty());
+  // The house is 4 x 5 x 6: its corner at the origin lies on these boxes, which isn't outside.
+  CHECK(notes(box("0", "6", whole)).empty());
+  CHECK(notes(box("0", "5", whole)) ==
+        Json{"2 of 10 points lie outside cage.obj, where they follow it less well"});
+  CHECK(notes(box("8", "9", whole)).size() == 1);
+  // Two boxes that overlap; and a format in which each triangle has points of its own.
+  std::string second = box("-0.5", "8", whole);
+  for (std::size_t at = second.find("f "); at != std::string::npos; at = second.find("f ", at + 1)) {
+    // Points counted from the end mean those of this box.
+    for (std::size_t k = at + 2; second[k] != '\n'; ++k) {
+      if (second[k] != ' ') {
+        const int number = second[k] - '0';
+        const std::string from_end = std::to_string(number - 9);
+        second.replace(k, 1, from_end);
+        k += from_end.size() - 1;
+      }
+    }
+  }
+  CHECK(notes(box("-1", "4.5", whole) + second).empty());
+  const std::string stl = [] {
+    const double p[8][3] = {{-1, -1, -1}, {7, -1, -1}, {7, 7, -1}, {-1, 7, -1},
+                            {-1, -1, 7},  {7, -1, 7},  {7, 7, 7},  {-1, 7, 7}};
+    const int f[12][3] = {{1, 3, 2}, {1, 4, 3}, {5, 6, 7}, {5, 7, 8}, {1, 2, 6}, {1, 6, 5},
+                          {2, 3, 7}, {2, 7, 6}, {3, 4, 8}, {3, 8, 7}, {4, 1, 5}, {4, 5, 8}};
+    std::string text = "solid cage\n";
+    for (const auto& triangle : f) {
+      text += "facet normal 0 0 0\nouter loop\n";
+      for (const int corner : triangle) {
+        text += "vertex";
+        for (const double x : p[corner - 1]) {
+          text += " " + std::to_string(x);
+        }
+        text += "\n";
+      }
+      text += "endloop\nendfacet\n";
+    }
+    return text + "endsolid cage\n";
+  }();
+  CHECK(notes(stl).empty());
+}
+
 TEST_CASE("what was made from a model is replaced when it is made again", "[verbs_solid]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
