@@ -12,6 +12,7 @@
 
 #include "mesh/foundation/error.hpp"
 #include "solid/body_of.hpp"
+#include "solid/canonical_hull.hpp"
 
 namespace ridgecraft::solid {
 namespace {
@@ -73,7 +74,7 @@ Body convex_hull(std::span<const Vec3> points, double thickness) {
   }
   HullMesh mesh;
   CGAL::convex_hull_3(input.begin(), input.end(), mesh);
-  return body_of(mesh);
+  return canonical_hull(body_of(mesh));
 }
 
 bool encloses(const Body& convex, std::span<const Vec3> points) {

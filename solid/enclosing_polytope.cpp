@@ -11,6 +11,7 @@
 
 #include "mesh/foundation/error.hpp"
 #include "solid/convex_hull.hpp"
+#include "solid/enclosing_box.hpp"
 
 namespace ridgecraft::solid {
 namespace {
@@ -30,19 +31,13 @@ struct Polytope {
   std::vector<std::vector<std::uint32_t>> loops;
 };
 
-Polytope box_around(std::span<const Vec3> points) {
-  Box3 bounds;
-  for (const Vec3 p : points) {
-    bounds.add(p);
+Polytope polytope_of(const Box& box) {
+  Polytope body;
+  for (unsigned i = 0; i < 8; ++i) {
+    body.points.push_back(box.corner(i));
   }
-  const auto& [low, high] = bounds;
-  Polytope box;
-  for (int i = 0; i < 8; ++i) {
-    box.points.push_back(
-        {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z});
-  }
-  box.loops = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  return box;
+  body.loops = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  return body;
 }
 
 /// What is left of a polytope in a half space; none where rounding leaves no closed polytope.
@@ -148,11 +143,8 @@ HalfSpace touching(const Body& hull, Vec3 normal) {
   return {normal, offset};
 }
 
-}  // namespace
-
-Body enclosing_polytope(const Body& hull, std::size_t max_vertices, const Context& context) {
-  RIDGECRAFT_ASSERT(max_vertices >= 8);
-  Polytope body = box_around(hull.points);
+/// Clips what is around the hull where it stands out farthest, as long as it has few vertices enough.
+Polytope clipped_to(const Body& hull, Polytope body, std::size_t max_vertices, const Context& context) {
   const double size = length(body.points[7] - body.points[0]);
   std::map<std::array<double, 3>, Vec3> nearest;  // corners live through many cuts
   while (true) {
@@ -171,17 +163,33 @@ Body enclosing_polytope(const Body& hull, std::size_t max_vertices, const Contex
       }
     }
     if (distance <= near_enough * size) {
-      break;
+      return body;
     }
-    const auto smaller = clipped(body, touching(hull, (1.0 / distance) * farthest));
+    auto smaller = clipped(body, touching(hull, (1.0 / distance) * farthest));
     if (!smaller || smaller->points.size() > max_vertices) {
-      break;
+      return body;
     }
-    body = *smaller;
+    body = std::move(*smaller);
   }
-  Body result = convex_hull(body.points, near_enough * size);
-  grow_until_enclosing(result, hull.points);
-  return result;
+}
+
+}  // namespace
+
+Body enclosing_polytope(const Body& hull, std::size_t max_vertices, const Context& context) {
+  RIDGECRAFT_ASSERT(max_vertices >= 8);
+  Body best;
+  double least = std::numeric_limits<double>::infinity();
+  // With few planes the box is what counts, with many either may lead to the better ones.
+  for (const Box& box : {box_along_axes(hull), smallest_box(hull)}) {
+    const Polytope body = clipped_to(hull, polytope_of(box), max_vertices, context);
+    Body candidate = convex_hull(body.points, near_enough * length(box.along.size()));
+    grow_until_enclosing(candidate, hull.points);
+    if (const double volume = mass_properties(candidate).volume; volume < least) {
+      least = volume;
+      best = std::move(candidate);
+    }
+  }
+  return best;
 }
 
 }  // namespace ridgecraft::solid

@@ -25,8 +25,9 @@ struct HullOptions {
 
 /// One convex body per part, in the parts' order, that encloses every point of the part, also as rounded
 /// doubles. Up to max_vertices it is the part's convex hull, else a polytope around that, of planes that
-/// touch the hull, each put where the body so far stood out farthest. A part without volume gets a thickness
-/// of 1e-4 of the surface's diagonal. O(n log n) for a part of n vertices, plus O(max_vertices * hull size).
+/// touch the hull, each put where the body so far stood out farthest. The same hulls give the same bytes. A
+/// part without volume gets a thickness of 1e-4 of the surface's diagonal. O(n log n) for a part of n
+/// vertices, plus O(max_vertices * hull size).
 [[nodiscard]] std::vector<Body> part_hulls(const mesh::Surface& surface, const segment::Segmentation& parts,
                                            const HullOptions& options, const Context& context);
 

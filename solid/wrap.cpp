@@ -7,7 +7,6 @@
 #include <span>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
@@ -56,8 +55,6 @@ Wrapped all_of(const std::vector<Body>& bodies) {
 }
 
 Body wrap(const Wrapped& input, double probe, double offset) {
-  // CGAL's own generator starts with the time of day, and the wrap depends on it.
-  CGAL::get_default_random() = CGAL::Random(0);
   WrapMesh mesh;
   CGAL::alpha_wrap_3(input.points, input.triangles, probe, offset, mesh);
   return body_of(mesh);

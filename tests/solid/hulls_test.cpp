@@ -5,12 +5,14 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "segment/segment.hpp"
 #include "solid/convex_hull.hpp"
+#include "solid/enclosing_polytope.hpp"
 #include "solid/solid.hpp"
 #include "solid/solid_checks.hpp"
 #include "solid/write_bodies.hpp"
@@ -94,6 +96,55 @@ TEST_CASE("Fewer vertices cost little volume and never a point") {
     CHECK(solid::encloses(hull, points));
     CHECK(hull.points.size() == points.size());
   }
+}
+
+TEST_CASE("A hull is the same whatever order its points come in") {
+  // Balls have triangles for sides; boxes have points within sides and edges.
+  std::vector<Vec3> grid;
+  for (int x = 0; x <= 4; ++x) {
+    for (int y = 0; y <= 3; ++y) {
+      for (int z = 0; z <= 2; ++z) {
+        grid.push_back({0.5 * x, 0.5 * y, 0.5 * z});
+      }
+    }
+  }
+  std::vector<Vec3> roof = grid;
+  roof.push_back({1.0, 0.5, 2.5});
+  for (std::vector<Vec3> points : {ball_points(500, 5), grid, roof}) {
+    const solid::Body first = solid::convex_hull(points, 0.0);
+    CHECK(test::closed_and_manifold(first));
+    CHECK(solid::encloses(first, points));
+    Random random(3);
+    for (int turn = 0; turn < 20; ++turn) {
+      for (std::uint32_t i = static_cast<std::uint32_t>(points.size()) - 1; i > 0; --i) {
+        std::swap(points[i], points[random.below(i + 1)]);
+      }
+      const solid::Body again = solid::convex_hull(points, 0.0);
+      REQUIRE(again.points == first.points);
+      REQUIRE(again.triangles == first.triangles);
+    }
+  }
+  CHECK(solid::convex_hull(grid, 0.0).points.size() == 8);
+  CHECK(solid::convex_hull(grid, 0.0).triangles.size() == 12);
+  CHECK(solid::convex_hull(roof, 0.0).points.size() == 9);
+}
+
+TEST_CASE("Few vertices suffice for a bar that lies askew") {
+  const Vec3 along = normalized({1.0, 2.0, 3.0});
+  const Vec3 across = normalized(cross(along, Vec3{0.0, 0.0, 1.0}));
+  const Vec3 up = cross(along, across);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 40; ++i) {
+    const double turn = std::numbers::pi * i / 20.0;
+    for (const double end : {-1.0, 1.0}) {
+      points.push_back(end * along + 0.05 * std::cos(turn) * across + 0.05 * std::sin(turn) * up);
+    }
+  }
+  const solid::Body hull = solid::convex_hull(points, 0.0);
+  const double volume = solid::mass_properties(hull).volume;
+  // A square round a circle has 1.27 times its area, a box along the axes hundreds of times.
+  CHECK(solid::mass_properties(solid::enclosing_polytope(hull, 8, Context{})).volume < 1.30 * volume);
+  CHECK(solid::mass_properties(solid::enclosing_polytope(hull, 16, Context{})).volume < 1.15 * volume);
 }
 
 TEST_CASE("Points without volume become thin bodies around them") {
