@@ -63,11 +63,16 @@ struct InfoJob {
   std::string model;
 };
 
+/// How a model is divided into nearly convex parts.
+struct PartArguments {
+  segment::Options options;
+  std::size_t count = 0;  ///< of parts; 0: as many as the concavity asks for
+};
+
 struct SegmentJob {
   CommonOptions common;
   std::string model;
-  segment::Options options;
-  std::size_t parts = 0;             ///< 0: as many as the concavity asks for
+  PartArguments parts;
   std::string hierarchy;             ///< FILE.json; empty: none
   std::string labels;                ///< FILE.seg; empty: none
   std::vector<std::string> outputs;  ///< coloured PLY or OFF
@@ -92,7 +97,7 @@ struct HullsJob {
   std::string model;
   std::string output;  ///< .obj or .urdf
   bool overwrite = false;
-  double concavity = 0.1;
+  PartArguments parts;
   std::size_t max_vertices = 0;  ///< 0: no limit
   double mm_per_unit = 1.0;      ///< for .urdf
   double density = 1000.0;       ///< kg/m^3, for .urdf
@@ -103,7 +108,7 @@ struct CageJob {
   std::string model;
   std::string output;
   bool overwrite = false;
-  double concavity = 0.1;
+  PartArguments parts;
   std::size_t faces = 500;
 };
 

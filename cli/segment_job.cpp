@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/find_parts.hpp"
 #include "cli/label_files.hpp"
 #include "cli/part_files.hpp"
 #include "cli/pipeline.hpp"
@@ -74,7 +75,9 @@ Comparison compare_with(const std::vector<std::string>& files, const mesh::Model
 /// Labels have no place for a mark: the same ones may stand there already, others are somebody's work.
 void add_labels(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
   std::string bytes = label_text(polygon_labels(result.model, result.segmentation));
-  require_replaceable(job.labels, {}, job.overwrite || holds(job.labels, bytes));
+  if (!job.overwrite && fs::is_regular_file(job.labels) && !holds(job.labels, bytes)) {
+    throw Error(ErrorKind::cant_write, job.labels + " holds other labels; --overwrite replaces it");
+  }
   pending.add(job.labels, std::move(bytes));
   result.files.push_back(job.labels);
 }
@@ -107,19 +110,6 @@ void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pendi
   }
 }
 
-/// Throws Error(usage) when the hierarchy has no such number of parts.
-void require_possible(const std::string& model, std::size_t parts, const segment::Hierarchy& hierarchy) {
-  if (parts < hierarchy.fewest()) {
-    throw Error(ErrorKind::usage, fmt::format("--parts {}: {} has {} components, and parts hang together",
-                                              parts, model, hierarchy.fewest()));
-  }
-  if (parts > hierarchy.leaves) {
-    throw Error(ErrorKind::usage,
-                fmt::format("--parts {}: {} can be cut along its concave places into {} at most", parts,
-                            model, hierarchy.leaves));
-  }
-}
-
 /// The file of --hierarchy: part of each polygon, and joinings.
 std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& hierarchy) {
   nlohmann::ordered_json json;
@@ -149,18 +139,6 @@ std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& h
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-segment::Segmentation find_parts(const SegmentJob& job, const mesh::Model& model,
-                                 std::optional<segment::Hierarchy>& hierarchy, const Context& context) {
-  if (job.parts > 0 || !job.hierarchy.empty()) {
-    hierarchy = segment::find_hierarchy(model.surface, model.polygon.items(), job.parts, context);
-  }
-  if (job.parts > 0) {
-    require_possible(job.model, job.parts, *hierarchy);
-    return hierarchy->parts(job.parts);
-  }
-  return segment::segment(model.surface, model.polygon.items(), job.options, context);
-}
-
 }  // namespace
 
 SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFiles& pending) {
@@ -184,8 +162,13 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   }
   std::optional<segment::Hierarchy> hierarchy;
   result.segmentation = clock("segment", context, [&] {
-    return in_time(run, job.model + " was segmented",
-                   [&](const Context& strict) { return find_parts(job, result.model, hierarchy, strict); });
+    return in_time(run, job.model + " was segmented", [&](const Context& strict) {
+      if (!job.hierarchy.empty()) {
+        hierarchy = segment::find_hierarchy(result.model.surface, result.model.polygon.items(),
+                                            job.parts.count, strict);
+      }
+      return find_parts(result.model, job.model, job.parts, hierarchy, strict);
+    });
   });
   const double scale = result.model.file_scale;
   for (segment::Part& part : result.segmentation.parts) {

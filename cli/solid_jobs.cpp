@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "cli/cage_check.hpp"
+#include "cli/find_parts.hpp"
 #include "cli/formats.hpp"
 #include "cli/part_files.hpp"
 #include "cli/sentence.hpp"
@@ -79,10 +81,11 @@ void to_file_numbers(std::vector<solid::Body>& bodies, double file_scale) {
   }
 }
 
-void find_hulls(SolidResult& result, double concavity, std::size_t max_vertices, const Context& context) {
+void find_hulls(SolidResult& result, const std::string& file, const PartArguments& arguments,
+                std::size_t max_vertices, const Context& context) {
   const segment::Segmentation parts = result.clock("segment", context, [&] {
-    return segment::segment(result.model.surface, result.model.polygon.items(), {.concavity = concavity},
-                            context);
+    std::optional<segment::Hierarchy> hierarchy;
+    return find_parts(result.model, file, arguments, hierarchy, context);
   });
   result.parts = parts.parts.size();
   result.bodies = result.clock("hulls", context, [&] {
@@ -181,7 +184,7 @@ SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles
   if (suffix_of(job.output) == ".urdf") {
     require_companions_replaceable(job, result.model.digest);
   }
-  find_hulls(result, job.concavity, job.max_vertices, context);
+  find_hulls(result, job.model, job.parts, job.max_vertices, context);
   result.clock("write", context, [&] {
     to_file_numbers(result.bodies, result.model.file_scale);
     if (suffix_of(job.output) == ".urdf") {
@@ -199,7 +202,7 @@ SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles
 
 SolidResult make_cage(const CageJob& job, const Context& context, PendingFiles& pending) {
   SolidResult result = begin(job, mesh_suffixes, mesh_formats, context);
-  find_hulls(result, job.concavity, 0, context);
+  find_hulls(result, job.model, job.parts, 0, context);
   const solid::Body cage = result.clock(
       "cage", context, [&] { return solid::cage(result.bodies, {.faces = job.faces}, context); });
   result.bodies = {cage};

@@ -71,7 +71,7 @@ std::string summary(const SegmentJob& job, const SegmentResult& result) {
                                  counted(result.model.surface.component_count(), "component"));
   text += fmt::format("  parts       {}, concavity at most {:.4f}{}\n", result.segmentation.parts.size(),
                       result.segmentation.max_concavity(),
-                      job.parts > 0 ? "" : fmt::format(" (asked: {:g})", job.options.concavity));
+                      job.parts.count > 0 ? "" : fmt::format(" (asked: {:g})", job.parts.options.concavity));
   if (result.comparison) {
     text += comparison_text(*result.comparison);
   }
@@ -85,14 +85,14 @@ std::string summary_json(const SegmentJob& job, const SegmentResult& result) {
   json["faces"] = result.model.polygon_count;
   json["parts"] = result.segmentation.parts.size();
   json["max_concavity"] = result.segmentation.max_concavity();
-  if (job.parts > 0) {
-    json["parts_asked"] = job.parts;
+  if (job.parts.count > 0) {
+    json["parts_asked"] = job.parts.count;
   } else {
-    json["concavity"] = job.options.concavity;
-    json["effort"] = job.options.effort;
-    json["volume_weight"] = segment::volume_weight(job.options);
-    json["planes"] = job.options.planes;
-    json["pockets"] = job.options.pockets;
+    json["concavity"] = job.parts.options.concavity;
+    json["effort"] = job.parts.options.effort;
+    json["volume_weight"] = segment::volume_weight(job.parts.options);
+    json["planes"] = job.parts.options.planes;
+    json["pockets"] = job.parts.options.pockets;
   }
   json["part"] = Json::array();
   for (const segment::Part& part : result.segmentation.parts) {

@@ -31,11 +31,11 @@ struct Options {
   double concavity = 0.1;
   /// 1: one pass. 2: also parts cut into smaller pieces that are put together anew, and the cheapest of both
   /// in number of parts, volume and borders; about four times as long. 3: still smaller pieces and more
-  /// trials, too; about fifteen times as long.
+  /// trials, too; about 25 times as long.
   int effort = 1;
   /// Parts that one would give for a volume ratio (volume of the union of the parts' hulls over the volume
-  /// that the surface encloses) less by 1. 0: fewest parts whatever their hulls. None: 0 for effort 1, else
-  /// 5. At least 0, else Error(usage).
+  /// that the surface encloses) less by 1. 0: fewest parts whatever their hulls. None: 0 for effort 1
+  /// without planes, else 5. At least 0, else Error(usage).
   std::optional<double> volume_weight = std::nullopt;
   /// Cut by planes, too, where that saves more volume than the pieces are worth: cups become sectors.
   bool planes = false;
@@ -56,7 +56,7 @@ struct Options {
   Reading reading = Reading::b;
 };
 
-/// The weight that counts: the one that was asked for, else that of the effort.
+/// The weight that counts: the one that was asked for, else that of the effort and of planes.
 [[nodiscard]] double volume_weight(const Options& options);
 
 /// Why a part is a part of its own.

@@ -7,13 +7,13 @@ namespace ridgecraft::segment {
 
 namespace {
 
-/// Of efforts above 1; measured in docs/segmentation.md.
+/// Of efforts above 1 and of planes; measured in docs/segmentation.md.
 constexpr double default_weight = 5.0;
 
 }  // namespace
 
 double volume_weight(const Options& options) {
-  return options.volume_weight.value_or(options.effort > 1 ? default_weight : 0.0);
+  return options.volume_weight.value_or(options.effort > 1 || options.planes ? default_weight : 0.0);
 }
 
 std::string_view name(PartReason reason) {

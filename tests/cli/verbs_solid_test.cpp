@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft hulls, cage, shell and deform from outside.
+#include <array>
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/program_checks.hpp"
+#include "mesh/write.hpp"
+#include "support/shapes.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft::test;
@@ -44,6 +50,35 @@ TEST_CASE("hulls, cages, shells and deformed models are made from the command li
                     in(folder))
             .exit_code == 4);
   CHECK_FALSE(fs::exists(folder / "x.obj"));
+}
+
+TEST_CASE("hulls and cages take the options of parts that segment has", "[verbs_solid]") {
+  const TemporaryFolder folder;
+  // A board on four legs.
+  std::vector<std::array<int, 3>> cells;
+  for (int x = 0; x < 5; ++x) {
+    for (int y = 0; y < 5; ++y) {
+      cells.push_back({x, y, 3});
+      if (x % 4 == 0 && y % 4 == 0) {
+        cells.push_back({x, y, 2});
+        cells.push_back({x, y, 1});
+      }
+    }
+  }
+  write_bytes(folder / "table.obj", ridgecraft::mesh::write_obj(voxels(cells, 1)));
+  const auto parts = [&](std::vector<std::string> arguments) {
+    arguments.push_back("--json");
+    return Json::parse(run_program(arguments, in(folder)).out)["parts"];
+  };
+  CHECK(parts({"hulls", "table.obj", "-o", "a.obj"}) == 5);
+  CHECK(parts({"hulls", "table.obj", "-o", "b.obj", "--parts", "3"}) == 3);
+  CHECK(parts({"hulls", "table.obj", "-o", "c.obj", "--concavity", "1"}) == 1);
+  CHECK(parts({"cage", "table.obj", "-o", "d.obj", "--parts", "2"}) == 2);
+  CHECK(parts({"hulls", "table.obj", "-o", "e.obj", "--effort", "3", "--planes"}) ==
+        parts({"segment", "table.obj", "--effort", "3", "--planes"}));
+  check_refusal(run_program({"hulls", "table.obj", "-o", "x.obj", "--parts", "3", "--planes"}, in(folder)), 2,
+                "--parts");
+  check_refusal(run_program({"hulls", "table.obj", "-o", "x.obj", "--parts", "999"}, in(folder)), 2, "999");
 }
 
 TEST_CASE("a cage has to be closed, and is told of when it doesn't surround the model", "[verbs_solid]") {
