@@ -157,7 +157,8 @@ void add_edge_options(Verb& verb, EdgeArguments& edges) {
               "from 0). Lines (l) of an OBJ and edges of a PLY file are cut, too.");
   verb.option("Pieces", "--keep", edges.keep, "FILE", "Edges not to cut, in the same way.");
   verb.option("Pieces", "--from", edges.from, "FILE.fold",
-              "Nets of the same model made before, edited or not: their cuts and folds are kept.");
+              "Nets of the same model made before, edited or not: their cuts and folds are kept. "
+              "Results go elsewhere (-o), unless --overwrite lets them replace this file.");
 }
 
 EdgeFiles read_edge_files(const EdgeArguments& edges) {
@@ -170,6 +171,10 @@ EdgeFiles read_edge_files(const EdgeArguments& edges) {
     return EdgeFile{name, std::move(bytes)};
   };
   return {read(edges.cuts), read(edges.keep), read(edges.from)};
+}
+
+std::vector<InputFile> input_files(const EdgeArguments& edges) {
+  return {{"--from", edges.from}, {"--cuts", edges.cuts}, {"--keep", edges.keep}};
 }
 
 void heed_edges(const EdgeArguments& edges, mesh::Model& model, SizeArguments& size,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
+#include "cli/targets.hpp"
 #include "cli/verb.hpp"
 #include "mesh/mesh.hpp"
 #include "unfold/edge_wishes.hpp"
@@ -26,6 +27,9 @@ struct EdgeFiles {
 };
 /// Reads what was asked for, before the long work. Throws Error(unreadable_input).
 [[nodiscard]] EdgeFiles read_edge_files(const EdgeArguments& edges);
+
+/// Their names, so that no result replaces them.
+[[nodiscard]] std::vector<InputFile> input_files(const EdgeArguments& edges);
 
 /// Edges that the user names, or that the file itself marks, are those of the model as it is in its file: it
 /// isn't simplified unless that was asked for with a number. Marks are dropped where nets made before decide,

@@ -62,11 +62,12 @@ verify::Figures checked_figures(const std::string& fold, const std::string& mode
   return *report.figures;
 }
 
-void require_all_replaceable(const std::vector<Target>& targets, std::size_t pages, const std::string& digest,
-                             bool overwrite) {
+void require_all_replaceable(const PaperJob& job, const std::vector<Target>& targets, std::size_t pages,
+                             const std::string& digest) {
   for (const Target& target : targets) {
     for (const fs::path& file : files_of(target, pages)) {
-      require_replaceable(file, digest, overwrite);
+      require_no_input(file, input_files(job.edges), job.overwrite);
+      require_replaceable(file, digest, job.overwrite);
     }
   }
 }
@@ -130,6 +131,9 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   const std::vector<Target> targets = plan_targets(job.outputs, stem);
   if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
     paper::check_pdf_size(job.paper.size);
+  }
+  for (const Target& target : targets) {
+    require_no_input(files_of(target, 1).front(), input_files(job.edges), job.overwrite);
   }
   const EdgeFiles edge_files = read_edge_files(job.edges);
   if (const auto warning = narrow_margin_warning(job.paper)) {
@@ -202,7 +206,7 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   result.figures = clock("verify", context, [&] { return checked_figures(fold, job.model, context); });
 
   clock("write", context, [&] {
-    require_all_replaceable(targets, drawings.size(), mark.digest, job.overwrite);
+    require_all_replaceable(job, targets, drawings.size(), mark.digest);
     for (const Target& target : targets) {
       add_target(target, drawings, fold, mark, pending, result.files);
     }
@@ -223,6 +227,7 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
     }
     require_writable_folder(fs::path(job.output).has_parent_path() ? fs::path(job.output).parent_path()
                                                                    : ".");
+    require_no_input(job.output, input_files(job.edges), job.overwrite);
   }
   const Context& context = run.patient;
   const EdgeFiles edge_files = read_edge_files(job.edges);

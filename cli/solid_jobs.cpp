@@ -220,6 +220,7 @@ SolidResult make_shell(const ShellJob& job, const Context& context, PendingFiles
 }
 
 SolidResult make_deformed(const DeformJob& job, const Context& context, PendingFiles& pending) {
+  require_no_input(job.output, {{"--cage", job.cage}, {"--to", job.to}}, job.overwrite);
   SolidResult result = begin(job, mesh_suffixes, mesh_formats, context);
   const solid::Body before = read_cage(job.cage, context);
   require_closed(job.cage, before);

@@ -149,6 +149,21 @@ void require_replaceable(const fs::path& file, const std::string& digest, bool o
   }
 }
 
+void require_no_input(const fs::path& output, const std::vector<InputFile>& inputs, bool overwrite) {
+  if (overwrite) {
+    return;
+  }
+  const fs::path place = place_of(output);
+  for (const InputFile& input : inputs) {
+    std::error_code error;
+    // What is written replaces a link by this name, but also the file that another link leads to.
+    if (!input.file.empty() && (place == place_of(input.file) || place == fs::canonical(input.file, error))) {
+      throw Error(ErrorKind::cant_write, output.lexically_normal().string() + " is read by " + input.option +
+                                             ": name another output with -o, or --overwrite replaces it");
+    }
+  }
+}
+
 bool holds(const fs::path& file, const std::string& bytes) {
   std::error_code error;
   if (fs::file_size(file, error) != bytes.size() || error) {

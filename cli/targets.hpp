@@ -45,6 +45,17 @@ struct Target {
 /// `overwrite` is set and it is a regular file.
 void require_replaceable(const std::filesystem::path& file, const std::string& digest, bool overwrite);
 
+/// A file that a job reads besides the model, and the option that names it.
+struct InputFile {
+  std::string option;
+  std::filesystem::path file;
+};
+
+/// Throws Error(cant_write) where a result would replace one of these files, marked as ours or not: it may
+/// hold somebody's work by now. `overwrite` allows it. Files without a name are passed over.
+void require_no_input(const std::filesystem::path& output, const std::vector<InputFile>& inputs,
+                      bool overwrite);
+
 /// True where the file exists and holds just these bytes.
 [[nodiscard]] bool holds(const std::filesystem::path& file, const std::string& bytes);
 

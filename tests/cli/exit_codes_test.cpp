@@ -92,6 +92,40 @@ TEST_CASE("exit code 7: the result can't be written", "[exit_codes]") {
     CHECK(run_program({"house.obj", "--overwrite"}, in(folder)).exit_code == 0);
     CHECK(run_program({"house.obj"}, in(folder)).exit_code == 0);
   }
+  SECTION("a file that the same run reads") {
+    REQUIRE(run_program({"house.obj", "-o", "h"}, in(folder)).exit_code == 0);
+    fs::copy_file(folder / "h/house.fold", folder / "house.fold");
+    fs::create_symlink("house.fold", folder / "link.fold");
+    const std::string nets = read_bytes(folder / "house.fold");
+    write_bytes(folder / "edges.fold", "1 5\n");
+    check_refusal(run_program({"house.obj", "--from", "h/../h/house.fold", "-o", "h"}, in(folder)), 7,
+                  "h/house.fold is read by --from: name another output with -o, or --overwrite replaces it");
+    check_refusal(run_program({"house.obj", "--from", "link.fold", "-o", "house.fold"}, in(folder)), 7,
+                  "--from");
+    check_refusal(
+        run_program({"unfold", "house.obj", "--from", "house.fold", "-o", "house.fold"}, in(folder)), 7,
+        "--from");
+    check_refusal(run_program({"house.obj", "--cuts", "edges.fold", "-o", "edges.fold"}, in(folder)), 7,
+                  "--cuts");
+    check_refusal(run_program({"house.obj", "--keep", "edges.fold", "-o", "edges.fold"}, in(folder)), 7,
+                  "--keep");
+    CHECK(read_bytes(folder / "house.fold") == nets);
+    CHECK(run_program({"house.obj", "--from", "house.fold", "-o", "new"}, in(folder)).exit_code == 0);
+    CHECK(run_program({"house.obj", "--from", "link.fold", "-o", "link.fold", "--overwrite"}, in(folder))
+              .exit_code == 0);
+    // The link has made room, what it led to is untouched.
+    CHECK(read_bytes(folder / "house.fold") == nets);
+  }
+  SECTION("a cage that the same run reads, made from the same model") {
+    REQUIRE(run_program({"cage", "house.obj", "-o", "cage.obj"}, in(folder)).exit_code == 0);
+    fs::copy_file(folder / "cage.obj", folder / "moved.obj");
+    for (const auto& [output, option] : {std::pair("cage.obj", "--cage"), std::pair("./moved.obj", "--to")}) {
+      check_refusal(
+          run_program({"deform", "house.obj", "--cage", "cage.obj", "--to", "moved.obj", "-o", output},
+                      in(folder)),
+          7, option);
+    }
+  }
   SECTION("a full disk") {
     RunOptions options = in(folder);
     options.largest_file = 1000;
