@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cli/formats.hpp"
+#include "cli/sentence.hpp"
 #include "mesh/foundation/error.hpp"
 #include "mesh/foundation/extent.hpp"
 #include "mesh/read_soup.hpp"
@@ -126,6 +127,36 @@ void note_count(const SegmentCount& count, std::string_view what, std::vector<st
   }
 }
 
+/// Cuts and edges to be kept, matched each for itself so that contradictions show. Of these the cut counts:
+/// it can always be made, and what is kept is a wish that may fail for other reasons, too.
+EdgeWishes wishes_asked(const mesh::Prepared& prepared, const std::vector<Segment>& cut,
+                        const std::vector<Segment>& keep, const Context& context,
+                        std::vector<std::string>& notes) {
+  SegmentCount cuts;
+  SegmentCount keeps;
+  SegmentCount none;
+  const auto match = [&](const std::vector<Segment>& to_cut, const std::vector<Segment>& to_keep) {
+    return unfold::match_segments(prepared.model.surface, prepared.panels, to_cut, to_keep,
+                                  to_cut.empty() ? none : cuts, to_keep.empty() ? none : keeps, context);
+  };
+  EdgeWishes wishes = match(cut, {});
+  if (!keep.empty()) {
+    const EdgeWishes kept = match({}, keep);
+    std::size_t both = 0;
+    for (const EdgeId e : ids<EdgeId>(wishes.size())) {
+      both += wishes[e] == EdgeWish::cut && kept[e] == EdgeWish::keep ? 1U : 0U;
+      wishes[e] = wishes[e] == EdgeWish::none ? kept[e] : wishes[e];
+    }
+    if (both > 0) {
+      notes.push_back(fmt::format("{} to be kept {} to be cut, too, and {} cut", counted(both, "edge"),
+                                  both == 1 ? "is" : "are", both == 1 ? "is" : "are"));
+    }
+  }
+  note_count(cuts, "to be cut", notes);
+  note_count(keeps, "to be kept", notes);
+  return wishes;
+}
+
 EdgeWishes wishes_from_nets(const EdgeFile& file, const mesh::Prepared& prepared, const Context& context,
                             std::vector<std::string>& notes) {
   const mesh::Surface& surface = prepared.model.surface;
@@ -155,7 +186,8 @@ void add_edge_options(Verb& verb, EdgeArguments& edges) {
   verb.option("Pieces", "--cuts", edges.cuts, "FILE",
               "Edges to cut: two point numbers a line, counted as in the model's file (OBJ: from 1, others: "
               "from 0). Lines (l) of an OBJ and edges of a PLY file are cut, too.");
-  verb.option("Pieces", "--keep", edges.keep, "FILE", "Edges not to cut, in the same way.");
+  verb.option("Pieces", "--keep", edges.keep, "FILE",
+              "Edges not to cut, in the same way; an edge in both is cut.");
   verb.option("Pieces", "--from", edges.from, "FILE.fold",
               "Nets of the same model made before, edited or not: their cuts and folds are kept. "
               "Results go elsewhere (-o), unless --overwrite lets them replace this file.");
@@ -212,12 +244,7 @@ EdgeWishes wishes_of(const EdgeFiles& edges, const std::string& model_file, cons
   if (cut.empty() && keep.empty()) {
     return wishes;
   }
-  SegmentCount cuts;
-  SegmentCount keeps;
-  const EdgeWishes asked =
-      unfold::match_segments(prepared.model.surface, prepared.panels, cut, keep, cuts, keeps, context);
-  note_count(cuts, "to be cut", notes);
-  note_count(keeps, "to be kept", notes);
+  const EdgeWishes asked = wishes_asked(prepared, cut, keep, context, notes);
   if (wishes.empty()) {
     return asked;
   }

@@ -13,6 +13,27 @@
 using namespace ridgecraft::test;
 using Json = nlohmann::json;
 
+TEST_CASE("edges to be cut and kept are cut, and counted", "[edge_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  write_bytes(folder / "cuts.txt", "9 10\n2 3\n1 5\n");
+  write_bytes(folder / "keep.txt", "3 2\n10 9\n2 6\n");
+  const auto notes = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"house.obj", "--json", "-o", "x.fold", "--overwrite"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return Json::parse(run_program(arguments, in(folder)).out)["notes"].dump();
+  };
+  CHECK(notes({"--cuts", "cuts.txt", "--keep", "keep.txt"})
+            .find("2 edges to be kept are to be cut, too, and are cut") != std::string::npos);
+  CHECK(notes({"--cuts", "cuts.txt"}).find("too") == std::string::npos);
+  write_bytes(folder / "keep.txt", "2 6\n");
+  CHECK(notes({"--cuts", "cuts.txt", "--keep", "keep.txt"}).find("too") == std::string::npos);
+  // The lines of the model are cuts as well.
+  write_bytes(folder / "house.obj", std::string(house) + "l 2 6\n");
+  CHECK(notes({"--keep", "keep.txt"}).find("1 edge to be kept is to be cut, too, and is cut") !=
+        std::string::npos);
+}
+
 TEST_CASE("edges named in a file are cut or kept, nets made before survive", "[edge_options]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
