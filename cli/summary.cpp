@@ -113,7 +113,7 @@ std::string summary(const PaperJob& job, const PaperResult& result) {
         100.0 * *result.share_saving_a_page, *size);
   }
   text += extra_pieces_text(nets);
-  text += tabs_text(nets, job.tabs.height_mm);
+  text += tabs_text(model.surface, nets, job.tabs);
   text += fmt::format("  lines       {} to cut, {} to fold\n", metres(result.figures.cut_mm),
                       metres(result.figures.fold_mm));
   text += numbers_text(result.drawn);
@@ -183,7 +183,7 @@ std::string summary(const UnfoldJob& job, const UnfoldResult& result) {
                       counted(result.nets.pieces.size(), "piece"), reasons_text(result.nets),
                       result.figures.overlaps);
   if (job.tabs.wanted) {
-    text += tabs_text(result.nets, job.tabs.height_mm);
+    text += tabs_text(result.prepared.model.surface, result.nets, job.tabs);
   }
   text += folding_text(result.nets);
   text += notes_text(result.nets);

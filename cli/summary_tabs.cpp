@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/sentence.hpp"
-#include "unfold/unfold.hpp"
+#include "unfold/tabs.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -68,10 +68,15 @@ std::size_t joins_too_narrow(const unfold::Nets& nets) {
       std::count_if(nets.joins.begin(), nets.joins.end(), [](const auto& join) { return join.too_narrow; }));
 }
 
-std::string tabs_text(const unfold::Nets& nets, double asked_mm) {
+std::string tabs_text(const mesh::Surface& surface, const unfold::Nets& nets,
+                      const unfold::TabOptions& options) {
   const std::size_t without = joins_without_tab(nets);
-  return fmt::format("  tabs        {} for {}{}{}\n", nets.tabs.size(), counted(nets.joins.size(), "join"),
-                     lower_tabs_text(nets, asked_mm),
+  const std::size_t usable = unfold::tabs_usable(surface, nets, options);
+  return fmt::format("  tabs        {} for {}{}{}{}\n", nets.tabs.size(), counted(nets.joins.size(), "join"),
+                     usable < nets.tabs.size()
+                         ? fmt::format(", {} of them usable (the others are smaller than holds well)", usable)
+                         : "",
+                     lower_tabs_text(nets, options.height_mm),
                      without > 0 ? fmt::format("; {} without ({})", without, without_tab_text(nets)) : "");
 }
 

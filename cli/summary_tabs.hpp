@@ -4,7 +4,9 @@
 
 #include <string>
 
+#include "mesh/surface.hpp"
 #include "unfold/nets.hpp"
+#include "unfold/unfold.hpp"
 
 namespace ridgecraft::cli {
 
@@ -12,8 +14,9 @@ namespace ridgecraft::cli {
 /// Joins that could have no usable tab however the model is cut.
 [[nodiscard]] std::size_t joins_too_narrow(const unfold::Nets& nets);
 
-/// A line: how many tabs, how many are lower than asked where that isn't the default, which joins have none
-/// and why.
-[[nodiscard]] std::string tabs_text(const unfold::Nets& nets, double asked_mm);
+/// A line: how many tabs, how many of them are usable where not all are, how many are lower than asked where
+/// that isn't the default, which joins have none and why.
+[[nodiscard]] std::string tabs_text(const mesh::Surface& surface, const unfold::Nets& nets,
+                                    const unfold::TabOptions& options);
 
 }  // namespace ridgecraft::cli

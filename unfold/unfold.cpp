@@ -283,7 +283,10 @@ void note_all_tabs(const mesh::Surface& surface, const TabOptions& options, cons
       split.pieces == 0 ? "no piece had to be" : count(split.pieces, " piece was", " pieces were");
   note += " split off for tabs";
   if (narrow > 0) {
-    note += "; no face is wide enough for a tab at " + count(narrow, " edge", " edges");
+    note += "; " +
+            count(narrow, " edge is too short, or the faces behind it",
+                  " edges are too short, or the faces behind them") +
+            " too narrow, for a tab that holds";
   }
   if (crowded > 0) {
     note += "; " + count(crowded, " edge has", " edges have") +

@@ -12,6 +12,33 @@ using namespace ridgecraft::test;
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+TEST_CASE("what is told of tabs agrees with itself where not all are usable", "[summaries]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  // At this size two edges are too short for more than a stub.
+  for (const std::vector<std::string>& verb :
+       {std::vector<std::string>{}, std::vector<std::string>{"unfold"}}) {
+    std::vector<std::string> arguments = verb;
+    arguments.insert(arguments.end(), {"house.obj", "--size", "4mm", "--all-tabs", "-o", "x.fold"});
+    const Outcome text = run_program(arguments, in(folder));
+    CAPTURE(text.out);
+    CHECK(text.out.find(
+              "  tabs        9 for 9 joins, 7 of them usable (the others are smaller than holds well)\n") !=
+          std::string::npos);
+    CHECK(
+        text.out.find("2 edges are too short, or the faces behind them too narrow, for a tab that holds\n") !=
+        std::string::npos);
+    arguments.emplace_back("--json");
+    const Json json = Json::parse(run_program(arguments, in(folder)).out);
+    CHECK(json["tabs"] == 9);
+    CHECK(json["tabs_usable"] == 7);
+    CHECK(json["joins_too_narrow"] == 2);
+    CHECK(json["joins_without_tab"] == 0);
+  }
+  const Outcome large = run_program({"house.obj", "--size", "8cm", "-o", "x.fold"}, in(folder));
+  CHECK(large.out.find("  tabs        9 for 9 joins\n") != std::string::npos);
+}
+
 TEST_CASE("machines get one JSON object with the names that they know", "[summaries]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);

@@ -191,8 +191,9 @@ TEST_CASE("split pieces have a tab on every edge that is wide enough", "[tabs]")
     REQUIRE_FALSE(split.notes.empty());
     const std::string& note = split.notes.back();
     CHECK(note.find("split off for tabs") != std::string::npos);
-    CHECK((note.find("at " + std::to_string(narrow(split)) + " edge") != std::string::npos) ==
-          (narrow(split) > 0));
+    CHECK((note.find("; " + std::to_string(narrow(split)) +
+                     (narrow(split) == 1 ? " edge is too short" : " edges are too short")) !=
+           std::string::npos) == (narrow(split) > 0));
     CHECK(note.find("even so") == std::string::npos);
   }
   CHECK(missing_before > 8);
