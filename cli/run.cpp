@@ -228,9 +228,22 @@ ExitCode do_job(const InfoJob& job) {
   return ExitCode::ok;
 }
 
+/// A FOLD file is JSON, and that begins with a bracket, after blanks and perhaps a byte order mark. What
+/// doesn't was never a file of nets; one that was cut off or damaged is, and has faults.
+void require_json(const std::string& file, std::string_view bytes) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  bytes.remove_prefix(bytes.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || (bytes[first] != '{' && bytes[first] != '[')) {
+    throw Error(ErrorKind::unreadable_input,
+                file + " is in no format that can be checked: nets are FOLD files, which are JSON");
+  }
+}
+
 ExitCode do_job(const VerifyJob& job) {
   Session session(job.common);
   const std::string bytes = mesh::read_file(job.file);
+  require_json(job.file, bytes);
   const verify::Report report = in_time(session.run(), job.file + " was checked", [&](const Context& strict) {
     return verify::verify(bytes, {}, strict);
   });

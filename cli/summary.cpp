@@ -281,6 +281,9 @@ std::string summary(const VerifyJob& job, const verify::Report& report) {
                         f.max_refold_error_mm, f.max_fold_error_deg);
     text += fmt::format("  lines       {} to cut, {} to fold\n", metres(f.cut_mm), metres(f.fold_mm));
   }
+  if (!report.figures) {
+    text += fmt::format("{}: not in the form of nets, so nothing else was checked\n", job.file);
+  }
   for (const verify::Fault& fault : report.faults) {
     text += fmt::format("fault of promise {}: {}\n", static_cast<int>(fault.promise), fault.message);
   }

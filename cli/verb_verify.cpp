@@ -14,8 +14,10 @@ Job build_verify(const Arguments* arguments, Manual* manual) {
                "The figures, and every fault; exit code 6 when there is one.");
   VerifyJob job;
   CommonTexts common;
-  verb.option("Input", "FILE", job.file, "FILE",
-              "A .fold file of ours or of another program in the same form.");
+  verb.option(
+      "Input", "FILE", job.file, "FILE",
+      "A .fold file of ours or of another program in the same form. What isn't JSON can't be checked: exit "
+      "code 3.");
   common.add_to(verb);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.file, "name the .fold file to check", "ridgecraft verify");

@@ -30,6 +30,12 @@ TEST_CASE("exit code 3: the input can't be read", "[exit_codes]") {
   check_refusal(run_program({"folder.obj"}, in(folder)), 3, "folder.obj");
   check_refusal(run_program({"cut.off"}, in(folder)), 3, "cut.off");
   check_refusal(run_program({"verify", "missing.fold"}, in(folder)), 3, "missing.fold");
+  const TemporaryFolder nets;
+  for (const char* bytes : {house, "this is no JSON", "%PDF-1.7\n", " \n"}) {
+    write_bytes(nets / "no.fold", bytes);
+    check_refusal(run_program({"verify", "no.fold"}, in(nets)), 3,
+                  "no.fold is in no format that can be checked");
+  }
   check_refusal(run_program({"info", "/dev/zero"}, in(folder)), 3, "/dev/zero");
   CHECK(folder.names() == before);
 }
@@ -77,8 +83,15 @@ TEST_CASE("exit code 6: verify finds faults", "[exit_codes]") {
   const Outcome outcome = run_program({"verify", "bad.fold", "--json"}, in(folder));
   CHECK(outcome.exit_code == 6);
   CHECK_FALSE(Json::parse(outcome.out)["faults"].empty());
-  write_bytes(folder / "no.fold", "this is no JSON");
-  CHECK(run_program({"verify", "no.fold"}, in(folder)).exit_code == 6);
+  const std::string whole = read_bytes(folder / "h.fold");
+  for (const std::string& bytes : {whole.substr(0, whole.size() / 2), std::string("{\"meshes\": []}"),
+                                   std::string(" []"), "\xEF\xBB\xBF" + whole}) {
+    write_bytes(folder / "no.fold", bytes);
+    const Outcome text = run_program({"verify", "no.fold"}, in(folder));
+    CHECK(text.exit_code == 6);
+    CHECK(text.out.starts_with("no.fold: not in the form of nets"));
+    CHECK(text.err.empty());
+  }
 }
 
 TEST_CASE("exit code 7: the result can't be written", "[exit_codes]") {
