@@ -62,7 +62,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   std::string paper = "A4";
   std::string margin;
   std::string tab_height;
-  std::string tab_angle = "45";
+  std::string tab_angle;
   std::string hide = "3";
   bool no_tabs = false;
   verb.option("Input", "MODEL", job.model, "MODEL",
@@ -125,12 +125,16 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     if (no_tabs && job.tabs.split_pieces) {
       refuse("--all-tabs and --no-tabs exclude each other");
     }
+    if (no_tabs && (!tab_height.empty() || !tab_angle.empty())) {
+      refuse("--tab-height and --tab-angle tell the shape of tabs; with --no-tabs they have no effect");
+    }
     job.tabs.wanted = !no_tabs;
     if (!tab_height.empty()) {
       job.tabs.height_mm = length_or_refuse("--tab-height", tab_height);
       require_range("--tab-height", tab_height, job.tabs.height_mm, 1.5, 50.0, "1.5mm to 50mm");
     }
-    job.tabs.angle = number_or_refuse("--tab-angle", tab_angle, 15.0, 85.0) * degree;
+    job.tabs.angle =
+        number_or_refuse("--tab-angle", tab_angle.empty() ? "45" : tab_angle, 15.0, 85.0) * degree;
     job.tabs.steepest_angle = std::max(job.tabs.steepest_angle, job.tabs.angle);
     job.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
     return job;

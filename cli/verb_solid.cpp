@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft hulls, cage, shell and deform
+#include "cli/formats.hpp"
 #include "cli/option_values.hpp"
 #include "cli/part_options.hpp"
 #include "cli/shared_options.hpp"
@@ -39,6 +40,10 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
     job.parts = parts.checked();
     if (!vertices.empty()) {
       job.max_vertices = whole_number_or_refuse("--max-vertices", vertices, 8);
+    }
+    if ((!unit.empty() || !density.empty()) && suffix_of(job.output) != ".urdf") {
+      refuse("--unit and --density tell a .urdf's metres and masses; with -o " + job.output +
+             " they have no effect");
     }
     job.mm_per_unit = unit_or_refuse("--unit", unit);
     if (!density.empty()) {

@@ -41,6 +41,9 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
     job.common = common.checked();
     job.tabs.wanted = job.tabs.wanted || job.tabs.split_pieces;
     job.size = size.checked();
+    if (job.whole && !concavity.empty()) {
+      refuse("--concavity tells how to cut the model into parts; with --whole it has no effect");
+    }
     job.concavity = concavity_or_refuse(concavity);
     return job;
   });

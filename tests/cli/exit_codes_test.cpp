@@ -17,6 +17,17 @@ TEST_CASE("exit code 2: wrong arguments", "[exit_codes]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   check_refusal(run_program({"house.obj", "-o", "house.docx"}, in(folder)), 2, "docx");
+  // Options that would have no effect.
+  for (const auto& [arguments, option] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"house.obj", "--unit", "m"}, "--unit"},
+           {{"house.obj", "--no-tabs", "--tab-height", "7mm"}, "--tab-height"},
+           {{"house.obj", "--no-tabs", "--tab-angle", "45"}, "--tab-angle"},
+           {{"unfold", "house.obj", "--whole", "--concavity", "0.2"}, "--concavity"},
+           {{"hulls", "house.obj", "-o", "a.obj", "--density", "5"}, "--density"},
+           {{"hulls", "house.obj", "-o", "a.obj", "--unit", "m"}, "--unit"}}) {
+    check_refusal(run_program(arguments, in(folder)), 2, option);
+  }
+  CHECK(folder.names() == std::set<std::string>{"house.obj"});
 }
 
 TEST_CASE("exit code 3: the input can't be read", "[exit_codes]") {
