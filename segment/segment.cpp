@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "mesh/foundation/error.hpp"
@@ -14,6 +13,7 @@
 #include "segment/cutting/cut.hpp"
 #include "segment/cutting/edge_weights.hpp"
 #include "segment/joining/assembly.hpp"
+#include "segment/joining/crumbs.hpp"
 #include "segment/joining/merge.hpp"
 #include "segment/part_tasks.hpp"
 #include "segment/recursion.hpp"
@@ -27,8 +27,6 @@ namespace {
 /// Surfaces of so many faces don't fit into a processor's caches: numbers that are near in space save a fifth
 /// of the time. Smaller ones gain 2 % and keep their numbers, by which ties are decided.
 constexpr std::size_t renumbered_from = 100000;
-/// A component with at most this part of the largest one's facets is a crumb of a damaged surface.
-constexpr std::size_t crumb_ratio = 20;
 
 bool closes_holes(const mesh::Surface& surface, const Options& options) {
   return options.holes == Options::Holes::close ||
@@ -257,78 +255,27 @@ class Run {
     return part;
   }
 
-  /// Small components that touch a larger one at a vertex join its part there, if that stays within the
-  /// tolerance (13.3). The smallest face at such a vertex decides which part.
   void absorb_crumbs() {
-    std::vector<std::uint32_t> part_of(scaled_.facet_count(), none);
-    const auto note = [&](std::uint32_t p) {
-      for (const FaceId f : final_[p].faces) {
-        part_of[f.value()] = p;
-      }
-    };
-    for (std::uint32_t p = 0; p < final_.size(); ++p) {
-      note(p);
-    }
     Facets all(scaled_.facet_count());
     std::iota(all.begin(), all.end(), 0U);
     const std::vector<std::uint32_t> together(scaled_.facet_count(), 0);
-    std::vector<Facets> components = cutter().components(all, together);
-    std::vector<std::size_t> size_of(scaled_.facet_count(), 0);
-    for (const Facets& component : components) {
-      for (const std::uint32_t f : component) {
-        size_of[f] = component.size();
+    std::vector<Facets> before(final_.size());
+    for (std::size_t p = 0; p < final_.size(); ++p) {
+      for (const FaceId f : final_[p].faces) {
+        before[p].push_back(f.value());
       }
     }
-    std::stable_sort(components.begin(), components.end(),
-                     [](const Facets& a, const Facets& b) { return a.size() > b.size(); });
-    // A crumb may touch none but others of its size: it follows them in a later pass.
-    std::vector<bool> taken_in(scaled_.facet_count(), false);
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (const Facets& crumb : components) {
-        context_->check();
-        if (taken_in[crumb.front()] || crumb.size() * crumb_ratio > components.front().size()) {
-          continue;
-        }
-        std::set<std::uint32_t> beside;
-        for (const std::uint32_t f : crumb) {
-          for (const std::uint32_t v : scaled_.corners[f]) {
-            for (const std::uint32_t g : scaled_.facets_at(v)) {
-              if (size_of[g] > size_of[f] || (taken_in[g] && part_of[g] != part_of[f])) {
-                beside.insert(g);
-              }
-            }
-          }
-        }
-        std::set<std::uint32_t> tried;
-        for (const std::uint32_t g : beside) {
-          const std::uint32_t into = part_of[g];
-          if (tried.insert(into).second && take_in(crumb, into, part_of)) {
-            note(into);
-            for (const std::uint32_t f : crumb) {
-              taken_in[f] = true;
-            }
-            changed = true;
-            break;
-          }
-        }
-      }
-    }
+    segment::absorb_crumbs(
+        scaled_, cutter().components(all, together), std::move(before),
+        [&](std::span<const std::uint32_t> parts, std::uint32_t into) { return unite(parts, into); },
+        *context_);
     std::erase_if(final_, [](const Part& part) { return part.faces.empty(); });
   }
 
-  /// Adds a crumb, with all that is in its parts because it followed the crumb, to a part; false, and nothing
-  /// is changed, when the part would be too concave or has all of that already.
-  bool take_in(const Facets& crumb, std::uint32_t into, const std::vector<std::uint32_t>& part_of) {
-    std::set<std::uint32_t> sources;
-    for (const std::uint32_t f : crumb) {
-      sources.insert(part_of[f]);
-    }
-    if (!sources.insert(into).second && sources.size() == 1) {
-      return false;
-    }
+  /// Puts these parts into one of them, if what comes out is within the tolerance from scratch.
+  bool unite(std::span<const std::uint32_t> parts, std::uint32_t into) {
     PartTask task{{}, 0, final_[into].reason};
-    for (const std::uint32_t p : sources) {
+    for (const std::uint32_t p : parts) {
       for (const FaceId f : final_[p].faces) {
         task.facets.push_back(f.value());
       }
@@ -336,11 +283,11 @@ class Run {
     std::sort(task.facets.begin(), task.facets.end());
     Measurement& measurement = workers_.first().measurement;
     measurer().use_valleys(ValleyCache(), nullptr);
-    measurer().measure(task.facets, {}, MeasureMode::scratch, measurement);
-    if (measurement.concavity > measurer().tolerance()) {
+    measurer().measure(task.facets, {}, MeasureMode::test_scratch, measurement);
+    if (measurement.stopped) {
       return false;
     }
-    for (const std::uint32_t p : sources) {
+    for (const std::uint32_t p : parts) {
       final_[p].faces.clear();
     }
     final_[into] = describe({std::move(task), measurement.concavity, measurement.hull});
