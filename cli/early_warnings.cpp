@@ -20,6 +20,8 @@ constexpr double easy_fold_mm = 6.0;
 constexpr double drawn_fold = 3.0 * std::numbers::pi / 180.0;
 /// What nearly every printer reaches, mm from the sheet's edge.
 constexpr double printer_margin_mm = 3.0;
+/// Hardly anybody folds smaller models, mm.
+constexpr double tiny_mm = 30.0;
 /// As many pages as a maker finishes.
 constexpr double few_pages = 10.0;
 /// Share of the printable area that pieces fill.
@@ -101,6 +103,15 @@ std::optional<std::string> too_small_warning(const mesh::Prepared& prepared) {
       "them "
       "{:g} mm and longer",
       *middle, std::ceil(size), easy_fold_mm);
+}
+
+std::optional<std::string> assumed_unit_warning(const SizeArguments& size) {
+  const double mm = size.size.largest_extent_mm;
+  if (!size.unit_assumed || mm >= tiny_mm) {
+    return std::nullopt;
+  }
+  return fmt::format("{} has no unit, so it means {:g} mm; --size {:g}cm makes a model ten times as large",
+                     size.asked, mm, mm);
 }
 
 std::optional<std::string> narrow_margin_warning(const paper::Paper& paper) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/options.hpp"
 #include "export/paper.hpp"
 #include "mesh/mesh.hpp"
 
@@ -21,6 +22,9 @@ inline constexpr double many_pages = 100.0;
 /// counted ones all.
 [[nodiscard]] std::string many_pages_warning(const mesh::Surface& surface, Vec2 printable, double pages,
                                              bool counted);
+
+/// Where a size without a unit makes a tiny model: whoever wrote it may have meant centimetres.
+[[nodiscard]] std::optional<std::string> assumed_unit_warning(const SizeArguments& size);
 
 /// Where half of the folds are too short for fingers: how long the middle one is, and which size would do.
 [[nodiscard]] std::optional<std::string> too_small_warning(const mesh::Prepared& prepared);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/sentence.hpp"
 #include "mesh/foundation/error.hpp"
 #include "mesh/read_soup.hpp"
 
@@ -54,10 +55,10 @@ Labels read_labels(const std::string& file, std::size_t polygons) {
   }
   if (labels.size() != polygons) {
     throw Error(ErrorKind::unreadable_input,
-                fmt::format("{} has {} labels, but the model has {} polygons", file,
-                            labels.size() > polygons ? fmt::format("more than {}", polygons)
-                                                     : std::to_string(labels.size()),
-                            polygons));
+                fmt::format("{} has {}, but the model has {}", file,
+                            labels.size() > polygons ? fmt::format("more than {}", counted(polygons, "label"))
+                                                     : counted(labels.size(), "label"),
+                            counted(polygons, "polygon")));
   }
   return labels;
 }

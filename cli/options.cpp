@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/option_values.hpp"
+#include "cli/sentence.hpp"
 #include "cli/verbs.hpp"
 #include "cli/version.hpp"
 #include "mesh/foundation/nearest_word.hpp"
@@ -21,20 +22,54 @@ constexpr std::pair<std::string_view, Builder> verbs[] = {
     {"verify", build_verify}, {"hulls", build_hulls},     {"cage", build_cage},
     {"shell", build_shell},   {"deform", build_deform},   {"formats", build_formats}};
 
+Manual manual_of(Builder build) {
+  Manual manual;
+  static_cast<void>(build(nullptr, &manual));
+  return manual;
+}
+
 std::string whole_man_page() {
-  Manual program;
-  static_cast<void>(build_paper(nullptr, &program));
   std::vector<Manual> manuals;
   for (const auto& [name, build] : verbs) {
-    static_cast<void>(build(nullptr, &manuals.emplace_back()));
+    manuals.push_back(manual_of(build));
   }
-  return man_page(program, manuals, program_and_version());
+  return man_page(manual_of(build_paper), manuals, program_and_version());
+}
+
+/// "--size LENGTH" of the manual of a verb that has this option; empty where it hasn't.
+std::string term_of(const std::string& option, const Manual& manual) {
+  for (const ManualSection& section : manual.sections) {
+    for (const ManualEntry& entry : section.entries) {
+      const std::size_t at = entry.term.find(option);
+      if (at != std::string::npos && (entry.term + " ")[at + option.size()] == ' ' &&
+          (at == 0 || entry.term[at - 1] == ' ')) {
+        return entry.term.substr(at);
+      }
+    }
+  }
+  return {};
 }
 
 }  // namespace
 
 std::string program_and_version() {
   return std::string("ridgecraft ") + RIDGECRAFT_VERSION;
+}
+
+std::string verbs_with(const std::string& option) {
+  std::vector<std::string> names;
+  std::string only;
+  if (const std::string term = term_of(option, manual_of(build_paper)); !term.empty()) {
+    names.emplace_back("the main job");
+    only = ": ridgecraft MODEL " + term;
+  }
+  for (const auto& [name, build] : verbs) {
+    if (const std::string term = term_of(option, manual_of(build)); !term.empty()) {
+      names.emplace_back(name);
+      only = ": ridgecraft " + names.back() + " ... " + term;
+    }
+  }
+  return listed(names, "and") + (names.size() == 1 ? only : "");
 }
 
 Job parse_arguments(const std::vector<std::string>& arguments) {

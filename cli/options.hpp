@@ -29,7 +29,8 @@ struct CommonOptions {
 struct SizeArguments {
   mesh::SizeOptions size;
   mesh::SimplifyOptions simplify;
-  std::string asked;  ///< how the size was asked for, for the summary: "--size 150mm"
+  std::string asked;          ///< how the size was asked for, for the summary: "--size 150mm"
+  bool unit_assumed = false;  ///< --size was a number alone
 };
 
 /// Files that name edges to be cut or kept; empty: none.

@@ -139,6 +139,9 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   if (const auto warning = narrow_margin_warning(job.paper)) {
     remark(*warning);
   }
+  if (const auto warning = assumed_unit_warning(job.size)) {
+    remark(*warning);
+  }
   PaperResult result;
   StageClock& clock = result.clock;
   mesh::Model model = clock("read", context, [&] {
@@ -243,6 +246,9 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
     require_replaceable(job.output, mark.digest, job.overwrite);
   }
   std::vector<std::string> notes;
+  if (const auto warning = assumed_unit_warning(job.size)) {
+    notes.push_back(*warning);
+  }
   SizeArguments size = job.size;
   heed_edges(job.edges, model, size, notes);
   result.prepared = clock("prepare", context, [&] {

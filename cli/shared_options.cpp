@@ -2,10 +2,12 @@
 #include "cli/shared_options.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <thread>
 
 #include "cli/option_values.hpp"
 #include "cli/units.hpp"
+#include "mesh/foundation/length_text.hpp"
 
 namespace ridgecraft::cli {
 
@@ -39,7 +41,7 @@ CommonOptions CommonTexts::checked() const {
 void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
   faces = default_faces;
   verb.option("Size", "--size", size, "LENGTH",
-              "Largest extent of the finished model: 150mm, 20cm, 8in (150mm).")
+              "Largest extent of the finished model: 150mm, 20cm, 8in; a number alone means mm (150mm).")
       .option("Size", "--scale", scale, "FACTOR",
               "Instead of --size: 1:50, 0.5 or 30% of the size that the file's numbers give in --unit.")
       .option("Size", "--unit", unit, "UNIT",
@@ -69,6 +71,9 @@ SizeArguments SizeTexts::checked() const {
   } else {
     out.size.largest_extent_mm = size.empty() ? 150.0 : length_or_refuse("--size", size);
     require_range("--size", size, out.size.largest_extent_mm, 1.0, 100000.0, "1mm to 100m");
+    std::string_view typed = size;
+    const auto length = take_length(typed);
+    out.unit_assumed = length && !length->mm_per_unit;
     out.asked = "--size " + (size.empty() ? std::string("150mm") : size);
   }
   if (faces == "auto") {

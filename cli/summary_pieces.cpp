@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -19,6 +20,28 @@ std::vector<PieceId> pieces_with_care(const unfold::Nets& nets) {
     }
   }
   return found;
+}
+
+/// unfold::sentence(reason) for several pieces.
+std::string_view sentence_of_several(unfold::PieceReason reason) {
+  using unfold::PieceReason;
+  switch (reason) {
+    case PieceReason::page:
+      return "their parts don't fit the paper in one piece";
+    case PieceReason::overlap:
+      return "their parts would overlap themselves in one piece";
+    case PieceReason::tabs:
+      return "their parts have no room for tabs in one piece";
+    case PieceReason::faces:
+      return "their parts have more faces than one piece may have (--max-faces)";
+    case PieceReason::component:
+      return "their parts aren't connected";
+    case PieceReason::part:
+    case PieceReason::time:
+    case PieceReason::request:
+      return unfold::sentence(reason);
+  }
+  return "";
 }
 
 }  // namespace
@@ -47,7 +70,7 @@ std::string extra_pieces_text(const unfold::Nets& nets) {
   std::string text;
   for (const auto& [reason, list] : names) {
     text += fmt::format("  {:<11} {}: {}\n", list.size() == 1 ? "piece" : "pieces", piece_names(nets, list),
-                        unfold::sentence(reason));
+                        list.size() == 1 ? unfold::sentence(reason) : sentence_of_several(reason));
   }
   return text;
 }

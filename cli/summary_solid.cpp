@@ -14,7 +14,7 @@ std::string summary(const std::string& model, const SolidResult& result) {
     points += body.points.size();
     triangles += body.triangles.size();
   }
-  std::string text = fmt::format("{}: {} polygons\n", model, result.model.polygon_count);
+  std::string text = fmt::format("{}: {}\n", model, counted(result.model.polygon_count, "polygon"));
   if (result.parts > 0) {
     text += fmt::format("  parts       {}\n", result.parts);
   }

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/option_values.hpp"
+#include "cli/verbs.hpp"
 #include "mesh/foundation/nearest_word.hpp"
 
 namespace ridgecraft::cli {
@@ -128,8 +129,11 @@ std::string Verb::unexpected(const std::vector<std::string>& remaining) const {
       known.push_back("--" + name);
     }
   }
-  const std::string nearest =
-      word.starts_with("--") ? nearest_word(word.substr(0, word.find('=')), known) : "";
+  const std::string option = word.starts_with("--") ? word.substr(0, word.find('=')) : "";
+  if (const std::string owners = option.size() > 2 ? verbs_with(option) : ""; !owners.empty()) {
+    return "there is no option '" + option + "' here; it belongs to " + owners;
+  }
+  const std::string nearest = option.empty() ? "" : nearest_word(option, known);
   return sentence +
          (nearest.empty() ? "; see " + manual_.name + " --help" : ", did you mean '" + nearest + "'?");
 }

@@ -159,3 +159,18 @@ TEST_CASE("what isn't a number is refused by its option's name", "[options]") {
     }
   }
 }
+
+TEST_CASE("an option of another verb is told as such", "[options]") {
+  CHECK(refusal({"unfold", "m.obj", "--pieces", "few"}) ==
+        "there is no option '--pieces' here; it belongs to the main job: ridgecraft MODEL --pieces "
+        "few|parts|small");
+  CHECK(
+      refusal({"m.obj", "--labels=parts.seg"}) ==
+      "there is no option '--labels' here; it belongs to segment: ridgecraft segment ... --labels FILE.seg");
+  CHECK(refusal({"info", "m.obj", "--cuts", "x"}) ==
+        "there is no option '--cuts' here; it belongs to the main job and unfold");
+  // What no verb has may be a slip; and a part of a name is no name.
+  CHECK(refusal({"m.obj", "--fases", "300"}) == "there is no option '--fases', did you mean '--faces'?");
+  CHECK(refusal({"verify", "m.fold", "--label", "x"}).find("belongs") == std::string::npos);
+  CHECK(refusal({"verify", "m.fold", "--", "x"}).find("belongs") == std::string::npos);
+}

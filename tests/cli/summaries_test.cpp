@@ -228,3 +228,38 @@ TEST_CASE("pieces are split where all tabs are asked for, and it is told", "[sum
   }
   check_refusal(run_program({"tips.obj", "--all-tabs", "--no-tabs"}, in(folder)), 2, "--no-tabs");
 }
+
+TEST_CASE("what is told of several and of one is worded so", "[summaries]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const Outcome large = run_program({"house.obj", "--size", "40cm", "-o", "x.fold"}, in(folder));
+  CAPTURE(large.out);
+  CHECK(large.out.find(": their parts don't fit the paper in one piece\n") != std::string::npos);
+  write_bytes(folder / "one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome one = run_program({"shell", "one.obj", "-o", "s.obj"}, in(folder));
+  CAPTURE(one.err);
+  CHECK(one.out.starts_with("one.obj: 1 polygon\n"));
+  write_bytes(folder / "two.seg", "0\n1\n");
+  check_refusal(run_program({"segment", "one.obj", "--compare", "two.seg"}, in(folder)), 3,
+                "two.seg has more than 1 label, but the model has 1 polygon");
+}
+
+TEST_CASE("a size without a unit is told of where it makes a tiny model", "[summaries]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const auto told = [&](const std::string& size) {
+    const Outcome paper = run_program({"house.obj", "--size", size, "-o", "x.fold"}, in(folder));
+    const Outcome nets = run_program({"unfold", "house.obj", "--size", size, "-o", "x.fold"}, in(folder));
+    const std::string note =
+        "--size " + size + " has no unit, so it means " + size + " mm; --size " + size + "cm ";
+    const bool by_paper = paper.err.find(note) != std::string::npos;
+    CHECK((nets.out.find(note) != std::string::npos) == by_paper);
+    CHECK(paper.exit_code + nets.exit_code == 0);
+    return by_paper;
+  };
+  CHECK(told("10"));
+  CHECK(told("29.5"));
+  CHECK_FALSE(told("30"));
+  CHECK_FALSE(told("10mm"));
+  CHECK_FALSE(told("2cm"));
+}
