@@ -11,7 +11,7 @@
 
 namespace ridgecraft::cli {
 
-void CommonTexts::add_to(Verb& verb) {
+void CommonTexts::add_to(Verb& verb, TimeUp time_up) {
   verb.flag("Common", "--json", values.json,
             "Print one JSON object on standard output and nothing else there.")
       .flag("Common", "-q,--quiet", values.quiet, "Print no summary, notes or progress; errors only.")
@@ -19,9 +19,13 @@ void CommonTexts::add_to(Verb& verb) {
               "Seed of everything random; the same seed gives the same bytes (1).")
       .option("Common", "--threads", threads, "N",
               "Threads to use; the result doesn't depend on it (one per core).")
-      .option("Common", "--time-limit", time_limit, "SECONDS",
-              "End after about this time: searches stop with the best they have, a stage that has nothing "
-              "yet stops the program (no limit).");
+      .option(
+          "Common", "--time-limit", time_limit, "SECONDS",
+          time_up == TimeUp::ends_searches
+              ? "End after about this time: searches stop with the best they have, a stage that has nothing "
+                "yet stops the program (no limit)."
+              : "Stop after this time, with exit code 130 and nothing written, unless all is done by then "
+                "(no limit).");
 }
 
 CommonOptions CommonTexts::checked() const {

@@ -9,12 +9,18 @@
 
 namespace ridgecraft::cli {
 
+/// What --time-limit means to a verb.
+enum class TimeUp {
+  stops_program,  ///< there is a whole result or none
+  ends_searches,  ///< what was found so far is finished
+};
+
 /// What every verb takes.
 struct CommonTexts {
   CommonOptions values;
   std::string time_limit, seed, threads;
 
-  void add_to(Verb& verb);
+  void add_to(Verb& verb, TimeUp time_up = TimeUp::stops_program);
   [[nodiscard]] CommonOptions checked() const;
 };
 

@@ -93,7 +93,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
       "How far a part may be from convex, as a share of the radius of the model's bounding sphere (0.1).");
   pieces.add_to(verb);
   add_edge_options(verb, job.edges);
-  common.add_to(verb);
+  common.add_to(verb, TimeUp::ends_searches);
   bool version = false;
   verb.flag("Common", "--version", version, "Print the program's version.");
   bool man = false;

@@ -35,7 +35,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
             "Search nets whose cut edges have room for 5 mm glue tabs, and draw these.");
   verb.flag("Tabs", "--all-tabs", job.tabs.split_pieces,
             "The same, and split pieces until every edge with a face wide enough behind it has a tab.");
-  common.add_to(verb);
+  common.add_to(verb, TimeUp::ends_searches);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.model, "name the model to unfold", "ridgecraft unfold");
     job.common = common.checked();

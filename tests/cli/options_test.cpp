@@ -174,3 +174,21 @@ TEST_CASE("an option of another verb is told as such", "[options]") {
   CHECK(refusal({"verify", "m.fold", "--label", "x"}).find("belongs") == std::string::npos);
   CHECK(refusal({"verify", "m.fold", "--", "x"}).find("belongs") == std::string::npos);
 }
+
+TEST_CASE("each help says what a time limit does there", "[options]") {
+  const auto help = [](const std::vector<std::string>& verb) {
+    std::vector<std::string> arguments = verb;
+    arguments.emplace_back("--help");
+    std::string text = std::get<PrintJob>(parse_arguments(arguments)).text;
+    text = text.substr(text.find("--time-limit"));
+    return text.substr(0, text.find(')'));
+  };
+  for (const std::vector<std::string>& verb : {std::vector<std::string>{}, {"unfold"}}) {
+    CHECK(help(verb).find("searches stop with the best") != std::string::npos);
+  }
+  for (const char* verb : {"info", "segment", "verify", "hulls", "cage", "shell", "deform"}) {
+    CAPTURE(verb);
+    CHECK(help({verb}).find("exit code 130") != std::string::npos);
+    CHECK(help({verb}).find("searches") == std::string::npos);
+  }
+}
