@@ -257,7 +257,9 @@ void Packer::walk() {
     offer(candidate);
     if (!current.packs_better(candidate)) {
       idle = candidate.packs_better(current) ? -1 : idle;
-      recipe = by_order ? std::move(next) : std::move(recipe);
+      if (by_order) {
+        recipe = std::move(next);
+      }
       current = std::move(candidate);
     }
   }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Packing as a whole: the search over orders, from several pages down to few.
+#include "export/packing/packing.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "export/packing/clearance.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::paper;
+
+namespace {
+
+/// Corners and rings of thin bars: little paper, but each takes a large part of a page.
+PackingTask bars(std::uint64_t seed, std::uint32_t count) {
+  PackingTask task;
+  task.area = {190.0, 265.0};
+  task.gap = 2.0;
+  Random random(seed);
+  const auto bar = [](double x, double y, double width, double height) {
+    return std::vector<Vec2>{{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+  };
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double width = 50.0 + 120.0 * random.unit();
+    const double height = 50.0 + 120.0 * random.unit();
+    constexpr double thin = 6.0;
+    std::vector<std::vector<Vec2>> shape{bar(0.0, 0.0, width, thin), bar(0.0, 0.0, thin, height)};
+    if (random.below(2) == 0) {
+      shape.push_back(bar(0.0, height - thin, width, thin));
+      shape.push_back(bar(width - thin, 0.0, thin, height));
+    }
+    task.shapes.push_back(packing_shape(std::move(shape)));
+    task.group.push_back(i / 3);
+  }
+  return task;
+}
+
+std::size_t faults(const PackingTask& task, const std::vector<Packed>& packed, std::uint32_t pages) {
+  std::vector<std::vector<OwnedPolygon>> on_page(pages);
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < packed.size(); ++i) {
+    for (std::vector<Vec2> polygon : task.shapes[i].convex) {
+      for (Vec2& p : polygon) {
+        p = packed[i].turn(p) + packed[i].shift;
+        count += p.x < -1e-6 || p.y < -1e-6 || p.x > task.area.x + 1e-6 || p.y > task.area.y + 1e-6 ? 1U : 0U;
+      }
+      on_page.at(packed[i].page).push_back({i, std::move(polygon)});
+    }
+  }
+  for (auto& polygons : on_page) {
+    count += too_near(std::move(polygons), task.gap - 1e-6).size();
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("the search goes on where it comes from three pages to two", "[packing]") {
+  std::size_t two = 0;
+  // With seed 89 the search empties two pages of three, keeps the two that are left and walks over orders.
+  for (std::uint64_t seed = 85; seed < 100; ++seed) {
+    CAPTURE(seed);
+    const PackingTask task = bars(seed, 4 + static_cast<std::uint32_t>(seed % 9));
+    const std::vector<Packed> packed = pack(task, Context{});
+    REQUIRE(packed.size() == task.shapes.size());
+    std::uint32_t pages = 0;
+    for (const Packed& place : packed) {
+      pages = std::max(pages, place.page + 1);
+    }
+    two += pages == 2 ? 1U : 0U;
+    CHECK(faults(task, packed, pages) == 0);
+  }
+  CHECK(two > 0);
+}
