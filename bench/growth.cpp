@@ -11,8 +11,8 @@
 
 #include <sys/resource.h>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/surface.hpp"
+#include "base/context.hpp"
+#include "mesh/model/surface.hpp"
 #include "segment/segment.hpp"
 
 namespace {

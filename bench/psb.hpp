@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "mesh/mesh.hpp"
 #include "segment/segment.hpp"
 

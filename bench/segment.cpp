@@ -15,7 +15,7 @@
 
 #include <sys/resource.h>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "psb.hpp"
 
 namespace {

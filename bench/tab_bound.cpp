@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "mesh/foundation/disjoint_sets.hpp"
-#include "unfold/tabs/tab_shapes.hpp"
+#include "base/disjoint_sets.hpp"
+#include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::bench {
 
@@ -20,7 +20,7 @@ struct Edge {
 };
 
 /// Width of the flat region of c's face at usable_height_mm above c's edge, all of it on that line added up.
-double width_behind(const mesh::Surface& surface, const mesh::Panels& panels, CornerId c) {
+double width_behind(const mesh::Surface& surface, const prepare::Panels& panels, CornerId c) {
   const FaceId g = mesh::face_of(c);
   const Vec3 origin = surface.point(surface.vertex(c));
   const Vec3 along = normalized(surface.point(surface.vertex(mesh::next(c))) - origin);
@@ -36,7 +36,7 @@ double width_behind(const mesh::Surface& surface, const mesh::Panels& panels, Co
   return sum;
 }
 
-std::vector<Edge> find_edges(const mesh::Surface& surface, const mesh::Panels& panels) {
+std::vector<Edge> find_edges(const mesh::Surface& surface, const prepare::Panels& panels) {
   std::vector<Edge> edges;
   for (const CornerId c : ids<CornerId>(surface.corner_count())) {
     const CornerId twin = surface.twin(c);
@@ -78,7 +78,7 @@ double most_gained(const std::vector<Edge>& edges, std::size_t panels, const Gai
 
 }  // namespace
 
-TabBound tab_bound(const mesh::Surface& surface, const mesh::Panels& panels) {
+TabBound tab_bound(const mesh::Surface& surface, const prepare::Panels& panels) {
   const std::vector<Edge> edges = find_edges(surface, panels);
   TabBound bound;
   bound.able = IdVector<EdgeId, std::uint8_t>(surface.edge_count(), 0);

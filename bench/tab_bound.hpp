@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "mesh/panels.hpp"
-#include "mesh/surface.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
 
 namespace ridgecraft::bench {
 
@@ -24,6 +24,6 @@ inline constexpr double long_edge_mm = 8.0;
 /// least half as wide as the edge is long: no shape of a tab, no angle and no height is assumed, and nothing
 /// stands in its way. The edges that are cut are what a spanning tree of the flat regions leaves, so the best
 /// net is a spanning tree of greatest weight (exact). O(n log n) but for panels of very many faces.
-[[nodiscard]] TabBound tab_bound(const mesh::Surface& surface, const mesh::Panels& panels);
+[[nodiscard]] TabBound tab_bound(const mesh::Surface& surface, const prepare::Panels& panels);
 
 }  // namespace ridgecraft::bench

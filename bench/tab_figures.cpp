@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "unfold/tabs.hpp"
-#include "unfold/tabs/tab_shapes.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::bench {
 namespace {

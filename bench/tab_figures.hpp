@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bench/tab_bound.hpp"
-#include "mesh/surface.hpp"
-#include "unfold/nets.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/net/nets.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::bench {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::bench {
 namespace {

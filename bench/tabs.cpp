@@ -22,11 +22,12 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "bench/tab_bound.hpp"
 #include "bench/tab_figures.hpp"
 #include "bench/tab_table.hpp"
-#include "mesh/foundation/error.hpp"
 #include "mesh/mesh.hpp"
+#include "prepare/prepare.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
@@ -52,7 +53,7 @@ struct Settings {
 struct Example {
   std::string name;
   mesh::Surface surface;
-  mesh::Panels panels;
+  prepare::Panels panels;
   bench::TabBound bound;
 };
 
@@ -123,12 +124,12 @@ void run_all(const std::string& faces, const std::vector<Example>& examples, con
 /// The model simplified to so many faces; nothing where it has fewer, can't be simplified so far or is
 /// several.
 std::optional<Example> example_of(const std::filesystem::path& file, std::optional<std::size_t> faces) {
-  mesh::SimplifyOptions simplify;
-  simplify.mode = faces ? mesh::Simplification::count : mesh::Simplification::keep;
+  prepare::SimplifyOptions simplify;
+  simplify.mode = faces ? prepare::Simplification::count : prepare::Simplification::keep;
   simplify.faces = faces.value_or(0);
-  mesh::SizeOptions size;
+  prepare::SizeOptions size;
   size.largest_extent_mm = model_size_mm;
-  mesh::Prepared prepared = mesh::prepare(mesh::read(file, {}, {}), size, simplify, {1e6, 1e6}, {});
+  prepare::Prepared prepared = prepare::prepare(mesh::read(file, {}, {}), size, simplify, {1e6, 1e6}, {});
   const std::size_t got = prepared.model.surface.face_count();
   if (faces && (got <= *faces / 2 || got >= 2 * *faces || prepared.model.surface.component_count() != 1)) {
     return {};

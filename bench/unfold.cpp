@@ -18,9 +18,10 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "bench/unfold_runs.hpp"
-#include "mesh/foundation/error.hpp"
 #include "mesh/mesh.hpp"
+#include "prepare/prepare.hpp"
 #include "segment/segment.hpp"
 
 using namespace ridgecraft;
@@ -73,10 +74,11 @@ std::vector<Row> run_benchmark(const Settings& settings) {
         if (!fs::exists(file)) {
           continue;
         }
-        mesh::SimplifyOptions simplify;
-        simplify.mode = mesh::Simplification::count;
+        prepare::SimplifyOptions simplify;
+        simplify.mode = prepare::Simplification::count;
         simplify.faces = faces;
-        const mesh::Prepared prepared = mesh::prepare(mesh::read(file, {}, {}), {}, simplify, {1e6, 1e6}, {});
+        const prepare::Prepared prepared =
+            prepare::prepare(mesh::read(file, {}, {}), {}, simplify, {1e6, 1e6}, {});
         // Some models have fewer faces than this to begin with, or can't be simplified so far.
         const mesh::Surface& surface = prepared.model.surface;
         if (surface.face_count() > faces / 2 && surface.face_count() < 2 * faces &&

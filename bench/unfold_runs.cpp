@@ -6,12 +6,12 @@
 #include <ctime>
 #include <limits>
 
+#include "unfold/net/tolerance.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/pieces/merge_pieces.hpp"
 #include "unfold/pieces/overlap_split.hpp"
 #include "unfold/pieces/page_split.hpp"
-#include "unfold/search/layout.hpp"
 #include "unfold/search/net_search.hpp"
-#include "unfold/tolerance.hpp"
 
 namespace ridgecraft::bench {
 namespace {
@@ -41,7 +41,7 @@ std::vector<FaceId> all_faces(const mesh::Surface& surface) {
 }
 
 void run(const mesh::Surface& surface, std::span<const FaceId> faces, const Runs& runs, Row& row) {
-  mesh::Panels panels;
+  prepare::Panels panels;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     panels.panel.push_back(PanelId(f.value()));
   }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/surface.hpp"
-#include "unfold/search/patch.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::bench {
 

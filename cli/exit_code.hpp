@@ -2,7 +2,7 @@
 // The program's exit codes: documented in docs/exit-codes.md and `ridgecraft --help`, and never changed.
 #pragma once
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::cli {
 

@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "cli/pending_files.hpp"
+#include "cli/files/pending_files.hpp"
 
 namespace ridgecraft::cli {
 

@@ -9,17 +9,17 @@
 
 #include <unistd.h>
 
-#include "cli/formats.hpp"
+#include "base/printable.hpp"
+#include "cli/arguments/options.hpp"
+#include "cli/files/formats.hpp"
+#include "cli/files/pending_files.hpp"
 #include "cli/interruption.hpp"
-#include "cli/options.hpp"
-#include "cli/pending_files.hpp"
-#include "cli/pipeline.hpp"
-#include "cli/progress.hpp"
-#include "cli/solid_jobs.hpp"
-#include "cli/summary.hpp"
-#include "cli/time_limit.hpp"
-#include "mesh/foundation/printable.hpp"
-#include "mesh/read_soup.hpp"
+#include "cli/jobs/pipeline.hpp"
+#include "cli/jobs/solid_jobs.hpp"
+#include "cli/jobs/time_limit.hpp"
+#include "cli/telling/progress.hpp"
+#include "cli/telling/summary.hpp"
+#include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -36,19 +36,18 @@ bool coloured() {
 
 void complain(const std::string& sentence) {
   std::fprintf(stderr, coloured() ? "\033[1;31mridgecraft:\033[0m %s\n" : "ridgecraft: %s\n",
-               mesh::printable(sentence).c_str());
+               printable(sentence).c_str());
 }
 
 void remark(const std::string& line) {
-  std::fprintf(stderr, coloured() ? "\033[33mnote:\033[0m %s\n" : "note: %s\n",
-               mesh::printable(line).c_str());
+  std::fprintf(stderr, coloured() ? "\033[33mnote:\033[0m %s\n" : "note: %s\n", printable(line).c_str());
 }
 
 std::string printable_lines(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    result += mesh::printable(text.substr(0, end));
+    result += printable(text.substr(0, end));
     text.remove_prefix(end);
     if (!text.empty()) {
       result += '\n';
@@ -129,7 +128,7 @@ auto about(const std::string& model, const std::vector<std::string>& other_files
     const std::string sentence = error.what();
     const auto named = [&](const std::string& file) {
       return !file.empty() && (sentence.find(file) != std::string::npos ||
-                               sentence.find(mesh::printable(file)) != std::string::npos);
+                               sentence.find(printable(file)) != std::string::npos);
     };
     const bool about_model = error.kind() == ErrorKind::unusable_mesh || error.kind() == ErrorKind::no_nets ||
                              error.kind() == ErrorKind::internal;
@@ -222,7 +221,7 @@ ExitCode do_job(const InfoJob& job) {
     return in_time(session.run(), job.model + " was read",
                    [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
   });
-  const mesh::Panels panels = mesh::find_panels(model.surface);
+  const prepare::Panels panels = prepare::find_panels(model.surface);
   session.finish([&] { return summary(job, model, panels); },
                  [&] { return summary_json(job, model, panels); });
   return ExitCode::ok;

@@ -2,14 +2,14 @@
 // Puts the drawing of each page together: its pieces, their texts, the furniture.
 #include <vector>
 
-#include "export/bodies.hpp"
+#include "base/utf8.hpp"
 #include "export/export.hpp"
-#include "export/formats/utf8.hpp"
-#include "export/neighbours.hpp"
 #include "export/page/furniture.hpp"
+#include "export/page/neighbours.hpp"
 #include "export/page/page_index.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/page/text_placement.hpp"
+#include "export/sheet/bodies.hpp"
 
 namespace ridgecraft::paper {
 
@@ -39,7 +39,7 @@ IdVector<PieceId, std::vector<std::string>> body_notes(const mesh::Surface& surf
 
 }  // namespace
 
-std::vector<Drawing> draw(const mesh::Prepared& model, const unfold::Nets& nets, const Pages& pages,
+std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
                           const Style& style, DrawReport* report) {
   DrawReport sum;
   sum.bodies = find_bodies(model, nets);

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "base/error.hpp"
 #include "export/export.hpp"
 #include "export/packing/clearance.hpp"
 #include "export/packing/packing.hpp"
-#include "mesh/foundation/error.hpp"
 
 namespace ridgecraft::paper {
 namespace {

@@ -3,10 +3,11 @@
 #include <string>
 #include <utility>
 
-#include "mesh/foundation/error.hpp"
-#include "mesh/foundation/printable.hpp"
+#include "base/digest.hpp"
+#include "base/error.hpp"
+#include "base/printable.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/read_soup.hpp"
+#include "mesh/reading/read_soup.hpp"
 #include "mesh/repair/repair.hpp"
 
 namespace ridgecraft::mesh {

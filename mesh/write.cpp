@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string>
 
-#include "mesh/foundation/id.hpp"
-#include "mesh/surface.hpp"
+#include "base/id.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::mesh {
 

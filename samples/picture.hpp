@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/foundation/vector.hpp"
-#include "mesh/surface.hpp"
+#include "base/vector.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::samples {
 

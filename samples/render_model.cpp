@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "mesh/mesh.hpp"
 #include "samples/picture.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "mesh/mesh.hpp"
 #include "samples/picture.hpp"
 #include "segment/concavity/measure.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::samples {
 

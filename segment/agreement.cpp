@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::segment {
 namespace {

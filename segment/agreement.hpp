@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "mesh/surface.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::segment {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "segment/concavity/hull.hpp"
 #include "segment/surface/scaled_surface.hpp"
 

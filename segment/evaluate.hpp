@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/surface.hpp"
+#include "base/context.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::segment {
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "mesh/foundation/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace ridgecraft::segment {
 namespace {

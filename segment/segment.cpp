@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "segment/concavity/measure.hpp"
 #include "segment/concavity/vertex_graph.hpp"
 #include "segment/cutting/cut.hpp"

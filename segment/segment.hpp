@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/id.hpp"
-#include "mesh/surface.hpp"
+#include "base/context.hpp"
+#include "base/id.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::segment {
 

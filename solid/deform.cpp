@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "solid/solid.hpp"
 
 namespace ridgecraft::solid {

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "solid/convex_hull.hpp"
 #include "solid/enclosing_box.hpp"
 

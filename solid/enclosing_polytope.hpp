@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "solid/body.hpp"
 
 namespace ridgecraft::solid {

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "solid/body_of.hpp"
 #include "solid/solid.hpp"
 

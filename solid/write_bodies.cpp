@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "mesh/foundation/error.hpp"
-#include "mesh/foundation/xml_text.hpp"
+#include "base/error.hpp"
+#include "base/xml_text.hpp"
 
 namespace ridgecraft::solid {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "unfold/search/patch.hpp"
+#include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -65,7 +65,7 @@ bool give_away(const mesh::Surface& surface, const std::vector<FaceId>& crumb,
 
 }  // namespace
 
-IdVector<FaceId, PartId> parts_of_whole_panels(const mesh::Surface& surface, const mesh::Panels& panels,
+IdVector<FaceId, PartId> parts_of_whole_panels(const mesh::Surface& surface, const prepare::Panels& panels,
                                                const IdVector<FaceId, PartId>& part) {
   IdVector<FaceId, PartId> chosen = part;
   for (const std::vector<FaceId>& faces : panels.faces) {

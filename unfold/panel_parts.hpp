@@ -2,9 +2,9 @@
 // Parts that end at the borders of panels, so that no cut runs through a flat region.
 #pragma once
 
-#include "mesh/foundation/id.hpp"
-#include "mesh/panels.hpp"
-#include "mesh/surface.hpp"
+#include "base/id.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -13,7 +13,7 @@ namespace ridgecraft::unfold {
 /// that parts stay connected where they were. Parts that lose all their faces vanish; the others are numbered
 /// anew by their smallest face. O(n log n) but for the crumbs, O(n) each.
 [[nodiscard]] IdVector<FaceId, PartId> parts_of_whole_panels(const mesh::Surface& surface,
-                                                             const mesh::Panels& panels,
+                                                             const prepare::Panels& panels,
                                                              const IdVector<FaceId, PartId>& part);
 
 }  // namespace ridgecraft::unfold

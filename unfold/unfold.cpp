@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <map>
 
-#include "mesh/foundation/error.hpp"
-#include "mesh/foundation/parallel.hpp"
-#include "unfold/check.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "unfold/folding/fold_order.hpp"
-#include "unfold/joins.hpp"
+#include "unfold/net/joins.hpp"
+#include "unfold/net/sheet.hpp"
+#include "unfold/net/tolerance.hpp"
 #include "unfold/panel_parts.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/fitting_panels.hpp"
@@ -18,11 +21,8 @@
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/pieces/patch_nets.hpp"
 #include "unfold/pieces/tab_split.hpp"
-#include "unfold/search/layout.hpp"
-#include "unfold/sheet.hpp"
-#include "unfold/tabs.hpp"
-#include "unfold/tabs/tab_fit.hpp"
-#include "unfold/tolerance.hpp"
+#include "unfold/tabs/place/fit.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -36,7 +36,7 @@ struct Task {
 
 /// What is settled before anything is unfolded.
 struct Plan {
-  mesh::Panels panels;            ///< those that are larger than the sheet divided
+  prepare::Panels panels;         ///< those that are larger than the sheet divided
   EdgeWishes wishes;              ///< those that can come true
   IdVector<FaceId, PartId> part;  ///< what is to be kept together lies in one
   std::vector<std::string> notes;
@@ -106,8 +106,8 @@ Room room_of(const Options& options) {
   return {options.sheet, options.tabs.wanted ? options.tabs.height_mm : 0.0, options.pieces.max_panels};
 }
 
-Plan make_plan(const mesh::Surface& surface, const mesh::Panels& panels, const IdVector<FaceId, PartId>& part,
-               const Options& options, const Context& context) {
+Plan make_plan(const mesh::Surface& surface, const prepare::Panels& panels,
+               const IdVector<FaceId, PartId>& part, const Options& options, const Context& context) {
   Plan plan;
   plan.panels = fitting_panels(surface, panels, room_of(options), context, plan.notes);
   plan.part = part;
@@ -313,7 +313,7 @@ void insist_on_no_overlap(const Nets& nets) {
 }
 
 /// Joins and tabs on nets that are complete otherwise.
-void add_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const Options& options, Nets& nets,
+void add_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options, Nets& nets,
               const Context& context) {
   number_joins(surface, nets);
   if (options.tabs.wanted) {
@@ -345,7 +345,7 @@ std::size_t blame_tabs(const Folds& split, Forest& forest) {
 }
 
 /// Pieces are split until every edge that is wide enough has a usable tab.
-SplitForTabs give_all_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
+SplitForTabs give_all_tabs(const mesh::Surface& surface, const prepare::Panels& panels,
                            const IdVector<FaceId, PartId>& part, const Plan& plan, const Options& options,
                            Forest& forest, const Context& context) {
   const NetsOf nets_of = [&](const Folds& folds) {
@@ -363,7 +363,7 @@ SplitForTabs give_all_tabs(const mesh::Surface& surface, const mesh::Panels& pan
 
 }  // namespace
 
-Nets unfold(const mesh::Surface& surface, const mesh::Panels& panels, const IdVector<FaceId, PartId>& part,
+Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const IdVector<FaceId, PartId>& part,
             const Options& options, const Context& context) {
   context.check();
   context.report("unfold", 0.0);

@@ -2,7 +2,7 @@
 // One function per subject of the contract's section 4; each adds its faults and sets its figures.
 #pragma once
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "verify/file.hpp"
 #include "verify/findings.hpp"
 #include "verify/relations.hpp"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 #include "verify/face_list.hpp"
 
 namespace ridgecraft::verify {

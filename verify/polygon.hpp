@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/vector.hpp"
+#include "base/context.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::verify {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::verify {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 
 namespace ridgecraft::verify {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "export/formats/utf8.hpp"
-#include "export/page/line_style.hpp"
-#include "export/page/stroke_font.hpp"
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
+#include "base/utf8.hpp"
+#include "export/style/line_style.hpp"
+#include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cairo.h>
 
-#include "export/drawing.hpp"
+#include "export/sheet/drawing.hpp"
 
 namespace ridgecraft::paper {
 

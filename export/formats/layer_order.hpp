@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "export/drawing.hpp"
+#include "export/sheet/drawing.hpp"
 
 namespace ridgecraft::paper {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "export/export.hpp"
-#include "mesh/surface.hpp"
-#include "unfold/nets.hpp"
+#include "export/sheet/pages.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/net/nets.hpp"
 
 namespace ridgecraft::paper {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "export/export.hpp"
-#include "export/formats/json_text.hpp"
+#include "base/error.hpp"
+#include "base/json_text.hpp"
 #include "export/formats/net_frame.hpp"
-#include "mesh/foundation/error.hpp"
+#include "export/formats/write.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -225,7 +225,7 @@ void write_head(JsonText& json, const Mark& mark, const Settings& settings) {
 
 }  // namespace
 
-std::string write_fold(const mesh::Prepared& model, const IdVector<FaceId, PartId>& part,
+std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
                        const unfold::Nets& nets, const Pages* pages, const Mark& mark,
                        const Settings& settings) {
   const Surface& surface = model.model.surface;

@@ -16,11 +16,11 @@
 #include <qpdf/QPDFPageObjectHelper.hh>
 #include <qpdf/QPDFWriter.hh>
 
-#include "export/export.hpp"
+#include "base/error.hpp"
+#include "base/utf8.hpp"
 #include "export/formats/cairo_page.hpp"
 #include "export/formats/layer_order.hpp"
-#include "export/formats/utf8.hpp"
-#include "mesh/foundation/error.hpp"
+#include "export/formats/write.hpp"
 
 namespace ridgecraft::paper {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
-#include "export/export.hpp"
+#include "base/utf8.hpp"
 #include "export/formats/cairo_page.hpp"
 #include "export/formats/layer_order.hpp"
-#include "export/formats/utf8.hpp"
+#include "export/formats/write.hpp"
 
 namespace ridgecraft::paper {
 namespace {

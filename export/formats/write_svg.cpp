@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "export/export.hpp"
+#include "base/utf8.hpp"
+#include "base/xml_text.hpp"
 #include "export/formats/layer_order.hpp"
-#include "export/formats/utf8.hpp"
-#include "export/page/line_style.hpp"
-#include "export/page/stroke_font.hpp"
-#include "mesh/foundation/xml_text.hpp"
+#include "export/formats/write.hpp"
+#include "export/style/line_style.hpp"
+#include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
 namespace {

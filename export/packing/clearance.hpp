@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::paper {
 

@@ -12,10 +12,10 @@
 #include <numeric>
 #include <set>
 
+#include "base/error.hpp"
 #include "export/packing/packing_fill.hpp"
 #include "export/packing/packing_finish.hpp"
 #include "export/packing/packing_separate.hpp"
-#include "mesh/foundation/error.hpp"
 
 namespace ridgecraft::paper {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/context.hpp"
 #include "export/packing/packing_shape.hpp"
-#include "mesh/foundation/context.hpp"
 
 namespace ridgecraft::paper {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::paper {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/foundation/error.hpp"
-#include "unfold/sheet.hpp"
+#include "base/error.hpp"
+#include "unfold/net/sheet.hpp"
 
 namespace ridgecraft::paper {
 namespace {

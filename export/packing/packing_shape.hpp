@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::paper {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "export/drawing.hpp"
 #include "export/page/segment2.hpp"
+#include "export/sheet/drawing.hpp"
 
 namespace ridgecraft::paper {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "export/formats/utf8.hpp"
-#include "export/page/stroke_font.hpp"
+#include "base/utf8.hpp"
+#include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
 namespace {

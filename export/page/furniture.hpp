@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "export/drawing.hpp"
-#include "export/paper.hpp"
+#include "export/sheet/drawing.hpp"
+#include "export/sheet/paper.hpp"
 
 namespace ridgecraft::paper {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "export/page/leader.hpp"
-#include "export/page/stroke_font.hpp"
+#include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
 namespace {

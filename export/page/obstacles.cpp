@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "export/page/stroke_font.hpp"
+#include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "export/drawing.hpp"
 #include "export/page/segment2.hpp"
+#include "export/sheet/drawing.hpp"
 
 namespace ridgecraft::paper {
 

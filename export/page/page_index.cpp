@@ -7,7 +7,7 @@
 #include <string>
 
 #include "export/page/obstacles.hpp"
-#include "export/page/stroke_font.hpp"
+#include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
 namespace {

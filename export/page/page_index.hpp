@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "export/export.hpp"
-#include "export/neighbours.hpp"
+#include "export/page/neighbours.hpp"
 #include "export/page/piece_drawing.hpp"
+#include "export/sheet/pages.hpp"
 
 namespace ridgecraft::paper {
 

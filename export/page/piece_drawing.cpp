@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "export/page/fold_lines.hpp"
-#include "unfold/outline.hpp"
+#include "unfold/net/outline.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -22,7 +22,7 @@ constexpr double near_mm = 0.05;
 
 class PieceDrawer {
  public:
-  PieceDrawer(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
+  PieceDrawer(const prepare::Prepared& model, const unfold::Nets& nets, PieceId piece,
               const PieceContents& contents, const Placement& placement, const Style& style)
       : model_(model),
         surface_(model.model.surface),
@@ -200,7 +200,7 @@ class PieceDrawer {
     }
   }
 
-  const mesh::Prepared& model_;
+  const prepare::Prepared& model_;
   const mesh::Surface& surface_;
   const unfold::Nets& nets_;
   PieceId piece_;
@@ -229,7 +229,7 @@ IdVector<PieceId, PieceContents> piece_contents(const mesh::Surface& surface, co
   return contents;
 }
 
-PieceDrawing piece_drawing(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
+PieceDrawing piece_drawing(const prepare::Prepared& model, const unfold::Nets& nets, PieceId piece,
                            const PieceContents& contents, const Placement& placement, const Style& style) {
   return PieceDrawer(model, nets, piece, contents, placement, style).draw();
 }

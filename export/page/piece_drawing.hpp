@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "export/drawing.hpp"
-#include "export/export.hpp"
 #include "export/page/segment2.hpp"
+#include "export/sheet/drawing.hpp"
+#include "export/sheet/pages.hpp"
 
 namespace ridgecraft::paper {
 
@@ -39,8 +39,8 @@ struct PieceContents {
                                                               const unfold::Nets& nets);
 
 /// Everything of a piece but its texts, in page coordinates. No stretch of line is drawn twice.
-[[nodiscard]] PieceDrawing piece_drawing(const mesh::Prepared& model, const unfold::Nets& nets, PieceId piece,
-                                         const PieceContents& contents, const Placement& placement,
-                                         const Style& style);
+[[nodiscard]] PieceDrawing piece_drawing(const prepare::Prepared& model, const unfold::Nets& nets,
+                                         PieceId piece, const PieceContents& contents,
+                                         const Placement& placement, const Style& style);
 
 }  // namespace ridgecraft::paper

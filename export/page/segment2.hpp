@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::paper {
 

@@ -12,7 +12,7 @@
 #include "export/page/leader.hpp"
 #include "export/page/name_placement.hpp"
 #include "export/page/obstacles.hpp"
-#include "export/page/stroke_font.hpp"
+#include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
 namespace {

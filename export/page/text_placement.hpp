@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "export/export.hpp"
 #include "export/page/piece_drawing.hpp"
+#include "export/sheet/pages.hpp"
 
 namespace ridgecraft::paper {
 

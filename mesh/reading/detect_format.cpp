@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/foundation/printable.hpp"
+#include "base/printable.hpp"
 #include "mesh/reading/stl_layout.hpp"
 #include "mesh/reading/text_scanner.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "mesh/foundation/printable.hpp"
-#include "mesh/read_soup.hpp"
+#include "base/printable.hpp"
 #include "mesh/reading/check_picture.hpp"
 #include "mesh/reading/find_beside.hpp"
+#include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::mesh {
 

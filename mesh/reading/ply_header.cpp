@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/foundation/printable.hpp"
+#include "base/printable.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/foundation/printable.hpp"
+#include "base/printable.hpp"
 
 namespace ridgecraft::mesh {
 

@@ -9,9 +9,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "mesh/foundation/error.hpp"
-#include "mesh/foundation/printable.hpp"
-#include "mesh/read_soup.hpp"
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

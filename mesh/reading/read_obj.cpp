@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/foundation/printable.hpp"
+#include "base/printable.hpp"
 #include "mesh/reading/read_mtl.hpp"
 #include "mesh/reading/source.hpp"
 #include "mesh/reading/text_scanner.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/foundation/printable.hpp"
+#include "base/printable.hpp"
 #include "mesh/reading/detect_format.hpp"
 #include "mesh/reading/face_paint.hpp"
 #include "mesh/reading/source.hpp"

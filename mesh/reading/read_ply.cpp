@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/foundation/printable.hpp"
+#include "base/printable.hpp"
 #include "mesh/reading/face_paint.hpp"
 #include "mesh/reading/find_picture.hpp"
 #include "mesh/reading/ply_header.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/read_soup.hpp"
+#include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::mesh {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/error.hpp"
-#include "mesh/soup.hpp"
+#include "base/context.hpp"
+#include "base/error.hpp"
+#include "mesh/model/soup.hpp"
 
 namespace ridgecraft::mesh {
 

@@ -3,9 +3,9 @@
 // to mesh/.
 #pragma once
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
+#include "mesh/model/repair_report.hpp"
 #include "mesh/repair/polygon_list.hpp"
-#include "mesh/repair_report.hpp"
 
 namespace ridgecraft::mesh {
 

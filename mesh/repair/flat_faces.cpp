@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "mesh/foundation/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -2,7 +2,7 @@
 // Faces without area: paper can't hold them. Private to mesh/.
 #pragma once
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "mesh/repair/polygon_list.hpp"
 
 namespace ridgecraft::mesh {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/model.hpp"
+#include "mesh/model/model.hpp"
 
 namespace ridgecraft::mesh {
 

@@ -6,8 +6,8 @@
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
-#include "mesh/foundation/disjoint_sets.hpp"
-#include "mesh/foundation/error.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/foundation/disjoint_sets.hpp"
-#include "mesh/foundation/near_boxes.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/near_boxes.hpp"
 #include "mesh/repair/orient.hpp"
 
 namespace ridgecraft::mesh {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mesh/simplify/edge_order.hpp"
+#include "base/edge_order.hpp"
 
 namespace ridgecraft::mesh {
 

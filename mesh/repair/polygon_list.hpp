@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/foundation/vector.hpp"
-#include "mesh/soup.hpp"
+#include "base/vector.hpp"
+#include "mesh/model/soup.hpp"
 
 namespace ridgecraft::mesh {
 

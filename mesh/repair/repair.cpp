@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "mesh/repair/clean_polygons.hpp"
 #include "mesh/repair/flat_faces.hpp"
 #include "mesh/repair/orient.hpp"

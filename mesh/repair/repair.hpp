@@ -2,9 +2,10 @@
 // Anything that could be read becomes a surface. Private to mesh/.
 #pragma once
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/mesh.hpp"
-#include "mesh/soup.hpp"
+#include "base/context.hpp"
+#include "mesh/model/model.hpp"
+#include "mesh/model/read_options.hpp"
+#include "mesh/model/soup.hpp"
 
 namespace ridgecraft::mesh {
 

@@ -7,8 +7,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "mesh/foundation/near_boxes.hpp"
-#include "mesh/foundation/same_place.hpp"
+#include "base/near_boxes.hpp"
+#include "base/same_place.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -2,7 +2,7 @@
 // Faces that run through each other. Private to mesh/.
 #pragma once
 
-#include "mesh/surface.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::mesh {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mesh/foundation/point_tree.hpp"
+#include "base/point_tree.hpp"
 #include "mesh/repair/weld.hpp"
 
 namespace ridgecraft::mesh {

@@ -2,7 +2,7 @@
 // Corners that lie on a neighbour's side. Private to mesh/.
 #pragma once
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "mesh/repair/polygon_list.hpp"
 
 namespace ridgecraft::mesh {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/panels/constrained_delaunay.hpp"
-#include "mesh/panels/plane_frame.hpp"
+#include "base/constrained_delaunay.hpp"
+#include "base/plane_frame.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -7,10 +7,10 @@
 #include <unordered_set>
 #include <utility>
 
-#include "mesh/foundation/disjoint_sets.hpp"
-#include "mesh/foundation/point_tree.hpp"
-#include "mesh/foundation/same_place.hpp"
-#include "mesh/simplify/edge_order.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/edge_order.hpp"
+#include "base/point_tree.hpp"
+#include "base/same_place.hpp"
 
 namespace ridgecraft::mesh {
 

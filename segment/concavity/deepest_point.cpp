@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {

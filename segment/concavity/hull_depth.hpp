@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/concavity/hull.hpp"
 #include "segment/concavity/plane_directions.hpp"
 #include "segment/surface/scaled_surface.hpp"

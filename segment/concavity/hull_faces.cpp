@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "segment/concavity/hull.hpp"
 #include "segment/surface/exact_orientation.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/concavity/hull.hpp"
 #include "segment/concavity/hull_depth.hpp"
 #include "segment/concavity/part_graph.hpp"

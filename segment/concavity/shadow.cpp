@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mesh/foundation/convex_hull.hpp"
+#include "base/convex_hull.hpp"
 
 namespace ridgecraft::segment {
 namespace {

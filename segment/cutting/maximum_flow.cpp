@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::segment {
 

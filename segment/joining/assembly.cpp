@@ -6,7 +6,7 @@
 #include <iterator>
 #include <numeric>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/cutting/cut.hpp"
 #include "segment/surface/scaled_surface.hpp"
 

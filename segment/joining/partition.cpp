@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/concavity/hull_rays.hpp"
 #include "segment/concavity/measure.hpp"
 #include "segment/concavity/pocket_test.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::segment {
 

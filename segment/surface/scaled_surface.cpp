@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/foundation/curve_order.hpp"
-#include "mesh/foundation/error.hpp"
+#include "base/curve_order.hpp"
+#include "base/error.hpp"
 #include "segment/surface/enclosing_ball.hpp"
 #include "segment/surface/exact_orientation.hpp"
 
@@ -33,7 +33,7 @@ void scale_points(const mesh::Surface& surface, ScaledSurface& out) {
 
 /// Vertices in the order in which a space-filling curve meets them; facets by their smallest vertex.
 void number_along_curve(const mesh::Surface& surface, ScaledSurface& out) {
-  out.vertex_of = mesh::curve_order(out.points);
+  out.vertex_of = curve_order(out.points);
   std::vector<Vec3> points(out.points.size());
   std::vector<std::uint32_t> rank(out.points.size());
   for (std::uint32_t v = 0; v < points.size(); ++v) {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/foundation/vector.hpp"
-#include "mesh/surface.hpp"
+#include "base/vector.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::segment {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "mesh/foundation/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace ridgecraft::segment {
 namespace {

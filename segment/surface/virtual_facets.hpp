@@ -3,7 +3,7 @@
 // (specification 13).
 #pragma once
 
-#include "mesh/surface.hpp"
+#include "mesh/model/surface.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {

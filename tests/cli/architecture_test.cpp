@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -14,24 +15,73 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::map<std::string, std::set<std::string>> allowed = {
-    {"mesh", {"mesh"}},
-    {"segment", {"segment", "mesh"}},
-    {"solid", {"solid", "segment", "mesh"}},
-    {"unfold", {"unfold", "mesh"}},
-    {"export", {"export", "unfold", "mesh"}},
-    {"verify", {"verify", "mesh"}},
-    {"cli", {"cli", "export", "unfold", "solid", "segment", "verify", "mesh"}},
+/// A sub-folder with one subject.
+struct Room {
+  std::string name;
+  std::set<std::string> stands_on;  ///< rooms of the same folder that it may include
 };
 
-/// verify/ may use the foundation only: whatever judges results shares no algorithm with what makes them.
-const std::set<std::string> foundation = {"mesh/foundation/vector.hpp", "mesh/foundation/error.hpp",
-                                          "mesh/foundation/context.hpp", "mesh/foundation/id.hpp"};
+/// One library.
+struct Folder {
+  std::string name;
+  std::set<std::string> stands_on;  ///< other folders that it may include; base/ always
+  std::vector<Room> rooms;          ///< from the ground up: none stands on a later one
+  std::set<std::string>
+      open_to_others;  ///< headers that other folders may include, without the folder's name
+};
 
-template <class Visit>
-void for_each_include(const std::string& folder, const Visit& visit) {
-  const std::regex include(R"re(^\s*#include\s*["<]([^">]+)[">])re");
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(RIDGECRAFT_SOURCE_DIR) / folder)) {
+const std::vector<Folder>& folders() {
+  static const std::vector<Folder> all = {
+      {"base", {}, {}, {}},
+      {"mesh",
+       {},
+       {{"model", {}}, {"reading", {"model"}}, {"repair", {"model"}}},
+       {"mesh.hpp", "write.hpp", "model/model.hpp", "model/surface.hpp", "model/repair_report.hpp",
+        "model/surface_distance.hpp", "model/file_numbers.hpp", "model/soup.hpp", "reading/read_soup.hpp",
+        "repair/loose_faces.hpp"}},
+      {"prepare",
+       {"mesh"},
+       {{"prepared", {}}, {"panels", {"prepared"}}, {"simplify", {"prepared", "panels"}}},
+       {"prepare.hpp", "prepared/options.hpp", "prepared/prepared.hpp", "prepared/panels.hpp",
+        "prepared/narrow_faces.hpp"}},
+      {"segment", {"mesh"}, {}, {"segment.hpp", "hierarchy.hpp", "agreement.hpp", "evaluate.hpp"}},
+      {"solid", {"segment", "mesh"}, {}, {"solid.hpp", "body.hpp", "write_bodies.hpp"}},
+      {"unfold",
+       {"prepare", "mesh"},
+       {{"net", {}},
+        {"patch", {"net"}},
+        {"search", {"net", "patch"}},
+        {"tabs/shape", {"net"}},
+        {"tabs/place", {"net", "patch", "tabs/shape"}},
+        {"tabs/trees", {"net", "patch", "search", "tabs/shape", "tabs/place"}},
+        {"folding", {"net", "patch", "tabs/trees"}},
+        {"pieces", {"net", "patch", "search", "tabs/place", "tabs/trees", "folding"}}},
+       {"unfold.hpp", "panel_parts.hpp", "net/nets.hpp", "net/options.hpp", "net/edge_wishes.hpp",
+        "net/piece_rules.hpp", "net/outline.hpp", "net/sheet.hpp", "tabs/place/place_tabs.hpp"}},
+      {"export",
+       {"unfold", "prepare", "mesh"},
+       {{"sheet", {}},
+        {"style", {"sheet"}},
+        {"page", {"sheet", "style"}},
+        {"packing", {}},
+        {"formats", {"sheet", "style"}}},
+       {"export.hpp", "sheet/paper.hpp", "sheet/pages.hpp", "page/neighbours.hpp"}},
+      {"verify", {}, {}, {"verify.hpp", "file.hpp"}},
+      {"cli", {"export", "unfold", "solid", "segment", "verify", "prepare", "mesh"}, {}, {}},
+  };
+  return all;
+}
+
+struct Include {
+  fs::path file;         ///< from the root
+  std::string included;  ///< "mesh/model/surface.hpp", or what stands between <>
+};
+
+std::vector<Include> includes_of(const std::string& folder) {
+  const std::regex directive(R"re(^\s*#include\s*["<]([^">]+)[">])re");
+  const fs::path root(RIDGECRAFT_SOURCE_DIR);
+  std::vector<Include> includes;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
     const std::string suffix = entry.path().extension().string();
     if (suffix != ".hpp" && suffix != ".cpp") {
       continue;
@@ -40,55 +90,97 @@ void for_each_include(const std::string& folder, const Visit& visit) {
     std::string line;
     std::smatch match;
     while (std::getline(in, line)) {
-      if (std::regex_search(line, match, include)) {
-        visit(entry.path(), match[1].str());
+      if (std::regex_search(line, match, directive)) {
+        includes.push_back({entry.path().lexically_relative(root), match[1].str()});
+      }
+    }
+  }
+  return includes;
+}
+
+const Folder* folder_named(const std::string& name) {
+  const auto found =
+      std::find_if(folders().begin(), folders().end(), [&](const Folder& f) { return f.name == name; });
+  return found == folders().end() ? nullptr : &*found;
+}
+
+/// "pieces" of "unfold/pieces/closing.cpp", "tabs/shape" of "unfold/tabs/shape/shapes.hpp"; empty at the top.
+std::string room_of(const fs::path& file) {
+  const auto folder = file.begin()->string();
+  return file.parent_path() == folder ? "" : file.parent_path().lexically_relative(folder).string();
+}
+
+}  // namespace
+
+TEST_CASE("a folder includes only those below it", "[architecture]") {
+  for (const Folder& folder : folders()) {
+    const std::vector<Include> includes = includes_of(folder.name);
+    CHECK_FALSE(includes.empty());
+    for (const auto& [file, included] : includes) {
+      const Folder* const from = folder_named(fs::path(included).begin()->string());
+      if (from != nullptr && included.find('/') != std::string::npos && from->name != folder.name) {
+        INFO(file << " includes " << included);
+        CHECK((from->name == "base" || folder.stands_on.contains(from->name)));
       }
     }
   }
 }
 
-}  // namespace
-
-TEST_CASE("folders include only what the architecture allows", "[architecture]") {
-  for (const auto& [folder, may] : allowed) {
-    std::size_t seen = 0;
-    for_each_include(folder, [&](const fs::path& file, const std::string& included) {
-      ++seen;
-      const std::size_t slash = included.find('/');
-      const std::string from = slash == std::string::npos ? "" : included.substr(0, slash);
-      if (allowed.contains(from)) {
+TEST_CASE("a folder opens its headers to others by name", "[architecture]") {
+  for (const Folder& folder : folders()) {
+    for (const auto& [file, included] : includes_of(folder.name)) {
+      const Folder* const from = folder_named(fs::path(included).begin()->string());
+      if (from != nullptr && from->name != folder.name && from->name != "base") {
         INFO(file << " includes " << included);
-        CHECK(may.contains(from));
-        if (folder == "verify" && from == "mesh") {
-          CHECK(foundation.contains(included));
-        }
+        CHECK(from->open_to_others.contains(fs::path(included).lexically_relative(from->name).string()));
       }
-    });
-    CHECK(seen > 0);
+    }
   }
 }
 
-TEST_CASE("sub-folders are private, but for the foundation", "[architecture]") {
-  for (const auto& [folder, may] : allowed) {
-    for_each_include(folder, [&](const fs::path& file, const std::string& included) {
-      if (std::count(included.begin(), included.end(), '/') == 2 &&
-          !included.starts_with("mesh/foundation/") &&
-          allowed.contains(included.substr(0, included.find('/')))) {
-        INFO(file << " includes " << included);
-        CHECK(included.starts_with(folder + "/"));
+TEST_CASE("a header that is open to others exists", "[architecture]") {
+  for (const Folder& folder : folders()) {
+    for (const std::string& header : folder.open_to_others) {
+      INFO(folder.name << "/" << header);
+      CHECK(fs::exists(fs::path(RIDGECRAFT_SOURCE_DIR) / folder.name / header));
+    }
+  }
+}
+
+TEST_CASE("rooms stand on each other from the ground up, and none on the top of its folder",
+          "[architecture]") {
+  for (const Folder& folder : folders()) {
+    if (folder.rooms.empty()) {
+      continue;
+    }
+    std::set<std::string> below;
+    for (const Room& room : folder.rooms) {
+      INFO(folder.name << "/" << room.name);
+      CHECK(std::includes(below.begin(), below.end(), room.stands_on.begin(), room.stands_on.end()));
+      below.insert(room.name);
+    }
+    for (const auto& [file, included] : includes_of(folder.name)) {
+      const std::string here = room_of(file);
+      const auto room = std::find_if(folder.rooms.begin(), folder.rooms.end(),
+                                     [&](const Room& r) { return r.name == here; });
+      INFO(file << " includes " << included);
+      REQUIRE((here.empty() || room != folder.rooms.end()));
+      if (room != folder.rooms.end() && *fs::path(included).begin() == folder.name) {
+        const std::string there = room_of(included);
+        CHECK((there == here || room->stands_on.contains(there)));
       }
-    });
+    }
   }
 }
 
 TEST_CASE("CGAL and OpenMesh stay behind plain headers", "[architecture]") {
-  for (const auto& [folder, may] : allowed) {
-    for_each_include(folder, [&](const fs::path& file, const std::string& included) {
+  for (const Folder& folder : folders()) {
+    for (const auto& [file, included] : includes_of(folder.name)) {
       if (file.extension() == ".hpp" && file.filename() != "edit_mesh.hpp") {
         INFO(file << " includes " << included);
         CHECK_FALSE(included.starts_with("CGAL/"));
         CHECK_FALSE(included.starts_with("OpenMesh/"));
       }
-    });
+    }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/formats.hpp"
+#include "cli/files/formats.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

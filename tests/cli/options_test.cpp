@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/options.hpp"
+#include "cli/arguments/options.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::cli;
@@ -28,7 +28,7 @@ TEST_CASE("a model alone gets the defaults that a maker would choose", "[options
   CHECK(paper.model == "whale.obj");
   CHECK(paper.outputs.empty());
   CHECK(paper.size.size.largest_extent_mm == 150.0);
-  CHECK(paper.size.simplify.mode == mesh::Simplification::automatic);
+  CHECK(paper.size.simplify.mode == prepare::Simplification::automatic);
   CHECK(paper.paper.size == Vec2{210.0, 297.0});
   CHECK(paper.paper.margin == 10.0);
   CHECK(paper.tabs.wanted);
@@ -58,7 +58,7 @@ TEST_CASE("verbs get their jobs", "[options]") {
   CHECK(std::get<SegmentJob>(parse_arguments({"segment", "a.obj", "--labels", "a.seg"})).labels == "a.seg");
   CHECK(std::get<UnfoldJob>(parse_arguments({"unfold", "a.obj", "--whole", "-o", "a.fold"})).whole);
   CHECK(std::get<UnfoldJob>(parse_arguments({"unfold", "a.obj"})).size.simplify.mode ==
-        mesh::Simplification::keep);
+        prepare::Simplification::keep);
   CHECK(std::get<VerifyJob>(parse_arguments({"verify", "a.fold", "--json"})).common.json);
   CHECK(std::holds_alternative<FormatsJob>(parse_arguments({"formats"})));
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that appear together or not at all.
-#include "cli/pending_files.hpp"
+#include "cli/files/pending_files.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft;

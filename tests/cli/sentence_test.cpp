@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sentence.hpp"
+#include "cli/telling/sentence.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "cli/summary_pieces.hpp"
+#include "cli/telling/summary_pieces.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::cli;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/units.hpp"
+#include "cli/arguments/units.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -11,8 +11,8 @@
 #include <catch2/catch.hpp>
 
 #include "export/page/furniture.hpp"
-#include "export/page/stroke_font.hpp"
 #include "export/page/text_placement.hpp"
+#include "export/style/stroke_font.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 

@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.hpp"
 #include "export/export.hpp"
-#include "export/formats/json_text.hpp"
 #include "support/check_nets.hpp"
 #include "support/shapes.hpp"
 #include "support/simple_nets.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 const paper::Mark mark{"ridgecraft 0.1.0", "model", "00c0ffee00c0ffee"};
 
-mesh::Prepared prepared(const Surface& surface, double scale = 1.0, Vec3 shift = {}) {
+prepare::Prepared prepared(const Surface& surface, double scale = 1.0, Vec3 shift = {}) {
   std::vector<Vec3> points;
   for (const Vec3 p : surface.points()) {
     points.push_back(scale * p + shift);
@@ -30,9 +30,9 @@ mesh::Prepared prepared(const Surface& surface, double scale = 1.0, Vec3 shift =
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     faces.push_back(surface.vertices(f));
   }
-  mesh::Prepared model;
+  prepare::Prepared model;
   model.model.surface = Surface(std::move(points), std::move(faces));
-  model.panels = mesh::Panels{};
+  model.panels = prepare::Panels{};
   return model;
 }
 
@@ -109,7 +109,7 @@ void check_contract(const std::string& name, const std::string& fold) {
   }
 }
 
-std::string write(const mesh::Prepared& model, const unfold::Nets& nets,
+std::string write(const prepare::Prepared& model, const unfold::Nets& nets,
                   const paper::Pages* pages = nullptr) {
   return paper::write_fold(model, one_part(model.model.surface), nets, pages, mark, {{"seed", "1"}});
 }
@@ -125,7 +125,7 @@ TEST_CASE("simple shapes keep the contract, with pages and without", "[fold]") {
       {"square ring", ring()},
   };
   for (const auto& [name, shape] : shapes) {
-    const mesh::Prepared model = prepared(shape, 40.0, {-3.7, 1e3, 2.0});
+    const prepare::Prepared model = prepared(shape, 40.0, {-3.7, 1e3, 2.0});
     const unfold::Nets nets = test::simple_nets(model.model.surface);
     check_contract(name, write(model, nets));
     const paper::Pages pages = one_piece_a_page(nets);
@@ -134,14 +134,14 @@ TEST_CASE("simple shapes keep the contract, with pages and without", "[fold]") {
 }
 
 TEST_CASE("many pieces: every face of a torus its own, and a sphere in slices", "[fold]") {
-  const mesh::Prepared ring = prepared(torus(9, 6), 10.0);
+  const prepare::Prepared ring = prepared(torus(9, 6), 10.0);
   const unfold::Nets nets = test::simple_nets(ring.model.surface, all_edges(ring.model.surface));
   CHECK(nets.pieces.size() == 108);
   check_contract("torus", write(ring, nets));
   const paper::Pages pages = one_piece_a_page(nets);
   check_contract("torus on pages", write(ring, nets, &pages));
 
-  const mesh::Prepared ball = prepared(test::sphere(12, 6), 50.0);
+  const prepare::Prepared ball = prepared(test::sphere(12, 6), 50.0);
   std::vector<EdgeId> meridians;
   for (const EdgeId e : ids<EdgeId>(ball.model.surface.edge_count())) {
     const CornerId c = ball.model.surface.sides(e)[0];
@@ -158,13 +158,13 @@ TEST_CASE("many pieces: every face of a torus its own, and a sphere in slices", 
 
 TEST_CASE("sizes far from the usual keep all their digits", "[fold]") {
   for (const double scale : {1e-3, 1e-5, 1e4}) {
-    const mesh::Prepared model = prepared(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), scale);
+    const prepare::Prepared model = prepared(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), scale);
     check_contract("scale " + std::to_string(scale), write(model, test::simple_nets(model.model.surface)));
   }
 }
 
 TEST_CASE("the keys of the contract, their classes and lengths", "[fold]") {
-  const mesh::Prepared model = prepared(test::cube(), 40.0);
+  const prepare::Prepared model = prepared(test::cube(), 40.0);
   const unfold::Nets nets = test::simple_nets(model.model.surface);
   const paper::Pages pages = one_piece_a_page(nets);
   const json file = json::parse(write(model, nets, &pages));
@@ -202,7 +202,7 @@ TEST_CASE("folds below 1e-4 degrees are flat, with angle 0", "[fold]") {
     for (const double sign : {1.0, -1.0}) {
       const Surface surface =
           polygons({{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, sign * rise}}, {{0, 3, 1}, {0, 1, 2}});
-      const mesh::Prepared model = prepared(surface, 50.0);
+      const prepare::Prepared model = prepared(surface, 50.0);
       const json file = json::parse(write(model, test::simple_nets(model.model.surface)));
       const auto kinds = file["edges_assignment"].get<std::vector<std::string>>();
       const auto fold =
@@ -230,7 +230,7 @@ TEST_CASE("a slit in a flat region becomes a fold and loses its join", "[fold]")
       squares.push_back({at, at + 1, at + 5, at + 4});
     }
   }
-  const mesh::Prepared model = prepared(polygons(points, squares));
+  const prepare::Prepared model = prepared(polygons(points, squares));
   const Surface& surface = model.model.surface;
   unfold::Nets nets = test::simple_nets(surface);
   REQUIRE(nets.pieces.size() == 1);
@@ -250,7 +250,7 @@ TEST_CASE("a slit in a flat region becomes a fold and loses its join", "[fold]")
 }
 
 TEST_CASE("tabs and joins name each other", "[fold]") {
-  const mesh::Prepared model = prepared(test::cube(), 40.0);
+  const prepare::Prepared model = prepared(test::cube(), 40.0);
   const Surface& surface = model.model.surface;
   unfold::Nets nets = test::simple_nets(surface);
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
@@ -277,7 +277,7 @@ TEST_CASE("tabs and joins name each other", "[fold]") {
 }
 
 TEST_CASE("several parts: pieces name theirs, faces theirs", "[fold]") {
-  const mesh::Prepared model = prepared(test::cube(), 40.0);
+  const prepare::Prepared model = prepared(test::cube(), 40.0);
   const Surface& surface = model.model.surface;
   IdVector<FaceId, PartId> part(surface.face_count());
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
@@ -292,19 +292,19 @@ TEST_CASE("several parts: pieces name theirs, faces theirs", "[fold]") {
 }
 
 TEST_CASE("titles of any bytes make valid JSON", "[fold]") {
-  CHECK(paper::json_string("wh\xC3\xA9\"\\\n\x01\x7f") == "\"wh\xC3\xA9\\\"\\\\\\u000a\\u0001\\u007f\"");
-  CHECK(paper::json_string("\xFF\xC3") == "\"\\ufffd\\ufffd\"");
-  CHECK(paper::json_string("\xED\xA0\x80") == "\"\\ufffd\\ufffd\\ufffd\"");
-  CHECK(paper::json_string("\xF0\x9F\x90\xB3") == "\"\xF0\x9F\x90\xB3\"");
+  CHECK(json_string("wh\xC3\xA9\"\\\n\x01\x7f") == "\"wh\xC3\xA9\\\"\\\\\\u000a\\u0001\\u007f\"");
+  CHECK(json_string("\xFF\xC3") == "\"\\ufffd\\ufffd\"");
+  CHECK(json_string("\xED\xA0\x80") == "\"\\ufffd\\ufffd\\ufffd\"");
+  CHECK(json_string("\xF0\x9F\x90\xB3") == "\"\xF0\x9F\x90\xB3\"");
   Random random(3);
   for (int round = 0; round < 3000; ++round) {
     std::string bytes;
     for (std::uint32_t n = random.below(12); n > 0; --n) {
       bytes += static_cast<char>(random.below(4) == 0 ? random.below(128) : 128 + random.below(128));
     }
-    CHECK_NOTHROW(json::parse(paper::json_string(bytes)));
+    CHECK_NOTHROW(json::parse(json_string(bytes)));
   }
-  const mesh::Prepared model = prepared(test::tetrahedron(), 40.0);
+  const prepare::Prepared model = prepared(test::tetrahedron(), 40.0);
   paper::Mark odd = mark;
   odd.title = "a\xFF\"b\\";
   const std::string fold = paper::write_fold(model, one_part(model.model.surface),
@@ -316,11 +316,11 @@ TEST_CASE("numbers read back as they were", "[fold]") {
   Random random(5);
   for (int round = 0; round < 5000; ++round) {
     const double value = std::ldexp(random.unit() - 0.5, static_cast<int>(random.below(200)) - 100);
-    paper::JsonText text;
+    JsonText text;
     text.number(value);
     CHECK(json::parse(std::move(text).take()).get<double>() == value);
   }
-  paper::JsonText zero;
+  JsonText zero;
   zero.number(-0.0);
   CHECK(std::move(zero).take() == "0");
 }

@@ -8,8 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/convex_hull.hpp"
 #include "export/packing/packing_shape.hpp"
-#include "mesh/foundation/convex_hull.hpp"
 
 namespace ridgecraft::test {
 

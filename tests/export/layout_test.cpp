@@ -6,11 +6,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/error.hpp"
 #include "export/export.hpp"
 #include "layout_promises.hpp"
-#include "mesh/foundation/error.hpp"
 #include "plain_pieces.hpp"
-#include "unfold/sheet.hpp"
+#include "unfold/net/sheet.hpp"
 
 using namespace ridgecraft;
 using test::blob;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/formats/mark.hpp"
+#include "export/sheet/mark.hpp"
 
 #include <string>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 
 using namespace ridgecraft;
 using paper::read_mark_digest;

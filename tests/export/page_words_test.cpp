@@ -9,8 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include "export/page/furniture.hpp"
-#include "export/page/line_style.hpp"
-#include "export/page/stroke_font.hpp"
+#include "export/style/line_style.hpp"
+#include "export/style/stroke_font.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/paper.hpp"
+#include "export/sheet/paper.hpp"
 
 #include <string>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 using namespace ridgecraft;
 using paper::parse_paper;

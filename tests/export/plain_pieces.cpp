@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "mesh/surface.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::test {
 

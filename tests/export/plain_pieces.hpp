@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
-#include "unfold/nets.hpp"
+#include "base/context.hpp"
+#include "unfold/net/nets.hpp"
 
 namespace ridgecraft::test {
 

@@ -6,14 +6,14 @@
 
 #include "support/shapes.hpp"
 #include "support/simple_nets.hpp"
-#include "unfold/outline.hpp"
+#include "unfold/net/outline.hpp"
 
 namespace ridgecraft::test {
 namespace {
 
 /// Panels over edges that aren't folded: enough for shapes made of exact flat regions.
-mesh::Panels flat_panels(const mesh::Surface& surface) {
-  mesh::Panels panels;
+prepare::Panels flat_panels(const mesh::Surface& surface) {
+  prepare::Panels panels;
   panels.panel.resize(surface.face_count());
   for (const FaceId seed : ids<FaceId>(surface.face_count())) {
     if (panels.panel[seed].valid()) {

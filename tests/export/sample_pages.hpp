@@ -11,7 +11,7 @@
 namespace ridgecraft::test {
 
 struct SamplePages {
-  mesh::Prepared model;
+  prepare::Prepared model;
   unfold::Nets nets;
   paper::Pages pages;
 };

@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/foundation/error.hpp"
-#include "mesh/foundation/printable.hpp"
-#include "mesh/read_soup.hpp"
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::test {
 
@@ -22,7 +22,7 @@ inline void require(bool condition) {
   }
 }
 
-/// The promises of mesh/soup.hpp.
+/// The promises of mesh/model/soup.hpp.
 inline void check_soup(const mesh::Soup& soup, std::size_t bytes) {
   require(soup.polygon_count() > 0 && soup.first_corner.front() == 0);
   require(soup.first_corner.back() == soup.corner_point.size());
@@ -50,7 +50,7 @@ inline void check_soup(const mesh::Soup& soup, std::size_t bytes) {
   require(soup.corner_point.size() <= 3 * bytes && soup.points.size() <= bytes);
   for (const mesh::Repair& remark : soup.remarks.entries()) {
     require(remark.count > 0 && !mesh::sentence(remark.kind, remark.count).empty());
-    require(mesh::printable(remark.detail) == remark.detail);
+    require(printable(remark.detail) == remark.detail);
   }
 }
 
@@ -64,7 +64,7 @@ inline int fuzz_reader(const std::uint8_t* data, std::size_t size, std::string_v
     const std::string sentence = error.what();
     require(error.kind() == ErrorKind::unreadable_input || error.kind() == ErrorKind::unusable_mesh);
     require(sentence.starts_with(file_name) && !sentence.ends_with('.') && sentence.size() < 500);
-    require(mesh::printable(sentence) == sentence);
+    require(printable(sentence) == sentence);
   }
   return 0;
 }

@@ -7,10 +7,11 @@
 #include <cstdlib>
 #include <string>
 
-#include "mesh/foundation/error.hpp"
-#include "mesh/foundation/printable.hpp"
+#include "base/error.hpp"
+#include "base/printable.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/repair/repair.hpp"
+#include "prepare/prepare.hpp"
 
 namespace {
 
@@ -83,9 +84,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     mesh::Model model = mesh::repair(std::move(soup), options, {});
     check(model, polygons);
     if (options.collapse_flat_faces) {
-      mesh::SimplifyOptions simplify;
-      simplify.mode = how % 4U == 0 ? mesh::Simplification::automatic : mesh::Simplification::keep;
-      const mesh::Prepared prepared = mesh::prepare(std::move(model), {}, simplify, {190.0, 277.0}, {});
+      prepare::SimplifyOptions simplify;
+      simplify.mode = how % 4U == 0 ? prepare::Simplification::automatic : prepare::Simplification::keep;
+      const prepare::Prepared prepared = prepare::prepare(std::move(model), {}, simplify, {190.0, 277.0}, {});
       require(prepared.panels.count() > 0);
       for (const Vec3 p : prepared.model.surface.points()) {
         require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
@@ -94,7 +95,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const Error& error) {
     const std::string sentence = error.what();
     require(error.kind() == ErrorKind::unusable_mesh || error.kind() == ErrorKind::no_nets);
-    require(!sentence.empty() && !sentence.ends_with('.') && mesh::printable(sentence) == sentence);
+    require(!sentence.empty() && !sentence.ends_with('.') && printable(sentence) == sentence);
   }
   return 0;
 }

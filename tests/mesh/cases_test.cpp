@@ -4,9 +4,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "mesh/mesh.hpp"
-#include "soups.hpp"
+#include "prepare/prepare.hpp"
+#include "support/soups.hpp"
 
 using namespace ridgecraft;
 
@@ -23,7 +24,7 @@ struct Outcome {
 Outcome run(const std::filesystem::path& file) {
   Outcome outcome;
   try {
-    const mesh::Prepared p = mesh::prepare(mesh::read(file, {}, {}), {}, {}, {190.0, 270.0}, {});
+    const prepare::Prepared p = prepare::prepare(mesh::read(file, {}, {}), {}, {}, {190.0, 270.0}, {});
     test::check_invariants(p.model.surface);
     for (const mesh::Repair& repair : p.model.repairs.entries()) {
       // An open border and faces that run through each other are told, but nothing is done about them.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces are turned to agree and outwards; what no surface can be is cut open.
-#include "soups.hpp"
 #include "support/shapes.hpp"
+#include "support/soups.hpp"
 
 using namespace ridgecraft;
 using mesh::Model;

@@ -132,7 +132,8 @@ TEST_CASE("OBJ: materials are those that faces use, in the order of their use") 
 }
 
 TEST_CASE("OBJ: lines mark edges, those without two points of the file are left out") {
-  const Soup soup = parsed(std::string(three_points) + "l 3 1/7 -2\nf 1 2 3\nl 1 9\nl 0 1 2\nl 2\nl 1 x\n", "obj");
+  const Soup soup =
+      parsed(std::string(three_points) + "l 3 1/7 -2\nf 1 2 3\nl 1 9\nl 0 1 2\nl 2\nl 1 x\n", "obj");
   CHECK(soup.lines == std::vector<std::array<std::uint32_t, 2>>{{2, 0}, {0, 1}, {0, 1}});
   CHECK(soup.remarks.count(RepairKind::element_ignored) == 3);
 }

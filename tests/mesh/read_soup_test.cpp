@@ -8,7 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "mesh/foundation/printable.hpp"
+#include "base/digest.hpp"
+#include "base/printable.hpp"
 #include "reading.hpp"
 
 using namespace ridgecraft;
@@ -106,31 +107,31 @@ TEST_CASE("Only regular files are read, and a refusal names the file") {
 }
 
 TEST_CASE("Messages are one line of valid UTF-8") {
-  CHECK(mesh::printable("a\n\x1b[0m") == "a\xef\xbf\xbd\xef\xbf\xbd[0m");
-  CHECK(mesh::printable("F\xc3\xbc"s + "chsin \xe7\x8b\x90 \xf0\x9f\xa6\x8a") ==
+  CHECK(printable("a\n\x1b[0m") == "a\xef\xbf\xbd\xef\xbf\xbd[0m");
+  CHECK(printable("F\xc3\xbc"s + "chsin \xe7\x8b\x90 \xf0\x9f\xa6\x8a") ==
         "F\xc3\xbc"s + "chsin \xe7\x8b\x90 \xf0\x9f\xa6\x8a");
-  CHECK(mesh::printable("\xc3") == "\xef\xbf\xbd");
-  CHECK(mesh::printable("\xed\xa0\x80") == "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");  // a surrogate
-  CHECK(mesh::printable("\xc0\x80").size() == 6);                                    // an overlong zero
-  CHECK(mesh::printable("\xc2\x85") == "\xef\xbf\xbd");                              // next line
-  CHECK(mesh::in_quotes(std::string(39, 'a') + "\xc3\xbc" + "b") == '"' + std::string(39, 'a') + "...\"");
+  CHECK(printable("\xc3") == "\xef\xbf\xbd");
+  CHECK(printable("\xed\xa0\x80") == "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");  // a surrogate
+  CHECK(printable("\xc0\x80").size() == 6);                                    // an overlong zero
+  CHECK(printable("\xc2\x85") == "\xef\xbf\xbd");                              // next line
+  CHECK(in_quotes(std::string(39, 'a') + "\xc3\xbc" + "b") == '"' + std::string(39, 'a') + "...\"");
 }
 
 TEST_CASE("Digests are fixed and tell bytes apart") {
   // These values are written into files that people keep: they must not change.
-  CHECK(mesh::digest("") == mesh::digest(""));
-  CHECK(mesh::digest("").size() == 16);
+  CHECK(digest("") == digest(""));
+  CHECK(digest("").size() == 16);
   std::set<std::string> seen;
   std::string bytes;
   for (int i = 0; i < 300; ++i) {
-    CHECK(seen.insert(mesh::digest(bytes)).second);
+    CHECK(seen.insert(digest(bytes)).second);
     bytes += '\0';
   }
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     for (unsigned bit = 0; bit < 8; ++bit) {
       std::string other = bytes;
       other[i] = static_cast<char>(1U << bit);
-      CHECK(seen.insert(mesh::digest(other)).second);
+      CHECK(seen.insert(digest(other)).second);
     }
   }
 }

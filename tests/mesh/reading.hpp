@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/foundation/error.hpp"
-#include "mesh/read_soup.hpp"
+#include "base/error.hpp"
+#include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::test {
 

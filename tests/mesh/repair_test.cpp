@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Soups of every kind become surfaces.
-#include "mesh/foundation/error.hpp"
-#include "soups.hpp"
+#include "base/error.hpp"
 #include "support/shapes.hpp"
+#include "support/soups.hpp"
 
 using namespace ridgecraft;
 using mesh::Model;

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "mesh/write.hpp"
 #include "reading.hpp"
 #include "soup_writer.hpp"

@@ -10,8 +10,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/near_boxes.hpp"
+#include "base/context.hpp"
+#include "base/near_boxes.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

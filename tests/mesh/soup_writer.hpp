@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "mesh/soup.hpp"
+#include "mesh/model/soup.hpp"
 
 namespace ridgecraft::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points that are one are joined, and nothing else.
-#include "soups.hpp"
 #include "support/shapes.hpp"
+#include "support/soups.hpp"
 
 using namespace ridgecraft;
 using mesh::Model;

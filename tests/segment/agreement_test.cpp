@@ -12,7 +12,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "mesh/mesh.hpp"
 #include "support/benchmark_models.hpp"
 #include "support/shapes.hpp"

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/cutting/ridges.hpp"
 #include "segment/recursion.hpp"
 #include "segment/segment.hpp"

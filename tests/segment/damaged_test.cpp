@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/segment.hpp"
 #include "segment/surface/virtual_facets.hpp"
 #include "support/concave_shapes.hpp"

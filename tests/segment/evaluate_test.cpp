@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/surface/enclosing_ball.hpp"
 #include "support/shapes.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/surface/exact_orientation.hpp"
 
 namespace ridgecraft {

@@ -13,8 +13,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/error.hpp"
+#include "base/context.hpp"
+#include "base/error.hpp"
 #include "segment/agreement.hpp"
 #include "segment/evaluate.hpp"
 #include "segment/segment.hpp"

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 
 namespace ridgecraft {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 
 namespace ridgecraft {
 namespace {

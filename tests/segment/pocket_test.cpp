@@ -10,8 +10,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/error.hpp"
+#include "base/context.hpp"
+#include "base/error.hpp"
 #include "segment/concavity/deepest_point.hpp"
 #include "segment/evaluate.hpp"
 #include "segment/segment.hpp"

@@ -2,8 +2,8 @@
 // The other readings of the paper, kept for research.
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/error.hpp"
+#include "base/context.hpp"
+#include "base/error.hpp"
 #include "segment/segment.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"

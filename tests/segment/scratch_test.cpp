@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/concavity/valley_concavity.hpp"
 #include "segment/segment.hpp"
 #include "segment/surface/enclosing_ball.hpp"

@@ -11,8 +11,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/convex_hull.hpp"
+#include "base/context.hpp"
+#include "base/convex_hull.hpp"
 
 namespace ridgecraft {
 namespace {

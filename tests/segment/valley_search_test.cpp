@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/concavity/vertex_graph.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"

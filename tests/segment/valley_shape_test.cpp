@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "segment/concavity/valley_concavity.hpp"
 #include "segment/cutting/residual_concavity.hpp"
 #include "segment/cutting/separators.hpp"

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 #include "solid/body.hpp"
 
 namespace ridgecraft::test {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft::test {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "mesh/surface.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::test {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "mesh/surface.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::test {
 

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "mesh/surface.hpp"
-#include "unfold/nets.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/net/nets.hpp"
 
 namespace ridgecraft::test {
 

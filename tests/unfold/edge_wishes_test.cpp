@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edges that a user wants cut or kept together.
-#include "unfold/edge_wishes.hpp"
+#include "unfold/net/edge_wishes.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/panel_parts.hpp"
@@ -50,7 +50,7 @@ std::size_t noted(const Nets& nets, const std::string& words) {
 
 TEST_CASE("what is to be cut is cut, what can be kept is kept", "[wishes]") {
   const mesh::Surface s = scaled(test::sphere(10, 7), 40.0);
-  const mesh::Panels panels = test::flat_panels(s);
+  const prepare::Panels panels = test::flat_panels(s);
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     Random random(seed);
     Options options = on_paper();
@@ -89,7 +89,7 @@ TEST_CASE("what is to be cut is cut, what can be kept is kept", "[wishes]") {
 
 TEST_CASE("nets that are given survive, whatever the seed", "[wishes]") {
   const mesh::Surface s = scaled(test::sphere(9, 6), 60.0);
-  const mesh::Panels panels = test::flat_panels(s);
+  const prepare::Panels panels = test::flat_panels(s);
   IdVector<FaceId, PartId> part(s.face_count(), PartId(0));
   for (const FaceId f : ids<FaceId>(s.face_count())) {
     part[f] = PartId(f.value() % 2 == 0 && f.value() < 20 ? 1 : 0);
@@ -115,7 +115,7 @@ TEST_CASE("a cut all the way round makes a piece on request", "[wishes]") {
   const mesh::Surface s = scaled(test::cube(), 20.0);
   Options options = on_paper();
   options.wishes = EdgeWishes(s.edge_count(), EdgeWish::none);
-  const mesh::Panels panels = test::flat_panels(s);
+  const prepare::Panels panels = test::flat_panels(s);
   for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
     const auto [c, d] = s.sides(e);
     const PanelId p = panels.panel[mesh::face_of(c)];
@@ -139,7 +139,7 @@ TEST_CASE("what can't all be kept is kept as far as possible, and told", "[wishe
 
 TEST_CASE("segments are found on edges that were divided or joined since", "[wishes]") {
   const mesh::Surface s = scaled(test::cube(), 20.0);
-  const mesh::Panels panels = test::flat_panels(s);
+  const prepare::Panels panels = test::flat_panels(s);
   std::vector<Segment> cut;
   std::vector<Segment> keep;
   EdgeId divided;

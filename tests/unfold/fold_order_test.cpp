@@ -9,13 +9,13 @@
 #include <catch2/catch.hpp>
 
 #include "support/shapes.hpp"
-#include "unfold/check.hpp"
 #include "unfold/folding/fold_motion.hpp"
 #include "unfold/folding/free_folding.hpp"
+#include "unfold/net/tolerance.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/search/layout.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/search/net_search.hpp"
-#include "unfold/tolerance.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;

@@ -9,8 +9,9 @@
 #include <catch2/catch.hpp>
 
 #include "mesh/mesh.hpp"
+#include "prepare/prepare.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/search/start_tree.hpp"
+#include "unfold/patch/start_tree.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
@@ -53,7 +54,7 @@ double scale_of(Change change) {
 
 struct Model {
   mesh::Surface surface;
-  mesh::Panels panels;
+  prepare::Panels panels;
 };
 
 /// The model with its panels, put otherwise.
@@ -122,10 +123,10 @@ Figures figures_of(const mesh::Surface& surface, const Nets& nets) {
 }
 
 Model sample(const std::string& file) {
-  mesh::SimplifyOptions keep;
-  keep.mode = mesh::Simplification::keep;
+  prepare::SimplifyOptions keep;
+  keep.mode = prepare::Simplification::keep;
   const std::string path = std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + file;
-  mesh::Prepared prepared = mesh::prepare(mesh::read(path, {}, {}), {}, keep, {190.0, 277.0}, {});
+  prepare::Prepared prepared = prepare::prepare(mesh::read(path, {}, {}), {}, keep, {190.0, 277.0}, {});
   return {std::move(prepared.model.surface), std::move(prepared.panels)};
 }
 

@@ -7,11 +7,11 @@
 #include <catch2/catch.hpp>
 
 #include "support/shapes.hpp"
-#include "unfold/check.hpp"
+#include "unfold/net/sheet.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/search/layout.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/search/tree_search.hpp"
-#include "unfold/sheet.hpp"
 
 using namespace ridgecraft;
 

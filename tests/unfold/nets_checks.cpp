@@ -231,8 +231,8 @@ unfold::Options on_sheet(double width, double height) {
   return options;
 }
 
-mesh::Panels no_panels(const mesh::Surface& surface) {
-  mesh::Panels panels;
+prepare::Panels no_panels(const mesh::Surface& surface) {
+  prepare::Panels panels;
   panels.panel.resize(surface.face_count());
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     panels.panel[f] = PanelId(f.value());
@@ -241,8 +241,8 @@ mesh::Panels no_panels(const mesh::Surface& surface) {
   return panels;
 }
 
-mesh::Panels flat_panels(const mesh::Surface& surface) {
-  mesh::Panels panels;
+prepare::Panels flat_panels(const mesh::Surface& surface) {
+  prepare::Panels panels;
   panels.panel.resize(surface.face_count());
   for (const FaceId seed : ids<FaceId>(surface.face_count())) {
     if (panels.panel[seed].valid()) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/panels.hpp"
+#include "prepare/prepared/panels.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::test {
@@ -18,9 +18,9 @@ namespace ridgecraft::test {
 [[nodiscard]] unfold::Options on_sheet(double width, double height);
 
 /// Every face in a panel of its own.
-[[nodiscard]] mesh::Panels no_panels(const mesh::Surface& surface);
+[[nodiscard]] prepare::Panels no_panels(const mesh::Surface& surface);
 /// Panels by equal normals of neighbours (within 1e-9): enough for shapes made in code.
-[[nodiscard]] mesh::Panels flat_panels(const mesh::Surface& surface);
+[[nodiscard]] prepare::Panels flat_panels(const mesh::Surface& surface);
 /// All faces in part 0.
 [[nodiscard]] IdVector<FaceId, PartId> one_part(const mesh::Surface& surface);
 /// The triangles of an OFF file.

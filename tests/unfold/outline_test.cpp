@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/outline.hpp"
+#include "unfold/net/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

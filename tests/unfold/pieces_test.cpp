@@ -9,18 +9,18 @@
 #include <catch2/catch.hpp>
 
 #include "support/shapes.hpp"
-#include "unfold/check.hpp"
+#include "unfold/net/sheet.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/objective.hpp"
 #include "unfold/panel_parts.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/objective.hpp"
+#include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/page_split.hpp"
 #include "unfold/pieces/tidy_piece.hpp"
 #include "unfold/search/fit_search.hpp"
-#include "unfold/search/layout.hpp"
 #include "unfold/search/net_search.hpp"
 #include "unfold/search/one_piece.hpp"
-#include "unfold/search/sub_patch.hpp"
-#include "unfold/sheet.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
@@ -119,7 +119,7 @@ Options on_paper(PieceMode mode) {
   return options;
 }
 
-std::size_t panels_of(const mesh::Panels& panels, const unfold::Piece& piece) {
+std::size_t panels_of(const prepare::Panels& panels, const unfold::Piece& piece) {
   std::set<PanelId> found;
   for (const FaceId f : piece.faces) {
     found.insert(panels.panel[f]);
@@ -128,7 +128,7 @@ std::size_t panels_of(const mesh::Panels& panels, const unfold::Piece& piece) {
 }
 
 /// Panels whose faces lie in several pieces, or whose inner edges are cut.
-std::size_t panels_cut(const mesh::Surface& s, const mesh::Panels& panels, const Nets& nets) {
+std::size_t panels_cut(const mesh::Surface& s, const prepare::Panels& panels, const Nets& nets) {
   std::set<PanelId> cut;
   for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
     const auto [c, d] = s.sides(e);
@@ -145,7 +145,7 @@ std::size_t panels_cut(const mesh::Surface& s, const mesh::Panels& panels, const
 TEST_CASE("every mode makes clean pieces, whole panels, and keeps to its limit", "[pieces]") {
   const mesh::Surface shapes[] = {staircase(), bumpy_ball(12, 8, 50.0, 11), torus(45.0)};
   for (const mesh::Surface& s : shapes) {
-    const mesh::Panels panels = test::flat_panels(s);
+    const prepare::Panels panels = test::flat_panels(s);
     const auto part = unfold::parts_of_whole_panels(s, panels, slices(s, 10.0));
     for (const PieceMode mode : {PieceMode::few, PieceMode::parts, PieceMode::small}) {
       const Options options = on_paper(mode);
@@ -171,7 +171,7 @@ TEST_CASE("every mode makes clean pieces, whole panels, and keeps to its limit",
 TEST_CASE("few pieces are never more than the parts' pieces, and those never more than small ones",
           "[pieces]") {
   const mesh::Surface s = staircase();
-  const mesh::Panels panels = test::flat_panels(s);
+  const prepare::Panels panels = test::flat_panels(s);
   const auto part = unfold::parts_of_whole_panels(s, panels, slices(s, 45.0));
   std::vector<std::size_t> counts;
   for (const PieceMode mode : {PieceMode::few, PieceMode::parts, PieceMode::small}) {
@@ -227,7 +227,7 @@ TEST_CASE("a piece that is tidied costs less and stays a clean net", "[pieces]")
 TEST_CASE("turning, renumbering, mirroring and scaling keep pieces clean and complete", "[pieces]") {
   const mesh::Surface s = staircase();
   for (const mesh::Surface& other : {turned_and_renumbered(s), mirrored(s), scaled(s, 0.01)}) {
-    const mesh::Panels panels = test::flat_panels(other);
+    const prepare::Panels panels = test::flat_panels(other);
     Options options = on_paper(PieceMode::few);
     const auto count = [&] {
       const Nets nets = unfold::unfold(other, panels, test::one_part(other), options, {});
@@ -259,7 +259,7 @@ TEST_CASE("a crumb joins its neighbour, in another part too", "[pieces]") {
 
 TEST_CASE("what giving panels whole to one part leaves apart joins its neighbours", "[pieces]") {
   const mesh::Surface s = torus(30.0);
-  const mesh::Panels panels = test::flat_panels(s);
+  const prepare::Panels panels = test::flat_panels(s);
   IdVector<FaceId, PartId> part(s.face_count());
   for (const FaceId f : ids<FaceId>(s.face_count())) {
     part[f] = PartId(f.value() % 7 == 0 ? 1 : f.value() % 2);
@@ -313,7 +313,7 @@ TEST_CASE("a part of a patch is the patch of the part", "[pieces]") {
       chosen.push_back(f.value());
     }
   }
-  const mesh::Panels panels = test::flat_panels(s);
+  const prepare::Panels panels = test::flat_panels(s);
   const unfold::Patch whole = unfold::make_patch(s, panels, all);
   const unfold::Patch direct = unfold::make_patch(s, panels, some);
   const unfold::Patch sub = unfold::sub_patch(whole, chosen);

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "support/shapes.hpp"
+#include "unfold/net/sheet.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/sheet.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/tabs/tab_search.hpp"
+#include "unfold/tabs/trees/tab_search.hpp"
 
 #include <cmath>
 #include <numeric>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 #include "support/shapes.hpp"
-#include "unfold/check.hpp"
-#include "unfold/search/layout.hpp"
-#include "unfold/search/start_tree.hpp"
-#include "unfold/tabs/changing_net.hpp"
-#include "unfold/tabs/tab_assignment.hpp"
-#include "unfold/tabs/tab_state.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/start_tree.hpp"
+#include "unfold/tabs/place/assignment.hpp"
+#include "unfold/tabs/trees/changing_net.hpp"
+#include "unfold/tabs/trees/tabs_of_tree.hpp"
 #include "unfold/tree_nets.hpp"
 
 using namespace ridgecraft;
-using mesh::Panels;
 using mesh::Surface;
+using prepare::Panels;
 using unfold::ConvexShape;
 using unfold::Folds;
 using unfold::Patch;
@@ -48,7 +48,7 @@ Surface lumpy(std::uint64_t seed) {
 /// A surface as one patch, and a clean net of it.
 struct Example {
   explicit Example(Surface s, std::uint64_t seed)
-      : surface(std::move(s)), panels(mesh::find_panels(surface)) {
+      : surface(std::move(s)), panels(prepare::find_panels(surface)) {
     std::vector<FaceId> faces;
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       faces.push_back(f);

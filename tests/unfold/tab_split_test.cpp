@@ -10,18 +10,18 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/disjoint_sets.hpp"
-#include "mesh/foundation/error.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
 #include "support/shapes.hpp"
-#include "unfold/check.hpp"
 #include "unfold/nets_checks.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/start_tree.hpp"
 #include "unfold/pieces/tab_cuts.hpp"
-#include "unfold/search/layout.hpp"
-#include "unfold/search/start_tree.hpp"
 #include "unfold/search/tree_search.hpp"
-#include "unfold/tabs.hpp"
-#include "unfold/tabs/tab_gaps.hpp"
-#include "unfold/tabs/tab_search.hpp"
+#include "unfold/tabs/place/missing_tabs.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/tabs/trees/tab_search.hpp"
 #include "unfold/tree_nets.hpp"
 
 using namespace ridgecraft;
@@ -320,7 +320,7 @@ TEST_CASE("a slit in a flat region takes no edge its tab", "[tabs]") {
   fan(4, 5, 6, 7, 8);
   fan(0, 1, 5, 4, 9);
   const Surface s(points, faces);
-  const mesh::Panels panels = test::flat_panels(s);
+  const prepare::Panels panels = test::flat_panels(s);
   std::vector<FaceId> all;
   for (const FaceId f : ids<FaceId>(s.face_count())) {
     all.push_back(f);
@@ -365,7 +365,7 @@ TEST_CASE("a face deep inside a flat region is cut off with what is around it", 
     faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
   }
   const Surface s(points, faces);
-  const mesh::Panels panels = test::flat_panels(s);
+  const prepare::Panels panels = test::flat_panels(s);
   REQUIRE(panels.count() == 6);
   std::vector<FaceId> all;
   for (const FaceId f : ids<FaceId>(s.face_count())) {
@@ -389,7 +389,7 @@ TEST_CASE("a face deep inside a flat region is cut off with what is around it", 
 
 TEST_CASE("what stands in the way of tabs is looked for until somebody says stop", "[tabs]") {
   const Surface s = dented(test::scaled(test::sphere(24, 12), 40.0), 0.1, 5);
-  const mesh::Panels panels = test::no_panels(s);
+  const prepare::Panels panels = test::no_panels(s);
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(s.face_count())) {
     faces.push_back(f);

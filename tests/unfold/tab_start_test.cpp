@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The quick half of the search for tabs.
-#include "unfold/tabs/tab_start.hpp"
-
 #include <numeric>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 #include "support/shapes.hpp"
-#include "unfold/check.hpp"
-#include "unfold/search/layout.hpp"
-#include "unfold/search/start_tree.hpp"
-#include "unfold/tabs/tab_targets.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/start_tree.hpp"
+#include "unfold/tabs/place/targets.hpp"
+#include "unfold/tabs/trees/quick_search.hpp"
 
 using namespace ridgecraft;
 using unfold::Folds;
@@ -41,7 +40,7 @@ mesh::Surface lumpy(std::uint64_t seed) {
 
 struct Example {
   explicit Example(std::uint64_t seed, std::size_t left_out = 0)
-      : surface(lumpy(seed)), panels(mesh::find_panels(surface)) {
+      : surface(lumpy(seed)), panels(prepare::find_panels(surface)) {
     std::vector<FaceId> faces;
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       faces.push_back(f);
@@ -61,7 +60,7 @@ struct Example {
   [[nodiscard]] TabWedges wedges() const { return {patch, candidates, targets.seam, clearance}; }
 
   mesh::Surface surface;
-  mesh::Panels panels;
+  prepare::Panels panels;
   Patch patch;
   unfold::TabTargets targets;
   std::vector<std::vector<unfold::TabCandidate>> candidates;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/tabs.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -9,14 +7,17 @@
 #include <catch2/catch.hpp>
 
 #include "mesh/mesh.hpp"
+#include "prepare/prepare.hpp"
 #include "support/shapes.hpp"
-#include "unfold/outline.hpp"
-#include "unfold/tabs/tab_shapes.hpp"
+#include "unfold/net/outline.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/tabs/shape/shapes.hpp"
 #include "unfold/tree_nets.hpp"
+#include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
-using mesh::Panels;
 using mesh::Surface;
+using prepare::Panels;
 using unfold::Nets;
 using unfold::NoTab;
 using unfold::Tab;
@@ -198,7 +199,7 @@ void check_inside_target(const Surface& s, const Panels& panels, const Nets& net
   }
 }
 
-/// Everything that the contract and unfold/tabs.hpp promise, by brute force.
+/// Everything that the contract and unfold/tabs/place/place_tabs.hpp promise, by brute force.
 void check_tabs(const Surface& s, const Panels& panels, const Nets& nets, const TabOptions& options) {
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     const unfold::Join& join = nets.joins[j];
@@ -389,15 +390,15 @@ TEST_CASE("panels that are cut between pieces are folded nowhere else", "[tabs]"
   unfold::Options options;
   options.sheet = unfold::Sheet{190.0, 277.0};
   const Nets nets =
-      unfold::unfold(frame, mesh::find_panels(frame), IdVector<FaceId, PartId>(frame.face_count(), PartId(0)),
-                     options, Context());
+      unfold::unfold(frame, prepare::find_panels(frame),
+                     IdVector<FaceId, PartId>(frame.face_count(), PartId(0)), options, Context());
   for (const EdgeId e : ids<EdgeId>(frame.edge_count())) {
     const auto [a, b] = frame.sides(e);
     if (nets.use[e] == unfold::EdgeUse::fold) {
       CHECK(nets.piece[mesh::face_of(a)] == nets.piece[mesh::face_of(b)]);
     }
   }
-  check_tabs(frame, mesh::find_panels(frame), nets, {});
+  check_tabs(frame, prepare::find_panels(frame), nets, {});
 }
 
 TEST_CASE("what is left without a tab says why", "[tabs]") {

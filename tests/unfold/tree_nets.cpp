@@ -7,8 +7,8 @@
 #include <deque>
 #include <numbers>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/disjoint_sets.hpp"
+#include "base/context.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace ridgecraft::test {
 

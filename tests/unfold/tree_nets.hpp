@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/surface.hpp"
+#include "mesh/model/surface.hpp"
 #include "support/shapes.hpp"
-#include "unfold/nets.hpp"
+#include "unfold/net/nets.hpp"
 
 namespace ridgecraft::test {
 

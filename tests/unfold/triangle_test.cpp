@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/search/triangle.hpp"
+#include "unfold/patch/triangle.hpp"
 
 #include <cstdint>
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
-#include "unfold/check.hpp"
+#include "base/context.hpp"
+#include "unfold/patch/check.hpp"
 #include "unfold/search/edged_triangle.hpp"
 
 using namespace ridgecraft;

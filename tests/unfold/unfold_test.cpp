@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 

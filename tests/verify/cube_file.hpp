@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 #include "verify/verify.hpp"
 
 namespace ridgecraft::test {

@@ -2,7 +2,7 @@
 // Bytes of any kind: one fault of promise 0 without figures, and never anything else.
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "verify/cube_file.hpp"
 
 using namespace ridgecraft;

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 #include "verify/cube_file.hpp"
 
 using namespace ridgecraft;

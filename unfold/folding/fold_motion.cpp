@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "mesh/foundation/disjoint_sets.hpp"
-#include "unfold/search/layout.hpp"
+#include "base/disjoint_sets.hpp"
+#include "unfold/patch/layout.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

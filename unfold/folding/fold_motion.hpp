@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "mesh/surface.hpp"
+#include "mesh/model/surface.hpp"
 #include "unfold/folding/motion.hpp"
-#include "unfold/nets.hpp"
-#include "unfold/search/patch.hpp"
+#include "unfold/net/nets.hpp"
+#include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/surface.hpp"
+#include "base/context.hpp"
+#include "mesh/model/surface.hpp"
 #include "unfold/folding/fold_motion.hpp"
 #include "unfold/folding/fold_trial.hpp"
-#include "unfold/nets.hpp"
+#include "unfold/net/nets.hpp"
 
 namespace ridgecraft::unfold {
 

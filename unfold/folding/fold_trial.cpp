@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "mesh/foundation/near_boxes.hpp"
-#include "unfold/tolerance.hpp"
+#include "base/near_boxes.hpp"
+#include "unfold/net/tolerance.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -150,7 +150,7 @@ std::vector<FoldTrial::Pair> FoldTrial::meetings() const {
     }
   }
   std::vector<Pair> found;
-  mesh::NearBoxes(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+  NearBoxes(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
     if (counts(face[i], face[j]) && meet(corners[i], corners[j])) {
       found.push_back(std::minmax(face[i], face[j]));
     }

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
 #include "unfold/folding/fold_motion.hpp"
 
 namespace ridgecraft::unfold {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "unfold/folding/fold_order.hpp"
-#include "unfold/pieces/tree_improvement.hpp"
+#include "unfold/tabs/trees/tree_improvement.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

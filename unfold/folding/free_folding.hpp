@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "mesh/foundation/context.hpp"
-#include "unfold/search/patch.hpp"
-#include "unfold/tabs/changing_net.hpp"
+#include "base/context.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::unfold {
 

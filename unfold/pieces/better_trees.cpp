@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <vector>
 
-#include "mesh/foundation/parallel.hpp"
+#include "base/parallel.hpp"
 #include "unfold/folding/free_folding.hpp"
-#include "unfold/objective.hpp"
+#include "unfold/net/tolerance.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/objective.hpp"
+#include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/tidy_piece.hpp"
-#include "unfold/search/layout.hpp"
-#include "unfold/search/sub_patch.hpp"
-#include "unfold/tabs/tab_search.hpp"
-#include "unfold/tolerance.hpp"
+#include "unfold/tabs/trees/tab_search.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -27,9 +27,9 @@ constexpr double most_faces = 2000.0;
 /// One piece and its tree.
 class PieceTree {
  public:
-  PieceTree(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch, const Folds& folds,
-            const std::vector<std::uint32_t>& faces, const Options& options, const Room& room,
-            std::uint64_t seed, const Context& context)
+  PieceTree(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
+            const Folds& folds, const std::vector<std::uint32_t>& faces, const Options& options,
+            const Room& room, std::uint64_t seed, const Context& context)
       : options_(options),
         room_(room),
         context_(context),
@@ -109,7 +109,7 @@ class PieceTree {
 
 }  // namespace
 
-Folds better_trees(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch,
+Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
                    const Folds& folds, const Options& options, const Room& room, const Context& context) {
   std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;
   std::vector<Folds> trees(pieces.size());

@@ -3,12 +3,12 @@
 // freely.
 #pragma once
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/panels.hpp"
-#include "mesh/surface.hpp"
-#include "unfold/room.hpp"
-#include "unfold/search/patch.hpp"
-#include "unfold/unfold.hpp"
+#include "base/context.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/room.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -18,8 +18,8 @@ namespace ridgecraft::unfold {
 /// (tidy_piece.hpp), where that costs neither. The pieces keep their faces, stay free of overlap and fit the
 /// room if they did. The patch is the whole surface. Deterministic for one seed but for the deadline; one
 /// piece is one task.
-[[nodiscard]] Folds better_trees(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch,
-                                 const Folds& folds, const Options& options, const Room& room,
-                                 const Context& context);
+[[nodiscard]] Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels,
+                                 const Patch& patch, const Folds& folds, const Options& options,
+                                 const Room& room, const Context& context);
 
 }  // namespace ridgecraft::unfold

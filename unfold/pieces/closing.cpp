@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/foundation/disjoint_sets.hpp"
-#include "unfold/tolerance.hpp"
+#include "base/disjoint_sets.hpp"
+#include "unfold/net/tolerance.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -57,7 +57,7 @@ bool last_cut_at(const mesh::Surface& surface, const Nets& nets, VertexId v, Edg
 
 }  // namespace
 
-void close_flat_cuts(const mesh::Surface& surface, const mesh::Panels& panels, const EdgeWishes& wishes,
+void close_flat_cuts(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeWishes& wishes,
                      Nets& nets) {
   std::vector<EdgeId> candidates;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {

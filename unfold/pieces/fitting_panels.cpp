@@ -3,16 +3,16 @@
 
 #include <algorithm>
 
+#include "unfold/net/tolerance.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/pieces/patch_nets.hpp"
-#include "unfold/search/layout.hpp"
-#include "unfold/tolerance.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
 /// Every face in a panel of its own.
-mesh::Panels single_faces(const mesh::Surface& surface) {
-  mesh::Panels panels;
+prepare::Panels single_faces(const mesh::Surface& surface) {
+  prepare::Panels panels;
   panels.panel = IdVector<FaceId, PanelId>(surface.face_count());
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     panels.panel[f] = PanelId(f.value());
@@ -21,7 +21,7 @@ mesh::Panels single_faces(const mesh::Surface& surface) {
 }
 
 /// Whether a panel can lie flat, in one, on the sheet.
-bool lies_whole(const mesh::Surface& surface, const mesh::Panels& panels, const std::vector<FaceId>& faces,
+bool lies_whole(const mesh::Surface& surface, const prepare::Panels& panels, const std::vector<FaceId>& faces,
                 const Room& room) {
   if (faces.size() == 1) {
     return true;  // a face that no sheet holds is refused elsewhere
@@ -32,11 +32,11 @@ bool lies_whole(const mesh::Surface& surface, const mesh::Panels& panels, const 
 
 }  // namespace
 
-mesh::Panels fitting_panels(const mesh::Surface& surface, const mesh::Panels& panels, const Room& room,
-                            const Context& context, std::vector<std::string>& notes) {
-  mesh::Panels fitting;
+prepare::Panels fitting_panels(const mesh::Surface& surface, const prepare::Panels& panels, const Room& room,
+                               const Context& context, std::vector<std::string>& notes) {
+  prepare::Panels fitting;
   fitting.panel = IdVector<FaceId, PanelId>(surface.face_count());
-  const mesh::Panels single = single_faces(surface);
+  const prepare::Panels single = single_faces(surface);
   const Room bits{room.sheet, room.strip, 0};
   std::size_t divided = 0;
   for (const std::vector<FaceId>& faces : panels.faces) {

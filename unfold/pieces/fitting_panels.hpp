@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/panels.hpp"
-#include "mesh/surface.hpp"
-#include "unfold/room.hpp"
+#include "base/context.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "unfold/patch/room.hpp"
 
 namespace ridgecraft::unfold {
 
 /// The same panels, but those that no piece could hold whole are divided into as few as possible that fit the
 /// room; a note says how many there were. Each face alone must fit. O(n) but for the divided ones.
-[[nodiscard]] mesh::Panels fitting_panels(const mesh::Surface& surface, const mesh::Panels& panels,
-                                          const Room& room, const Context& context,
-                                          std::vector<std::string>& notes);
+[[nodiscard]] prepare::Panels fitting_panels(const mesh::Surface& surface, const prepare::Panels& panels,
+                                             const Room& room, const Context& context,
+                                             std::vector<std::string>& notes);
 
 }  // namespace ridgecraft::unfold

@@ -5,16 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/foundation/disjoint_sets.hpp"
-#include "unfold/search/patch.hpp"
+#include "base/disjoint_sets.hpp"
+#include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
 class Keeper {
  public:
-  Keeper(const mesh::Surface& surface, const mesh::Panels& panels, const EdgeWishes& wishes, const Room& room,
-         double tolerance, const Context& context)
+  Keeper(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeWishes& wishes,
+         const Room& room, double tolerance, const Context& context)
       : surface_(surface),
         panels_(panels),
         room_{room.sheet, room.strip, 0},
@@ -116,14 +116,14 @@ class Keeper {
                        tolerance_);
   }
 
-  [[nodiscard]] mesh::Panels groups() const {
+  [[nodiscard]] prepare::Panels groups() const {
     DisjointSets sets(panels_.count());
     for (const EdgeId e : wanted_) {
       if (result_.wishes[e] == EdgeWish::keep) {
         sets.join(panel(surface_.sides(e)[0]), panel(surface_.sides(e)[1]));
       }
     }
-    mesh::Panels merged;
+    prepare::Panels merged;
     merged.panel = IdVector<FaceId, PanelId>(surface_.face_count());
     std::vector<PanelId> number(panels_.count());
     for (const FaceId f : ids<FaceId>(surface_.face_count())) {
@@ -138,7 +138,7 @@ class Keeper {
   }
 
   const mesh::Surface& surface_;
-  const mesh::Panels& panels_;
+  const prepare::Panels& panels_;
   const Room room_;
   const double tolerance_;
   const Context& context_;
@@ -148,7 +148,7 @@ class Keeper {
 
 }  // namespace
 
-KeptEdges settle_wishes(const mesh::Surface& surface, const mesh::Panels& panels, const EdgeWishes& wishes,
+KeptEdges settle_wishes(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeWishes& wishes,
                         const Room& room, double tolerance, const Context& context) {
   return Keeper(surface, panels, wishes, room, tolerance, context).run();
 }

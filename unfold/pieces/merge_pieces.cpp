@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "mesh/foundation/convex_hull.hpp"
+#include "base/convex_hull.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/search/circle_tree.hpp"
-#include "unfold/search/forest.hpp"
-#include "unfold/search/layout.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -2,9 +2,9 @@
 // Pieces that can lie together become one.
 #pragma once
 
-#include "mesh/foundation/context.hpp"
-#include "unfold/room.hpp"
-#include "unfold/search/patch.hpp"
+#include "base/context.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/room.hpp"
 
 namespace ridgecraft::unfold {
 

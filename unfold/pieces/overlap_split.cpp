@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "unfold/check.hpp"
-#include "unfold/search/forest.hpp"
-#include "unfold/search/layout.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -2,7 +2,7 @@
 // Where no tree without overlap was found, the best one is cut until no piece overlaps itself.
 #pragma once
 
-#include "unfold/search/patch.hpp"
+#include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
 

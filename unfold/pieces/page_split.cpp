@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "mesh/foundation/convex_hull.hpp"
-#include "unfold/search/forest.hpp"
-#include "unfold/search/layout.hpp"
+#include "base/convex_hull.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "unfold/check.hpp"
-#include "unfold/objective.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/objective.hpp"
+#include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/piece_borders.hpp"
-#include "unfold/search/forest.hpp"
-#include "unfold/search/layout.hpp"
 #include "unfold/search/one_piece.hpp"
-#include "unfold/search/sub_patch.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <span>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/foundation/id.hpp"
-#include "unfold/piece_rules.hpp"
-#include "unfold/room.hpp"
-#include "unfold/search/patch.hpp"
+#include "base/context.hpp"
+#include "base/id.hpp"
+#include "unfold/net/piece_rules.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/room.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -5,12 +5,12 @@
 #include <array>
 #include <optional>
 
-#include "unfold/check.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/pieces/merge_pieces.hpp"
 #include "unfold/pieces/overlap_split.hpp"
 #include "unfold/pieces/unite_pieces.hpp"
 #include "unfold/search/fit_search.hpp"
-#include "unfold/search/layout.hpp"
 #include "unfold/search/net_search.hpp"
 #include "unfold/search/one_piece.hpp"
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
-#include "unfold/nets.hpp"
+#include "base/context.hpp"
+#include "unfold/net/nets.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/pieces/page_split.hpp"
-#include "unfold/search/patch.hpp"
 
 namespace ridgecraft::unfold {
 

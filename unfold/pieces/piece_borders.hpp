@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "unfold/search/patch.hpp"
+#include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "unfold/search/forest.hpp"
+#include "unfold/patch/forest.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "mesh/surface.hpp"
-#include "unfold/search/patch.hpp"
-#include "unfold/tabs/tab_gaps.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/tabs/place/missing_tabs.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "mesh/foundation/parallel.hpp"
+#include "base/parallel.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/pieces/page_split.hpp"
 #include "unfold/pieces/tab_cuts.hpp"
 #include "unfold/pieces/tab_unite.hpp"
-#include "unfold/search/forest.hpp"
-#include "unfold/search/layout.hpp"
-#include "unfold/tabs/tab_gaps.hpp"
+#include "unfold/tabs/place/missing_tabs.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -45,7 +45,7 @@ TabSplit cut_for_tabs(const mesh::Surface& surface, const Patch& patch, const Fo
 
 }  // namespace
 
-TabSplit split_for_tabs(const mesh::Surface& surface, const mesh::Panels& panels, const Patch& patch,
+TabSplit split_for_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
                         const Folds& folds, const Room& room, const TabOptions& options,
                         const NetsOf& nets_of, double tolerance, std::uint64_t seed, const Context& context) {
   const TabGaps tab_gaps(surface, panels, patch, folds, options, context);

@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <functional>
 
-#include "mesh/foundation/context.hpp"
-#include "mesh/panels.hpp"
-#include "mesh/surface.hpp"
-#include "unfold/nets.hpp"
-#include "unfold/room.hpp"
-#include "unfold/search/patch.hpp"
-#include "unfold/unfold.hpp"
+#include "base/context.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "unfold/net/nets.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/room.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -31,7 +31,7 @@ struct TabSplit {
 /// overlap_split.hpp); the best of several attempts is kept. Single flat regions stay whole, all pieces fit
 /// the room. Every tab that is counted was placed by place_tabs. Deterministic for one seed but for the
 /// deadline, at which it returns what it has. `patch`: of the whole surface.
-[[nodiscard]] TabSplit split_for_tabs(const mesh::Surface& surface, const mesh::Panels& panels,
+[[nodiscard]] TabSplit split_for_tabs(const mesh::Surface& surface, const prepare::Panels& panels,
                                       const Patch& patch, const Folds& folds, const Room& room,
                                       const TabOptions& options, const NetsOf& nets_of, double tolerance,
                                       std::uint64_t seed, const Context& context);

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "unfold/check.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/piece_borders.hpp"
-#include "unfold/search/forest.hpp"
-#include "unfold/search/layout.hpp"
 #include "unfold/search/one_piece.hpp"
-#include "unfold/search/sub_patch.hpp"
-#include "unfold/tabs.hpp"
-#include "unfold/tabs/tab_search.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/tabs/trees/tab_search.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -7,14 +7,14 @@
 #include <span>
 
 #include "unfold/pieces/tab_split.hpp"
-#include "unfold/tabs/tab_gaps.hpp"
+#include "unfold/tabs/place/missing_tabs.hpp"
 
 namespace ridgecraft::unfold {
 
 /// What uniting has to know and to keep.
 struct TabUnions {
   const mesh::Surface& surface;
-  const mesh::Panels& panels;
+  const prepare::Panels& panels;
   const Patch& patch;
   const Room& room;
   const TabOptions& options;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "unfold/objective.hpp"
-#include "unfold/pieces/tree_improvement.hpp"
+#include "unfold/patch/objective.hpp"
+#include "unfold/tabs/trees/tree_improvement.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/piece_borders.hpp"
-#include "unfold/search/layout.hpp"
 #include "unfold/search/one_piece.hpp"
-#include "unfold/search/sub_patch.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/foundation/vector.hpp"
+#include "base/vector.hpp"
 #include "unfold/search/lanes.hpp"
 
 namespace ridgecraft::unfold {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "unfold/patch/rigid.hpp"
+#include "unfold/patch/triangle.hpp"
 #include "unfold/search/lanes.hpp"
-#include "unfold/search/rigid.hpp"
-#include "unfold/search/triangle.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -62,7 +62,7 @@ struct EdgedTriangle {
   return (widest[0] > widest[1] ? widest[0] : widest[1]) >= -tolerance;
 }
 
-/// As overlap() of unfold/search/triangle.hpp, but for rounding.
+/// As overlap() of unfold/patch/triangle.hpp, but for rounding.
 [[nodiscard]] inline bool overlap(const EdgedTriangle& a, const EdgedTriangle& b, double tolerance) {
   return !separates(a, b, tolerance) && !separates(b, a, tolerance);
 }

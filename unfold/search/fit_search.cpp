@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "unfold/search/branch.hpp"
+#include "unfold/net/sheet.hpp"
+#include "unfold/patch/branch.hpp"
 #include "unfold/search/tree_search.hpp"
-#include "unfold/sheet.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "mesh/foundation/context.hpp"
-#include "unfold/room.hpp"
-#include "unfold/search/patch.hpp"
+#include "base/context.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/room.hpp"
 
 namespace ridgecraft::unfold {
 

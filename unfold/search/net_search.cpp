@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
-#include "mesh/foundation/parallel.hpp"
-#include "unfold/check.hpp"
-#include "unfold/search/layout.hpp"
+#include "base/parallel.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/search/tree_search.hpp"
 
 namespace ridgecraft::unfold {

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "mesh/foundation/context.hpp"
-#include "unfold/search/patch.hpp"
-#include "unfold/search/start_tree.hpp"
+#include "base/context.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/start_tree.hpp"
 
 namespace ridgecraft::unfold {
 

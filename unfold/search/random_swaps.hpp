@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
-#include "unfold/search/branch.hpp"
+#include "base/context.hpp"
+#include "unfold/patch/branch.hpp"
 #include "unfold/search/tree_search.hpp"
 
 namespace ridgecraft::unfold {

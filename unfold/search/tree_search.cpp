@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mesh/foundation/error.hpp"
+#include "base/error.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/foundation/context.hpp"
+#include "base/context.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/start_tree.hpp"
 #include "unfold/search/circle_tree.hpp"
 #include "unfold/search/edged_triangle.hpp"
-#include "unfold/search/patch.hpp"
-#include "unfold/search/start_tree.hpp"
 
 namespace ridgecraft::unfold {
 

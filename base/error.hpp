@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can go wrong at the edges of the program, as a closed list, and the check of invariants inside it.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace ridgecraft {
+
+/// Why the program can't do what it was asked. Each kind is one exit code (cli/exit_code.hpp,
+/// docs/exit-codes.md).
+enum class ErrorKind {
+  internal,          ///< a broken promise of our own; never the user's fault
+  usage,             ///< an option or argument is wrong
+  unreadable_input,  ///< the file is missing, can't be opened, is cut off or isn't in the format it claims
+  unusable_mesh,     ///< the file was read, but what it holds can't be made into a surface
+  no_nets,           ///< no net of this model can be cut from the paper that was asked for
+  cant_write,        ///< a result can't be written
+  interrupted,       ///< the user or the time limit stopped the work
+};
+
+/// One sentence for a person, thrown where files and options meet the program, and caught once, in cli/.
+/// what() is the whole sentence; it names the file, option or face concerned and ends without a full stop.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorKind kind, const std::string& sentence) : std::runtime_error(sentence), kind_(kind) {}
+  [[nodiscard]] ErrorKind kind() const { return kind_; }
+
+ private:
+  ErrorKind kind_;
+};
+
+}  // namespace ridgecraft
+
+/// An invariant of our own code: checked in tests, sanitizer and fuzz builds, free of cost in release builds.
+#ifdef RIDGECRAFT_ASSERTIONS
+#define RIDGECRAFT_ASSERT(condition)                                                         \
+  do {                                                                                       \
+    if (!(condition)) {                                                                      \
+      std::fprintf(stderr, "%s:%d: invariant broken: %s\n", __FILE__, __LINE__, #condition); \
+      std::abort();                                                                          \
+    }                                                                                        \
+  } while (false)
+#else
+#define RIDGECRAFT_ASSERT(condition) static_cast<void>(sizeof(!(condition)))
+#endif

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line as values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/arguments/manual.hpp"
+#include "export/export.hpp"
+#include "prepare/prepare.hpp"
+#include "segment/segment.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::cli {
+
+/// What every verb takes.
+struct CommonOptions {
+  bool json = false;
+  bool quiet = false;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  std::optional<double> time_limit_s;
+};
+
+/// How a model is brought to paper size; the main job and `unfold` share it.
+struct SizeArguments {
+  prepare::SizeOptions size;
+  prepare::SimplifyOptions simplify;
+  std::string asked;          ///< how the size was asked for, for the summary: "--size 150mm"
+  bool unit_assumed = false;  ///< --size was a number alone
+};
+
+/// Files that name edges to be cut or kept; empty: none.
+struct EdgeArguments {
+  std::string cuts;  ///< pairs of points
+  std::string keep;
+  std::string from;  ///< nets made before
+
+  [[nodiscard]] bool any() const { return !cuts.empty() || !keep.empty() || !from.empty(); }
+};
+
+/// ridgecraft MODEL
+struct PaperJob {
+  CommonOptions common;
+  std::string model;
+  std::vector<std::string> outputs;  ///< empty: all default formats in the current folder
+  bool overwrite = false;
+  SizeArguments size;
+  double concavity = 0.1;
+  std::string paper_name = "A4";
+  paper::Paper paper;
+  unfold::TabOptions tabs;
+  std::string pieces_asked = "parts";  ///< --pieces
+  unfold::PieceRules pieces;
+  EdgeArguments edges;
+  paper::Style style;
+};
+
+struct InfoJob {
+  CommonOptions common;
+  std::string model;
+};
+
+/// How a model is divided into nearly convex parts.
+struct PartArguments {
+  segment::Options options;
+  std::size_t count = 0;  ///< of parts; 0: as many as the concavity asks for
+};
+
+struct SegmentJob {
+  CommonOptions common;
+  std::string model;
+  PartArguments parts;
+  std::string hierarchy;             ///< FILE.json; empty: none
+  std::string labels;                ///< FILE.seg; empty: none
+  std::vector<std::string> outputs;  ///< coloured PLY or OFF
+  std::vector<std::string> compare;  ///< label files of others
+  bool overwrite = false;
+};
+
+struct UnfoldJob {
+  CommonOptions common;
+  std::string model;
+  SizeArguments size;
+  double concavity = 0.1;
+  bool whole = false;  ///< no segmentation: each component is one part
+  unfold::TabOptions tabs;
+  EdgeArguments edges;
+  std::string output;  ///< FILE.fold; empty: none
+  bool overwrite = false;
+};
+
+struct HullsJob {
+  CommonOptions common;
+  std::string model;
+  std::string output;  ///< .obj or .urdf
+  bool overwrite = false;
+  PartArguments parts;
+  std::size_t max_vertices = 0;  ///< 0: no limit
+  double mm_per_unit = 1.0;      ///< for .urdf
+  double density = 1000.0;       ///< kg/m^3, for .urdf
+};
+
+struct CageJob {
+  CommonOptions common;
+  std::string model;
+  std::string output;
+  bool overwrite = false;
+  PartArguments parts;
+  std::size_t faces = 500;
+};
+
+struct ShellJob {
+  CommonOptions common;
+  std::string model;
+  std::string output;
+  bool overwrite = false;
+  double opening = 0.05;  ///< shares of the model's diagonal
+  double offset = 0.002;
+};
+
+struct DeformJob {
+  CommonOptions common;
+  std::string model;
+  std::string cage;
+  std::string to;
+  std::string output;
+  bool overwrite = false;
+};
+
+struct VerifyJob {
+  CommonOptions common;
+  std::string file;
+};
+
+struct FormatsJob {
+  CommonOptions common;
+};
+
+/// Text to print, and then the program ends: --help, --version, the man page.
+struct PrintJob {
+  std::string text;
+};
+
+using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, CageJob, ShellJob, DeformJob,
+                         VerifyJob, FormatsJob, PrintJob>;
+
+/// Parses the arguments after the program's name. Throws Error(usage) with one sentence.
+[[nodiscard]] Job parse_arguments(const std::vector<std::string>& arguments);
+
+/// "ridgecraft 0.1.0"
+[[nodiscard]] std::string program_and_version();
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments/piece_options.hpp"
+
+#include <string_view>
+
+#include "cli/arguments/option_values.hpp"
+#include "cli/telling/sentence.hpp"
+#include "unfold/net/piece_rules.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+std::string all_terms() {
+  const auto names = unfold::term_names();
+  return listed({names.begin(), names.end()}, "or");
+}
+
+}  // namespace
+
+void PieceTexts::add_to(Verb& verb) {
+  verb.option(
+      "Pieces", "--pieces", mode, "few|parts|small",
+      "few: as few pieces as paper and overlap allow; parts: those of the model, crumbs joined to their "
+      "neighbours; small: small ones (parts).");
+  verb.option("Pieces", "--max-faces", max_faces, "N|any",
+              "Most flat faces of one piece (few: any, parts: 80, small: 24).");
+  verb.list("Pieces", "--weigh", weights, "TERM=WEIGHT",
+            "What makes pieces easy to build, in edges to be glued: cut (each 100 mm), pieces, parts (each "
+            "further part in a piece), compact, thin, small, panels. Several times for several terms.");
+}
+
+unfold::PieceRules PieceTexts::rules() const {
+  unfold::PieceRules rules;
+  if (mode == "few") {
+    rules = unfold::rules_of(unfold::PieceMode::few);
+  } else if (mode == "parts") {
+    rules = unfold::rules_of(unfold::PieceMode::parts);
+  } else if (mode == "small") {
+    rules = unfold::rules_of(unfold::PieceMode::small);
+  } else {
+    refuse("--pieces takes few, parts or small, not '" + mode + "'");
+  }
+  if (max_faces == "any") {
+    rules.max_panels = 0;
+  } else if (!max_faces.empty()) {
+    rules.max_panels = whole_number_or_refuse("--max-faces", max_faces, 1);
+  }
+  for (const std::string& text : weights) {
+    const std::size_t equals = text.find('=');
+    double* const weight = unfold::weight_named(rules.weights, std::string_view(text).substr(0, equals));
+    if (equals == std::string::npos || weight == nullptr) {
+      refuse("--weigh takes a term and its weight, such as pieces=10; the terms are " + all_terms() +
+             ", not '" + text + "'");
+    }
+    *weight = number_or_refuse("--weigh " + text.substr(0, equals), text.substr(equals + 1), 0.0, 1e6);
+  }
+  return rules;
+}
+
+}  // namespace ridgecraft::cli

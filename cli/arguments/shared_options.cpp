@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments/shared_options.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <thread>
+
+#include "base/length_text.hpp"
+#include "cli/arguments/option_values.hpp"
+#include "cli/arguments/units.hpp"
+
+namespace ridgecraft::cli {
+
+void CommonTexts::add_to(Verb& verb, TimeUp time_up) {
+  verb.flag("Common", "--json", values.json,
+            "Print one JSON object on standard output and nothing else there.")
+      .flag("Common", "-q,--quiet", values.quiet, "Print no summary, notes or progress; errors only.")
+      .option("Common", "--seed", seed, "N",
+              "Seed of everything random; the same seed gives the same bytes (1).")
+      .option("Common", "--threads", threads, "N",
+              "Threads to use; the result doesn't depend on it (one per core).")
+      .option(
+          "Common", "--time-limit", time_limit, "SECONDS",
+          time_up == TimeUp::ends_searches
+              ? "End after about this time: searches stop with the best they have, a stage that has nothing "
+                "yet stops the program (no limit)."
+              : "Stop after this time, with exit code 130 and nothing written, unless all is done by then "
+                "(no limit).");
+}
+
+CommonOptions CommonTexts::checked() const {
+  constexpr std::uint64_t most_threads = 256;
+  CommonOptions out = values;
+  out.seed = seed.empty() ? 1 : whole_number_or_refuse("--seed", seed, 0);
+  out.threads =
+      threads.empty()
+          ? std::max(1U, std::thread::hardware_concurrency())
+          : static_cast<unsigned>(std::min(whole_number_or_refuse("--threads", threads, 1), most_threads));
+  if (!time_limit.empty()) {
+    out.time_limit_s = number_or_refuse("--time-limit", time_limit, 0.001, 1e6);
+  }
+  return out;
+}
+
+void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
+  faces = default_faces;
+  verb.option("Size", "--size", size, "LENGTH",
+              "Largest extent of the finished model: 150mm, 20cm, 8in; a number alone means mm (150mm).")
+      .option("Size", "--scale", scale, "FACTOR",
+              "Instead of --size: 1:50, 0.5 or 30% of the size that the file's numbers give in --unit.")
+      .option("Size", "--unit", unit, "UNIT",
+              "Unit of the file's numbers: mm, cm, m, in, ft (mm); used with --scale.")
+      .option("Size", "--faces", faces, "N|auto|keep",
+              default_faces == "auto"
+                  ? "How many faces to keep: auto simplifies a model whose edges would be too short to fold, "
+                    "keep never does, a number simplifies to that many (auto)."
+                  : "How many faces to keep: auto, keep or a number (keep).");
+}
+
+SizeArguments SizeTexts::checked() const {
+  SizeArguments out;
+  if (!size.empty() && !scale.empty()) {
+    refuse("--size and --scale exclude each other");
+  }
+  if (!unit.empty() && scale.empty()) {
+    refuse("--unit tells what the file's numbers mean for --scale; with --size it has no effect");
+  }
+  if (!scale.empty()) {
+    const auto factor = parse_scale(scale);
+    if (!factor) {
+      refuse("--scale takes a factor such as 1:50, 0.5 or 30%, not '" + scale + "'");
+    }
+    out.size.mm_per_unit = *factor * unit_or_refuse("--unit", unit);
+    out.asked = "--scale " + scale + (unit.empty() ? "" : " --unit " + unit);
+  } else {
+    out.size.largest_extent_mm = size.empty() ? 150.0 : length_or_refuse("--size", size);
+    require_range("--size", size, out.size.largest_extent_mm, 1.0, 100000.0, "1mm to 100m");
+    std::string_view typed = size;
+    const auto length = take_length(typed);
+    out.unit_assumed = length && !length->mm_per_unit;
+    out.asked = "--size " + (size.empty() ? std::string("150mm") : size);
+  }
+  if (faces == "auto") {
+    out.simplify.mode = prepare::Simplification::automatic;
+  } else if (faces == "keep") {
+    out.simplify.mode = prepare::Simplification::keep;
+  } else {
+    out.simplify.mode = prepare::Simplification::count;
+    out.simplify.faces = whole_number_or_refuse("--faces", faces, 4);
+  }
+  return out;
+}
+
+}  // namespace ridgecraft::cli

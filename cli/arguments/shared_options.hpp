@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options that several verbs have: as typed, and what they mean.
+#pragma once
+
+#include <string>
+
+#include "cli/arguments/options.hpp"
+#include "cli/arguments/verb.hpp"
+
+namespace ridgecraft::cli {
+
+/// What --time-limit means to a verb.
+enum class TimeUp {
+  stops_program,  ///< there is a whole result or none
+  ends_searches,  ///< what was found so far is finished
+};
+
+/// What every verb takes.
+struct CommonTexts {
+  CommonOptions values;
+  std::string time_limit, seed, threads;
+
+  void add_to(Verb& verb, TimeUp time_up = TimeUp::stops_program);
+  [[nodiscard]] CommonOptions checked() const;
+};
+
+/// How a model is brought to paper size.
+struct SizeTexts {
+  std::string size, scale, unit, faces;
+
+  void add_to(Verb& verb, const std::string& default_faces);
+  [[nodiscard]] SizeArguments checked() const;
+};
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The only file that includes CLI11.
+#include "cli/arguments/verb.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "base/nearest_word.hpp"
+#include "cli/arguments/option_values.hpp"
+#include "cli/arguments/verbs.hpp"
+
+namespace ridgecraft::cli {
+
+struct Verb::Parser {
+  CLI::App app;
+};
+
+Verb::Verb(std::string name, std::string purpose) : parser_(std::make_unique<Parser>()) {
+  manual_.name = std::move(name);
+  manual_.purpose = std::move(purpose);
+  parser_->app.set_help_flag();
+}
+
+Verb::~Verb() = default;
+
+Verb& Verb::usage(std::string line) {
+  manual_.usage.push_back(std::move(line));
+  return *this;
+}
+
+Verb& Verb::example(std::string command, std::string what) {
+  manual_.examples.push_back({std::move(command), std::move(what)});
+  return *this;
+}
+
+Verb& Verb::section(ManualSection section) {
+  extra_sections_.push_back(std::move(section));
+  return *this;
+}
+
+Verb& Verb::option(const std::string& group, const std::string& names, std::string& value,
+                   const std::string& type, const std::string& text) {
+  parser_->app.add_option(names, value, text)
+      ->group(group)
+      ->type_name(type)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  return *this;
+}
+
+Verb& Verb::list(const std::string& group, const std::string& names, std::vector<std::string>& values,
+                 const std::string& type, const std::string& text) {
+  parser_->app.add_option(names, values, text)
+      ->group(group)
+      ->type_name(type)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  return *this;
+}
+
+Verb& Verb::flag(const std::string& group, const std::string& names, bool& value, const std::string& text) {
+  parser_->app.add_flag(names, value, text)->group(group);
+  return *this;
+}
+
+Job Verb::finish(const Arguments* arguments, Manual* manual, const std::function<Job()>& checked) {
+  if (arguments == nullptr) {
+    *manual = this->manual();
+    return PrintJob{};
+  }
+  if (parse(*arguments)) {
+    return PrintJob{help_text(this->manual())};
+  }
+  return checked();
+}
+
+/// True when --help was asked for.
+bool Verb::parse(Arguments arguments) {
+  bool help = false;
+  flag("Common", "-h,--help", help, "Print this text.");
+  std::reverse(arguments.begin(), arguments.end());
+  try {
+    parser_->app.parse(arguments);
+  } catch (const CLI::ExtrasError&) {
+    refuse(unexpected(parser_->app.remaining()));
+  } catch (const CLI::ParseError& error) {
+    if (!help) {
+      refuse(std::string(error.what()));
+    }
+  }
+  return help;
+}
+
+Manual Verb::manual() const {
+  Manual whole = manual_;
+  const CLI::App& app = parser_->app;
+  for (const std::string& group : app.get_groups()) {
+    if (group.empty()) {
+      continue;  // hidden options
+    }
+    ManualSection section{group, {}};
+    for (const CLI::Option* o :
+         app.get_options([&](const CLI::Option* x) { return x->get_group() == group; })) {
+      std::string term = o->get_positional() ? o->get_single_name() : o->get_name(false, true);
+      for (std::size_t at = term.find(','); at != std::string::npos; at = term.find(',', at + 2)) {
+        term.replace(at, 1, ", ");
+      }
+      if (!o->get_positional() && !o->get_type_name().empty() && o->get_expected_max() > 0) {
+        term += " " + o->get_type_name();
+      }
+      section.entries.push_back({term, o->get_description()});
+    }
+    if (!section.entries.empty()) {
+      whole.sections.push_back(std::move(section));
+    }
+  }
+  whole.sections.insert(whole.sections.end(), extra_sections_.begin(), extra_sections_.end());
+  return whole;
+}
+
+std::string Verb::unexpected(const std::vector<std::string>& remaining) const {
+  const std::string word = remaining.empty() ? "" : remaining.front();
+  std::string sentence =
+      word.starts_with("-") ? "there is no option '" + word + "'" : "'" + word + "' is one argument too many";
+  std::vector<std::string> known;
+  for (const CLI::Option* o : parser_->app.get_options({})) {
+    for (const std::string& name : o->get_lnames()) {
+      known.push_back("--" + name);
+    }
+  }
+  const std::string option = word.starts_with("--") ? word.substr(0, word.find('=')) : "";
+  if (const std::string owners = option.size() > 2 ? verbs_with(option) : ""; !owners.empty()) {
+    return "there is no option '" + option + "' here; it belongs to " + owners;
+  }
+  const std::string nearest = option.empty() ? "" : nearest_word(option, known);
+  return sentence +
+         (nearest.empty() ? "; see " + manual_.name + " --help" : ", did you mean '" + nearest + "'?");
+}
+
+}  // namespace ridgecraft::cli

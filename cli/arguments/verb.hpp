@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One verb of the program: its options, the texts around them, and how they are parsed. Hides CLI11, which is
+// slow to compile.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/arguments/manual.hpp"
+#include "cli/arguments/options.hpp"
+
+namespace ridgecraft::cli {
+
+using Arguments = std::vector<std::string>;
+
+class Verb {
+ public:
+  Verb(std::string name, std::string purpose);
+  Verb(const Verb&) = delete;
+  Verb& operator=(const Verb&) = delete;
+  ~Verb();
+
+  Verb& usage(std::string line);
+  Verb& example(std::string command, std::string what);
+  /// A section behind those of the options.
+  Verb& section(ManualSection section);
+
+  /// An option ("-x,--long") or argument ("MODEL"); the value is what was typed, unchecked. Given twice, the
+  /// last one counts, so that a script can append what it wants differently. An empty group hides it.
+  Verb& option(const std::string& group, const std::string& names, std::string& value,
+               const std::string& type, const std::string& text);
+  /// An option that may be given several times.
+  Verb& list(const std::string& group, const std::string& names, std::vector<std::string>& values,
+             const std::string& type, const std::string& text);
+  Verb& flag(const std::string& group, const std::string& names, bool& value, const std::string& text);
+
+  /// With arguments: parses them and returns what `checked` makes of them, or the help if they ask for it.
+  /// Without: fills in the manual.
+  [[nodiscard]] Job finish(const Arguments* arguments, Manual* manual, const std::function<Job()>& checked);
+
+ private:
+  struct Parser;
+
+  bool parse(Arguments arguments);
+  [[nodiscard]] Manual manual() const;
+  [[nodiscard]] std::string unexpected(const std::vector<std::string>& remaining) const;
+
+  Manual manual_;
+  std::vector<ManualSection> extra_sections_;
+  std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace ridgecraft::cli

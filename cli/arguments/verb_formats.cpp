@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ridgecraft formats
+#include "cli/arguments/shared_options.hpp"
+#include "cli/arguments/verbs.hpp"
+
+namespace ridgecraft::cli {
+
+Job build_formats(const Arguments* arguments, Manual* manual) {
+  Verb verb("ridgecraft formats", "lists the formats that are read and written");
+  verb.usage("ridgecraft formats [--json]");
+  verb.example("ridgecraft formats", "The list.");
+  FormatsJob job;
+  CommonTexts common;
+  common.add_to(verb);
+  return verb.finish(arguments, manual, [&]() -> Job {
+    job.common = common.checked();
+    return job;
+  });
+}
+
+}  // namespace ridgecraft::cli

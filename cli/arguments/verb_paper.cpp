@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ridgecraft MODEL: the main job.
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "cli/arguments/edge_options.hpp"
+#include "cli/arguments/option_values.hpp"
+#include "cli/arguments/piece_options.hpp"
+#include "cli/arguments/shared_options.hpp"
+#include "cli/arguments/verbs.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+ManualSection verbs_section() {
+  return {"Verbs for single steps",
+          {{"info MODEL", "What a file holds, and what had to be repaired."},
+           {"segment MODEL", "Cut a model into nearly convex parts; coloured mesh and labels."},
+           {"unfold MODEL", "Nets without pages, as a FOLD file."},
+           {"verify FILE.fold", "Check a file of nets: lengths, overlaps, pages, joins, refolding."},
+           {"hulls MODEL", "One convex hull per part, as OBJ or URDF."},
+           {"cage MODEL", "A coarse closed mesh around a model."},
+           {"shell MODEL", "A watertight mesh around a broken model."},
+           {"deform MODEL", "Move a model as the cage around it is moved."},
+           {"formats", "The formats that are read and written."}}};
+}
+
+ManualSection exit_section() {
+  return {"Exit codes",
+          {{"0", "Done."},
+           {"1", "A mistake of the program itself."},
+           {"2", "Wrong option or argument."},
+           {"3", "The input can't be read."},
+           {"4", "The mesh can't be used."},
+           {"5", "No nets of this model can be cut from this paper."},
+           {"6", "verify found faults."},
+           {"7", "A result can't be written."},
+           {"130", "Interrupted."}}};
+}
+
+}  // namespace
+
+Job build_paper(const Arguments* arguments, Manual* manual) {
+  Verb verb("ridgecraft",
+            "turns 3D models into paper: parts, nets without overlap, pages to print, cut, fold and glue");
+  verb.usage("ridgecraft MODEL [options]").usage("ridgecraft VERB ... (ridgecraft VERB --help tells more)");
+  verb.example("ridgecraft whale.obj",
+               "Pages for a whale of 150 mm: whale.pdf, whale.svg and whale.fold in this folder.");
+  verb.example("ridgecraft scan.stl --size 30cm --paper A3 -o out", "Larger, on A3, into the folder out.");
+  verb.example("ridgecraft house.obj --scale 1:500 --unit m -o house.pdf",
+               "A house drawn in metres, at a scale.");
+  verb.example("ridgecraft fox.obj --pieces few", "As few pieces as the paper allows.");
+  PaperJob job;
+  CommonTexts common;
+  std::string concavity;
+  PieceTexts pieces;
+  SizeTexts size;
+  std::string paper = "A4";
+  std::string margin;
+  std::string tab_height;
+  std::string tab_angle;
+  std::string hide = "3";
+  bool no_tabs = false;
+  verb.option("Input", "MODEL", job.model, "MODEL",
+              "OBJ, STL, PLY or OFF; the content decides, not the suffix.");
+  verb.list(
+      "Output", "-o,--output", job.outputs, "WHERE",
+      "A folder gets all default formats (PDF, SVG, FOLD); a file's suffix names its format (.pdf, .svg, "
+      ".fold, .png). May be given several times (the current folder).");
+  verb.flag("Output", "--overwrite", job.overwrite,
+            "Replace existing files, also those that weren't made from this model.");
+  size.add_to(verb, "auto");
+  verb.option(
+      "Paper", "--paper", paper, "NAME|WxH",
+      "A0 to A7, B0 to B6, letter, legal, tabloid and others, -landscape added to turn it, or a size such as "
+      "300x200mm (A4).");
+  verb.option("Paper", "--margin", margin, "LENGTH",
+              "What the printer can't reach, on all four sides (10mm).");
+  verb.option("Tabs and lines", "--tab-height", tab_height, "LENGTH", "Height of the glue tabs (5mm).");
+  verb.option("Tabs and lines", "--tab-angle", tab_angle, "DEGREES",
+              "Side angle of the glue tabs; steeper where an edge is short (45).");
+  verb.flag("Tabs and lines", "--all-tabs", job.tabs.split_pieces,
+            "Split pieces further until every edge with a face wide enough behind it has a glue tab.");
+  verb.flag("Tabs and lines", "--no-tabs", no_tabs, "Draw no glue tabs.");
+  verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
+              "Draw no line where the surface is folded by less than this (3).");
+  verb.option(
+      "Parts", "--concavity", concavity, "TOLERANCE",
+      "How far a part may be from convex, as a share of the radius of the model's bounding sphere (0.1).");
+  pieces.add_to(verb);
+  add_edge_options(verb, job.edges);
+  common.add_to(verb, TimeUp::ends_searches);
+  bool version = false;
+  verb.flag("Common", "--version", version, "Print the program's version.");
+  bool man = false;
+  verb.flag("", "--man-page", man, "Print the manual page.");
+  verb.section(verbs_section()).section(exit_section());
+  return verb.finish(arguments, manual, [&]() -> Job {
+    if (version) {
+      return PrintJob{program_and_version() + "\n"};
+    }
+    if (man) {
+      return PrintJob{man_page_wanted};
+    }
+    require(job.model, "name the model to turn into paper", "ridgecraft");
+    job.common = common.checked();
+    job.size = size.checked();
+    job.paper = paper::parse_paper(paper);
+    job.paper_name = paper;
+    if (!margin.empty()) {
+      job.paper.margin = length_or_refuse("--margin", margin, true);
+    }
+    const Vec2 area = paper::piece_area(job.paper);
+    if (!(area.x >= 20.0 && area.y >= 20.0)) {
+      refuse("paper " + paper + " with a margin of " + fmt::format("{:g}", job.paper.margin) +
+             " mm leaves no room for pieces");
+    }
+    job.concavity = concavity_or_refuse(concavity);
+    job.pieces = pieces.rules();
+    job.pieces_asked = pieces.mode;
+    if (no_tabs && job.tabs.split_pieces) {
+      refuse("--all-tabs and --no-tabs exclude each other");
+    }
+    if (no_tabs && (!tab_height.empty() || !tab_angle.empty())) {
+      refuse("--tab-height and --tab-angle tell the shape of tabs; with --no-tabs they have no effect");
+    }
+    job.tabs.wanted = !no_tabs;
+    if (!tab_height.empty()) {
+      job.tabs.height_mm = length_or_refuse("--tab-height", tab_height);
+      require_range("--tab-height", tab_height, job.tabs.height_mm, 1.5, 50.0, "1.5mm to 50mm");
+    }
+    job.tabs.angle =
+        number_or_refuse("--tab-angle", tab_angle.empty() ? "45" : tab_angle, 15.0, 85.0) * degree;
+    job.tabs.steepest_angle = std::max(job.tabs.steepest_angle, job.tabs.angle);
+    job.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
+    return job;
+  });
+}
+
+}  // namespace ridgecraft::cli

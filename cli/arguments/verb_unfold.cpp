@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ridgecraft unfold
+#include "cli/arguments/edge_options.hpp"
+#include "cli/arguments/option_values.hpp"
+#include "cli/arguments/shared_options.hpp"
+#include "cli/arguments/verbs.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+/// Trials for tabs where they are what was asked for: 1 to 2 s for 500 faces.
+constexpr double patient_trials_per_face = 60.0;
+
+}  // namespace
+
+Job build_unfold(const Arguments* arguments, Manual* manual) {
+  Verb verb("ridgecraft unfold", "unfolds a model into nets without overlap, without pages");
+  verb.usage("ridgecraft unfold MODEL [--whole] -o NETS.fold [options]");
+  verb.example("ridgecraft unfold gem.off --whole -o gem.fold",
+               "The whole model as one net, if there is one.");
+  UnfoldJob job;
+  job.tabs.wanted = false;
+  job.tabs.trials_per_face = patient_trials_per_face;
+  CommonTexts common;
+  std::string concavity;
+  SizeTexts size;
+  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF.");
+  verb.option("Output", "-o,--output", job.output, "FILE.fold", "Where the nets go.");
+  verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");
+  verb.flag("Parts", "--whole", job.whole, "Don't cut the model into parts first.");
+  verb.option("Parts", "--concavity", concavity, "TOLERANCE", "How far a part may be from convex (0.1).");
+  add_edge_options(verb, job.edges);
+  size.add_to(verb, "keep");
+  verb.flag("Tabs", "--tabs", job.tabs.wanted,
+            "Search nets whose cut edges have room for 5 mm glue tabs, and draw these.");
+  verb.flag("Tabs", "--all-tabs", job.tabs.split_pieces,
+            "The same, and split pieces until every edge with a face wide enough behind it has a tab.");
+  common.add_to(verb, TimeUp::ends_searches);
+  return verb.finish(arguments, manual, [&]() -> Job {
+    require(job.model, "name the model to unfold", "ridgecraft unfold");
+    job.common = common.checked();
+    job.tabs.wanted = job.tabs.wanted || job.tabs.split_pieces;
+    job.size = size.checked();
+    if (job.whole && !concavity.empty()) {
+      refuse("--concavity tells how to cut the model into parts; with --whole it has no effect");
+    }
+    job.concavity = concavity_or_refuse(concavity);
+    return job;
+  });
+}
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verbs: each has its options and texts in a file verb_NAME.cpp (those of solid/ share one).
+#pragma once
+
+#include "cli/arguments/manual.hpp"
+#include "cli/arguments/options.hpp"
+#include "cli/arguments/verb.hpp"
+
+namespace ridgecraft::cli {
+
+/// Each parses the arguments into a job, or, without arguments, fills in the manual.
+[[nodiscard]] Job build_paper(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_info(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_segment(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_unfold(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_hulls(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_cage(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_shell(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_deform(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_verify(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_formats(const Arguments* arguments, Manual* manual);
+
+/// "the main job: ridgecraft MODEL --pieces few|parts|small", or the names of all verbs that have this option
+/// ("--pieces"); empty where none has it.
+[[nodiscard]] std::string verbs_with(const std::string& option);
+
+/// What build_paper returns for --man-page: the text is the caller's to make, from all manuals.
+inline constexpr const char* man_page_wanted = "man";
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/files/formats.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/telling/sentence.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Row {
+  const char* suffix;
+  const char* what;
+};
+constexpr std::array read_formats{
+    Row{".obj", "Wavefront OBJ, with materials"}, Row{".stl", "STL, binary and ASCII"},
+    Row{".ply", "PLY, ASCII and binary of both byte orders"}, Row{".off", "OFF and its variants, ASCII"}};
+
+struct PaperRow {
+  Format format;
+  Row row;
+  bool per_page;
+  bool by_default;
+};
+constexpr std::array paper_formats{
+    PaperRow{Format::pdf, {".pdf", "pages to print; default"}, false, true},
+    PaperRow{Format::svg, {".svg", "pages with a layer for each class of line; default"}, true, true},
+    PaperRow{Format::fold, {".fold", "FOLD 1.2: nets, joins, tabs and the model; default"}, false, true},
+    PaperRow{Format::png, {".png", "pages as pictures"}, true, false}};
+/// What the other verbs write.
+constexpr std::array verb_formats{Row{".fold", "nets without pages (unfold)"},
+                                  Row{".ply", "parts in colour (segment); meshes (cage, shell, deform)"},
+                                  Row{".off", "parts in colour (segment); meshes (cage, shell, deform)"},
+                                  Row{".seg", "part numbers (segment --labels; any suffix)"},
+                                  Row{".json", "how parts join to fewer (segment --hierarchy; any suffix)"},
+                                  Row{".obj", "an object per hull (hulls); meshes (cage, shell, deform)"},
+                                  Row{".urdf", "a robot description with its hulls beside it (hulls)"}};
+
+const PaperRow& row(Format format) {
+  return *std::find_if(paper_formats.begin(), paper_formats.end(),
+                       [&](const PaperRow& r) { return r.format == format; });
+}
+
+std::vector<Row> written_formats() {
+  std::vector<Row> rows;
+  for (const PaperRow& r : paper_formats) {
+    rows.push_back(r.row);
+  }
+  rows.insert(rows.end(), verb_formats.begin(), verb_formats.end());
+  return rows;
+}
+
+}  // namespace
+
+std::optional<Format> paper_format(std::string_view suffix) {
+  for (const PaperRow& r : paper_formats) {
+    if (suffix == r.row.suffix) {
+      return r.format;
+    }
+  }
+  return std::nullopt;
+}
+
+const char* suffix(Format format) {
+  return row(format).row.suffix;
+}
+
+bool one_file_per_page(Format format) {
+  return row(format).per_page;
+}
+
+std::vector<Format> default_formats() {
+  std::vector<Format> formats;
+  for (const PaperRow& r : paper_formats) {
+    if (r.by_default) {
+      formats.push_back(r.format);
+    }
+  }
+  return formats;
+}
+
+std::string paper_suffixes() {
+  std::vector<std::string> suffixes;
+  for (const PaperRow& r : paper_formats) {
+    suffixes.emplace_back(r.row.suffix);
+  }
+  return listed(suffixes, "and");
+}
+
+std::string suffix_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return ending;
+}
+
+std::string formats_text() {
+  std::string text = "read:\n";
+  for (const Row& r : read_formats) {
+    text += fmt::format("  {:<6} {}\n", r.suffix, r.what);
+  }
+  text += "written:\n";
+  for (const Row& r : written_formats()) {
+    text += fmt::format("  {:<6} {}\n", r.suffix, r.what);
+  }
+  return text;
+}
+
+std::string formats_json() {
+  Json json{{"read", Json::array()}, {"written", Json::array()}};
+  for (const Row& r : read_formats) {
+    json["read"].push_back({{"suffix", r.suffix}, {"what", r.what}});
+  }
+  for (const Row& r : written_formats()) {
+    json["written"].push_back({{"suffix", r.suffix}, {"what", r.what}});
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace ridgecraft::cli

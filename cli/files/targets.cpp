@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/files/targets.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include <unistd.h>
+
+#include "base/error.hpp"
+#include "export/export.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_folder(const std::string& text) {
+  std::error_code error;
+  return text.ends_with('/') || fs::is_directory(text, error) || fs::path(text).extension().empty();
+}
+
+/// Larger than anything that this program writes.
+constexpr std::uintmax_t largest_own_file = std::uintmax_t{1} << 31U;
+
+std::string mark_digest_of(const fs::path& file) {
+  std::error_code error;
+  if (const auto size = fs::file_size(file, error); error || size > largest_own_file) {
+    return {};
+  }
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  return in.bad() ? std::string() : paper::read_mark_digest(bytes);
+}
+
+/// n of "stem-n.svg", 0 for "stem.svg", nothing for another name.
+std::optional<std::size_t> page_number(const std::string& name, const std::string& stem, const char* ending) {
+  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() < stem.size() + std::strlen(ending)) {
+    return std::nullopt;
+  }
+  const std::string middle = name.substr(stem.size(), name.size() - stem.size() - std::strlen(ending));
+  if (middle.empty()) {
+    return 0;
+  }
+  if (middle.size() < 2 || middle.size() > 7 || middle[0] != '-' || middle[1] == '0' ||
+      !std::all_of(middle.begin() + 1, middle.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+    return std::nullopt;
+  }
+  return std::stoul(middle.substr(1));
+}
+
+}  // namespace
+
+std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name) {
+  std::vector<Target> targets;
+  const auto add_folder = [&](const fs::path& folder) {
+    for (const Format format : default_formats()) {
+      targets.push_back({format, folder, model_name});
+    }
+  };
+  if (outputs.empty()) {
+    add_folder(".");
+  }
+  for (const std::string& output : outputs) {
+    if (output.empty() || output == "-") {
+      throw Error(ErrorKind::usage,
+                  "-o needs a folder or a file; there are several files, so none goes to standard output");
+    }
+    const fs::path path(output);
+    if (is_folder(output)) {
+      add_folder(path);
+    } else if (const auto format = paper_format(suffix_of(path))) {
+      targets.push_back(
+          {*format, path.has_parent_path() ? path.parent_path() : fs::path("."), path.stem().string()});
+    } else {
+      throw Error(ErrorKind::usage, "-o " + output + ": '" + path.extension().string() +
+                                        "' is no format that can be written; " + paper_suffixes() + " are");
+    }
+  }
+  std::vector<Target> different;
+  std::set<fs::path> places;
+  for (Target& target : targets) {
+    target.folder = (target.folder / "").lexically_normal();
+    if (places.insert(place_of(target.folder / (target.stem + suffix(target.format)))).second) {
+      require_writable_folder(target.folder);
+      different.push_back(target);
+    }
+  }
+  return different;
+}
+
+fs::path place_of(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::error_code error;
+  fs::path place = fs::weakly_canonical(fs::absolute(folder, error), error);
+  if (error) {
+    place = folder.lexically_normal();
+  }
+  return place / file.filename();
+}
+
+std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
+  if (!one_file_per_page(target.format) || pages == 1) {
+    return {target.folder / (target.stem + suffix(target.format))};
+  }
+  std::vector<fs::path> files;
+  for (std::size_t page = 1; page <= pages; ++page) {
+    files.push_back(target.folder / (target.stem + "-" + std::to_string(page) + suffix(target.format)));
+  }
+  return files;
+}
+
+std::vector<fs::path> leftovers_of(const Target& target, const std::set<fs::path>& written,
+                                   const std::string& digest) {
+  std::vector<fs::path> leftovers;
+  if (!one_file_per_page(target.format)) {
+    return leftovers;
+  }
+  std::error_code error;
+  for (fs::directory_iterator entry(target.folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path file = target.folder / entry->path().filename();
+    std::error_code ignored;
+    if (page_number(file.filename().string(), target.stem, suffix(target.format)) &&
+        !written.contains(file) && entry->is_regular_file(ignored) && mark_digest_of(file) == digest) {
+      leftovers.push_back(file);
+    }
+  }
+  std::sort(leftovers.begin(), leftovers.end());
+  return leftovers;
+}
+
+void require_replaceable(const fs::path& file, const std::string& digest, bool overwrite) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) {
+    return;
+  }
+  if (!fs::is_regular_file(status)) {
+    throw Error(ErrorKind::cant_write, file.lexically_normal().string() + " exists and is no regular file");
+  }
+  if (!overwrite && (digest.empty() || mark_digest_of(file) != digest)) {
+    throw Error(ErrorKind::cant_write,
+                file.lexically_normal().string() +
+                    " exists and wasn't made from this model; --overwrite replaces it");
+  }
+}
+
+void require_no_input(const fs::path& output, const std::vector<InputFile>& inputs, bool overwrite) {
+  if (overwrite) {
+    return;
+  }
+  const fs::path place = place_of(output);
+  for (const InputFile& input : inputs) {
+    std::error_code error;
+    // What is written replaces a link by this name, but also the file that another link leads to.
+    if (!input.file.empty() && (place == place_of(input.file) || place == fs::canonical(input.file, error))) {
+      throw Error(ErrorKind::cant_write, output.lexically_normal().string() + " is read by " + input.option +
+                                             ": name another output with -o, or --overwrite replaces it");
+    }
+  }
+}
+
+bool holds(const fs::path& file, const std::string& bytes) {
+  std::error_code error;
+  if (fs::file_size(file, error) != bytes.size() || error) {
+    return false;
+  }
+  std::ifstream in(file, std::ios::binary);
+  return std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()} == bytes;
+}
+
+void require_writable_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::path existing = folder.empty() ? fs::path(".") : folder;
+  while (!fs::exists(existing, error) && existing.has_parent_path() && existing.parent_path() != existing) {
+    existing = existing.parent_path();
+  }
+  if (!fs::exists(existing, error)) {
+    existing = ".";
+  }
+  if (!fs::is_directory(existing, error)) {
+    throw Error(ErrorKind::cant_write, existing.string() + " is no folder");
+  }
+  if (::access(existing.c_str(), W_OK | X_OK) != 0) {
+    throw Error(ErrorKind::cant_write,
+                "can't write into the folder " + existing.string() + ": " + std::strerror(errno));
+  }
+}
+
+}  // namespace ridgecraft::cli

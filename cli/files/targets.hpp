@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where results go: from what the user wrote after -o to the names of files, and whether they may be
+// replaced.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/files/formats.hpp"
+
+namespace ridgecraft::cli {
+
+/// One format of one result. Formats with a file per page (SVG, PNG) number the files when there are several
+/// pages.
+struct Target {
+  Format format;
+  std::filesystem::path folder;  ///< lexically normal
+  std::string stem;
+
+  friend bool operator==(const Target&, const Target&) = default;
+};
+
+/// What -o asks for; without any, all default formats (PDF, SVG, FOLD) in the current folder. Folders that
+/// are asked for and don't exist are created when files are written. Throws Error(usage) for a suffix that is
+/// no format, Error(cant_write) for a folder that can't be written to.
+[[nodiscard]] std::vector<Target> plan_targets(const std::vector<std::string>& outputs,
+                                               const std::string& model_name);
+
+/// The same for all names of one place in the file system: the folder without links, dots and the like. A
+/// link as last name stays, since a file that is written replaces it.
+[[nodiscard]] std::filesystem::path place_of(const std::filesystem::path& file);
+
+/// The files of a target: one, or for SVG and PNG one per page.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const Target& target, std::size_t pages);
+
+/// Pages of an earlier run of the same model (digest) that this run, with that many pages, doesn't write
+/// again.
+[[nodiscard]] std::vector<std::filesystem::path> leftovers_of(const Target& target,
+                                                              const std::set<std::filesystem::path>& written,
+                                                              const std::string& digest);
+
+/// Throws Error(cant_write) unless the file doesn't exist, or this program made it for the same model, or
+/// `overwrite` is set and it is a regular file.
+void require_replaceable(const std::filesystem::path& file, const std::string& digest, bool overwrite);
+
+/// A file that a job reads besides the model, and the option that names it.
+struct InputFile {
+  std::string option;
+  std::filesystem::path file;
+};
+
+/// Throws Error(cant_write) where a result would replace one of these files, marked as ours or not: it may
+/// hold somebody's work by now. `overwrite` allows it. Files without a name are passed over.
+void require_no_input(const std::filesystem::path& output, const std::vector<InputFile>& inputs,
+                      bool overwrite);
+
+/// True where the file exists and holds just these bytes.
+[[nodiscard]] bool holds(const std::filesystem::path& file, const std::string& bytes);
+
+/// Throws Error(cant_write) unless the file's folder exists (or can be created) and can be written to.
+void require_writable_folder(const std::filesystem::path& folder);
+
+}  // namespace ridgecraft::cli

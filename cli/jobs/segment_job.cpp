@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ridgecraft segment: reads, segments, compares, writes.
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "cli/files/label_files.hpp"
+#include "cli/files/part_files.hpp"
+#include "cli/files/targets.hpp"
+#include "cli/jobs/find_parts.hpp"
+#include "cli/jobs/pipeline.hpp"
+#include "mesh/model/file_numbers.hpp"
+#include "mesh/write.hpp"
+#include "segment/evaluate.hpp"
+#include "segment/hierarchy.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Rays a side of the grid that measures the hulls' union: 512 differ from 128 by less than 0.001.
+constexpr unsigned volume_rays = 128;
+
+void check_outputs(const SegmentJob& job) {
+  for (const std::string& output : job.outputs) {
+    const std::string suffix = suffix_of(output);
+    if (suffix != ".ply" && suffix != ".off") {
+      throw Error(ErrorKind::usage, "-o " + output + ": parts are written as .ply or .off");
+    }
+  }
+  std::vector<std::pair<const char*, fs::path>> files;
+  for (const std::string& output : job.outputs) {
+    files.emplace_back("-o ", output);
+  }
+  if (!job.labels.empty()) {
+    files.emplace_back("--labels ", job.labels);
+  }
+  if (!job.hierarchy.empty()) {
+    files.emplace_back("--hierarchy ", job.hierarchy);
+  }
+  std::map<fs::path, std::string> different;
+  for (const auto& [option, file] : files) {
+    const auto [first, added] = different.emplace(place_of(file), option + file.string());
+    if (!added) {
+      throw Error(ErrorKind::usage, option + file.string() + " names the same file as " + first->second);
+    }
+  }
+  for (const auto& [option, file] : files) {
+    require_writable_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
+  }
+}
+
+Comparison compare_with(const std::vector<std::string>& files, const mesh::Model& model,
+                        const segment::Segmentation& segmentation, const Context& context) {
+  Comparison comparison;
+  std::vector<std::uint32_t> of_face;
+  for (const PartId part : segmentation.part) {
+    of_face.push_back(part.value());
+  }
+  comparison.volume_ratio = segment::hull_volume_ratio(model.surface, of_face, volume_rays, context);
+  const Labels ours = polygon_labels(model, segmentation);
+  for (const std::string& file : files) {
+    context.check();
+    const Labels theirs = read_labels(file, model.polygon_count);
+    comparison.with.push_back({file, segment::compare(model.surface, model.polygon.items(), ours, theirs)});
+  }
+  return comparison;
+}
+
+/// Labels have no place for a mark: the same ones may stand there already, others are somebody's work.
+void add_labels(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
+  std::string bytes = label_text(polygon_labels(result.model, result.segmentation));
+  if (!job.overwrite && fs::is_regular_file(job.labels) && !holds(job.labels, bytes)) {
+    throw Error(ErrorKind::cant_write, job.labels + " holds other labels; --overwrite replaces it");
+  }
+  pending.add(job.labels, std::move(bytes));
+  result.files.push_back(job.labels);
+}
+
+/// The same before the work, when the bytes aren't known: what can't be the same ones is refused.
+void require_own_labels(const SegmentJob& job, std::size_t polygons) {
+  const auto are_labels = [&] {
+    try {
+      return read_labels(job.labels, polygons).size() == polygons;
+    } catch (const Error&) {
+      return false;
+    }
+  };
+  require_replaceable(job.labels, {}, job.overwrite || are_labels());
+}
+
+void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
+  const mesh::Surface surface = mesh::surface_in_file_numbers(result.model);
+  const mesh::FaceColours colours = part_colours(result.segmentation);
+  for (const std::string& output : job.outputs) {
+    const std::string comment =
+        paper::mark_word({program_and_version(), result.model.name, result.model.digest});
+    std::string bytes = suffix_of(output) == ".ply" ? mesh::write_ply(surface, colours, mesh::PlyKind::binary)
+                                                    : mesh::write_off(surface, colours);
+    pending.add(output, with_comment(std::move(bytes), comment));
+    result.files.push_back(output);
+  }
+  if (!job.labels.empty()) {
+    add_labels(job, result, pending);
+  }
+}
+
+/// The file of --hierarchy: part of each polygon, and joinings.
+std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& hierarchy) {
+  nlohmann::ordered_json json;
+  json["by"] = program_and_version();
+  json["model"] = model.name;
+  json[std::string(paper::mark_key)] = model.digest;
+  json["leaves"] = hierarchy.leaves;
+  json["leaf_concavity"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < hierarchy.leaves; ++i) {
+    json["leaf_concavity"].push_back(hierarchy.nodes[i].concavity);
+  }
+  json["joinings"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < hierarchy.joinings.size(); ++i) {
+    const segment::Joining& joining = hierarchy.joinings[i];
+    json["joinings"].push_back({{"node", hierarchy.leaves + i},
+                                {"of", {joining.first, joining.second}},
+                                {"concavity", joining.concavity}});
+  }
+  json["leaf_of_polygon"] = nlohmann::ordered_json::array();
+  for (const std::uint32_t label : polygon_labels(model, hierarchy.parts(hierarchy.leaves))) {
+    if (label == no_part) {
+      json["leaf_of_polygon"].push_back(-1);
+    } else {
+      json["leaf_of_polygon"].push_back(label);
+    }
+  }
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFiles& pending) {
+  check_outputs(job);
+  const Context& context = run.patient;
+  SegmentResult result;
+  StageClock& clock = result.clock;
+  result.model = clock("read", context, [&] {
+    return in_time(run, job.model + " was read", [&](const Context& strict) {
+      return mesh::read(job.model, {.collapse_flat_faces = false}, strict);
+    });
+  });
+  for (const std::string& output : job.outputs) {
+    require_replaceable(output, result.model.digest, job.overwrite);
+  }
+  if (!job.hierarchy.empty()) {
+    require_replaceable(job.hierarchy, result.model.digest, job.overwrite);
+  }
+  if (!job.labels.empty()) {
+    require_own_labels(job, result.model.polygon_count);
+  }
+  std::optional<segment::Hierarchy> hierarchy;
+  result.segmentation = clock("segment", context, [&] {
+    return in_time(run, job.model + " was segmented", [&](const Context& strict) {
+      if (!job.hierarchy.empty()) {
+        hierarchy = segment::find_hierarchy(result.model.surface, result.model.polygon.items(),
+                                            job.parts.count, strict);
+      }
+      return find_parts(result.model, job.model, job.parts, hierarchy, strict);
+    });
+  });
+  const double scale = result.model.file_scale;
+  for (segment::Part& part : result.segmentation.parts) {
+    part.hull_volume *= scale * scale * scale;
+  }
+  if (!job.compare.empty()) {
+    result.comparison = clock("compare", context, [&] {
+      return compare_with(job.compare, result.model, result.segmentation, context);
+    });
+  }
+  clock("write", context, [&] {
+    add_files(job, result, pending);
+    if (!job.hierarchy.empty()) {
+      pending.add(job.hierarchy, hierarchy_text(result.model, *hierarchy));
+      result.files.push_back(job.hierarchy);
+    }
+    context.check();
+    pending.commit();
+    return true;
+  });
+  return result;
+}
+
+}  // namespace ridgecraft::cli

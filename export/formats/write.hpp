@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From drawings and nets to the bytes of files.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+
+#include "export/sheet/drawing.hpp"
+#include "export/sheet/mark.hpp"
+#include "export/sheet/pages.hpp"
+#include "prepare/prepared/prepared.hpp"
+#include "unfold/net/nets.hpp"
+
+namespace ridgecraft::paper {
+
+/// Longest side of a PDF's page, mm: 14,400 points (ISO 32000-1, annex C.2).
+inline constexpr double longest_pdf_side_mm = 14400.0 / 72.0 * 25.4;
+/// Throws Error(usage) for a page that is longer. (Its UserUnit would allow it, but programs that don't know
+/// it would print the page too small.)
+void check_pdf_size(Vec2 page_mm);
+
+/// Bytes of a PDF of all pages. Same input, same bytes. Throws as check_pdf_size().
+[[nodiscard]] std::string write_pdf(std::span<const Drawing> pages, const Mark& mark);
+/// Bytes of the SVG of one page, in true millimetres, a layer for each class of line.
+[[nodiscard]] std::string write_svg(const Drawing& page, const Mark& mark);
+/// Bytes of a PNG of one page; coarser than asked where it would have more than 100 million pixels.
+[[nodiscard]] std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch = 150.0);
+
+/// Options that shaped the result, for ridgecraft:settings; values are JSON texts (numbers, strings in
+/// quotes).
+using Settings = std::map<std::string, std::string>;
+
+/// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own.
+[[nodiscard]] std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
+                                     const unfold::Nets& nets, const Pages* pages, const Mark& mark,
+                                     const Settings& settings);
+
+}  // namespace ridgecraft::paper

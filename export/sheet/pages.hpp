@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pages: where each piece lies, how it is drawn, and what was drawn.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/id.hpp"
+#include "base/vector.hpp"
+#include "export/sheet/bodies.hpp"
+#include "export/sheet/paper.hpp"
+
+namespace ridgecraft::paper {
+
+/// Where a piece lies: turned counterclockwise by the angle whose cosine and sine are given, then moved.
+struct Placement {
+  PageId page;
+  double cosine = 1.0;
+  double sine = 0.0;
+  Vec2 shift;
+
+  /// From the piece's plane to the page (origin: lower left corner of the sheet, y up).
+  [[nodiscard]] Vec2 operator()(Vec2 p) const {
+    return {cosine * p.x - sine * p.y + shift.x, sine * p.x + cosine * p.y + shift.y};
+  }
+};
+
+struct Pages {
+  Paper paper;
+  std::size_t count = 0;
+  IdVector<PieceId, Placement> placements;
+};
+
+struct Style {
+  double hidden_fold_angle = 3.0 * 3.14159265358979323846 / 180.0;  ///< smaller folds get no line, radians
+  double label_height = 2.5;                                        ///< mm
+  double smallest_label_height = 1.6;                               ///< mm
+};
+
+/// What is drawn, beside the pages themselves.
+struct DrawReport {
+  struct Number {
+    std::string piece;
+    std::uint32_t number = 0;
+    friend auto operator<=>(const Number&, const Number&) = default;
+  };
+  /// Numbers that found no place even at the smallest height, page by page.
+  std::vector<Number> labels_left_out;
+  std::size_t labels_outside = 0;  ///< numbers that stand beside their piece, with a leader
+  std::size_t names_left_out = 0;  ///< pieces whose name found no place
+  std::vector<Body> bodies;        ///< separate ones, if there are several (export/sheet/bodies.hpp)
+};
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How each class of line looks: one table for all formats.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "export/sheet/drawing.hpp"
+
+namespace ridgecraft::paper {
+
+struct Color {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+};
+
+struct LineStyle {
+  double width = 0.2;  ///< mm
+  Color color;
+  std::span<const double> dashes;  ///< mm: dash, gap, dash, gap ...; empty for a solid line
+};
+
+/// The look of a line on paper.
+[[nodiscard]] LineStyle style_of(const Line& line);
+/// The fill of an area of a layer.
+[[nodiscard]] Color fill_of(Layer layer);
+/// The colour of a text's strokes.
+[[nodiscard]] Color color_of(const Text& text);
+
+/// The pattern fitted to a line of this length, mm: it begins and ends with its first dash, so that eye and
+/// knife find both ends, and shows at least two of them; the result is a dash array for this line alone.
+/// Empty (solid) for an empty pattern and for lines below shortest_dashed_mm.
+[[nodiscard]] std::vector<double> fitted_dashes(std::span<const double> pattern, double length);
+
+/// The dash array of a line as it is drawn.
+[[nodiscard]] std::vector<double> dashes_of(const Line& line);
+
+/// Shorter lines are solid: two dashes and a gap in less than this are a smudge.
+inline constexpr double shortest_dashed_mm = 0.8;
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model: its surface, where each face came from, and what was done to it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/id.hpp"
+#include "mesh/model/repair_report.hpp"
+#include "mesh/model/soup.hpp"
+#include "mesh/model/surface.hpp"
+
+namespace ridgecraft::mesh {
+
+struct Model {
+  std::string name;    ///< the file's name without folder and suffix, valid UTF-8
+  std::string digest;  ///< 16 hexadecimal digits, hash of the file's bytes; marks what is made from it
+  Surface surface;     ///< in the file's unit (after prepare::prepare: in mm)
+
+  /// Per face: the polygon of the file that it is part of, counted from 0 in the file's order; Soup::none
+  /// where a repair or simplification made a face of no polygon.
+  IdVector<FaceId, std::uint32_t> polygon;
+  std::size_t polygon_count = 0;  ///< polygons in the file, those that repair dropped included
+
+  std::vector<Material> materials;
+  /// Per face: index into materials or Soup::none; empty when no face has one.
+  IdVector<FaceId, std::uint32_t> material;
+  /// Per face: texture coordinates of its corners; empty when the model has none.
+  IdVector<FaceId, std::array<Vec2, 3>> texture;
+
+  /// Edges that the file marks (Soup::lines), from point to point; they needn't be edges of the surface any
+  /// more.
+  std::vector<std::array<Vec3, 2>> lines;
+  /// The points of the file in its order; empty unless ReadOptions asks for them. Like lines and the
+  /// surface's points they are in the surface's frame, whatever repair made of them.
+  std::vector<Vec3> file_points;
+
+  /// A point of the surface times this is a point of the file. An exact power of two, and 1 unless the file's
+  /// numbers are so large or so small that their products would leave the range of a double.
+  double file_scale = 1.0;
+
+  RepairReport repairs;
+};
+
+}  // namespace ridgecraft::mesh

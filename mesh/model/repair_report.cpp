@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/model/repair_report.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace ridgecraft::mesh {
+namespace {
+
+/// How a kind is called and told; {} stands for the count.
+struct Wording {
+  RepairKind kind;
+  std::string_view name;
+  std::string_view one;
+  std::string_view many;
+};
+
+using enum RepairKind;
+
+constexpr std::array wordings{
+    Wording{content_is_other_format, "content_is_other_format",
+            "the file's suffix names another format than its content has; the content was read",
+            "{} files have a suffix that names another format than their content has; the content was read"},
+    Wording{trailing_data_ignored, "trailing_data_ignored", "1 byte after the end of the mesh was ignored",
+            "{} bytes after the end of the mesh were ignored"},
+    Wording{count_corrected, "count_corrected", "a count in the file's header was wrong and was corrected",
+            "{} counts in the file's header were wrong and were corrected"},
+    Wording{missing_end, "missing_end", "the file's end mark is missing, but the mesh is complete",
+            "{} end marks are missing, but the mesh is complete"},
+    Wording{material_file_missing, "material_file_missing", "a material file wasn't found or can't be read",
+            "{} material files weren't found or can't be read"},
+    Wording{material_unknown, "material_unknown",
+            "1 material is used but defined nowhere; its faces stay white",
+            "{} materials are used but defined nowhere; their faces stay white"},
+    Wording{material_value_corrected, "material_value_corrected",
+            "1 colour of a material was out of range and was corrected",
+            "{} colours of materials were out of range and were corrected"},
+    Wording{texture_missing, "texture_missing", "a texture picture is missing or can't be used",
+            "{} texture pictures are missing or can't be used"},
+    Wording{texture_point_dropped, "texture_point_dropped",
+            "1 face has texture coordinates that are missing or can't be used; it gets no picture",
+            "{} faces have texture coordinates that are missing or can't be used; they get no picture"},
+    Wording{element_ignored, "element_ignored", "1 element that is no face was ignored",
+            "{} elements that are no faces were ignored"},
+    Wording{points_joined, "points_joined", "1 point was joined with another at the same place",
+            "{} points at equal places were joined"},
+    Wording{border_points_joined, "border_points_joined",
+            "1 point on a border was joined with another very close to it",
+            "{} points on borders were joined with others very close to them"},
+    Wording{unused_points_dropped, "unused_points_dropped", "1 point that no face uses was dropped",
+            "{} points that no face uses were dropped"},
+    Wording{polygon_corner_dropped, "polygon_corner_dropped",
+            "1 corner of a face that repeats its neighbour was dropped",
+            "{} corners of faces that repeat their neighbours were dropped"},
+    Wording{polygons_dropped, "polygons_dropped",
+            "1 face with fewer than three different corners was dropped",
+            "{} faces with fewer than three different corners were dropped"},
+    Wording{crossed_polygons_rebuilt, "crossed_polygons_rebuilt",
+            "1 face that crosses itself was rebuilt or left out",
+            "{} faces that cross themselves were rebuilt or left out"},
+    Wording{bent_polygons_split, "bent_polygons_split", "1 face that isn't flat was split into triangles",
+            "{} faces that aren't flat were split into triangles"},
+    Wording{duplicate_faces_dropped, "duplicate_faces_dropped", "1 face that was there twice was dropped",
+            "{} faces that were there more than once were dropped"},
+    Wording{flat_faces_collapsed, "flat_faces_collapsed", "1 face without area was removed",
+            "{} faces without area were removed"},
+    Wording{faces_turned, "faces_turned", "1 face was turned around to agree with its neighbours",
+            "{} faces were turned around to agree with their neighbours"},
+    Wording{components_turned, "components_turned", "1 closed piece that was inside out was turned",
+            "{} closed pieces that were inside out were turned"},
+    Wording{edges_split, "edges_split", "1 edge with more than two faces was cut open",
+            "{} edges with more than two faces were cut open"},
+    Wording{vertices_split, "vertices_split", "1 point where pieces only touch was cut open",
+            "{} points where pieces only touch were cut open"},
+    Wording{cut_open, "cut_open", "1 edge was cut open since the surface has only one side",
+            "{} edges were cut open since the surface has only one side"},
+    Wording{t_junctions_joined, "t_junctions_joined", "1 point was set into the edge it lies on",
+            "{} points were set into the edges they lie on"},
+    Wording{open_border, "open_border", "the surface is open: 1 edge has only one face",
+            "the surface is open: {} edges have only one face"},
+    Wording{self_intersections, "self_intersections", "1 face runs through another",
+            "{} faces run through each other"},
+    Wording{narrow_faces, "narrow_faces", "1 face is too narrow to be cut at this size",
+            "{} faces are too narrow to be cut at this size"},
+};
+
+/// The table is in the order of the enumeration, so that a kind is its index.
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < wordings.size(); ++i) {
+    if (static_cast<std::size_t>(wordings[i].kind) != i) {
+      return false;
+    }
+  }
+  return wordings.size() == static_cast<std::size_t>(narrow_faces) + 1;
+}
+static_assert(in_order());
+
+const Wording& wording(RepairKind kind) {
+  return wordings[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace
+
+std::string_view name(RepairKind kind) {
+  return wording(kind).name;
+}
+
+std::string sentence(RepairKind kind, std::size_t count) {
+  const Wording& words = wording(kind);
+  return count == 1 ? std::string(words.one) : fmt::format(fmt::runtime(words.many), count);
+}
+
+void RepairReport::add(RepairKind kind, std::size_t count, std::string detail) {
+  if (count == 0) {
+    return;
+  }
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Repair& entry) { return entry.kind == kind; });
+  if (found == entries_.end()) {
+    entries_.push_back({kind, count, std::move(detail)});
+    return;
+  }
+  found->count += count;
+  if (found->detail.empty()) {
+    found->detail = std::move(detail);
+  }
+}
+
+void RepairReport::add(const RepairReport& other) {
+  for (const Repair& entry : std::vector<Repair>(other.entries_)) {
+    add(entry.kind, entry.count, entry.detail);
+  }
+}
+
+std::size_t RepairReport::count(RepairKind kind) const {
+  for (const Repair& entry : entries_) {
+    if (entry.kind == kind) {
+      return entry.count;
+    }
+  }
+  return 0;
+}
+
+}  // namespace ridgecraft::mesh

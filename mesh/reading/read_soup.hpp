@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a file to what it says: reads OBJ, STL, PLY and OFF into a Soup, whatever the file is called.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/context.hpp"
+#include "mesh/model/soup.hpp"
+
+namespace ridgecraft::mesh {
+
+/// Larger files are refused before they are read (4 GiB): no paper model is near it.
+inline constexpr std::uint64_t largest_file_size = std::uint64_t{1} << 32U;
+/// More corners of faces than this are refused (2^31): indices of corners are 32 bits wide.
+inline constexpr std::uint64_t largest_corner_count = std::uint64_t{1} << 31U;
+
+/// All bytes of a regular file. Folders, pipes and devices are refused, so it never waits for input. Throws
+/// Error(unreadable_input).
+[[nodiscard]] std::string read_file(const std::filesystem::path& file);
+
+/// Reads a mesh file with its material files. The content decides on the format; the suffix helps only where
+/// the content could be several. Time and memory are linear in the size of the file; counts in headers are
+/// compared with the bytes that are there. The result has at least one polygon and finite points. Throws
+/// Error(unreadable_input) or Error(unusable_mesh) with one sentence that names the file, the place in it and
+/// the reason.
+[[nodiscard]] Soup read_soup(const std::filesystem::path& file, const Context& context);
+
+/// The same for bytes in memory. `file_name` is used for messages and for its suffix. Material files and
+/// pictures are looked for in `folder_for_materials`; where that is empty none are opened and materials are
+/// names only.
+[[nodiscard]] Soup parse_soup(std::string_view bytes, std::string_view file_name,
+                              const std::filesystem::path& folder_for_materials, const Context& context);
+
+}  // namespace ridgecraft::mesh

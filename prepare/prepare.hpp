@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a model of paper is: size, simplification, flat regions, cuts where no sheet holds one. Read this
+// header first.
+//
+//   mesh::Model (in the file's unit) --prepare--> Prepared (in mm, foldable, with its panels)
+//
+// Errors are ridgecraft::Error of kinds no_nets, interrupted.
+#pragma once
+
+#include "base/context.hpp"
+#include "mesh/model/model.hpp"
+#include "prepare/prepared/options.hpp"
+#include "prepare/prepared/prepared.hpp"
+
+namespace ridgecraft::prepare {
+
+/// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight
+/// sides that only two panels share, but for where a panel that fits no page in any rotation is cut: by
+/// straight lines, as few as possible, into cells that fit with tabs, each a panel of its own. Cost O(n log
+/// n). Throws no_nets where every face is narrower than 0.005 mm (below 0.05 mm they are noted as
+/// narrow_faces), or where the model would be larger than 100 m or than a million faces of this paper.
+[[nodiscard]] Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
+                               const Page& page, const Context& context);
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces that are too narrow to be cut from paper are counted.
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
+
+namespace ridgecraft::prepare {
+
+/// Width that scissors or a knife can cut at all, mm.
+inline constexpr double narrow_mm = 0.05;
+/// Below this width, mm, a face is less than the thinnest line that a printer draws: not even the note helps.
+inline constexpr double nothing_mm = 0.005;
+
+/// Faces whose panel is nowhere as wide as `width`.
+[[nodiscard]] std::size_t count_narrow_faces(const mesh::Surface& surface, const Panels& panels,
+                                             double width);
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a model is made ready for paper: values that users choose.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+namespace ridgecraft::prepare {
+
+/// How large the model becomes.
+struct SizeOptions {
+  /// Largest extent in mm. Used when neither scale nor an axis is given.
+  double largest_extent_mm = 150.0;
+  /// Millimetres for one unit of the file; wins over largest_extent_mm.
+  std::optional<double> mm_per_unit;
+};
+
+/// How many faces it keeps.
+enum class Simplification { automatic, keep, count };
+
+struct SimplifyOptions {
+  Simplification mode = Simplification::automatic;
+  std::size_t faces = 0;  ///< for Simplification::count
+  /// automatic: a fold edge shorter than this is hard to fold ...
+  double short_edge_mm = 6.0;
+  /// ... and the model is simplified when more than this share of its fold edges are.
+  double short_edge_share = 0.1;
+  /// automatic: the surface may move by this share of the model's largest extent.
+  double largest_deviation = 0.02;
+};
+
+/// What a flat region should fit: the printable area, mm, and the height of tabs on either side of it.
+struct Page {
+  double width_mm = 0.0;
+  double height_mm = 0.0;
+  double tab_mm = 0.0;
+};
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepare/prepared/panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ridgecraft::prepare {
+namespace {
+
+class Grower {
+ public:
+  Grower(const mesh::Surface& surface, const PanelTolerance& tolerance)
+      : surface_(surface),
+        cosine_(std::cos(tolerance.angle)),
+        distance_(tolerance.distance * surface.bounds().diagonal()) {
+    panels_.panel = IdVector<FaceId, PanelId>(surface.face_count());
+  }
+
+  Panels run() {
+    std::vector<FaceId> order;
+    for (const FaceId f : ids<FaceId>(surface_.face_count())) {
+      order.push_back(f);
+    }
+    // Areas that differ by rounding alone count as equal, so that turning the model doesn't change the seeds.
+    std::vector<float> area(order.size());
+    for (const FaceId f : order) {
+      area[f.value()] = static_cast<float>(surface_.area(f));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](FaceId a, FaceId b) { return area[a.value()] > area[b.value()]; });
+    for (const FaceId seed : order) {
+      if (!panels_.panel[seed].valid() && surface_.normal(seed) != Vec3{}) {
+        grow(seed);
+      }
+    }
+    adopt_flat_faces(order);
+    renumber();
+    return std::move(panels_);
+  }
+
+ private:
+  [[nodiscard]] bool fits(FaceId f, Vec3 origin, Vec3 normal) const {
+    const Vec3 own = surface_.normal(f);
+    if (own == Vec3{} || dot(own, normal) < cosine_) {
+      return false;
+    }
+    for (const VertexId v : surface_.vertices(f)) {
+      if (std::abs(dot(surface_.point(v) - origin, normal)) > distance_) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void grow(FaceId seed) {
+    const PanelId id(count_++);
+    const Vec3 origin = surface_.point(surface_.vertices(seed)[0]);
+    const Vec3 normal = surface_.normal(seed);
+    panels_.panel[seed] = id;
+    stack_.assign(1, seed);
+    while (!stack_.empty()) {
+      const FaceId f = stack_.back();
+      stack_.pop_back();
+      for (unsigned k = 0; k < 3; ++k) {
+        const FaceId g = surface_.neighbor(mesh::corner(f, k));
+        if (g.valid() && !panels_.panel[g].valid() && fits(g, origin, normal)) {
+          panels_.panel[g] = id;
+          stack_.push_back(g);
+        }
+      }
+    }
+  }
+
+  /// A face without area has no plane: it joins the neighbour across its longest side that has a panel, or
+  /// has one of its own with those beside it where no neighbour has any.
+  void adopt_flat_faces(const std::vector<FaceId>& order) {
+    std::vector<FaceId> flat;
+    for (const FaceId f : order) {
+      if (!panels_.panel[f].valid()) {
+        flat.push_back(f);
+      }
+    }
+    std::sort(flat.begin(), flat.end());
+    // From those with a neighbour that has a panel outwards, breadth first.
+    std::vector<FaceId> queue = flat;
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      adopt(queue[i], queue);
+    }
+    for (const FaceId f : flat) {
+      if (!panels_.panel[f].valid()) {
+        panels_.panel[f] = PanelId(count_++);
+        std::vector<FaceId> rest{f};
+        for (std::size_t i = 0; i < rest.size(); ++i) {
+          adopt(rest[i], rest);
+        }
+      }
+    }
+  }
+
+  void adopt(FaceId f, std::vector<FaceId>& queue) {
+    if (!panels_.panel[f].valid()) {
+      double longest = -1.0;
+      for (unsigned k = 0; k < 3; ++k) {
+        const CornerId c = mesh::corner(f, k);
+        const FaceId g = surface_.neighbor(c);
+        const double side = surface_.length(surface_.edge(c));
+        if (g.valid() && panels_.panel[g].valid() && side > longest) {
+          longest = side;
+          panels_.panel[f] = panels_.panel[g];
+        }
+      }
+    }
+    if (panels_.panel[f].valid()) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const FaceId g = surface_.neighbor(mesh::corner(f, k));
+        if (g.valid() && !panels_.panel[g].valid() && surface_.normal(g) == Vec3{}) {
+          queue.push_back(g);
+        }
+      }
+    }
+  }
+
+  /// In the order of their smallest faces, so that the numbers follow the file and not the areas.
+  void renumber() {
+    std::vector<PanelId> number(count_);
+    panels_.faces.reserve(count_);
+    for (const FaceId f : ids<FaceId>(surface_.face_count())) {
+      PanelId& id = number[panels_.panel[f].value()];
+      if (!id.valid()) {
+        id = panels_.faces.push_back({});
+      }
+      panels_.panel[f] = id;
+      panels_.faces[id].push_back(f);
+    }
+  }
+
+  const mesh::Surface& surface_;
+  double cosine_;
+  double distance_;
+  std::size_t count_ = 0;
+  std::vector<FaceId> stack_;
+  Panels panels_;
+};
+
+}  // namespace
+
+Panels find_panels(const mesh::Surface& surface, const PanelTolerance& tolerance) {
+  return Grower(surface, tolerance).run();
+}
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model ready for paper, and what was done to it.
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/model/model.hpp"
+#include "prepare/prepared/panels.hpp"
+
+namespace ridgecraft::prepare {
+
+/// What simplification did, for the summary. Lengths in mm.
+struct SimplifyReport {
+  std::size_t faces_before = 0;
+  std::size_t faces_after = 0;
+  std::size_t specks_dropped = 0;  ///< automatic: components too small to be held, left out
+  double deviation_mm = 0.0;  ///< greatest measured distance between the old and the new surface, both ways
+  double short_edges_before = 0.0;  ///< share of the fold edges below short_edge_mm
+  double short_edges_after = 0.0;
+  bool still_too_fine = false;  ///< automatic couldn't reach its aim within the deviation allowed
+};
+
+/// A model ready for paper.
+struct Prepared {
+  mesh::Model model;  ///< in mm, centred on the origin; not turned, not mirrored
+  Panels panels;      ///< flat regions of model.surface; those that no page holds in cells that pages hold
+  double mm_per_unit = 1.0;
+  SimplifyReport simplified;
+  std::size_t divided_panels = 0;  ///< flat regions that are in cells
+};
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepare/simplify/collapse_sequence.hpp"
+
+// The mesh and CGAL's view of it must be known before the simplification is.
+// clang-format off
+#include "prepare/simplify/edit_mesh.hpp"
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+// clang-format on
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace ridgecraft::prepare {
+namespace {
+
+namespace sms = CGAL::Surface_mesh_simplification;
+using Policies = sms::GarlandHeckbert_plane_policies<EditMesh, EditKernel>;
+using Place = EditKernel::Point_3;
+
+/// A face may turn by at most this much in one collapse.
+const double turn_cosine = std::cos(75.0 * std::numbers::pi / 180.0);
+/// Neighbours may not fold back onto each other further than this where they didn't before: paper can't be
+/// folded shut.
+const double fold_cosine = std::cos(160.0 * std::numbers::pi / 180.0);
+/// Smallest height over longest side of a new face where the old faces weren't worse.
+constexpr double thin = 0.02;
+
+Vec3 vector(const EditMesh::Point& p) {
+  return {p[0], p[1], p[2]};
+}
+
+/// A face around the collapsed edge: its corner at the edge moves to the new place, the other two stay.
+struct Rim {
+  EditMesh::VertexHandle from;
+  EditMesh::VertexHandle to;
+  Vec3 old_normal;
+  Vec3 new_normal;
+  Vec3 outer_normal;  ///< of the face across the side that stays; zero where there is none
+};
+
+double shape(Vec3 a, Vec3 b, Vec3 c, double doubled) {
+  const double longest = std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
+  return longest > 0.0 ? doubled / longest : 0.0;
+}
+
+/// Whether both ends of an edge have a quadric. A vertex among faces that are too small to have a normal has
+/// none, and CGAL demands one.
+template <class Policy, class Profile>
+bool has_quadrics(const Policy& policy, const Profile& profile) {
+  return !get(policy.vcm(), profile.v0()).isZero(0) && !get(policy.vcm(), profile.v1()).isZero(0);
+}
+
+/// CGAL's placement, or the middle of the edge where that is far off: so it is where the surface is nearly
+/// flat.
+class NearPlacement {
+ public:
+  explicit NearPlacement(const Policies& policies) : policies_(&policies) {}
+  template <class Profile>
+  boost::optional<Place> operator()(const Profile& profile) const {
+    const Place middle = CGAL::midpoint(profile.p0(), profile.p1());
+    if (!has_quadrics(policies_->get_placement(), profile)) {
+      return middle;
+    }
+    const auto best = policies_->get_placement()(profile);
+    const double reach = CGAL::squared_distance(profile.p0(), profile.p1());
+    return best && CGAL::squared_distance(*best, middle) <= reach ? *best : middle;
+  }
+
+ private:
+  const Policies* policies_;
+};
+
+/// Asks now and then whether to stop: when costs are collected, and while no edge may be collapsed.
+class Watch {
+ public:
+  explicit Watch(const Context& context) : context_(context) {}
+  void count() {
+    if (++calls_ % 1024 == 0) {
+      context_.check();
+    }
+  }
+
+ private:
+  const Context& context_;
+  std::size_t calls_ = 0;
+};
+
+/// A placement that doesn't spoil the surface.
+class GuardedPlacement {
+ public:
+  /// `drift` is per vertex a bound of how far the original surface around it is from the present one.
+  GuardedPlacement(const Policies& policies, const CollapseRules& rules, const std::vector<double>& drift,
+                   Watch& watch)
+      : near_(policies), rules_(rules), drift_(&drift), watch_(&watch) {}
+
+  /// As a placement: the best place, or another one on the edge where that would spoil something.
+  template <class Profile>
+  boost::optional<Place> operator()(const Profile& profile) const {
+    const Place best = *near_(profile);
+    for (const Place& place :
+         {best, CGAL::midpoint(profile.p0(), profile.p1()), profile.p0(), profile.p1()}) {
+      if (fits(profile, place)) {
+        return place;
+      }
+    }
+    return boost::none;
+  }
+
+  /// As a filter of what another placement says.
+  template <class Profile>
+  boost::optional<Place> operator()(const Profile& profile, const boost::optional<Place>& place) const {
+    return place && fits(profile, *place) ? place : boost::none;
+  }
+
+ private:
+  template <class Profile>
+  bool fits(const Profile& profile, const Place& p) const {
+    watch_->count();
+    const Vec3 place{p.x(), p.y(), p.z()};
+    const EditMesh& mesh = profile.surface_mesh();
+    std::vector<Rim> rim;
+    return harmless(mesh, profile.v0(), profile.v1(), place, rim) &&
+           (rules_.field == nullptr || near_original(mesh, profile.v0(), profile.v1(), place, rim));
+  }
+
+  bool near_original(const EditMesh& mesh, EditMesh::VertexHandle v0, EditMesh::VertexHandle v1, Vec3 place,
+                     const std::vector<Rim>& rim) const {
+    if (drift_after(mesh, v0, v1, place, rim, *drift_) > rules_.largest_deviation ||
+        !rules_.field->contains(place)) {
+      return false;
+    }
+    return std::all_of(rim.begin(), rim.end(), [&](const Rim& f) {
+      const Vec3 a = vector(mesh.point(f.from));
+      const Vec3 b = vector(mesh.point(f.to));
+      return rules_.field->contains((place + a + b) / 3.0) && rules_.field->contains(0.5 * (place + a));
+    });
+  }
+
+ public:
+  /// The drift of the new vertex: that of the old ones and how far they are from the new faces.
+  static double drift_after(const EditMesh& mesh, EditMesh::VertexHandle v0, EditMesh::VertexHandle v1,
+                            Vec3 place, const std::vector<Rim>& rim, const std::vector<double>& drift) {
+    double result = 0.0;
+    for (const auto v : {v0, v1}) {
+      const Vec3 p = vector(mesh.point(v));
+      double nearest = dot(p - place, p - place);
+      for (const Rim& f : rim) {
+        nearest = std::min(
+            nearest, mesh::squared_distance(place, vector(mesh.point(f.from)), vector(mesh.point(f.to)), p));
+      }
+      result = std::max(result, drift[static_cast<std::size_t>(v.idx())] + std::sqrt(nearest));
+    }
+    return result;
+  }
+
+  /// Fills `rim` with the faces that stay and tells whether none of them is spoiled.
+  static bool harmless(const EditMesh& mesh, EditMesh::VertexHandle v0, EditMesh::VertexHandle v1, Vec3 place,
+                       std::vector<Rim>& rim) {
+    double worst_old = 1.0;
+    double worst_new = 1.0;
+    for (const auto v : {v0, v1}) {
+      const auto other = v == v0 ? v1 : v0;
+      for (const auto h : mesh.voh_range(v)) {
+        if (mesh.is_boundary(h)) {
+          continue;
+        }
+        const auto side = mesh.next_halfedge_handle(h);
+        const Vec3 p = vector(mesh.point(v));
+        const Vec3 a = vector(mesh.point(mesh.from_vertex_handle(side)));
+        const Vec3 b = vector(mesh.point(mesh.to_vertex_handle(side)));
+        const Vec3 old_doubled = cross(a - p, b - p);
+        worst_old = std::min(worst_old, shape(p, a, b, length(old_doubled)));
+        if (mesh.from_vertex_handle(side) == other || mesh.to_vertex_handle(side) == other) {
+          continue;  // vanishes with the edge
+        }
+        const Vec3 new_doubled = cross(a - place, b - place);
+        worst_new = std::min(worst_new, shape(place, a, b, length(new_doubled)));
+        Rim face{mesh.from_vertex_handle(side), mesh.to_vertex_handle(side), normalized(old_doubled),
+                 normalized(new_doubled), outer_normal(mesh, side, v0, v1)};
+        if (dot(face.old_normal, face.new_normal) < turn_cosine && face.old_normal != Vec3{}) {
+          return false;
+        }
+        rim.push_back(face);
+      }
+    }
+    return (worst_new >= thin || worst_new >= worst_old) && !folds(rim);
+  }
+
+ private:
+  static Vec3 outer_normal(const EditMesh& mesh, EditMesh::HalfedgeHandle side, EditMesh::VertexHandle v0,
+                           EditMesh::VertexHandle v1) {
+    const auto opposite = mesh.opposite_halfedge_handle(side);
+    if (mesh.is_boundary(opposite)) {
+      return {};
+    }
+    const auto tip = mesh.to_vertex_handle(mesh.next_halfedge_handle(opposite));
+    if (tip == v0 || tip == v1) {
+      return {};
+    }
+    const Vec3 a = vector(mesh.point(mesh.from_vertex_handle(opposite)));
+    const Vec3 b = vector(mesh.point(mesh.to_vertex_handle(opposite)));
+    return normalized(cross(b - a, vector(mesh.point(tip)) - a));
+  }
+
+  /// Would an edge of the new faces be folded back further than allowed and than the worst was before?
+  static bool folds(const std::vector<Rim>& rim) {
+    double before = 1.0;
+    double after = 1.0;
+    for (const Rim& f : rim) {
+      if (f.outer_normal != Vec3{}) {
+        before = std::min(before, dot(f.old_normal, f.outer_normal));
+        after = std::min(after, dot(f.new_normal, f.outer_normal));
+      }
+      for (const Rim& g : rim) {
+        if (f.to == g.from) {
+          before = std::min(before, dot(f.old_normal, g.old_normal));
+          after = std::min(after, dot(f.new_normal, g.new_normal));
+        }
+      }
+    }
+    return after < fold_cosine && after < before;
+  }
+
+  NearPlacement near_;
+  CollapseRules rules_;
+  const std::vector<double>* drift_;
+  Watch* watch_;
+};
+
+/// CGAL's cost, weighted so that short edges come first.
+class WeightedCost {
+ public:
+  // Tells CGAL to call the next two.
+  using Update_tag = CGAL::Tag_true;
+  template <class Map, class Traits>
+  void initialize(const EditMesh& mesh, const Map& map, const Traits& traits) const {
+    policies_->initialize(mesh, map, traits);
+  }
+  template <class Profile>
+  void update_after_collapse(const Profile& profile, EditMesh::VertexHandle v) const {
+    policies_->update_after_collapse(profile, v);
+  }
+
+  WeightedCost(const Policies& policies, const CollapseRules& rules, Watch& watch)
+      : policies_(&policies), rules_(rules), watch_(&watch) {}
+
+  template <class Profile>
+  boost::optional<EditKernel::FT> operator()(const Profile& profile,
+                                             const boost::optional<Place>& place) const {
+    watch_->count();
+    if (place && !has_quadrics(policies_->get_cost(), profile)) {
+      return 0.0;  // nothing is lost with faces that small
+    }
+    const auto cost = policies_->get_cost()(profile, place);
+    if (!cost || rules_.power == 0.0) {
+      return cost;
+    }
+    const double squared = CGAL::squared_distance(profile.p0(), profile.p1());
+    const double ratio = std::max(squared / (rules_.short_edge * rules_.short_edge), 1e-4);
+    // In flat regions all errors are nothing but rounding: there the length alone decides.
+    return (std::max(*cost, 0.0) + flat_error * squared) * std::pow(ratio, 0.5 * rules_.power);
+  }
+
+ private:
+  /// Error of an edge that is as good as none, as a share of its squared length.
+  static constexpr double flat_error = 1e-6;
+  const Policies* policies_;
+  CollapseRules rules_;
+  Watch* watch_;
+};
+
+/// Writes the collapses down as they happen. CGAL copies visitors.
+class Recorder : public sms::Edge_collapse_visitor_base<EditMesh> {
+ public:
+  Recorder(std::vector<Collapse>& collapses, std::vector<double>& drift, std::size_t faces,
+           const Context& context)
+      : collapses_(&collapses), drift_(&drift), faces_(faces), all_(faces), context_(&context) {}
+
+  void OnCollapsing(const Profile& profile, const boost::optional<Place>& place) {
+    if (place) {
+      const Vec3 p{place->x(), place->y(), place->z()};
+      std::vector<Rim> rim;
+      GuardedPlacement::harmless(profile.surface_mesh(), profile.v0(), profile.v1(), p, rim);
+      new_drift_ =
+          GuardedPlacement::drift_after(profile.surface_mesh(), profile.v0(), profile.v1(), p, rim, *drift_);
+    }
+    removed_ = (profile.left_face_exists() ? 1U : 0U) + (profile.right_face_exists() ? 1U : 0U);
+  }
+  void OnCollapsed(const Profile& profile, const EditMesh::VertexHandle& v) {
+    faces_ -= removed_;
+    (*drift_)[static_cast<std::size_t>(v.idx())] = new_drift_;
+    const auto gone = profile.v0() == v ? profile.v1() : profile.v0();
+    const auto& p = profile.surface_mesh().point(v);
+    collapses_->push_back({static_cast<std::uint32_t>(gone.idx()), static_cast<std::uint32_t>(v.idx()),
+                           vector(p), static_cast<std::uint32_t>(faces_)});
+    if (collapses_->size() % 1024 == 0) {
+      context_->check();
+      context_->report("simplifying", 1.0 - static_cast<double>(faces_) / static_cast<double>(all_));
+    }
+  }
+
+ private:
+  std::vector<Collapse>* collapses_;
+  std::vector<double>* drift_;
+  double new_drift_ = 0.0;
+  std::size_t faces_;
+  std::size_t all_;
+  std::size_t removed_ = 0;
+  const Context* context_;
+};
+
+struct StopAt {
+  const std::vector<Collapse>* collapses;
+  std::size_t faces;
+  template <class Cost, class Profile, class Count>
+  bool operator()(const Cost&, const Profile&, Count, Count) const {
+    return !collapses->empty() && collapses->back().faces <= faces;
+  }
+};
+
+}  // namespace
+
+std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, std::size_t faces,
+                                        const CollapseRules& rules, const Context& context) {
+  std::vector<Collapse> collapses;
+  if (loose.faces.size() <= faces) {
+    return collapses;
+  }
+  EditMesh mesh = edit_mesh(loose);
+  const Policies policies(mesh);
+  std::vector<double> drift(loose.points.size(), 0.0);
+  const StopAt stop{&collapses, faces};
+  Watch watch(context);
+  const WeightedCost cost(policies, rules, watch);
+  const GuardedPlacement guard(policies, rules, drift, watch);
+  const Recorder recorder(collapses, drift, loose.faces.size(), context);
+  namespace parameters = CGAL::parameters;
+  if (rules.field != nullptr) {
+    sms::edge_collapse(mesh, stop, parameters::get_cost(cost).get_placement(guard).visitor(recorder));
+  } else {
+    // Far from any limit it's enough, and much faster, to look at a collapse only when its turn has come.
+    sms::edge_collapse(
+        mesh, stop,
+        parameters::get_cost(cost).get_placement(NearPlacement(policies)).filter(guard).visitor(recorder));
+  }
+  return collapses;
+}
+
+mesh::LooseFaces replay(const mesh::LooseFaces& loose, std::span<const Collapse> collapses) {
+  mesh::LooseFaces result;
+  result.points = loose.points;
+  std::vector<std::uint32_t> now(loose.points.size());
+  std::vector<bool> moved(loose.points.size(), false);
+  for (std::uint32_t v = 0; v < now.size(); ++v) {
+    now[v] = v;
+  }
+  for (const Collapse& c : collapses) {
+    now[c.gone] = c.stays;
+    result.points[c.stays] = c.place;
+    moved[c.gone] = moved[c.stays] = true;
+  }
+  // A vertex that stayed may be gone later: from the last collapse back, each points to where it ended.
+  for (std::size_t i = collapses.size(); i-- > 0;) {
+    now[collapses[i].gone] = now[collapses[i].stays];
+  }
+  for (std::size_t f = 0; f < loose.faces.size(); ++f) {
+    const auto& [a, b, c] = loose.faces[f];
+    const std::array<std::uint32_t, 3> face{now[a], now[b], now[c]};
+    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) {
+      result.add(loose, f, face, loose.texture.empty() ? std::array<Vec2, 3>{} : loose.texture[f]);
+      if (moved[a] || moved[b] || moved[c]) {
+        result.polygon.back() = mesh::Soup::none;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::prepare

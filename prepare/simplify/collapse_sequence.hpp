@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Simplification as a sequence of edge collapses that is worked out once and can be stopped anywhere. Private
+// to mesh/.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/context.hpp"
+#include "mesh/model/surface_distance.hpp"
+#include "mesh/repair/loose_faces.hpp"
+
+namespace ridgecraft::prepare {
+
+/// One edge becomes a vertex.
+struct Collapse {
+  std::uint32_t gone;   ///< this vertex is no more ...
+  std::uint32_t stays;  ///< ... and this one, its neighbour, moves
+  Vec3 place;           ///< to here
+  std::uint32_t faces;  ///< so many are left afterwards
+};
+
+/// What guides and limits the collapses besides the quadric error.
+struct CollapseRules {
+  /// The error is multiplied by (length / short_edge)^power: with a power above 0 short edges go first.
+  double short_edge = 1.0;
+  double power = 0.0;
+  /// Where given, the surface may not leave this field around the original one, nor move farther from any
+  /// part of the original than largest_deviation.
+  mesh::NearField* field = nullptr;
+  double largest_deviation = 0.0;
+};
+
+/// Collapses by least quadric error (Garland, Heckbert: mesh::Surface simplification using quadric error
+/// metrics, 1997; CGAL's implementation) down to `faces` faces, or until no collapse is left that keeps the
+/// surface manifold without flipping or folding faces. Borders and sharp edges stay by the planes they add.
+/// The input must fulfil mesh::Surface's invariants. O(n log n).
+[[nodiscard]] std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, std::size_t faces,
+                                                      const CollapseRules& rules, const Context& context);
+
+/// What is left after the first `count` collapses. Faces keep their material and, where no corner moved,
+/// their polygon. O(faces).
+[[nodiscard]] mesh::LooseFaces replay(const mesh::LooseFaces& loose, std::span<const Collapse> collapses);
+
+}  // namespace ridgecraft::prepare

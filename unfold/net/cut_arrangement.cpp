@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/net/cut_arrangement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "base/box_grid.hpp"
+
+namespace ridgecraft::unfold {
+
+namespace {
+
+using Node = std::uint32_t;
+using Segment = std::array<Node, 2>;
+
+Box2 box_of(Vec2 a, Vec2 b) {
+  Box2 box;
+  box.add(a);
+  box.add(b);
+  return box;
+}
+
+/// Points that are nearer than a tolerance are one node; the first one stands for all.
+class Nodes {
+ public:
+  explicit Nodes(double tolerance) : tolerance_(tolerance) {}
+
+  Node find_or_add(Vec2 p) {
+    const auto x = static_cast<std::int64_t>(std::floor(p.x / tolerance_));
+    const auto y = static_cast<std::int64_t>(std::floor(p.y / tolerance_));
+    for (std::int64_t dx = -1; dx <= 1; ++dx) {
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        const auto [low, high] = cells_.equal_range({x + dx, y + dy});
+        for (auto it = low; it != high; ++it) {
+          if (length(points[it->second] - p) <= tolerance_) {
+            return it->second;
+          }
+        }
+      }
+    }
+    points.push_back(p);
+    const Node node = static_cast<Node>(points.size() - 1);
+    cells_.emplace(std::pair{x, y}, node);
+    return node;
+  }
+
+  std::vector<Vec2> points;
+
+ private:
+  double tolerance_;
+  std::multimap<std::pair<std::int64_t, std::int64_t>, Node> cells_;
+};
+
+/// Each segment cut at the nodes that lie on it.
+std::vector<Segment> split_at_nodes(const std::vector<Segment>& segments, const std::vector<Vec2>& points,
+                                    double tolerance) {
+  std::vector<Box2> boxes;
+  for (const Vec2 p : points) {
+    boxes.push_back(box_of(p, p));
+  }
+  // Points have no size, so the grid chooses its cells by their number.
+  const BoxGrid grid(std::move(boxes));
+  std::vector<Segment> result;
+  std::vector<std::pair<double, Node>> on;
+  for (const auto& [a, b] : segments) {
+    const Vec2 along = points[b] - points[a];
+    const double size = length(along);
+    on.clear();
+    grid.visit(grown(box_of(points[a], points[b]), tolerance), [&, a = a, b = b](Node node) {
+      if (node == a || node == b) {
+        return;
+      }
+      const Vec2 to = points[node] - points[a];
+      const double t = dot(to, along) / size;
+      if (t > 0.0 && t < size && std::abs(cross(along, to)) <= tolerance * size) {
+        on.emplace_back(t, node);
+      }
+    });
+    std::sort(on.begin(), on.end());
+    Node from = a;
+    for (const auto& [t, node] : on) {
+      result.push_back({from, node});
+      from = node;
+    }
+    result.push_back({from, b});
+  }
+  return result;
+}
+
+/// Segments that are run both ways cancel each other and are slits; the others stay.
+void cancel_opposite(const std::vector<Segment>& segments, std::vector<Segment>& kept,
+                     std::vector<Segment>& slits) {
+  std::map<Segment, int> balance;  // runs upwards (from the smaller node) minus runs downwards
+  for (const auto& [a, b] : segments) {
+    balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+  }
+  for (const auto& [ends, sum] : balance) {
+    if (sum == 0) {
+      slits.push_back(ends);
+    }
+    for (int i = 0; i < std::abs(sum); ++i) {
+      kept.push_back(sum > 0 ? ends : Segment{ends[1], ends[0]});
+    }
+  }
+}
+
+/// Angle from direction a counterclockwise to direction b, in (0, 2 pi].
+double turn(Vec2 a, Vec2 b) {
+  const double angle = std::atan2(cross(a, b), dot(a, b));
+  return angle > 0.0 ? angle : angle + 2.0 * std::numbers::pi;
+}
+
+/// Follows the segments; where there is a choice the loop keeps to the region outside, on its right.
+std::vector<std::vector<Vec2>> trace_loops(const std::vector<Segment>& segments,
+                                           const std::vector<Vec2>& points) {
+  std::vector<std::vector<std::uint32_t>> leaving(points.size());
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    leaving[segments[i][0]].push_back(i);
+  }
+  std::vector<bool> used(segments.size(), false);
+  std::vector<std::vector<Vec2>> loops;
+  for (std::uint32_t first = 0; first < segments.size(); ++first) {
+    if (used[first]) {
+      continue;
+    }
+    std::vector<Vec2> loop;
+    for (std::uint32_t at = first; !used[at];) {
+      used[at] = true;
+      const auto [from, to] = segments[at];
+      loop.push_back(points[from]);
+      double smallest = INFINITY;
+      for (const std::uint32_t other : leaving[to]) {
+        const double angle = turn(points[from] - points[to], points[segments[other][1]] - points[to]);
+        // The segment that the loop began with may close it.
+        if ((!used[other] || other == first) && angle < smallest) {
+          smallest = angle;
+          at = other;
+        }
+      }
+    }
+    loops.push_back(std::move(loop));
+  }
+  std::stable_sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
+    return std::abs(doubled_area(a)) > std::abs(doubled_area(b));
+  });
+  return loops;
+}
+
+/// Joins segments to lines that run through all nodes with two segments.
+std::vector<std::vector<Vec2>> join_lines(const std::vector<Segment>& segments,
+                                          const std::vector<Vec2>& points) {
+  std::map<Node, std::vector<std::uint32_t>> at;
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    at[segments[i][0]].push_back(i);
+    at[segments[i][1]].push_back(i);
+  }
+  std::vector<bool> used(segments.size(), false);
+  std::vector<std::vector<Vec2>> lines;
+  const auto follow = [&](Node node, std::uint32_t segment) {
+    std::vector<Vec2> line{points[node]};
+    while (!used[segment]) {
+      used[segment] = true;
+      node = segments[segment][0] == node ? segments[segment][1] : segments[segment][0];
+      line.push_back(points[node]);
+      const std::vector<std::uint32_t>& here = at[node];
+      if (here.size() == 2) {
+        segment = here[0] == segment ? here[1] : here[0];
+      }
+    }
+    lines.push_back(std::move(line));
+  };
+  for (const bool ends_only : {true, false}) {
+    for (const auto& [node, here] : at) {
+      for (const std::uint32_t segment : here) {
+        if (!used[segment] && (!ends_only || here.size() != 2)) {
+          follow(node, segment);
+        }
+      }
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+CutLines arrange_cuts(const std::vector<std::vector<Vec2>>& loops, double tolerance) {
+  Nodes nodes(tolerance);
+  std::vector<Segment> segments;
+  for (const std::vector<Vec2>& loop : loops) {
+    std::vector<Node> chain;
+    for (const Vec2 p : loop) {
+      chain.push_back(nodes.find_or_add(p));
+    }
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const Node to = chain[(i + 1) % chain.size()];
+      if (chain[i] != to) {
+        segments.push_back({chain[i], to});
+      }
+    }
+  }
+  std::vector<Segment> kept;
+  std::vector<Segment> slits;
+  cancel_opposite(split_at_nodes(segments, nodes.points, tolerance), kept, slits);
+  return {trace_loops(kept, nodes.points), join_lines(slits, nodes.points)};
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/net/edge_wishes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// How far from an edge a segment along it may lie, as a share of the surface's diagonal: less than repair
+/// and remeshing move points, more than numbers printed with six digits are off.
+constexpr double near = 1e-5;
+/// So much of an edge, or of a segment, has to be covered.
+constexpr double most = 0.5;
+
+Box3 box_of(Vec3 a, Vec3 b, double margin) {
+  Box3 box;
+  for (const Vec3 p : {a, b}) {
+    box.add(p - Vec3{margin, margin, margin});
+    box.add(p + Vec3{margin, margin, margin});
+  }
+  return box;
+}
+
+bool meet(const Box3& a, const Box3& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+/// How much of the segment lies on the line from a to b; 0 where it runs elsewhere.
+double common_length(Vec3 a, Vec3 b, const Segment& segment, double tolerance) {
+  const double size = length(b - a);
+  const Vec3 along = (b - a) / size;
+  double at[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    at[i] = dot(segment[i] - a, along);
+    if (length(segment[i] - a - at[i] * along) > tolerance) {
+      return 0.0;
+    }
+  }
+  return std::max(0.0, std::min(size, std::max(at[0], at[1])) - std::max(0.0, std::min(at[0], at[1])));
+}
+
+class Matcher {
+ public:
+  Matcher(const mesh::Surface& surface, const prepare::Panels& panels, const Context& context)
+      : surface_(surface),
+        panels_(panels),
+        context_(context),
+        tolerance_(near * surface.bounds().diagonal()) {
+    for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+      const CornerId c = surface.sides(e)[0];
+      a_.push_back(surface.point(surface.vertex(c)));
+      b_.push_back(surface.point(surface.vertex(mesh::next(c))));
+      boxes_.push_back(box_of(a_.back(), b_.back(), tolerance_));
+    }
+  }
+
+  void mark(std::span<const Segment> segments, EdgeWish wish, EdgeWishes& wishes, SegmentCount& count) const {
+    std::vector<double> covered(boxes_.size(), 0.0);
+    for (const Segment& segment : segments) {
+      context_.check();
+      double open = 0.0;
+      double flat = 0.0;
+      const Box3 box = box_of(segment[0], segment[1], 0.0);
+      for (const EdgeId e : ids<EdgeId>(boxes_.size())) {
+        if (!meet(box, boxes_[e.value()]) || !(surface_.length(e) > tolerance_)) {
+          continue;
+        }
+        const double common = common_length(a_[e.value()], b_[e.value()], segment, tolerance_);
+        covered[e.value()] += common;
+        (is_flat(e) ? flat : open) += common;
+      }
+      const double needed = most * length(segment[1] - segment[0]);
+      ++(open > 0.0 && open >= needed ? count.found : flat > 0.0 ? count.flat : count.lost);
+    }
+    for (const EdgeId e : ids<EdgeId>(boxes_.size())) {
+      if (covered[e.value()] > 0.0 && covered[e.value()] >= most * surface_.length(e) && !is_flat(e)) {
+        wishes[e] = wish;
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_flat(EdgeId e) const {
+    const auto [c, d] = surface_.sides(e);
+    return d.valid() && panels_.panel[mesh::face_of(c)] == panels_.panel[mesh::face_of(d)];
+  }
+
+  const mesh::Surface& surface_;
+  const prepare::Panels& panels_;
+  const Context& context_;
+  double tolerance_;
+  std::vector<Vec3> a_, b_;
+  std::vector<Box3> boxes_;
+};
+
+}  // namespace
+
+EdgeWishes match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
+                          std::span<const Segment> cut, std::span<const Segment> keep, SegmentCount& cuts,
+                          SegmentCount& keeps, const Context& context) {
+  const Matcher matcher(surface, panels, context);
+  EdgeWishes wishes(surface.edge_count(), EdgeWish::none);
+  matcher.mark(keep, EdgeWish::keep, wishes, keeps);
+  matcher.mark(cut, EdgeWish::cut, wishes, cuts);
+  return wishes;
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/net/nets.hpp"
+
+#include "unfold/net/options.hpp"
+
+namespace ridgecraft::unfold {
+
+std::string_view name(PieceReason reason) {
+  switch (reason) {
+    case PieceReason::part:
+      return "part";
+    case PieceReason::page:
+      return "page";
+    case PieceReason::overlap:
+      return "overlap";
+    case PieceReason::tabs:
+      return "tabs";
+    case PieceReason::faces:
+      return "faces";
+    case PieceReason::time:
+      return "time";
+    case PieceReason::request:
+      return "request";
+    case PieceReason::component:
+      return "component";
+  }
+  return "part";
+}
+
+std::string_view sentence(PieceReason reason) {
+  switch (reason) {
+    case PieceReason::part:
+      return "a part of the model";
+    case PieceReason::page:
+      return "its part doesn't fit the paper in one piece";
+    case PieceReason::overlap:
+      return "its part would overlap itself in one piece";
+    case PieceReason::tabs:
+      return "its part has no room for tabs in one piece";
+    case PieceReason::faces:
+      return "its part has more faces than one piece may have (--max-faces)";
+    case PieceReason::time:
+      return "no net without overlap was found in the time given";
+    case PieceReason::request:
+      return "cut here on request";
+    case PieceReason::component:
+      return "its part isn't connected";
+  }
+  return "";
+}
+
+std::string_view sentence(NoTab reason) {
+  switch (reason) {
+    case NoTab::has_tab:
+      return "";
+    case NoTab::edge_too_short:
+      return "the edge is too short for a tab";
+    case NoTab::no_room:
+      return "a tab on either side would lie over a face or another tab";
+    case NoTab::target_too_small:
+      return "a tab would stick out behind the face it is glued to";
+    case NoTab::beyond_sheet:
+      return "the piece with the tab would not fit the paper";
+    case NoTab::not_wanted:
+      return "tabs are switched off";
+  }
+  return "";
+}
+
+}  // namespace ridgecraft::unfold

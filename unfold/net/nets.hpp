@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What unfolding makes: pieces of paper that lie flat without overlap, and how they are joined.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/id.hpp"
+#include "base/vector.hpp"
+
+namespace ridgecraft::unfold {
+
+/// What becomes of an edge of the surface.
+enum class EdgeUse : std::uint8_t {
+  fold,    ///< its two faces lie in one piece and share it
+  cut,     ///< its two faces are glued together there: exactly one join
+  border,  ///< one face only
+};
+
+/// Why a piece is a piece of its own; the words of nets-contract `reason`.
+enum class PieceReason { part, page, overlap, tabs, faces, time, request, component };
+[[nodiscard]] std::string_view name(PieceReason reason);
+/// The same as a sentence for people.
+[[nodiscard]] std::string_view sentence(PieceReason reason);
+
+/// How a piece can be folded without running through itself (unfold/folding/fold_order.hpp).
+enum class FoldWay : std::uint8_t {
+  together,      ///< all creases at a time
+  leaves_first,  ///< one after the other, from the tips inwards
+  middle_first,  ///< one after the other, from the middle outwards
+  with_care,     ///< none of these: some face has to be bent out of the way
+};
+struct FoldOrder {
+  FoldWay way = FoldWay::together;
+  /// Folds in the order in which they are made, those of one list together: a side of each folded edge.
+  std::vector<std::vector<CornerId>> steps;
+};
+
+/// One connected net. Its faces lie in a plane of its own: mm, y up, the printed side (the outside of the
+/// model) seen, so each face is counterclockwise.
+struct Piece {
+  std::string name;           ///< as printed, unique: A, B, ... Z, AA, ...
+  std::vector<FaceId> faces;  ///< ascending
+  std::vector<PartId> parts;  ///< parts that it has faces of, ascending
+  std::uint32_t holes = 0;    ///< holes of the patch its faces make
+  PieceReason reason = PieceReason::part;
+  FoldOrder folding = {};
+};
+
+/// Why a join has no tab.
+enum class NoTab {
+  has_tab,
+  edge_too_short,    ///< no trapezoid of usable size stands on it
+  no_room,           ///< any tab would lie over a face or another tab, on either side
+  target_too_small,  ///< no tab fits inside the face that it would be glued behind
+  beyond_sheet,      ///< the piece with this tab would not fit the sheet
+  not_wanted,        ///< tabs are switched off
+};
+/// A sentence for people: the contract's `why`.
+[[nodiscard]] std::string_view sentence(NoTab reason);
+
+/// Two cut edges that are one edge of the surface. `number` is printed on both.
+struct Join {
+  EdgeId edge;
+  std::uint32_t number = 0;  ///< from 1
+  TabId tab;                 ///< none: see no_tab
+  NoTab no_tab = NoTab::not_wanted;
+  /// It has no usable tab (tabs.hpp) because neither flat region behind it is wide enough for one: it could
+  /// have none however the model is cut.
+  bool too_narrow = false;
+};
+
+/// A glue tab, in the plane of the piece that it grows from.
+struct Tab {
+  CornerId side;  ///< side of a face that it grows from; its target is twin(side)
+  JoinId join;
+  /// First two corners on the side, in the order opposite to the face's; counterclockwise, simple, convex.
+  std::vector<Vec2> polygon;
+};
+
+struct Nets {
+  IdVector<EdgeId, EdgeUse> use;               ///< of each edge of the surface
+  IdVector<FaceId, PieceId> piece;             ///< of each face
+  IdVector<FaceId, std::array<Vec2, 3>> flat;  ///< corners of each face in its piece's plane, mm
+  IdVector<PieceId, Piece> pieces;
+  IdVector<JoinId, Join> joins;  ///< one for each cut edge, in the order of their numbers
+  IdVector<TabId, Tab> tabs;
+  /// Facts about the search that a report tells: seconds are kept out, so that two runs give the same bytes.
+  std::vector<std::string> notes;
+};
+
+}  // namespace ridgecraft::unfold

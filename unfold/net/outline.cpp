@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/net/outline.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+
+#include "unfold/net/cut_arrangement.hpp"
+
+namespace ridgecraft::unfold {
+
+namespace {
+
+/// Nearer corners of a chain are one corner, mm: rounding along a fold tree stays far below, true edges far
+/// above.
+constexpr double same_corner_mm = 1e-9;
+
+Vec2 start(const Nets& nets, CornerId c) {
+  return nets.flat[mesh::face_of(c)][c.value() % 3];
+}
+
+/// The boundary side that follows side c around the piece: through all folds of the fan at c's end.
+CornerId next_boundary(const mesh::Surface& surface, const Nets& nets, CornerId c) {
+  CornerId d = mesh::next(c);
+  while (nets.use[surface.edge(d)] == EdgeUse::fold) {
+    d = mesh::next(surface.twin(d));
+  }
+  return d;
+}
+
+void append(std::vector<Vec2>& loop, Vec2 p) {
+  if (loop.empty() || length(p - loop.back()) > same_corner_mm) {
+    loop.push_back(p);
+  }
+}
+
+/// The tab that grows from each side of a piece; a side has at most one.
+std::map<CornerId, const Tab*> tabs_of(const Nets& nets, PieceId piece) {
+  std::map<CornerId, const Tab*> result;
+  for (const Tab& tab : nets.tabs) {
+    if (nets.piece[mesh::face_of(tab.side)] == piece) {
+      result[tab.side] = &tab;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+double doubled_area(const std::vector<Vec2>& polygon) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    sum += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
+  }
+  return sum;
+}
+
+std::vector<std::vector<Vec2>> outline(const mesh::Surface& surface, const Nets& nets, PieceId piece) {
+  const std::map<CornerId, const Tab*> tabs = tabs_of(nets, piece);
+  const std::vector<FaceId>& faces = nets.pieces[piece].faces;
+  std::map<CornerId, bool> done;
+  std::vector<std::vector<Vec2>> loops;
+  for (const FaceId f : faces) {
+    for (unsigned k = 0; k < 3; ++k) {
+      CornerId c = mesh::corner(f, k);
+      if (nets.use[surface.edge(c)] == EdgeUse::fold || done[c]) {
+        continue;
+      }
+      std::vector<Vec2> loop;
+      for (; !done[c]; c = next_boundary(surface, nets, c)) {
+        done[c] = true;
+        append(loop, start(nets, c));
+        const auto tab = tabs.find(c);
+        if (tab == tabs.end()) {
+          continue;
+        }
+        // The tab runs counterclockwise and begins with its base, end first: so its way round the outside is
+        // corners 1, 2, ..., 0.
+        const std::vector<Vec2>& polygon = tab->second->polygon;
+        for (std::size_t i = 1; i <= polygon.size(); ++i) {
+          append(loop, polygon[i % polygon.size()]);
+        }
+      }
+      while (loop.size() > 1 && length(loop.back() - loop.front()) <= same_corner_mm) {
+        loop.pop_back();
+      }
+      loops.push_back(std::move(loop));
+    }
+  }
+  // The outer loop is the one that encloses the others; holes run clockwise.
+  std::stable_sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
+    return std::abs(doubled_area(a)) > std::abs(doubled_area(b));
+  });
+  return loops;
+}
+
+CutLines cut_lines(const mesh::Surface& surface, const Nets& nets, PieceId piece) {
+  return arrange_cuts(outline(surface, nets, piece), touch_tolerance_mm);
+}
+
+Box2 extent(const mesh::Surface& /*surface*/, const Nets& nets, PieceId piece) {
+  Box2 box;
+  for (const FaceId f : nets.pieces[piece].faces) {
+    for (const Vec2 p : nets.flat[f]) {
+      box.add(p);
+    }
+  }
+  for (const Tab& tab : nets.tabs) {
+    if (nets.piece[mesh::face_of(tab.side)] == piece) {
+      for (const Vec2 p : tab.polygon) {
+        box.add(p);
+      }
+    }
+  }
+  return box;
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/net/piece_rules.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace ridgecraft::unfold {
+namespace {
+
+struct Term {
+  std::string_view name;
+  double Weights::*weight;
+};
+constexpr std::array terms{Term{"cut", &Weights::cut},      Term{"pieces", &Weights::pieces},
+                           Term{"parts", &Weights::parts},  Term{"compact", &Weights::compact},
+                           Term{"thin", &Weights::thin},    Term{"small", &Weights::small},
+                           Term{"panels", &Weights::panels}};
+
+}  // namespace
+
+PieceRules rules_of(PieceMode mode) {
+  PieceRules rules;
+  rules.merge = true;
+  switch (mode) {
+    case PieceMode::few:
+      rules.weights.pieces = 100.0;
+      rules.weights.parts = 0.0;
+      rules.weights.panels = 0.0;
+      break;
+    case PieceMode::parts:
+      rules.max_panels = 80;
+      break;
+    case PieceMode::small:
+      rules.max_panels = 24;
+      rules.weights.pieces = 3.0;
+      rules.weights.small = 8.0;
+      break;
+  }
+  return rules;
+}
+
+double* weight_named(Weights& weights, std::string_view name) {
+  const auto* const term =
+      std::find_if(terms.begin(), terms.end(), [&](const Term& t) { return t.name == name; });
+  return term == terms.end() ? nullptr : &(weights.*(term->weight));
+}
+
+std::span<const std::string_view> term_names() {
+  static constexpr auto names = [] {
+    std::array<std::string_view, terms.size()> all;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      all[i] = terms[i].name;
+    }
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace ridgecraft::unfold

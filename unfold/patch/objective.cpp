@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/patch/objective.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/convex_hull.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/room.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Unit of the cut length, mm: about ten edges of a model for the hand.
+constexpr double cut_unit_mm = 100.0;
+/// Unit of the area that a piece wastes, mm2: a fifth of an A4 page.
+constexpr double hollow_unit_mm2 = 10000.0;
+/// A piece this wide is held without trouble, mm.
+constexpr double handy_mm = 30.0;
+/// A neck is thin when the branch behind it is this many times wider than it.
+constexpr double thin_ratio = 3.0;
+/// A piece of so many panels is an evening's work by itself.
+constexpr double many_panels = 80.0;
+
+/// How thin the necks of a tree are: for each fold the width of the smaller side (the root of its area) over
+/// the fold's length, beyond what is harmless.
+double thinness(const Patch& piece, const RootedTree& tree, const std::vector<double>& areas) {
+  std::vector<double> area(tree.order.size());
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    area[i] = areas[tree.order[i]];
+  }
+  for (std::size_t i = area.size(); i-- > 1;) {
+    area[tree.parent[i]] += area[i];
+  }
+  double thin = 0.0;
+  for (std::size_t i = 1; i < area.size(); ++i) {
+    if (piece.frozen[tree.up[i]] == 0) {
+      const double width = std::sqrt(std::min(area[i], area[0] - area[i]));
+      thin += std::max(0.0, width / std::max(piece.length[tree.up[i]], 1e-3 * width + 1e-9) - thin_ratio);
+    }
+  }
+  return thin;
+}
+
+double square(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights& weights) {
+  double outline = 0.0;
+  for (std::size_t side = 0; side < piece.twin.size(); ++side) {
+    // Each cut has two sides; those of another piece count there.
+    outline += piece.twin[side] == nothing ? 0.5 * piece.length[side] : 0.0;
+  }
+  return weights.pieces + weights.cut * outline / cut_unit_mm +
+         weights.parts * static_cast<double>(parts - 1) +
+         weights.small * std::max(0.0, 1.0 - std::sqrt(area_of(piece)) / handy_mm) +
+         weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
+}
+
+PieceCost::PieceCost(const Patch& piece, std::size_t parts, const Weights& weights)
+    : piece_(piece),
+      weights_(weights),
+      least_(least_cost_of_piece(piece, parts, weights)),
+      place_(piece.size(), nothing) {
+  for (const Triangle& t : piece.shape) {
+    area_.push_back(area_of(t));
+    whole_area_ += area_.back();
+  }
+}
+
+double PieceCost::of(const Folds& tree, std::span<const Vec2> hull) {
+  double cut = 0.0;
+  for (std::size_t side = 0; side < tree.size(); ++side) {
+    cut += tree[side] == 0 && piece_.twin[side] != nothing ? 0.5 * piece_.length[side] : 0.0;
+  }
+  double hull_area = 0.0;
+  for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
+    hull_area += 0.5 * cross(hull[i] - hull[0], hull[i + 1] - hull[0]);
+  }
+  const double hollow = std::max(0.0, hull_area - whole_area_) / hollow_unit_mm2;
+  return least_ + weights_.cut * cut / cut_unit_mm + weights_.compact * hollow +
+         weights_.thin * thinness(piece_, rooted_tree(piece_, tree, 0, place_), area_);
+}
+
+double cost_of_piece(const Patch& piece, const Folds& tree, std::size_t parts, const Weights& weights) {
+  std::vector<Vec2> points;
+  for (const Triangle& t : lay_out(piece, tree).flat) {
+    points.insert(points.end(), t.begin(), t.end());
+  }
+  return PieceCost(piece, parts, weights).of(tree, convex_hull(std::move(points)));
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/patch/patch.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// The neighbour's frame seen from the face's own: the neighbour's side (from, to) comes to lie on the
+/// face's, turned round. Middles of the sides are matched, so that a difference of lengths by rounding is
+/// shared by both ends.
+Rigid lay_across(Vec2 from, Vec2 to, Vec2 other_from, Vec2 other_to) {
+  const Vec2 along = from - to;
+  const Vec2 other = other_to - other_from;
+  const double size = length(along) * length(other);
+  Rigid r;
+  if (size > 0.0) {
+    r.cosine = dot(other, along) / size;
+    r.sine = cross(other, along) / size;
+    const double norm = std::sqrt(r.cosine * r.cosine + r.sine * r.sine);
+    r.cosine /= norm;
+    r.sine /= norm;
+  }
+  r.shift = 0.5 * (from + to) - r.turn(0.5 * (other_from + other_to));
+  return r;
+}
+
+std::uint32_t local_number(std::span<const FaceId> faces, FaceId f) {
+  const auto at = std::lower_bound(faces.begin(), faces.end(), f);
+  return at != faces.end() && *at == f ? static_cast<std::uint32_t>(at - faces.begin()) : nothing;
+}
+
+EdgeWish wish_at(std::span<const EdgeWish> wishes, EdgeId e) {
+  return wishes.empty() ? EdgeWish::none : wishes[e.value()];
+}
+
+}  // namespace
+
+Triangle flat_shape(Vec3 a, Vec3 b, Vec3 c) {
+  const std::array<Vec3, 3> p{a, b, c};
+  unsigned base = 0;  // the longest side: then the third corner has the smallest error, slivers included
+  for (unsigned k = 1; k < 3; ++k) {
+    if (length(p[(k + 1) % 3] - p[k]) > length(p[(base + 1) % 3] - p[base])) {
+      base = k;
+    }
+  }
+  const Vec3 along = p[(base + 1) % 3] - p[base];
+  const Vec3 up = p[(base + 2) % 3] - p[base];
+  const double size = length(along);
+  Triangle flat{};
+  if (size > 0.0) {
+    flat[(base + 1) % 3] = {size, 0.0};
+    flat[(base + 2) % 3] = {dot(up, along) / size, length(cross(along, up)) / size};
+  }
+  // Around its own middle: the frame's rounding errors are then as small as the face allows.
+  const Vec2 middle = (flat[0] + flat[1] + flat[2]) / 3.0;
+  for (Vec2& q : flat) {
+    q -= middle;
+  }
+  return flat;
+}
+
+Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, std::span<const FaceId> faces,
+                 std::span<const EdgeWish> wishes) {
+  Patch patch;
+  patch.face.assign(faces.begin(), faces.end());
+  const std::size_t sides = 3 * faces.size();
+  patch.twin.assign(sides, nothing);
+  patch.frozen.assign(sides, 0);
+  patch.across.resize(sides);
+  patch.length.resize(sides);
+  patch.fold_angle.resize(sides);
+  patch.shape.reserve(faces.size());
+  const Vec3 size = surface.bounds().size();
+  patch.extent = std::max({size.x, size.y, size.z});
+  for (const FaceId f : faces) {
+    const auto [a, b, c] = surface.vertices(f);
+    patch.shape.push_back(flat_shape(surface.point(a), surface.point(b), surface.point(c)));
+  }
+  for (std::uint32_t f = 0; f < patch.size(); ++f) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t side = 3 * f + k;
+      const CornerId c = mesh::corner(patch.face[f], k);
+      patch.length[side] = surface.length(surface.edge(c));
+      patch.fold_angle[side] = surface.fold_angle(surface.edge(c));
+      const CornerId t = surface.twin(c);
+      const EdgeWish wish = wish_at(wishes, surface.edge(c));
+      const std::uint32_t g =
+          t.valid() && wish != EdgeWish::cut ? local_number(faces, mesh::face_of(t)) : nothing;
+      if (g == nothing) {
+        continue;
+      }
+      const std::uint32_t j = t.value() % 3;
+      patch.twin[side] = 3 * g + j;
+      const bool within = panels.panel[patch.face[f]] == panels.panel[patch.face[g]];
+      patch.frozen[side] = within || wish == EdgeWish::keep ? 1 : 0;
+      const Triangle& here = patch.shape[f];
+      const Triangle& there = patch.shape[g];
+      patch.across[side] = lay_across(here[k], here[(k + 1) % 3], there[j], there[(j + 1) % 3]);
+    }
+  }
+  return patch;
+}
+
+double area_of(const Patch& patch, std::span<const std::uint32_t> faces) {
+  double area = 0.0;
+  for (const std::uint32_t f : faces) {
+    area += area_of(patch.shape[f]);
+  }
+  return area;
+}
+
+double area_of(const Patch& patch) {
+  double area = 0.0;
+  for (const Triangle& t : patch.shape) {
+    area += area_of(t);
+  }
+  return area;
+}
+
+std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface, std::span<const FaceId> faces,
+                                           std::span<const EdgeWish> wishes) {
+  std::vector<std::vector<FaceId>> components;
+  std::vector<std::uint8_t> seen(faces.size(), 0);
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t start = 0; start < faces.size(); ++start) {
+    if (seen[start] != 0) {
+      continue;
+    }
+    std::vector<FaceId>& component = components.emplace_back();
+    seen[start] = 1;
+    stack.push_back(start);
+    while (!stack.empty()) {
+      const FaceId f = faces[stack.back()];
+      stack.pop_back();
+      component.push_back(f);
+      for (unsigned k = 0; k < 3; ++k) {
+        const CornerId c = mesh::corner(f, k);
+        const FaceId g = surface.neighbor(c);
+        const bool cut = wish_at(wishes, surface.edge(c)) == EdgeWish::cut;
+        const std::uint32_t at = g.valid() && !cut ? local_number(faces, g) : nothing;
+        if (at != nothing && seen[at] == 0) {
+          seen[at] = 1;
+          stack.push_back(at);
+        }
+      }
+    }
+    std::sort(component.begin(), component.end());
+  }
+  return components;
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/tabs/place/missing_tabs.hpp"
+
+#include <algorithm>
+
+#include "base/box_grid.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/tabs/place/sites.hpp"
+
+namespace ridgecraft::unfold {
+
+namespace {
+
+/// Gaps looked at between two questions whether to go on: about 1 ms.
+constexpr std::size_t gaps_per_check = 64;
+
+/// The folds that nothing cuts.
+Folds frozen_folds(const Patch& patch, const Folds& folds) {
+  Folds result = folds;
+  for (std::size_t side = 0; side < folds.size(); ++side) {
+    result[side] = folds[side] != 0 && patch.frozen[side] != 0 ? 1 : 0;
+  }
+  return result;
+}
+
+/// Nets of as many pieces as there can be.
+Nets all_apart(const mesh::Surface& surface, const Patch& patch, const Folds& folds) {
+  const Folds frozen = frozen_folds(patch, folds);
+  const Layout layout = lay_out(patch, frozen);
+  Nets nets;
+  nets.use = IdVector<EdgeId, EdgeUse>(surface.edge_count(), EdgeUse::cut);
+  nets.piece = IdVector<FaceId, PieceId>(surface.face_count());
+  nets.flat = IdVector<FaceId, std::array<Vec2, 3>>(surface.face_count());
+  for (const auto& faces : layout.faces) {
+    Piece piece;
+    for (const std::uint32_t f : faces) {
+      piece.faces.emplace_back(f);
+      nets.piece[FaceId(f)] = PieceId(nets.pieces.size());
+      nets.flat[FaceId(f)] = layout.flat[f];
+    }
+    nets.pieces.push_back(std::move(piece));
+  }
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    if (surface.is_border(e)) {
+      nets.use[e] = EdgeUse::border;
+    } else if (const std::uint32_t side = surface.sides(e)[0].value();
+               frozen[side] != 0 || is_slit(patch, frozen, layout, side)) {
+      nets.use[e] = EdgeUse::fold;
+    } else {
+      nets.joins.push_back({e, 0, TabId(), NoTab::not_wanted, false});
+    }
+  }
+  return nets;
+}
+
+}  // namespace
+
+/// What stands around a side of a join.
+class TabGaps::Surroundings {
+ public:
+  Surroundings(const mesh::Surface& surface, const Nets& nets, const TabOptions& options)
+      : nets_(nets), options_(options), vertices_(net_vertices(surface, nets)), tabs_(nets.pieces.size()) {
+    for (const TabId t : ids<TabId>(nets.tabs.size())) {
+      tabs_[nets.piece[mesh::face_of(nets.tabs[t].side)]].push_back(t);
+    }
+    for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+      std::vector<Box2> faces;
+      for (const FaceId f : nets.pieces[p].faces) {
+        faces.push_back(ConvexShape(std::span<const Vec2>(nets.flat[f])).box());
+      }
+      face_boxes_.push_back(BoxGrid(std::move(faces)));
+      std::vector<Box2> tabs;
+      for (const TabId t : tabs_[p]) {
+        tabs.push_back(ConvexShape(std::span<const Vec2>(nets.tabs[t].polygon)).box());
+      }
+      tab_boxes_.push_back(BoxGrid(std::move(tabs)));
+    }
+  }
+
+  TabGap::Place place(CornerId side, JoinId join, const TabCandidate& tab) const {
+    TabGap::Place result{mesh::face_of(side), {}};
+    const PieceId piece = nets_.piece[result.face];
+    const Frame own = tab_frame(nets_, side);
+    const ConvexShape shape(std::span<const Vec2>(tab.whole.corner));
+    const Box2 box = grown(own.out(shape).box(), options_.clearance_mm);
+    const auto meets_shape = [&](const ConvexShape& other, bool left, bool right) {
+      return !clear_of(shape, {own.in(other), kind_sharing(left && tab.at_left, right && tab.at_right)},
+                       options_.clearance_mm);
+    };
+    const std::uint32_t left = vertices_[mesh::next(side).value()];
+    const std::uint32_t right = vertices_[side.value()];
+    face_boxes_[piece].visit(box, [&](std::uint32_t i) {
+      const FaceId f = nets_.pieces[piece].faces[i];
+      bool at_left = false;
+      bool at_right = false;
+      for (unsigned k = 0; k < 3; ++k) {
+        at_left = at_left || vertices_[mesh::corner(f, k).value()] == left;
+        at_right = at_right || vertices_[mesh::corner(f, k).value()] == right;
+      }
+      if (f != result.face &&
+          meets_shape(ConvexShape(std::span<const Vec2>(nets_.flat[f])), at_left, at_right)) {
+        result.in_the_way.push_back(f);
+      }
+    });
+    tab_boxes_[piece].visit(box, [&](std::uint32_t i) {
+      const Tab& other = nets_.tabs[tabs_[piece][i]];
+      const auto at = [&](std::uint32_t vertex) {
+        return vertices_[other.side.value()] == vertex || vertices_[mesh::next(other.side).value()] == vertex;
+      };
+      if (other.join != join &&
+          meets_shape(ConvexShape(std::span<const Vec2>(other.polygon)), at(left), at(right))) {
+        result.in_the_way.push_back(mesh::face_of(other.side));
+      }
+    });
+    std::sort(result.in_the_way.begin(), result.in_the_way.end());
+    result.in_the_way.erase(std::unique(result.in_the_way.begin(), result.in_the_way.end()),
+                            result.in_the_way.end());
+    return result;
+  }
+
+ private:
+  const Nets& nets_;
+  const TabOptions& options_;
+  std::vector<std::uint32_t> vertices_;
+  IdVector<PieceId, std::vector<TabId>> tabs_;
+  IdVector<PieceId, BoxGrid> face_boxes_;  ///< in the order of the piece's faces ...
+  IdVector<PieceId, BoxGrid> tab_boxes_;   ///< ... and of tabs_
+};
+
+TabGaps::TabGaps(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
+                 const Folds& folds, const TabOptions& options, const Context& context)
+    : surface_(surface),
+      options_(options),
+      able_(surface.edge_count(), 0),
+      candidates_(surface.corner_count()) {
+  Nets apart = all_apart(surface, patch, folds);
+  place_tabs(surface, panels, options, apart, context);
+  for (const Join& join : apart.joins) {
+    able_[join.edge] = join.tab.valid() && is_usable(surface, apart, join.tab, options) ? 1 : 0;
+  }
+  for (const TabSite& site : find_tab_sites(surface, panels, apart, options, context)) {
+    candidates_[site.side.value()] = tab_candidates(
+        largest_tab({0.0, site.length, site.length}, target_outline(site), options, TabNeed::usable),
+        site.length, options);
+  }
+}
+
+std::vector<JoinId> TabGaps::missing(const Nets& nets) const {
+  std::vector<JoinId> result;
+  for (const JoinId j : ids<JoinId>(nets.joins.size())) {
+    const Join& join = nets.joins[j];
+    if (able(join.edge) && !(join.tab.valid() && is_usable(surface_, nets, join.tab, options_))) {
+      result.push_back(j);
+    }
+  }
+  return result;
+}
+
+std::vector<TabGap> TabGaps::gaps(const Nets& nets, std::span<const JoinId> joins,
+                                  const Context& context) const {
+  const Surroundings surroundings(surface_, nets, options_);
+  std::vector<TabGap> result;
+  for (const JoinId join : joins) {
+    if (result.size() % gaps_per_check == 0) {
+      context.check();
+    }
+    TabGap& gap = result.emplace_back(TabGap{join, {}});
+    for (const CornerId side : surface_.sides(nets.joins[join].edge)) {
+      for (const TabCandidate& tab : candidates_[side.value()]) {
+        gap.places.push_back(surroundings.place(side, join, tab));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::unfold

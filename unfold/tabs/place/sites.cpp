@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/tabs/place/sites.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "base/box_grid.hpp"
+#include "base/disjoint_sets.hpp"
+
+namespace ridgecraft::unfold {
+
+namespace {
+
+Vec2 flat_corner(const Nets& nets, CornerId c) {
+  return nets.flat[mesh::face_of(c)][c.value() % 3];
+}
+
+Frame frame_along(Vec2 from, Vec2 to) {
+  const Vec2 along = to - from;
+  const double size = length(along);
+  return {from, size > 0.0 ? along / size : Vec2{1.0, 0.0}};
+}
+
+/// Faces of each piece in a grid of their boxes.
+struct PieceGrids {
+  explicit PieceGrids(const Nets& nets) {
+    for (const Piece& piece : nets.pieces) {
+      std::vector<Box2> boxes;
+      boxes.reserve(piece.faces.size());
+      for (const FaceId f : piece.faces) {
+        boxes.push_back(ConvexShape(std::span<const Vec2>(nets.flat[f])).box());
+      }
+      grids.emplace_back(std::move(boxes));
+    }
+  }
+  std::vector<BoxGrid> grids;
+};
+
+class SiteFinder {
+ public:
+  SiteFinder(const mesh::Surface& surface, const prepare::Panels& panels, const Nets& nets,
+             const TabOptions& options)
+      : surface_(surface),
+        nets_(nets),
+        options_(options),
+        regions_(flat_regions(surface, panels, nets)),
+        vertices_(net_vertices(surface, nets)),
+        grids_(nets) {}
+
+  TabSite find(CornerId side) const {
+    const CornerId twin = surface_.twin(side);
+    TabSite site;
+    site.side = side;
+    site.piece = nets_.piece[mesh::face_of(side)];
+    site.target_piece = nets_.piece[mesh::face_of(twin)];
+    site.target_region = regions_.region[mesh::face_of(twin)];
+    site.own = tab_frame(nets_, side);
+    site.target = glued_frame(nets_, twin);
+    site.length = length(flat_corner(nets_, mesh::next(side)) - flat_corner(nets_, side));
+    site.area = regions_.area[regions_.region[mesh::face_of(side)]];
+    site.ends = {vertices_[mesh::next(side).value()], vertices_[side.value()]};
+    const ConvexShape widest = widest_tab(site.length, options_);
+    if (!widest.empty()) {
+      if (options_.inside_target) {
+        add_target(site, twin, widest);
+      }
+      add_faces(site, widest);
+    }
+    return site;
+  }
+
+ private:
+  void add_target(TabSite& site, CornerId twin, const ConvexShape& widest) const {
+    const bool alone = regions_.outline[site.target_region].size() == 3;
+    if (alone && site.target.in(flat_corner(nets_, mesh::previous(twin))).y < least_target_mm) {
+      site.obstacles.push_back(no_target(site.length));
+      return;
+    }
+    for (const CornerId c : regions_.outline[site.target_region]) {
+      const ConvexShape edge{site.target.in(flat_corner(nets_, c)),
+                             site.target.in(flat_corner(nets_, mesh::next(c)))};
+      if (c != twin && meet(edge.box(), widest.box()) && !apart(widest, edge, 0.0)) {
+        site.obstacles.push_back({edge, Obstacle::Kind::target_edge});
+      }
+    }
+  }
+
+  void add_faces(TabSite& site, const ConvexShape& widest) const {
+    const std::vector<FaceId>& faces = nets_.pieces[site.piece].faces;
+    const Box2 box = grown(site.own.out(widest).box(), options_.clearance_mm);
+    // Those at the base's corners come first: what they cut off needn't be cut off for others.
+    std::vector<Obstacle> others;
+    grids_.grids[site.piece.value()].visit(box, [&](std::uint32_t i) {
+      const FaceId f = faces[i];
+      if (f == mesh::face_of(site.side)) {
+        return;
+      }
+      bool left = false;
+      bool right = false;
+      for (unsigned k = 0; k < 3; ++k) {
+        const std::uint32_t v = vertices_[mesh::corner(f, k).value()];
+        left = left || v == site.ends[0];
+        right = right || v == site.ends[1];
+      }
+      Obstacle obstacle{site.own.in(ConvexShape(std::span<const Vec2>(nets_.flat[f]))),
+                        kind_sharing(left, right)};
+      if (!clear_of(widest, obstacle, options_.clearance_mm)) {
+        (left || right ? site.obstacles : others).push_back(obstacle);
+      }
+    });
+    site.obstacles.insert(site.obstacles.end(), others.begin(), others.end());
+  }
+
+  const mesh::Surface& surface_;
+  const Nets& nets_;
+  const TabOptions& options_;
+  FlatRegions regions_;
+  std::vector<std::uint32_t> vertices_;
+  PieceGrids grids_;
+};
+
+}  // namespace
+
+ConvexShape Frame::out(const ConvexShape& shape) const {
+  ConvexShape result;
+  for (const Vec2 p : shape) {
+    result.push_back(out(p));
+  }
+  return result;
+}
+
+ConvexShape Frame::in(const ConvexShape& shape) const {
+  ConvexShape result;
+  for (const Vec2 p : shape) {
+    result.push_back(in(p));
+  }
+  return result;
+}
+
+std::vector<Obstacle> target_outline(const TabSite& site) {
+  std::vector<Obstacle> target;
+  std::copy_if(site.obstacles.begin(), site.obstacles.end(), std::back_inserter(target),
+               [](const Obstacle& o) { return o.kind == Obstacle::Kind::target_edge; });
+  return target;
+}
+
+bool target_allows_usable(const TabSite& site, const TabOptions& options) {
+  const ConvexShape largest =
+      largest_tab({0.0, site.length, site.length}, target_outline(site), options, TabNeed::usable);
+  return !tab_shapes(largest, site.length, options).empty();
+}
+
+FlatRegions flat_regions(const mesh::Surface& surface, const prepare::Panels& panels, const Nets& nets) {
+  DisjointSets sets(surface.face_count());
+  const auto inside = [&](CornerId c) {
+    const FaceId g = surface.neighbor(c);
+    return g.valid() && nets.use[surface.edge(c)] == EdgeUse::fold &&
+           panels.panel[mesh::face_of(c)] == panels.panel[g];
+  };
+  for (const CornerId c : ids<CornerId>(surface.corner_count())) {
+    if (inside(c)) {
+      sets.join(mesh::face_of(c).value(), surface.neighbor(c).value());
+    }
+  }
+  FlatRegions result;
+  result.region = IdVector<FaceId, std::uint32_t>(surface.face_count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const FaceId first(sets.find(f.value()));
+    if (first == f) {
+      result.region[f] = static_cast<std::uint32_t>(result.area.size());
+      result.area.push_back(0.0);
+      result.outline.emplace_back();
+    }
+    const std::uint32_t region = result.region[f] = result.region[first];
+    result.area[region] += surface.area(f);
+    for (unsigned k = 0; k < 3; ++k) {
+      if (!inside(mesh::corner(f, k))) {
+        result.outline[region].push_back(mesh::corner(f, k));
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> net_vertices(const mesh::Surface& surface, const Nets& nets) {
+  DisjointSets sets(surface.corner_count());
+  for (const CornerId c : ids<CornerId>(surface.corner_count())) {
+    if (nets.use[surface.edge(c)] == EdgeUse::fold) {
+      sets.join(c.value(), mesh::next(surface.twin(c)).value());
+    }
+  }
+  std::vector<std::uint32_t> result(surface.corner_count());
+  for (std::uint32_t i = 0; i < result.size(); ++i) {
+    result[i] = sets.find(i);
+  }
+  return result;
+}
+
+Frame tab_frame(const Nets& nets, CornerId side) {
+  return frame_along(flat_corner(nets, mesh::next(side)), flat_corner(nets, side));
+}
+
+Frame glued_frame(const Nets& nets, CornerId twin) {
+  return frame_along(flat_corner(nets, twin), flat_corner(nets, mesh::next(twin)));
+}
+
+std::vector<TabSite> find_tab_sites(const mesh::Surface& surface, const prepare::Panels& panels,
+                                    const Nets& nets, const TabOptions& options, const Context& context) {
+  const SiteFinder finder(surface, panels, nets, options);
+  std::vector<TabSite> sites;
+  sites.reserve(2 * nets.joins.size());
+  for (const Join& join : nets.joins) {
+    if (sites.size() % 1024 == 0) {
+      context.check();
+    }
+    for (const CornerId side : surface.sides(join.edge)) {
+      sites.push_back(finder.find(side));
+    }
+  }
+  return sites;
+}
+
+}  // namespace ridgecraft::unfold

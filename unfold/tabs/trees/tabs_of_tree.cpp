@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/tabs/trees/tabs_of_tree.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "unfold/tabs/shape/shapes.hpp"
+
+namespace ridgecraft::unfold {
+
+namespace {
+
+/// Two corners of faces that are one vertex and nearer than this are one corner of the net, mm: rounding.
+constexpr double same_place_mm = 1e-6;
+/// How many tabs one may push aside.
+constexpr std::size_t most_pushed = 2;
+
+template <std::size_t n>
+Walled<n> moved(const Walled<n>& shape, const Frame& out, const Frame& in) {
+  Walled<n> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    result.corner[i] = in.in(out.out(shape.corner[i]));
+  }
+  result.build_walls();
+  return result;
+}
+
+/// The rule of clear_of (tab_trimming.hpp) and tabs_clear.
+template <std::size_t n>
+bool keeps_clear(const TabCandidate& tab, const Walled<n>& whole, const Walled<n>& upper, bool common_corner,
+                 double clearance) {
+  if (!common_corner) {
+    return walls_apart(tab.whole, whole, clearance);
+  }
+  return walls_apart(tab.whole, whole, -touching_mm) && walls_apart(tab.upper, upper, clearance);
+}
+
+}  // namespace
+
+TabState::TabState(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
+                   TreeSearch& net, const TabOptions& options)
+    : patch_(patch),
+      net_(net),
+      options_(options),
+      targets_(find_tab_targets(surface, panels, patch, options)),
+      candidates_(patch.twin.size()),
+      around_(patch.twin.size()),
+      free_(patch.twin.size(), 0),
+      chosen_(patch.twin.size()),
+      marked_in_(patch.twin.size(), 0) {
+  vertex_.reserve(patch.twin.size());
+  for (const FaceId f : patch.face) {
+    for (const VertexId v : surface.vertices(f)) {
+      vertex_.push_back(v.value());
+    }
+  }
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    candidates_[side] = tab_candidates(targets_.largest[side], patch.length[side], options);
+    Box2 box;
+    for (const TabCandidate& tab : candidates_[side]) {
+      for (const Vec2 p : tab.whole.corner) {
+        box.add(p);
+        reach_ = std::max(reach_, length(p - Vec2{std::clamp(p.x, 0.0, patch.length[side]), 0.0}));
+      }
+    }
+    if (!candidates_[side].empty()) {
+      around_[side] = {0.5 * (box.low + box.high), 0.5 * length(box.size())};
+    }
+  }
+}
+
+Frame TabState::frame(std::uint32_t side) const {
+  return {end(side), (start(side) - end(side)) / patch_.length[side]};
+}
+
+Circle TabState::circle(std::uint32_t side) const {
+  return {frame(side).out(around_[side].centre), around_[side].radius};
+}
+
+/// Has the face a corner that is this vertex at this place?
+bool TabState::shares(std::uint32_t vertex, Vec2 place, std::uint32_t face) const {
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (vertex_[3 * face + k] == vertex) {
+      const Vec2 away = net_.flat(face)[k] - place;
+      return dot(away, away) < same_place_mm * same_place_mm;
+    }
+  }
+  return false;
+}
+
+/// The candidates on a side that are clear of all faces.
+TabState::Mask TabState::free_among_faces(std::uint32_t side) {
+  const std::vector<TabCandidate>& tabs = candidates_[side];
+  if (!is_cut(side) || tabs.empty()) {
+    return 0;
+  }
+  const Frame own = frame(side);
+  const Circle near = circle(side);
+  const double gap = options_.clearance_mm;
+  auto free = static_cast<Mask>((1U << tabs.size()) - 1U);
+  net_.visit_near(near.centre, near.radius + gap, [&](std::uint32_t face) {
+    if (face == side / 3 || free == 0) {
+      return;
+    }
+    Walled<3> shape;
+    for (std::size_t k = 0; k < 3; ++k) {
+      shape.corner[k] = own.in(net_.flat(face)[k]);
+    }
+    if (std::max(shape.corner[0].y, std::max(shape.corner[1].y, shape.corner[2].y)) <= -gap) {
+      return;
+    }
+    shape.build_walls();
+    const bool left = shares(vertex_[3 * (side / 3) + (side % 3 + 1) % 3], end(side), face);
+    const bool right = shares(vertex_[side], start(side), face);
+    for (Mask rest = free; rest != 0; rest = static_cast<Mask>(rest & (rest - 1U))) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+      const bool common = (left && tabs[i].at_left) || (right && tabs[i].at_right);
+      if (!keeps_clear(tabs[i], shape, shape, common, gap)) {
+        free = static_cast<Mask>(free & ~(1U << i));
+      }
+    }
+  });
+  return free;
+}
+
+void TabState::set_free(std::uint32_t side, Mask free) {
+  if (free_[side] != free) {
+    old_free_.emplace_back(side, free_[side]);
+    free_[side] = free;
+  }
+}
+
+void TabState::choose(std::uint32_t join, const Choice& choice) {
+  old_choices_.emplace_back(join, chosen_[join]);
+  const bool had = chosen_[join].side != nothing;
+  const bool has = choice.side != nothing;
+  if (had != has) {
+    tabs_ += has ? 1U : static_cast<std::uint32_t>(-1);
+    const double worth = tab_worth(patch_.length[join]);
+    worth_ += has ? worth : -worth;
+  }
+  chosen_[join] = choice;
+}
+
+void TabState::mark(std::uint32_t side) {
+  if (marked_in_[side] != round_ && !candidates_[side].empty()) {
+    marked_in_[side] = round_;
+    marked_.push_back(side);
+  }
+}
+
+/// Marks the sides of a face whose tabs might meet another face.
+void TabState::mark_beside(std::uint32_t face, std::uint32_t other) {
+  for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
+    if (marked_in_[side] == round_ || candidates_[side].empty() || !is_cut(side)) {
+      continue;
+    }
+    const Frame own = frame(side);
+    Box2 box;
+    for (const Vec2 p : net_.flat(other)) {
+      box.add(own.in(p));
+    }
+    const Circle& tab = around_[side];
+    const double radius = tab.radius + options_.clearance_mm;
+    if (box.high.y > -options_.clearance_mm && box.low.y < options_.height_mm + options_.clearance_mm &&
+        box.low.x < tab.centre.x + radius && box.high.x > tab.centre.x - radius) {
+      mark(side);
+    }
+  }
+}
+
+/// Marks what is near across the fold above `below`, and notes which tabs may have come together.
+void TabState::mark_near(std::uint32_t below, bool pairs) {
+  net_.visit_near_across(below, 2.0 * reach_ + options_.clearance_mm, [&](std::uint32_t f, std::uint32_t g) {
+    mark_beside(f, g);
+    mark_beside(g, f);
+    for (std::uint32_t a = 3 * f; pairs && a < 3 * f + 3; ++a) {
+      for (std::uint32_t b = 3 * g; tab_on(a) != nullptr && b < 3 * g + 3; ++b) {
+        if (tab_on(b) != nullptr) {
+          beside_.emplace_back(a, b);
+        }
+      }
+    }
+  });
+}
+
+void TabState::renew_all() {
+  for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+    chosen_[side] = {};
+    free_[side] = 0;
+  }
+  tabs_ = 0;
+  worth_ = 0.0;
+  ++round_;
+  marked_.clear();
+  for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+    mark(side);
+  }
+  refresh();
+  fill_open();
+  old_free_.clear();
+  old_choices_.clear();
+}
+
+void TabState::swap(std::uint32_t below, std::uint32_t side) {
+  old_free_.clear();
+  old_choices_.clear();
+  ++round_;
+  marked_.clear();
+  beside_.clear();
+  const std::uint32_t removed = net_.side_above(below);
+  if (chosen_[join_of(side)].side != nothing) {
+    choose(join_of(side), {});
+  }
+  mark_near(below, false);
+  const std::uint32_t moved = net_.swap(below, side);
+  for (const std::uint32_t s : {side, patch_.twin[side], removed, patch_.twin[removed]}) {
+    mark(s);
+  }
+  mark_near(moved, true);
+  undo_below_ = moved;
+  undo_side_ = removed;
+  refresh();
+  drop_colliding();
+  fill_open();
+}
+
+void TabState::take_back() {
+  net_.swap(undo_below_, undo_side_);
+  for (; !old_free_.empty(); old_free_.pop_back()) {
+    free_[old_free_.back().first] = old_free_.back().second;
+  }
+  while (!old_choices_.empty()) {
+    const auto [join, choice] = old_choices_.back();
+    old_choices_.pop_back();
+    choose(join, choice);
+    old_choices_.pop_back();
+  }
+}
+
+/// Looks at the marked sides; tabs that no longer fit are taken away.
+void TabState::refresh() {
+  for (const std::uint32_t side : marked_) {
+    const Mask free = free_among_faces(side);
+    set_free(side, free);
+    const Choice& choice = chosen_[join_of(side)];
+    if (choice.side == side && (free >> choice.shape & 1U) == 0) {
+      choose(join_of(side), {});
+    }
+  }
+}
+
+/// Of two tabs that the change brought onto each other one goes.
+void TabState::drop_colliding() {
+  for (const auto& [a, b] : beside_) {
+    const TabCandidate* tab = tab_on(a);
+    if (tab != nullptr && tab_on(b) != nullptr && !clear(a, *tab, b)) {
+      choose(join_of(b), {});
+      mark(a);
+      mark(b);
+    }
+  }
+}
+
+/// Tabs for the marked cuts that have none, those with the fewest choices first.
+void TabState::fill_open() {
+  open_.clear();
+  for (const std::uint32_t side : marked_) {
+    if (is_cut(side) && free_[side] != 0 && !has_tab(side)) {
+      open_.push_back(join_of(side));
+    }
+  }
+  std::sort(open_.begin(), open_.end());
+  open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
+  const auto choices = [this](std::uint32_t join) {
+    const std::uint32_t twin = patch_.twin[join];
+    return std::popcount(free_[join]) + (twin == nothing ? 0 : std::popcount(free_[twin]));
+  };
+  std::stable_sort(open_.begin(), open_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return choices(a) < choices(b); });
+  for (const bool may_push : {false, true}) {
+    for (const std::uint32_t join : open_) {
+      if (chosen_[join].side == nothing) {
+        static_cast<void>(place(join, may_push));
+      }
+    }
+  }
+}
+
+/// Sides with chosen tabs that a tab on this side might meet.
+void TabState::find_tabs_near(std::uint32_t side, std::vector<std::uint32_t>& sides) {
+  const Circle near = circle(side);
+  sides.clear();
+  net_.visit_near(near.centre, near.radius + reach_ + options_.clearance_mm, [&](std::uint32_t face) {
+    for (std::uint32_t other = 3 * face; other < 3 * face + 3; ++other) {
+      if (other != side && chosen_[join_of(other)].side == other) {
+        sides.push_back(other);
+      }
+    }
+  });
+}
+
+/// Does a tab on side a keep clear of the tab that side b has?
+bool TabState::clear(std::uint32_t a, const TabCandidate& tab_a, std::uint32_t b) const {
+  const TabCandidate& tab_b = candidates_[b][chosen_[join_of(b)].shape];
+  const Frame here = frame(a);
+  const Frame there = frame(b);
+  const Walled<4> whole = moved(tab_b.whole, there, here);
+  const auto common = [&](bool at_a, std::uint32_t vertex_a, Vec2 place_a, bool at_b, std::uint32_t vertex_b,
+                          Vec2 place_b) {
+    const Vec2 away = place_a - place_b;
+    return at_a && at_b && vertex_a == vertex_b && dot(away, away) < same_place_mm * same_place_mm;
+  };
+  const std::uint32_t left_a = vertex_[3 * (a / 3) + (a % 3 + 1) % 3];
+  const std::uint32_t left_b = vertex_[3 * (b / 3) + (b % 3 + 1) % 3];
+  const bool corner = common(tab_a.at_left, left_a, end(a), tab_b.at_left, left_b, end(b)) ||
+                      common(tab_a.at_left, left_a, end(a), tab_b.at_right, vertex_[b], start(b)) ||
+                      common(tab_a.at_right, vertex_[a], start(a), tab_b.at_left, left_b, end(b)) ||
+                      common(tab_a.at_right, vertex_[a], start(a), tab_b.at_right, vertex_[b], start(b));
+  return corner ? keeps_clear(tab_a, whole, moved(tab_b.upper, there, here), true, options_.clearance_mm)
+                : keeps_clear(tab_a, whole, whole, false, options_.clearance_mm);
+}
+
+/// Finds a join a tab: free, or by pushing others aside.
+bool TabState::place(std::uint32_t join, bool may_push) {
+  std::vector<std::uint32_t> near;
+  std::vector<std::uint32_t> others;
+  for (const std::uint32_t side : {join, patch_.twin[join]}) {
+    if (side == nothing || free_[side] == 0) {
+      continue;
+    }
+    find_tabs_near(side, near);
+    for (std::uint32_t shape = 0; shape < candidates_[side].size(); ++shape) {
+      if ((free_[side] >> shape & 1U) == 0) {
+        continue;
+      }
+      others.clear();
+      for (const std::uint32_t other : near) {
+        if (join_of(other) != join && tab_on(other) != nullptr &&
+            !clear(side, candidates_[side][shape], other)) {
+          others.push_back(join_of(other));
+          if (!may_push || others.size() > most_pushed) {
+            break;
+          }
+        }
+      }
+      if (others.empty()) {
+        choose(join, {side, shape});
+        return true;
+      }
+      if (may_push && others.size() <= most_pushed && push_aside(join, {side, shape}, others)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool TabState::push_aside(std::uint32_t join, const Choice& choice,
+                          const std::vector<std::uint32_t>& others) {
+  std::vector<Choice> old;
+  for (const std::uint32_t other : others) {
+    old.push_back(chosen_[other]);
+    choose(other, {});
+  }
+  choose(join, choice);
+  const bool all =
+      std::all_of(others.begin(), others.end(), [&](std::uint32_t other) { return place(other, false); });
+  if (!all) {
+    choose(join, {});
+    for (std::size_t i = 0; i < old.size(); ++i) {
+      choose(others[i], old[i]);
+    }
+  }
+  return all;
+}
+
+}  // namespace ridgecraft::unfold

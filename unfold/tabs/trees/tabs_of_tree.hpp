@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tabs of a tree while the tree changes: what fits where, which are chosen, kept up to date around a
+// change.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "mesh/model/surface.hpp"
+#include "unfold/search/tree_search.hpp"
+#include "unfold/tabs/place/sites.hpp"
+#include "unfold/tabs/place/targets.hpp"
+#include "unfold/tabs/shape/candidates.hpp"
+
+namespace ridgecraft::unfold {
+
+/// How much a usable tab is missed on an edge of this length, mm: a long edge gapes without one.
+[[nodiscard]] constexpr double tab_worth(double length) {
+  constexpr double long_edge_mm = 8.0;
+  // Whole multiples of 1/4: sums stay exact.
+  return length > long_edge_mm ? 1.25 : 1.0;
+}
+
+/// Usable tabs on the cuts of a net, of few shapes (tab_candidates.hpp). Cuts to faces outside the patch
+/// count where this side should give the tab. A simplification of place_tabs, which has the last word: shapes
+/// are as small as usable ones can be, corners are shared where they are one vertex of the surface and lie at
+/// one place, and tabs are counted, not weighed.
+class TabState {
+ public:
+  TabState(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch, TreeSearch& net,
+           const TabOptions& options);
+
+  /// Chooses all tabs afresh, whatever was chosen before: they depend on the tree alone.
+  void renew_all();
+  /// Makes the cut `side` a fold and the fold above `below`, which it crosses, a cut (TreeSearch::swap), and
+  /// looks afresh at the tabs that this brings near other things or frees of them.
+  void swap(std::uint32_t below, std::uint32_t side);
+  /// Takes the last swap back.
+  void take_back();
+
+  /// Cuts with a usable tab.
+  [[nodiscard]] std::uint32_t tabs() const { return tabs_; }
+  /// The same weighed by how much each one is missed: what a search makes as great as it can.
+  [[nodiscard]] double worth() const { return worth_; }
+  [[nodiscard]] bool is_cut(std::uint32_t side) const {
+    return patch_.twin[side] == nothing ? targets_.seam[side] != 0
+                                        : patch_.frozen[side] == 0 && net_.folds()[side] == 0;
+  }
+  [[nodiscard]] bool has_tab(std::uint32_t side) const { return chosen_[join_of(side)].side != nothing; }
+  /// The side by which a cut is counted.
+  [[nodiscard]] std::uint32_t join_of(std::uint32_t side) const {
+    return patch_.twin[side] < side ? patch_.twin[side] : side;
+  }
+  /// The tab that grows from a side, in the frame of tab shapes; nothing if there is none.
+  [[nodiscard]] const TabCandidate* tab_on(std::uint32_t side) const {
+    const Choice& choice = chosen_[join_of(side)];
+    return choice.side == side ? &candidates_[side][choice.shape] : nullptr;
+  }
+  /// How many of the two sides of an edge inside the patch could give a usable tab if nothing were in the
+  /// way.
+  [[nodiscard]] std::uint32_t chances(std::uint32_t side) const {
+    return (candidates_[side].empty() ? 0U : 1U) + (candidates_[patch_.twin[side]].empty() ? 0U : 1U);
+  }
+
+  /// Per side: the tabs that it may have.
+  [[nodiscard]] const std::vector<std::vector<TabCandidate>>& candidates() const { return candidates_; }
+  /// Per side: 1 where it leads out of the patch and should give the tab.
+  [[nodiscard]] const std::vector<std::uint8_t>& seams() const { return targets_.seam; }
+
+ private:
+  struct Choice {
+    std::uint32_t side = nothing;  ///< none: no tab
+    std::uint32_t shape = 0;
+  };
+  using Mask = std::uint8_t;
+  static_assert(most_candidates <= 8);
+
+  [[nodiscard]] Vec2 start(std::uint32_t side) const { return net_.flat(side / 3)[side % 3]; }
+  [[nodiscard]] Vec2 end(std::uint32_t side) const { return net_.flat(side / 3)[(side % 3 + 1) % 3]; }
+  [[nodiscard]] Frame frame(std::uint32_t side) const;
+  [[nodiscard]] Circle circle(std::uint32_t side) const;
+  [[nodiscard]] bool shares(std::uint32_t vertex, Vec2 place, std::uint32_t face) const;
+  [[nodiscard]] Mask free_among_faces(std::uint32_t side);
+  void mark_near(std::uint32_t below, bool pairs);
+  void mark(std::uint32_t side);
+  void mark_beside(std::uint32_t face, std::uint32_t other);
+  void refresh();
+  void drop_colliding();
+  void fill_open();
+  void set_free(std::uint32_t side, Mask free);
+  void choose(std::uint32_t join, const Choice& choice);
+  void find_tabs_near(std::uint32_t side, std::vector<std::uint32_t>& sides);
+  [[nodiscard]] bool clear(std::uint32_t a, const TabCandidate& tab_a, std::uint32_t b) const;
+  [[nodiscard]] bool place(std::uint32_t join, bool may_push);
+  [[nodiscard]] bool push_aside(std::uint32_t join, const Choice& choice,
+                                const std::vector<std::uint32_t>& others);
+
+  const Patch& patch_;
+  TreeSearch& net_;
+  TabOptions options_;
+  double reach_ = 0.0;  ///< farther from its edge no tab gets, mm
+  TabTargets targets_;
+  std::vector<std::uint32_t> vertex_;                  ///< of the surface, at the start of each side
+  std::vector<std::vector<TabCandidate>> candidates_;  ///< per side
+  std::vector<Circle> around_;                         ///< per side, all of them, in the side's frame
+  std::vector<Mask> free_;                             ///< per side: candidates clear of all faces
+  std::vector<Choice> chosen_;                         ///< per join (its smaller side)
+  std::uint32_t tabs_ = 0;
+  double worth_ = 0.0;
+
+  std::vector<std::uint32_t> marked_;  ///< sides to be looked at
+  std::vector<std::uint64_t> marked_in_;
+  std::uint64_t round_ = 1;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> beside_;  ///< sides whose tabs may have come together
+  std::vector<std::uint32_t> open_;
+
+  std::uint32_t undo_below_ = nothing;
+  std::uint32_t undo_side_ = nothing;
+  std::vector<std::pair<std::uint32_t, Mask>> old_free_;
+  std::vector<std::pair<std::uint32_t, Choice>> old_choices_;
+};
+
+}  // namespace ridgecraft::unfold
