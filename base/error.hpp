@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace ridgecraft {
 
@@ -25,11 +26,16 @@ enum class ErrorKind {
 /// what() is the whole sentence; it names the file, option or face concerned and ends without a full stop.
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, const std::string& sentence) : std::runtime_error(sentence), kind_(kind) {}
+  /// `about` is the file that the sentence names. Where a stage knows no files it stays empty: then whoever
+  /// knows which model the stage worked on can put its name before the sentence.
+  Error(ErrorKind kind, const std::string& sentence, std::string about = {})
+      : std::runtime_error(sentence), kind_(kind), about_(std::move(about)) {}
   [[nodiscard]] ErrorKind kind() const { return kind_; }
+  [[nodiscard]] const std::string& about() const { return about_; }
 
  private:
   ErrorKind kind_;
+  std::string about_;
 };
 
 }  // namespace ridgecraft

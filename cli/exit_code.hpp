@@ -15,6 +15,7 @@ enum class ExitCode : int {
   no_nets = 5,
   faults_found = 6,  ///< `verify` found faults
   cant_write = 7,
+  untold = 8,  ///< all was done and written, but standard output didn't take the summary
   interrupted = 130,
 };
 

@@ -1,32 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interruption.hpp"
 
-#include <array>
-#include <string_view>
 #include <system_error>
 
 #include <pthread.h>
 #include <sys/time.h>
-#include <unistd.h>
-
-#include "cli/exit_code.hpp"
 
 namespace ridgecraft::cli {
 namespace {
 
-constexpr std::array interrupting{SIGINT, SIGTERM, SIGHUP};
 constexpr long tick_us = 20'000;
 
 /// For signal handlers, where no thread could be had.
 Interruption* without_thread = nullptr;
 
-void write_all(int file, std::string_view text) {
-  [[maybe_unused]] const ssize_t ignored = ::write(file, text.data(), text.size());
-}
-
 }  // namespace
 
-Interruption::Interruption(PendingFiles& pending, const Setup& setup) : pending_(pending), json_(setup.json) {
+Interruption::Interruption(PendingFiles& pending, const Setup& setup) : pending_(pending) {
   if (setup.time_limit_s) {
     const auto after = [start = Clock::now()](double seconds) {
       return start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -34,20 +24,13 @@ Interruption::Interruption(PendingFiles& pending, const Setup& setup) : pending_
     limit_time_ = after(*setup.time_limit_s);
     segmentation_time_ = after(*setup.time_limit_s * setup.segmentation_share);
   }
-  sigemptyset(&signals_);
-  for (const int signal : interrupting) {
-    struct sigaction action {};
-    // A signal that is ignored (nohup, a job in the background) stays ignored.
-    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) {
-      sigaddset(&signals_, signal);
-    }
-  }
+  signals_ = interrupting_signals();
   pthread_sigmask(SIG_BLOCK, &signals_, &previous_);
   try {
     waiter_ = std::jthread([this](const std::stop_token& finished) { wait_for_signal(finished); });
   } catch (const std::system_error&) {
-    pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
     wait_with_handlers();
+    pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
   }
 }
 
@@ -59,9 +42,9 @@ Interruption::~Interruption() {
   } else {
     const itimerval never{};
     setitimer(ITIMER_REAL, &never, nullptr);
-    for (const int signal : interrupting) {
-      if (sigismember(&signals_, signal) == 1) {
-        std::signal(signal, SIG_DFL);
+    for (std::size_t i = 0; i < interrupting.size(); ++i) {
+      if (sigismember(&signals_, interrupting[i]) == 1) {
+        sigaction(interrupting[i], &before_[i], nullptr);
       }
     }
     without_thread = nullptr;
@@ -73,9 +56,9 @@ void Interruption::wait_with_handlers() {
   struct sigaction action {};
   action.sa_handler = handle;
   action.sa_flags = SA_RESTART;
-  for (const int signal : interrupting) {
-    if (sigismember(&signals_, signal) == 1) {
-      sigaction(signal, &action, nullptr);
+  for (std::size_t i = 0; i < interrupting.size(); ++i) {
+    if (sigismember(&signals_, interrupting[i]) == 1) {
+      sigaction(interrupting[i], &action, &before_[i]);
     }
   }
   if (limit_time_) {
@@ -133,16 +116,10 @@ void Interruption::wait_for_signal(const std::stop_token& finished) {
 }
 
 void Interruption::end_now() {
-  const bool written = pending_.discard();
-  write_all(STDERR_FILENO, written ? "\nridgecraft: interrupted after the files were written\n"
-                                   : "\nridgecraft: interrupted; nothing was written\n");
-  if (json_) {
-    write_all(
-        STDOUT_FILENO,
-        written ? "{\"error\": {\"code\": 130, \"message\": \"interrupted after the files were written\"}}\n"
-                : "{\"error\": {\"code\": 130, \"message\": \"interrupted; nothing was written\"}}\n");
+  if (pending_.discard()) {
+    files_are_written();
   }
-  ::_exit(static_cast<int>(ExitCode::interrupted));
+  end_interrupted();
 }
 
 }  // namespace ridgecraft::cli

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl-C at any moment, and the end of the time given: the work is asked to stop. After Ctrl-C it is ended if
-// it doesn't.
+// Ctrl-C while a job runs, and the end of the time given: the work is asked to stop. After Ctrl-C it is ended
+// if it doesn't.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <optional>
 #include <stop_token>
 #include <thread>
 
+#include "cli/early_end.hpp"
 #include "cli/files/pending_files.hpp"
 
 namespace ridgecraft::cli {
@@ -16,13 +18,13 @@ namespace ridgecraft::cli {
 /// While it lives, SIGINT, SIGTERM and SIGHUP set the stop tokens. Stages look at them often; where a library
 /// call can't be stopped, the program removes its temporary files and ends by itself half a second later,
 /// with exit code 130. Where no thread can be had for that, signal handlers set the tokens, and the program
-/// ends when its stages look at them.
+/// ends when its stages look at them. Signals that wait when it goes are heeded as before it came
+/// (early_end.hpp).
 class Interruption {
  public:
   struct Setup {
     std::optional<double> time_limit_s;  ///< from now on
     double segmentation_share = 1.0;     ///< of the limit
-    bool json = false;                   ///< tell of a forced end on standard output, too
   };
 
   Interruption(PendingFiles& pending, const Setup& setup);
@@ -50,7 +52,6 @@ class Interruption {
   [[noreturn]] void end_now();
 
   PendingFiles& pending_;
-  bool json_;
   std::optional<Clock::time_point> limit_time_;
   std::optional<Clock::time_point> segmentation_time_;
   std::stop_source user_;
@@ -58,6 +59,7 @@ class Interruption {
   std::stop_source segmentation_;
   sigset_t signals_{};
   sigset_t previous_{};
+  std::array<struct sigaction, interrupting.size()> before_{};  ///< where there is no thread
   std::jthread waiter_;
 };
 

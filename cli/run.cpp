@@ -2,21 +2,25 @@
 #include "cli/run.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <type_traits>
+#include <cstring>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "base/printable.hpp"
 #include "cli/arguments/options.hpp"
+#include "cli/early_end.hpp"
 #include "cli/files/formats.hpp"
 #include "cli/files/pending_files.hpp"
 #include "cli/interruption.hpp"
 #include "cli/jobs/pipeline.hpp"
 #include "cli/jobs/solid_jobs.hpp"
 #include "cli/jobs/time_limit.hpp"
+#include "cli/files/model_input.hpp"
 #include "cli/telling/progress.hpp"
 #include "cli/telling/summary.hpp"
 #include "mesh/reading/read_soup.hpp"
@@ -57,9 +61,33 @@ std::string printable_lines(std::string_view text) {
   return result;
 }
 
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw Error(ErrorKind::cant_write, "can't write to standard output");
+/// 0, or the number of the error that kept standard output from taking all of the text.
+int print(const std::string& text) {
+  errno = 0;
+  const bool printed =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  return printed ? 0 : errno != 0 ? errno : EIO;
+}
+
+std::string why_unprinted(int error) {
+  return error == EBADF || error == EPIPE ? "standard output is closed"
+                                          : std::string("standard output failed: ") + std::strerror(error);
+}
+
+/// Prints what is the whole result of a job. Whoever closes a pipe (`| head`) has read enough.
+void print_result(const std::string& text) {
+  if (const int error = print(text); error != 0 && error != EPIPE) {
+    throw Error(ErrorKind::cant_write, "can't print the result: " + why_unprinted(error));
+  }
+}
+
+/// A file that is opened must not get the number of a standard stream that was closed: what is printed would
+/// end up in it. The stand-ins refuse what the streams are for.
+void fill_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF) {
+      [[maybe_unused]] const int stand_in = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
   }
 }
 
@@ -67,7 +95,7 @@ void print(const std::string& text) {
 class Session {
  public:
   explicit Session(const CommonOptions& options)
-      : interruption_(pending_, {options.time_limit_s, segmentation_share, options.json}),
+      : interruption_(pending_, {options.time_limit_s, segmentation_share}),
         progress_(!options.quiet && !options.json),
         options_(options) {
     Context& context = run_.patient;
@@ -81,6 +109,15 @@ class Session {
       context.deadline = *deadline;
     }
   }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  /// Temporary files go while signals still wait: afterwards one may end the program at any time.
+  ~Session() {
+    if (pending_.discard()) {
+      files_are_written();
+    }
+  }
+
   [[nodiscard]] const RunContext& run() const { return run_; }
   [[nodiscard]] PendingFiles& pending() { return pending_; }
 
@@ -99,18 +136,40 @@ class Session {
       remark(line);
     }
   }
-  /// The result as the user wants it.
+  /// Prints what a job made that wrote these files, as the user wants it. The job's exit code.
   template <class Text, class JsonText>
-  void finish(const Text& text, const JsonText& json) {
+  [[nodiscard]] ExitCode finish(const std::vector<std::string>& files, const Text& text,
+                                const JsonText& json) {
     progress_.clear();
-    if (options_.json) {
-      print(json());
-    } else if (!options_.quiet) {
-      print(printable_lines(text()));
+    int error = 0;
+    if (options_.json || !options_.quiet) {
+      const std::string words = options_.json ? json() : printable_lines(text());
+      if (files.empty()) {
+        print_result(words);
+      } else {
+        error = print(words);
+      }
+      json_is_printed();
     }
+    end_if_interrupted();
+    if (error != 0) {
+      complain("the files were written, but the summary couldn't be printed: " + why_unprinted(error));
+      return ExitCode::untold;
+    }
+    return ExitCode::ok;
   }
 
  private:
+  /// What a signal asked to stop was done before it could.
+  void end_if_interrupted() {
+    if (interruption_.stopped().stop_requested()) {
+      if (pending_.discard()) {
+        files_are_written();
+      }
+      end_interrupted();
+    }
+  }
+
   PendingFiles pending_;
   Interruption interruption_;
   Progress progress_;
@@ -118,88 +177,71 @@ class Session {
   RunContext run_;
 };
 
-/// Stages after reading don't know the model's file; the sentence that the user gets names it all the same,
-/// unless it is about another one of the files that the job reads.
+/// Stages after reading don't know the model's file; where they refuse what comes from it and name no other,
+/// the sentence that the user gets names it all the same.
 template <class Work>
-auto about(const std::string& model, const std::vector<std::string>& other_files, const Work& work) {
+auto about(const std::string& model, const Work& work) {
+  const std::string name = shown_name(model);
   try {
     return work();
   } catch (const Error& error) {
-    const std::string sentence = error.what();
-    const auto named = [&](const std::string& file) {
-      return !file.empty() && (sentence.find(file) != std::string::npos ||
-                               sentence.find(printable(file)) != std::string::npos);
-    };
     const bool about_model = error.kind() == ErrorKind::unusable_mesh || error.kind() == ErrorKind::no_nets ||
                              error.kind() == ErrorKind::internal;
-    if (!about_model || named(model) || std::any_of(other_files.begin(), other_files.end(), named)) {
+    if (!about_model || !error.about().empty()) {
       throw;
     }
-    throw Error(error.kind(), model + ": " + sentence);
+    throw Error(error.kind(), name + ": " + error.what(), name);
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::unusable_mesh, model + " needs more memory than this machine has");
-  }
-}
-
-std::vector<std::string> other_files(const EdgeArguments& edges) {
-  return {edges.cuts, edges.keep, edges.from};
-}
-
-/// The files beside the model that a verb of solid/ reads.
-template <class SolidJob>
-std::vector<std::string> other_files(const SolidJob& job) {
-  if constexpr (std::is_same_v<SolidJob, DeformJob>) {
-    return {job.cage, job.to};
-  } else {
-    return {};
+    throw Error(ErrorKind::unusable_mesh, name + " needs more memory than this machine has", name);
   }
 }
 
 ExitCode do_job(const PrintJob& job) {
-  print(job.text);
+  print_result(job.text);
   return ExitCode::ok;
 }
 
 ExitCode do_job(const PaperJob& job) {
   Session session(job.common);
-  const PaperResult result = about(job.model, other_files(job.edges), [&] {
+  const PaperResult result = about(job.model, [&] {
     return make_paper(job, session.run(), session.pending(),
                       [&](const std::string& line) { session.warn(line); });
   });
   session.report(result.prepared.model.repairs);
-  session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
-  return ExitCode::ok;
+  return session.finish(
+      result.files, [&] { return summary(job, result); }, [&] { return summary_json(job, result); });
 }
 
 ExitCode do_job(const SegmentJob& job) {
   Session session(job.common);
   const SegmentResult result =
-      about(job.model, job.compare, [&] { return make_parts(job, session.run(), session.pending()); });
+      about(job.model, [&] { return make_parts(job, session.run(), session.pending()); });
   session.report(result.model.repairs);
-  session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
-  return ExitCode::ok;
+  return session.finish(
+      result.files, [&] { return summary(job, result); }, [&] { return summary_json(job, result); });
 }
 
 ExitCode do_job(const UnfoldJob& job) {
   Session session(job.common);
-  const UnfoldResult result = about(job.model, other_files(job.edges),
-                                    [&] { return make_nets(job, session.run(), session.pending()); });
+  const UnfoldResult result =
+      about(job.model, [&] { return make_nets(job, session.run(), session.pending()); });
   session.report(result.prepared.model.repairs);
-  session.finish([&] { return summary(job, result); }, [&] { return summary_json(job, result); });
-  return ExitCode::ok;
+  return session.finish(
+      result.files, [&] { return summary(job, result); }, [&] { return summary_json(job, result); });
 }
 
 /// The verbs of solid/ differ in what they make only.
 template <class SolidJob>
 ExitCode do_solid(const SolidJob& job, SolidResult (*make)(const SolidJob&, const Context&, PendingFiles&)) {
   Session session(job.common);
-  const SolidResult result = about(job.model, other_files(job), [&] {
+  const SolidResult result = about(job.model, [&] {
     return in_time(session.run(), "bodies were made",
                    [&](const Context& strict) { return make(job, strict, session.pending()); });
   });
   session.report(result.model.repairs);
-  session.finish([&] { return summary(job.model, result); }, [&] { return summary_json(result); });
-  return ExitCode::ok;
+  return session.finish(
+      result.files, [&] { return summary(shown_name(job.model), result); },
+      [&] { return summary_json(result); });
 }
 
 ExitCode do_job(const HullsJob& job) {
@@ -217,14 +259,13 @@ ExitCode do_job(const DeformJob& job) {
 
 ExitCode do_job(const InfoJob& job) {
   Session session(job.common);
-  const mesh::Model model = about(job.model, {}, [&] {
-    return in_time(session.run(), job.model + " was read",
-                   [&](const Context& strict) { return mesh::read(job.model, {}, strict); });
+  const mesh::Model model = about(job.model, [&] {
+    return in_time(session.run(), shown_name(job.model) + " was read",
+                   [&](const Context& strict) { return read_model(job.model, {}, strict); });
   });
   const prepare::Panels panels = prepare::find_panels(model.surface);
-  session.finish([&] { return summary(job, model, panels); },
-                 [&] { return summary_json(job, model, panels); });
-  return ExitCode::ok;
+  return session.finish(
+      {}, [&] { return summary(job, model, panels); }, [&] { return summary_json(job, model, panels); });
 }
 
 /// A FOLD file is JSON, and that begins with a bracket, after blanks and perhaps a byte order mark. What
@@ -235,7 +276,7 @@ void require_json(const std::string& file, std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || (bytes[first] != '{' && bytes[first] != '[')) {
     throw Error(ErrorKind::unreadable_input,
-                file + " is in no format that can be checked: nets are FOLD files, which are JSON");
+                file + " is in no format that can be checked: nets are FOLD files, which are JSON", file);
   }
 }
 
@@ -246,14 +287,15 @@ ExitCode do_job(const VerifyJob& job) {
   const verify::Report report = in_time(session.run(), job.file + " was checked", [&](const Context& strict) {
     return verify::verify(bytes, {}, strict);
   });
-  session.finish([&] { return summary(job, report); }, [&] { return verify::to_json(report) + "\n"; });
-  return report.sound() ? ExitCode::ok : ExitCode::faults_found;
+  const ExitCode told = session.finish(
+      {}, [&] { return summary(job, report); }, [&] { return verify::to_json(report) + "\n"; });
+  return report.sound() ? told : ExitCode::faults_found;
 }
 
 ExitCode do_job(const FormatsJob& job) {
   Session session(job.common);
-  session.finish([] { return formats_text(); }, [] { return formats_json(); });
-  return ExitCode::ok;
+  return session.finish(
+      {}, [] { return formats_text(); }, [] { return formats_json(); });
 }
 
 /// Tells of a failure: a sentence for people, and one object for machines where they listen.
@@ -288,8 +330,9 @@ ExitCode run(const std::vector<std::string>& arguments) noexcept {
   // A closed pipe and a file grown too large are errors of writing like any other, no reasons to vanish.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  fill_closed_streams();
   // Wrong arguments are told as JSON, too, so this can't wait until they are parsed.
-  return do_guarded(arguments, std::find(arguments.begin(), arguments.end(), "--json") != arguments.end());
+  return do_guarded(arguments, asks_for_json(arguments));
 }
 
 }  // namespace ridgecraft::cli

@@ -33,6 +33,7 @@ if(RIDGECRAFT_SANITIZE)
   # Light optimisation and debug information: full ones make the CGAL files seven times as slow to compile.
   add_compile_options(-O1 -g1 -fno-omit-frame-pointer -fsanitize=${RIDGECRAFT_SANITIZE})
   add_compile_options(-fno-sanitize-recover=all)
+  add_compile_definitions(RIDGECRAFT_SANITIZED=1)
   if(RIDGECRAFT_SANITIZE MATCHES "undefined")
     # A null pointer stops the program anyway, and the others never spoke: a quarter of the time to compile.
     add_compile_options(-fno-sanitize=null,alignment,object-size,vptr)

@@ -14,20 +14,28 @@ namespace ridgecraft::mesh {
 
 Model read(const std::filesystem::path& file, const ReadOptions& options, const Context& context) {
   context.report("reading", 0.0);
-  const std::string bytes = read_file(file);
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  Soup soup = parse_soup(bytes, file.string(), folder, context);
+  return read(ModelFile{.bytes = read_file(file),
+                        .name = file.string(),
+                        .title = file.stem().string(),
+                        .folder = file.has_parent_path() ? file.parent_path() : "."},
+              options, context);
+}
+
+Model read(const ModelFile& file, const ReadOptions& options, const Context& context) {
+  context.report("reading", 0.0);
+  Soup soup = parse_soup(file.bytes, file.name, file.folder, context);
   context.report("repairing", 0.0);
   try {
     Model model = repair(std::move(soup), options, context);
-    model.name = printable(file.stem().string());
-    model.digest = digest(bytes);
+    model.name = printable(file.title);
+    model.digest = digest(file.bytes);
     return model;
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::unusable_mesh) {
       throw;
     }
-    throw Error(ErrorKind::unusable_mesh, printable(file.string()) + " can't be used: " + error.what());
+    const std::string name = printable(file.name);
+    throw Error(ErrorKind::unusable_mesh, name + " can't be used: " + error.what(), name);
   }
 }
 

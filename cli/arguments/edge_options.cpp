@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "cli/files/formats.hpp"
 #include "cli/telling/sentence.hpp"
 #include "mesh/reading/read_soup.hpp"
 #include "verify/file.hpp"
@@ -23,7 +22,7 @@ using unfold::Segment;
 using unfold::SegmentCount;
 
 [[noreturn]] void refuse_line(const std::string& file, std::size_t line, std::string_view reason) {
-  throw Error(ErrorKind::unreadable_input, fmt::format("{}, line {}: {}", file, line, reason));
+  throw Error(ErrorKind::unreadable_input, fmt::format("{}, line {}: {}", file, line, reason), file);
 }
 
 /// The two numbers of a line; none where it is empty or a comment.
@@ -49,10 +48,9 @@ std::vector<std::uint32_t> numbers_of(std::string_view text, const std::string& 
   return numbers;
 }
 
-/// Pairs of points, one pair a line, numbered as the model's format does: from 1 in OBJ, from 0 elsewhere.
-std::vector<Segment> pairs_in(const EdgeFile& edges, const std::string& model_file,
-                              const mesh::Model& model) {
-  const std::uint32_t first = suffix_of(model_file) == ".obj" ? 1 : 0;
+/// Pairs of points, one pair a line, numbered as the format does that the model was read as.
+std::vector<Segment> pairs_in(const EdgeFile& edges, const mesh::Model& model) {
+  const std::uint32_t first = mesh::first_point_number(model.format);
   const std::string& file = edges.name;
   std::vector<Segment> segments;
   std::size_t line = 0;
@@ -93,7 +91,7 @@ Seams seams_in(const EdgeFile& file, const mesh::Surface& surface) {
   try {
     nets = verify::read_file(file.bytes);
   } catch (const verify::NotInForm& reason) {
-    throw Error(ErrorKind::unreadable_input, file.name + ": " + reason.message);
+    throw Error(ErrorKind::unreadable_input, file.name + ": " + reason.message, file.name);
   }
   const Box3 there = bounds_of(nets.model.points);
   const double factor = surface.bounds().largest_extent() / there.largest_extent();
@@ -170,7 +168,8 @@ EdgeWishes wishes_from_nets(const EdgeFile& file, const prepare::Prepared& prepa
     throw Error(ErrorKind::unusable_mesh,
                 fmt::format("{} holds nets of another model, or of this one with other faces: {} of {} edges "
                             "don't lie on an edge of it",
-                            file.name, lost, all));
+                            file.name, lost, all),
+                file.name);
   }
   if (lost > 0) {
     notes.push_back(
@@ -225,8 +224,8 @@ void heed_edges(const EdgeArguments& edges, mesh::Model& model, SizeArguments& s
   }
 }
 
-EdgeWishes wishes_of(const EdgeFiles& edges, const std::string& model_file, const prepare::Prepared& prepared,
-                     const Context& context, std::vector<std::string>& notes) {
+EdgeWishes wishes_of(const EdgeFiles& edges, const prepare::Prepared& prepared, const Context& context,
+                     std::vector<std::string>& notes) {
   EdgeWishes wishes;
   if (edges.from) {
     wishes = wishes_from_nets(*edges.from, prepared, context, notes);
@@ -234,11 +233,11 @@ EdgeWishes wishes_of(const EdgeFiles& edges, const std::string& model_file, cons
   std::vector<Segment> cut = prepared.model.lines;
   std::vector<Segment> keep;
   if (edges.cuts) {
-    const std::vector<Segment> asked = pairs_in(*edges.cuts, model_file, prepared.model);
+    const std::vector<Segment> asked = pairs_in(*edges.cuts, prepared.model);
     cut.insert(cut.end(), asked.begin(), asked.end());
   }
   if (edges.keep) {
-    keep = pairs_in(*edges.keep, model_file, prepared.model);
+    keep = pairs_in(*edges.keep, prepared.model);
   }
   if (cut.empty() && keep.empty()) {
     return wishes;

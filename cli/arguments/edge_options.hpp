@@ -42,8 +42,7 @@ void heed_edges(const EdgeArguments& edges, mesh::Model& model, SizeArguments& s
 /// What is wanted of each edge of the prepared surface; empty where nothing is. What couldn't be matched is
 /// noted. Throws Error(unreadable_input) for files that can't be read, Error(unusable_mesh) for nets of
 /// another model.
-[[nodiscard]] unfold::EdgeWishes wishes_of(const EdgeFiles& edges, const std::string& model_file,
-                                           const prepare::Prepared& prepared, const Context& context,
-                                           std::vector<std::string>& notes);
+[[nodiscard]] unfold::EdgeWishes wishes_of(const EdgeFiles& edges, const prepare::Prepared& prepared,
+                                           const Context& context, std::vector<std::string>& notes);
 
 }  // namespace ridgecraft::cli

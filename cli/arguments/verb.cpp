@@ -79,9 +79,14 @@ Job Verb::finish(const Arguments* arguments, Manual* manual, const std::function
 bool Verb::parse(Arguments arguments) {
   bool help = false;
   flag("Common", "-h,--help", help, "Print this text.");
+  // By hand, since CLI11 takes a -- behind an option that may have several values for the end of these.
+  const auto end = std::find(arguments.begin(), arguments.end(), "--");
+  const Arguments no_options(end == arguments.end() ? end : end + 1, arguments.end());
+  arguments.erase(end, arguments.end());
   std::reverse(arguments.begin(), arguments.end());
   try {
     parser_->app.parse(arguments);
+    take_positional(no_options);
   } catch (const CLI::ExtrasError&) {
     refuse(unexpected(parser_->app.remaining()));
   } catch (const CLI::ParseError& error) {
@@ -90,6 +95,20 @@ bool Verb::parse(Arguments arguments) {
     }
   }
   return help;
+}
+
+/// What follows --: the verb's one argument, unless it was there before.
+void Verb::take_positional(const Arguments& words) {
+  for (const std::string& word : words) {
+    const auto free =
+        parser_->app.get_options([](const CLI::Option* o) { return o->get_positional() && o->count() == 0; });
+    if (free.empty()) {
+      refuse("'" + word + "' is one argument too many behind --, where options end; see " + manual_.name +
+             " --help");
+    }
+    free.front()->add_result(word);
+    free.front()->run_callback();
+  }
 }
 
 Manual Verb::manual() const {

@@ -44,6 +44,7 @@ class Verb {
   struct Parser;
 
   bool parse(Arguments arguments);
+  void take_positional(const Arguments& words);
   [[nodiscard]] Manual manual() const;
   [[nodiscard]] std::string unexpected(const std::vector<std::string>& remaining) const;
 

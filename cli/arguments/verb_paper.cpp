@@ -39,6 +39,7 @@ ManualSection exit_section() {
            {"5", "No nets of this model can be cut from this paper."},
            {"6", "verify found faults."},
            {"7", "A result can't be written."},
+           {"8", "All files were written, but the summary can't be printed."},
            {"130", "Interrupted."}}};
 }
 
@@ -65,8 +66,10 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   std::string tab_angle;
   std::string hide = "3";
   bool no_tabs = false;
-  verb.option("Input", "MODEL", job.model, "MODEL",
-              "OBJ, STL, PLY or OFF; the content decides, not the suffix.");
+  verb.option(
+      "Input", "MODEL", job.model, "MODEL",
+      "OBJ, STL, PLY or OFF; the content decides, not the suffix. - reads standard input; files whose "
+      "names begin with - follow --, which ends the options.");
   verb.list(
       "Output", "-o,--output", job.outputs, "WHERE",
       "A folder gets all default formats (PDF, SVG, FOLD); a file's suffix names its format (.pdf, .svg, "

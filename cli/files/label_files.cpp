@@ -45,7 +45,8 @@ Labels read_labels(const std::string& file, std::size_t polygons) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size() || value < -1 || value >= no_part) {
       throw Error(ErrorKind::unreadable_input,
-                  fmt::format("{}: label {} is no part number (0, 1, 2 ... or -1)", file, labels.size() + 1));
+                  fmt::format("{}: label {} is no part number (0, 1, 2 ... or -1)", file, labels.size() + 1),
+                  file);
     }
     labels.push_back(value < 0 ? no_part : static_cast<std::uint32_t>(value));
     if (labels.size() > polygons) {
@@ -58,7 +59,8 @@ Labels read_labels(const std::string& file, std::size_t polygons) {
                 fmt::format("{} has {}, but the model has {}", file,
                             labels.size() > polygons ? fmt::format("more than {}", counted(polygons, "label"))
                                                      : counted(labels.size(), "label"),
-                            counted(polygons, "polygon")));
+                            counted(polygons, "polygon")),
+                file);
   }
   return labels;
 }

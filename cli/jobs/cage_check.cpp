@@ -114,7 +114,8 @@ void require_closed(const std::string& file, const solid::Body& cage) {
           fmt::format("{} isn't closed, as a cage has to be: {} {}, {} ({:g}, {:g}, {:g}) to ({:g}, {:g}, "
                       "{:g})",
                       file, kind.count, kind.count == 1 ? kind.one : kind.several,
-                      kind.count == 1 ? "from" : "the first from", a.x, a.y, a.z, b.x, b.y, b.z));
+                      kind.count == 1 ? "from" : "the first from", a.x, a.y, a.z, b.x, b.y, b.z),
+          file);
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "cli/files/targets.hpp"
 #include "cli/jobs/early_warnings.hpp"
 #include "cli/jobs/settings.hpp"
+#include "cli/files/model_input.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
 #include "unfold/panel_parts.hpp"
 
@@ -57,7 +58,8 @@ verify::Figures checked_figures(const std::string& fold, const std::string& mode
   if (!report.sound() || !report.figures) {
     throw Error(ErrorKind::internal,
                 "the nets made for " + model + " fail their check and weren't written (" +
-                    (report.faults.empty() ? "no figures" : report.faults.front().message) + ")");
+                    (report.faults.empty() ? "no figures" : report.faults.front().message) + ")",
+                model);
   }
   return *report.figures;
 }
@@ -127,8 +129,8 @@ double StageClock::total() const {
 PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles& pending,
                        const std::function<void(const std::string&)>& remark) {
   const Context& context = run.patient;
-  const std::string stem = fs::path(job.model).stem().string();
-  const std::vector<Target> targets = plan_targets(job.outputs, stem);
+  const std::string name = shown_name(job.model);
+  const std::vector<Target> targets = plan_targets(job.outputs, results_name(job.model));
   if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
     paper::check_pdf_size(job.paper.size);
   }
@@ -145,8 +147,8 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   PaperResult result;
   StageClock& clock = result.clock;
   mesh::Model model = clock("read", context, [&] {
-    return in_time(run, job.model + " was read", [&](const Context& strict) {
-      return mesh::read(job.model, {.keep_points = job.edges.any()}, strict);
+    return in_time(run, name + " was read", [&](const Context& strict) {
+      return read_model(job.model, {.keep_points = job.edges.any()}, strict);
     });
   });
   const paper::Mark mark{program_and_version(), model.name, model.digest};
@@ -163,7 +165,7 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   SizeArguments size = job.size;
   heed_edges(job.edges, model, size, notes);
   result.prepared = clock("prepare", context, [&] {
-    return in_time(run, job.model + " was simplified", [&](const Context& strict) {
+    return in_time(run, name + " was simplified", [&](const Context& strict) {
       const prepare::Page page{area.x, area.y, job.tabs.wanted ? job.tabs.height_mm : 0.0};
       return prepare::prepare(std::move(model), size.size, size.simplify, page, strict);
     });
@@ -177,8 +179,8 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
   if (expected >= many_pages) {
     remark(many_pages_warning(surface, area, expected, false));
   }
-  const unfold::EdgeWishes wishes = clock(
-      "prepare", context, [&] { return wishes_of(edge_files, job.model, result.prepared, context, notes); });
+  const unfold::EdgeWishes wishes =
+      clock("prepare", context, [&] { return wishes_of(edge_files, result.prepared, context, notes); });
   if (const std::size_t n = result.prepared.divided_panels; n > 0) {
     notes.push_back(
         fmt::format("{} flat region{} larger than the printable area, so cut", n, n == 1 ? " is" : "s are"));
@@ -206,7 +208,7 @@ PaperResult make_paper(const PaperJob& job, const RunContext& run, PendingFiles&
     return paper::write_fold(result.prepared, part, result.nets, &result.pages, mark,
                              settings_of(job, size, edge_files));
   });
-  result.figures = clock("verify", context, [&] { return checked_figures(fold, job.model, context); });
+  result.figures = clock("verify", context, [&] { return checked_figures(fold, name, context); });
 
   clock("write", context, [&] {
     require_all_replaceable(job, targets, drawings.size(), mark.digest);
@@ -233,12 +235,13 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
     require_no_input(job.output, input_files(job.edges), job.overwrite);
   }
   const Context& context = run.patient;
+  const std::string name = shown_name(job.model);
   const EdgeFiles edge_files = read_edge_files(job.edges);
   UnfoldResult result;
   StageClock& clock = result.clock;
   mesh::Model model = clock("read", context, [&] {
-    return in_time(run, job.model + " was read", [&](const Context& strict) {
-      return mesh::read(job.model, {.keep_points = job.edges.any()}, strict);
+    return in_time(run, name + " was read", [&](const Context& strict) {
+      return read_model(job.model, {.keep_points = job.edges.any()}, strict);
     });
   });
   const paper::Mark mark{program_and_version(), model.name, model.digest};
@@ -252,13 +255,13 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
   SizeArguments size = job.size;
   heed_edges(job.edges, model, size, notes);
   result.prepared = clock("prepare", context, [&] {
-    return in_time(run, job.model + " was simplified", [&](const Context& strict) {
+    return in_time(run, name + " was simplified", [&](const Context& strict) {
       return prepare::prepare(std::move(model), size.size, size.simplify, boundless, strict);
     });
   });
   const mesh::Surface& surface = result.prepared.model.surface;
-  const unfold::EdgeWishes wishes = clock(
-      "prepare", context, [&] { return wishes_of(edge_files, job.model, result.prepared, context, notes); });
+  const unfold::EdgeWishes wishes =
+      clock("prepare", context, [&] { return wishes_of(edge_files, result.prepared, context, notes); });
   const auto part = clock("segment", context, [&] {
     return job.whole ? one_part_per_component(surface)
                      : parts_for_paper(result.prepared, job.concavity, run, notes);
@@ -276,7 +279,7 @@ UnfoldResult make_nets(const UnfoldJob& job, const RunContext& run, PendingFiles
     return paper::write_fold(result.prepared, part, result.nets, nullptr, mark,
                              settings_of(job, size, edge_files));
   });
-  result.figures = clock("verify", context, [&] { return checked_figures(fold, job.model, context); });
+  result.figures = clock("verify", context, [&] { return checked_figures(fold, name, context); });
   if (!job.output.empty()) {
     pending.add(job.output, fold);
     context.check();

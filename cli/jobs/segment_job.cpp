@@ -13,6 +13,7 @@
 #include "cli/files/targets.hpp"
 #include "cli/jobs/find_parts.hpp"
 #include "cli/jobs/pipeline.hpp"
+#include "cli/files/model_input.hpp"
 #include "mesh/model/file_numbers.hpp"
 #include "mesh/write.hpp"
 #include "segment/evaluate.hpp"
@@ -76,7 +77,8 @@ Comparison compare_with(const std::vector<std::string>& files, const mesh::Model
 void add_labels(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
   std::string bytes = label_text(polygon_labels(result.model, result.segmentation));
   if (!job.overwrite && fs::is_regular_file(job.labels) && !holds(job.labels, bytes)) {
-    throw Error(ErrorKind::cant_write, job.labels + " holds other labels; --overwrite replaces it");
+    throw Error(ErrorKind::cant_write, job.labels + " holds other labels; --overwrite replaces it",
+                job.labels);
   }
   pending.add(job.labels, std::move(bytes));
   result.files.push_back(job.labels);
@@ -147,8 +149,8 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   SegmentResult result;
   StageClock& clock = result.clock;
   result.model = clock("read", context, [&] {
-    return in_time(run, job.model + " was read", [&](const Context& strict) {
-      return mesh::read(job.model, {.collapse_flat_faces = false}, strict);
+    return in_time(run, shown_name(job.model) + " was read", [&](const Context& strict) {
+      return read_model(job.model, {.collapse_flat_faces = false}, strict);
     });
   });
   for (const std::string& output : job.outputs) {
@@ -162,12 +164,12 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   }
   std::optional<segment::Hierarchy> hierarchy;
   result.segmentation = clock("segment", context, [&] {
-    return in_time(run, job.model + " was segmented", [&](const Context& strict) {
+    return in_time(run, shown_name(job.model) + " was segmented", [&](const Context& strict) {
       if (!job.hierarchy.empty()) {
         hierarchy = segment::find_hierarchy(result.model.surface, result.model.polygon.items(),
                                             job.parts.count, strict);
       }
-      return find_parts(result.model, job.model, job.parts, hierarchy, strict);
+      return find_parts(result.model, shown_name(job.model), job.parts, hierarchy, strict);
     });
   });
   const double scale = result.model.file_scale;
@@ -186,7 +188,9 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
       result.files.push_back(job.hierarchy);
     }
     context.check();
-    pending.commit();
+    if (!result.files.empty()) {
+      pending.commit();
+    }
     return true;
   });
   return result;

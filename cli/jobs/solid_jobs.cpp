@@ -15,6 +15,7 @@
 #include "cli/files/targets.hpp"
 #include "cli/jobs/cage_check.hpp"
 #include "cli/jobs/find_parts.hpp"
+#include "cli/files/model_input.hpp"
 #include "cli/telling/sentence.hpp"
 #include "mesh/model/file_numbers.hpp"
 #include "mesh/reading/read_soup.hpp"
@@ -69,7 +70,7 @@ SolidResult begin(const SolidJob& job, const std::vector<std::string>& suffixes,
   check_output(job.output, suffixes, formats);
   SolidResult result;
   result.model = result.clock("read", context,
-                              [&] { return mesh::read(job.model, {.collapse_flat_faces = false}, context); });
+                              [&] { return read_model(job.model, {.collapse_flat_faces = false}, context); });
   require_replaceable(job.output, result.model.digest, job.overwrite);
   return result;
 }
@@ -170,7 +171,8 @@ solid::Body read_cage(const std::string& file, const Context& context) {
     if (corners.size() != 3) {
       throw Error(
           ErrorKind::unusable_mesh,
-          fmt::format("{}: face {} has {} corners; a cage has triangles only", file, i + 1, corners.size()));
+          fmt::format("{}: face {} has {} corners; a cage has triangles only", file, i + 1, corners.size()),
+          file);
     }
     body.triangles.push_back({corners[0], corners[1], corners[2]});
   }
@@ -184,7 +186,7 @@ SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles
   if (suffix_of(job.output) == ".urdf") {
     require_companions_replaceable(job, result.model.digest);
   }
-  find_hulls(result, job.model, job.parts, job.max_vertices, context);
+  find_hulls(result, shown_name(job.model), job.parts, job.max_vertices, context);
   result.clock("write", context, [&] {
     to_file_numbers(result.bodies, result.model.file_scale);
     if (suffix_of(job.output) == ".urdf") {
@@ -202,7 +204,7 @@ SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles
 
 SolidResult make_cage(const CageJob& job, const Context& context, PendingFiles& pending) {
   SolidResult result = begin(job, mesh_suffixes, mesh_formats, context);
-  find_hulls(result, job.model, job.parts, 0, context);
+  find_hulls(result, shown_name(job.model), job.parts, 0, context);
   const solid::Body cage = result.clock(
       "cage", context, [&] { return solid::cage(result.bodies, {.faces = job.faces}, context); });
   result.bodies = {cage};
@@ -227,7 +229,7 @@ SolidResult make_deformed(const DeformJob& job, const Context& context, PendingF
   const solid::Body after = read_cage(job.to, context);
   if (before.points.size() != after.points.size() || before.triangles != after.triangles) {
     throw Error(ErrorKind::unusable_mesh,
-                job.to + " doesn't have the same triangles over as many points as " + job.cage);
+                job.to + " doesn't have the same triangles over as many points as " + job.cage, job.to);
   }
   solid::Body moved = result.clock("deform", context, [&] {
     std::vector<Vec3> points(result.model.surface.points().begin(), result.model.surface.points().end());

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/files/model_input.hpp"
 #include "cli/telling/summary_blocks.hpp"
 #include "cli/telling/summary_pieces.hpp"
 #include "cli/telling/summary_tabs.hpp"
@@ -97,9 +98,9 @@ std::string error_json(ExitCode code, const std::string& sentence) {
 std::string summary(const PaperJob& job, const PaperResult& result) {
   const mesh::Model& model = result.prepared.model;
   const unfold::Nets& nets = result.nets;
-  std::string text = fmt::format("{}: {}, {} on paper, {}\n", job.model, counted(result.polygons, "polygon"),
-                                 counted(model.surface.face_count(), "face"),
-                                 counted(model.surface.component_count(), "component"));
+  std::string text = fmt::format(
+      "{}: {}, {} on paper, {}\n", shown_name(job.model), counted(result.polygons, "polygon"),
+      counted(model.surface.face_count(), "face"), counted(model.surface.component_count(), "component"));
   text += fmt::format("  size        {} ({})\n", size_text(model.surface), job.size.asked);
   text += simplified_text(result.prepared.simplified, job.size, result.prepared.model.surface);
   text += fmt::format("  nets        {}, {}{} on {}, {}\n", counted(result.parts, "part"),
@@ -173,9 +174,9 @@ std::string summary_json(const PaperJob& job, const PaperResult& result) {
 }
 
 std::string summary(const UnfoldJob& job, const UnfoldResult& result) {
-  std::string text =
-      fmt::format("{}: {}, {}\n", job.model, counted(result.prepared.model.surface.face_count(), "face"),
-                  counted(result.prepared.model.surface.component_count(), "component"));
+  std::string text = fmt::format("{}: {}, {}\n", shown_name(job.model),
+                                 counted(result.prepared.model.surface.face_count(), "face"),
+                                 counted(result.prepared.model.surface.component_count(), "component"));
   text += simplified_text(result.prepared.simplified, job.size, result.prepared.model.surface);
   text += fmt::format("  nets        {}, {}{}, {} overlaps\n", counted(result.parts, "part"),
                       counted(result.nets.pieces.size(), "piece"), reasons_text(result.nets),
@@ -227,7 +228,7 @@ std::string summary(const InfoJob& job, const mesh::Model& model, const prepare:
     border += surface.is_border(e) ? 1U : 0U;
   }
   const Vec3 size = model.file_scale * surface.bounds().size();
-  std::string text = fmt::format("{}: {}\n", job.model, counted(model.polygon_count, "polygon"));
+  std::string text = fmt::format("{}: {}\n", shown_name(job.model), counted(model.polygon_count, "polygon"));
   text += fmt::format("  surface     {}, {}, {}, {}\n", counted(surface.face_count(), "triangle"),
                       fmt::format("{} vertices", surface.vertex_count()), counted(panels.count(), "panel"),
                       counted(surface.component_count(), "component"));

@@ -22,8 +22,14 @@ std::vector<PieceId> pieces_with_care(const unfold::Nets& nets) {
   return found;
 }
 
-/// unfold::sentence(reason) for several pieces.
-std::string_view sentence_of_several(unfold::PieceReason reason) {
+/// unfold::sentence(reason), with the option that the user can change it by.
+std::string sentence_of_one(unfold::PieceReason reason) {
+  return std::string(unfold::sentence(reason)) +
+         (reason == unfold::PieceReason::faces ? " (--max-faces)" : "");
+}
+
+/// The same for several pieces.
+std::string sentence_of_several(unfold::PieceReason reason) {
   using unfold::PieceReason;
   switch (reason) {
     case PieceReason::page:
@@ -39,7 +45,7 @@ std::string_view sentence_of_several(unfold::PieceReason reason) {
     case PieceReason::part:
     case PieceReason::time:
     case PieceReason::request:
-      return unfold::sentence(reason);
+      return sentence_of_one(reason);
   }
   return "";
 }
@@ -70,7 +76,7 @@ std::string extra_pieces_text(const unfold::Nets& nets) {
   std::string text;
   for (const auto& [reason, list] : names) {
     text += fmt::format("  {:<11} {}: {}\n", list.size() == 1 ? "piece" : "pieces", piece_names(nets, list),
-                        list.size() == 1 ? unfold::sentence(reason) : sentence_of_several(reason));
+                        list.size() == 1 ? sentence_of_one(reason) : sentence_of_several(reason));
   }
   return text;
 }
@@ -81,7 +87,7 @@ Json extra_pieces_json(const unfold::Nets& nets) {
     if (piece.reason != unfold::PieceReason::part) {
       list.push_back({{"name", piece.name},
                       {"reason", unfold::name(piece.reason)},
-                      {"why", unfold::sentence(piece.reason)}});
+                      {"why", sentence_of_one(piece.reason)}});
     }
   }
   return list;

@@ -2,6 +2,7 @@
 // What ridgecraft segment tells of its work.
 #include <fmt/format.h>
 
+#include "cli/files/model_input.hpp"
 #include "cli/telling/summary.hpp"
 #include "cli/telling/summary_blocks.hpp"
 
@@ -67,8 +68,9 @@ std::string comparison_text(const Comparison& comparison) {
 }  // namespace
 
 std::string summary(const SegmentJob& job, const SegmentResult& result) {
-  std::string text = fmt::format("{}: {}, {}\n", job.model, counted(result.model.polygon_count, "polygon"),
-                                 counted(result.model.surface.component_count(), "component"));
+  std::string text =
+      fmt::format("{}: {}, {}\n", shown_name(job.model), counted(result.model.polygon_count, "polygon"),
+                  counted(result.model.surface.component_count(), "component"));
   text += fmt::format("  parts       {}, concavity at most {:.4f}{}\n", result.segmentation.parts.size(),
                       result.segmentation.max_concavity(),
                       job.parts.count > 0 ? "" : fmt::format(" (asked: {:g})", job.parts.options.concavity));

@@ -18,6 +18,7 @@ struct Model {
   std::string name;    ///< the file's name without folder and suffix, valid UTF-8
   std::string digest;  ///< 16 hexadecimal digits, hash of the file's bytes; marks what is made from it
   Surface surface;     ///< in the file's unit (after prepare::prepare: in mm)
+  FileFormat format = FileFormat::obj;  ///< that the file was read as, whatever it is called
 
   /// Per face: the polygon of the file that it is part of, counted from 0 in the file's order; Soup::none
   /// where a repair or simplification made a face of no polygon.

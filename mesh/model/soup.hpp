@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "mesh/model/file_format.hpp"
 #include "mesh/model/repair_report.hpp"
 
 namespace ridgecraft::mesh {
@@ -23,8 +24,6 @@ struct Material {
   std::optional<Colour> colour;
   std::string texture_file;  ///< path of the picture, relative to the model's folder; empty for none
 };
-
-enum class FileFormat { obj, stl_ascii, stl_binary, ply_ascii, ply_binary, off };
 
 /// Polygons over indexed points, in the order of the file, nothing joined or dropped yet.
 struct Soup {

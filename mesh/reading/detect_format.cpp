@@ -136,22 +136,6 @@ FileFormat detect_format(const Source& source, std::string_view file_name) {
   return by_suffix(source, file_name, text);
 }
 
-std::string_view format_name(FileFormat format) {
-  switch (format) {
-    case FileFormat::obj:
-      return "OBJ";
-    case FileFormat::stl_ascii:
-    case FileFormat::stl_binary:
-      return "STL";
-    case FileFormat::ply_ascii:
-    case FileFormat::ply_binary:
-      return "PLY";
-    case FileFormat::off:
-      return "OFF";
-  }
-  return "";
-}
-
 bool suffix_contradicts(std::string_view file_name, FileFormat format) {
   const std::string_view ending = suffix(file_name);
   for (const std::string_view known : {"OBJ", "STL", "PLY", "OFF"}) {

@@ -16,9 +16,6 @@ namespace ridgecraft::mesh {
 /// "OFF", with the prefixes of the format's description (Geomview): [ST][C][N][4][n]OFF.
 [[nodiscard]] bool is_off_keyword(std::string_view word);
 
-/// "OBJ", "STL", "PLY" or "OFF".
-[[nodiscard]] std::string_view format_name(FileFormat format);
-
 /// True where the suffix of a file name is that of a mesh format other than this one.
 [[nodiscard]] bool suffix_contradicts(std::string_view file_name, FileFormat format);
 

@@ -17,7 +17,8 @@ namespace ridgecraft::mesh {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string_view reason) {
-  throw Error(ErrorKind::unreadable_input, fmt::format("{} {}", printable(file.string()), reason));
+  const std::string name = printable(file.string());
+  throw Error(ErrorKind::unreadable_input, fmt::format("{} {}", name, reason), name);
 }
 
 [[noreturn]] void refuse_errno(const std::filesystem::path& file, int number) {

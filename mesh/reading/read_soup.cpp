@@ -62,8 +62,9 @@ Soup read_soup(const std::filesystem::path& file, const Context& context) {
   try {
     bytes = read_file(file);
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::unusable_mesh,
-                fmt::format("{} needs more memory than this machine has", printable(file.string())));
+    const std::string name = printable(file.string());
+    throw Error(ErrorKind::unusable_mesh, fmt::format("{} needs more memory than this machine has", name),
+                name);
   }
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   return parse_soup(bytes, file.string(), folder, context);

@@ -19,15 +19,15 @@ std::size_t Source::line(const char* place) const {
 }
 
 void Source::refuse(ErrorKind kind, std::string_view reason) const {
-  throw Error(kind, fmt::format("{} {}", file, reason));
+  throw Error(kind, fmt::format("{} {}", file, reason), file);
 }
 
 void Source::refuse_line(ErrorKind kind, const char* place, std::string_view reason) const {
-  throw Error(kind, fmt::format("{}, line {}: {}", file, line(place), reason));
+  throw Error(kind, fmt::format("{}, line {}: {}", file, line(place), reason), file);
 }
 
 void Source::refuse_byte(ErrorKind kind, const char* place, std::string_view reason) const {
-  throw Error(kind, fmt::format("{}, byte {}: {}", file, place - bytes.data(), reason));
+  throw Error(kind, fmt::format("{}, byte {}: {}", file, place - bytes.data(), reason), file);
 }
 
 void Tally::report(RepairKind kind, const Source& source, RepairReport& report) const {

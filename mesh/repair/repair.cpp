@@ -183,6 +183,7 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   model.file_scale = file_scale;
   model.lines = std::move(lines);
   model.file_points = std::move(file_points);
+  model.format = soup.format;
   model.repairs = std::move(report);
   note_borders(model);
   context.check();

@@ -2,7 +2,9 @@
 // Edges that a user wants cut or kept: --cuts, --keep, --from, and lines in the model.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
+#include <tuple>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -124,6 +126,32 @@ TEST_CASE("edges named in a file are cut or kept, nets made before survive", "[e
   check_refusal(run_program({"house.obj", "--cuts", "cuts.txt"}, in(folder)), 3, "two numbers");
   write_bytes(folder / "bad.fold", "{}");
   check_refusal(run_program({"house.obj", "--from", "bad.fold"}, in(folder)), 3, "bad.fold");
+}
+
+TEST_CASE("points are counted as the format does that a file has, not its name", "[edge_options]") {
+  const TemporaryFolder folder;
+  const std::string off =
+      "OFF\n10 7 0\n0 0 0\n4 0 0\n4 5 0\n0 5 0\n0 0 4\n4 0 4\n4 5 4\n0 5 4\n2 0 6\n2 5 6\n"
+      "4 3 2 1 0\n5 0 1 5 8 4\n5 2 3 7 9 6\n4 1 2 6 5\n4 3 0 4 7\n4 5 6 9 8\n4 7 4 8 9\n";
+  write_bytes(folder / "from_1.txt", "9 10\n2 3\n");
+  write_bytes(folder / "from_0.txt", "8 9\n1 2\n");
+  std::set<std::string> nets;
+  for (const auto& [name, bytes, cuts] :
+       {std::tuple("a.obj", std::string(house), "from_1.txt"),
+        std::tuple("a.dat", std::string(house), "from_1.txt"), std::tuple("a.off", off, "from_0.txt"),
+        std::tuple("a.OBJ", off, "from_0.txt")}) {
+    CAPTURE(name);
+    write_bytes(folder / name, bytes);
+    const Outcome outcome =
+        run_program({"unfold", name, "--whole", "--cuts", cuts, "-o", "x.fold", "--overwrite"}, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const Json fold = Json::parse(read_bytes(folder / "x.fold"));
+    nets.insert(fold["faces_vertices"].dump() + fold["edges_assignment"].dump());
+    write_bytes(folder / "beyond.txt", bytes == off ? "0 10\n" : "0 1\n");
+    check_refusal(run_program({"unfold", name, "--cuts", "beyond.txt"}, in(folder)), 3, "beyond.txt, line 1");
+  }
+  CHECK(nets.size() == 1);
 }
 
 TEST_CASE("nets say what they were made with", "[edge_options]") {

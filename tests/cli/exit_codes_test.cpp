@@ -252,6 +252,18 @@ TEST_CASE("more than the memory holds", "[exit_codes]") {
   }
 }
 
+TEST_CASE("a refusal names the model, whatever words the sentence has", "[exit_codes]") {
+  const TemporaryFolder folder;
+  // A sentence of a stage that knows no files: "the model would be larger than 100 m; ..."
+  write_bytes(folder / "the", house);
+  check_refusal(run_program({"the", "--scale", "1000000"}, in(folder)), 5,
+                "ridgecraft: the: the model would be larger");
+  write_bytes(folder / "house.obj", house);
+  write_bytes(folder / "model", "9 10\n");
+  check_refusal(run_program({"house.obj", "--cuts", "model", "--scale", "1000000"}, in(folder)), 5,
+                "ridgecraft: house.obj: the model would be larger");
+}
+
 TEST_CASE("a refusal names the file that is wrong, not the model", "[exit_codes]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 
@@ -56,6 +57,26 @@ constexpr uid_t lonely = 61734;
   ::_exit(127);
 }
 
+/// From /proc: has the program that a child became a handler for this signal, or has it ended?
+bool catches_or_ended(pid_t process, int signal) {
+  namespace fs = std::filesystem;
+  const fs::path entry = "/proc/" + std::to_string(process);
+  std::error_code error;
+  if (fs::read_symlink(entry / "exe", error) == fs::read_symlink("/proc/self/exe", error) && !error) {
+    return false;  // it is still a copy of the tests, with their handlers
+  }
+  std::ifstream status(entry / "status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("SigCgt:")) {
+      return (std::stoull(line.substr(7), nullptr, 16) >> static_cast<unsigned>(signal - 1) & 1U) != 0;
+    }
+    if (line.starts_with("State:") && line.find('Z') != std::string::npos) {
+      return true;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Outcome run_command(const std::vector<std::string>& command, const RunOptions& options) {
@@ -71,8 +92,10 @@ Outcome run_command(const std::vector<std::string>& command, const RunOptions& o
     become(command, options, out, err);
   }
   if (options.interrupt_after_s) {
+    while (options.when_heeded && !catches_or_ended(child, options.signal)) {
+    }
     std::this_thread::sleep_for(std::chrono::duration<double>(*options.interrupt_after_s));
-    ::kill(child, SIGINT);
+    ::kill(child, options.signal);
   }
   int status = 0;
   ::waitpid(child, &status, 0);

@@ -2,6 +2,7 @@
 // The finished program, run as a user would.
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,7 +24,9 @@ struct RunOptions {
   std::filesystem::path folder = ".";             ///< working folder
   std::optional<std::filesystem::path> out_file;  ///< standard output goes there instead
   std::optional<unsigned long> largest_file;      ///< RLIMIT_FSIZE, bytes
-  std::optional<double> interrupt_after_s;        ///< SIGINT then
+  std::optional<double> interrupt_after_s;        ///< a signal then, ...
+  int signal = SIGINT;                            ///< ... this one; ...
+  bool when_heeded = false;                       ///< ... counted from where the program catches it
   std::optional<unsigned long> most_threads;      ///< RLIMIT_NPROC, as a user of its own; only for root
   bool as_nobody = false;                         ///< without root's rights, where root runs the tests
 };

@@ -38,7 +38,7 @@ std::string_view sentence(PieceReason reason) {
     case PieceReason::tabs:
       return "its part has no room for tabs in one piece";
     case PieceReason::faces:
-      return "its part has more faces than one piece may have (--max-faces)";
+      return "its part has more faces than one piece may have";
     case PieceReason::time:
       return "no net without overlap was found in the time given";
     case PieceReason::request:
