@@ -3,12 +3,13 @@
 // seed.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <stop_token>
 #include <string_view>
+
+#include "base/deadline.hpp"
+#include "base/stop.hpp"
 
 namespace ridgecraft {
 
@@ -19,15 +20,19 @@ struct Context {
   /// empty.
   std::function<void(std::string_view stage, double share)> progress;
   /// Asked for often; when it is set the stage throws Error(interrupted) within a fraction of a second.
-  std::stop_token stop;
+  StopToken stop;
   /// Emergency brake: searches end with the best they have when it has passed.
-  std::optional<std::chrono::steady_clock::time_point> deadline;
+  std::optional<Deadline> deadline;
+  /// Set for work that has nothing before its end (until_deadline): when it has passed, check() throws
+  /// Error(out_of_time).
+  std::optional<Deadline> give_up;
   unsigned threads = 1;    ///< at least 1; never changes a result
   std::uint64_t seed = 1;  ///< of everything random
 
-  /// Throws Error(interrupted) when the user asked to stop.
+  /// Throws Error(interrupted) when the user asked to stop, Error(out_of_time) when the work is to be given
+  /// up.
   void check() const;
-  [[nodiscard]] bool out_of_time() const { return deadline && std::chrono::steady_clock::now() >= *deadline; }
+  [[nodiscard]] bool out_of_time() const { return deadline && deadline->has_passed(); }
   void report(std::string_view stage, double share) const {
     if (progress) {
       progress(stage, share);
@@ -35,26 +40,8 @@ struct Context {
   }
 };
 
-/// Small seeded generator with a fixed sequence on every machine (splitmix64, Steele, Lea, Flood 2014): the
-/// standard library's distributions and shuffles differ between implementations.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31U);
-  }
-  /// Uniform in 0 .. bound-1; bound at least 1 (multiply-shift: the bias is below 2^-32).
-  std::uint32_t below(std::uint32_t bound) {
-    return static_cast<std::uint32_t>(((next() >> 32U) * std::uint64_t{bound}) >> 32U);
-  }
-  /// Uniform in [0, 1).
-  double unit() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
-
- private:
-  std::uint64_t state_;
-};
+/// The same context for work that is given up, by Error(out_of_time), when this share of the time until the
+/// deadline has passed. Without a deadline it never is.
+[[nodiscard]] Context until_deadline(const Context& context, double share = 1.0);
 
 }  // namespace ridgecraft

@@ -12,7 +12,10 @@ namespace ridgecraft {
 /// order of joining; O(log n) per call in the mean.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
+  explicit DisjointSets(std::size_t size = 0) { reset(size); }
+  /// Begins anew with each of 0 .. size-1 alone.
+  void reset(std::size_t size) {
+    parent_.resize(size);
     for (std::size_t i = 0; i < size; ++i) {
       parent_[i] = static_cast<std::uint32_t>(i);
     }

@@ -19,7 +19,8 @@ enum class ErrorKind {
   unusable_mesh,     ///< the file was read, but what it holds can't be made into a surface
   no_nets,           ///< no net of this model can be cut from the paper that was asked for
   cant_write,        ///< a result can't be written
-  interrupted,       ///< the user or the time limit stopped the work
+  interrupted,       ///< the user stopped the work
+  out_of_time,       ///< the time given passed while there was no result yet
 };
 
 /// One sentence for a person, thrown where files and options meet the program, and caught once, in cli/.

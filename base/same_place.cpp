@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft {
 namespace {

@@ -22,7 +22,7 @@ import tempfile
 SUFFIXES = {".obj", ".off", ".ply", ".stl"}
 MODES = ("parts", "few", "small")
 MOST_PANELS = 80
-# Folds no sharper than this, degrees, lie inside a panel (mesh/panels.hpp).
+# Folds no sharper than this, degrees, lie inside a panel (prepare/prepared/panels.hpp).
 FLAT_DEG = 0.1
 
 

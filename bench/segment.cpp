@@ -16,6 +16,7 @@
 #include <sys/resource.h>
 
 #include "base/error.hpp"
+#include "base/random.hpp"
 #include "psb.hpp"
 
 namespace {

@@ -48,9 +48,7 @@ void run(const mesh::Surface& surface, std::span<const FaceId> faces, const Runs
   for (int seed = 1; seed <= runs.seeds; ++seed) {
     Context context;
     if (runs.limit > 0.0) {
-      context.deadline =
-          std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                                 std::chrono::duration<double>(runs.limit));
+      context.deadline = Deadline::in(runs.limit);
     }
     const double start = cpu_seconds();
     const unfold::Patch patch = unfold::make_patch(surface, panels, faces);

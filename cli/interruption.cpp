@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interruption.hpp"
 
+#include <chrono>
 #include <system_error>
 
 #include <pthread.h>
-#include <sys/time.h>
 
 namespace ridgecraft::cli {
 namespace {
@@ -16,14 +16,7 @@ Interruption* without_thread = nullptr;
 
 }  // namespace
 
-Interruption::Interruption(PendingFiles& pending, const Setup& setup) : pending_(pending) {
-  if (setup.time_limit_s) {
-    const auto after = [start = Clock::now()](double seconds) {
-      return start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-    };
-    limit_time_ = after(*setup.time_limit_s);
-    segmentation_time_ = after(*setup.time_limit_s * setup.segmentation_share);
-  }
+Interruption::Interruption(PendingFiles& pending) : pending_(pending) {
   signals_ = interrupting_signals();
   pthread_sigmask(SIG_BLOCK, &signals_, &previous_);
   try {
@@ -40,8 +33,6 @@ Interruption::~Interruption() {
     waiter_.join();
     pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
   } else {
-    const itimerval never{};
-    setitimer(ITIMER_REAL, &never, nullptr);
     for (std::size_t i = 0; i < interrupting.size(); ++i) {
       if (sigismember(&signals_, interrupting[i]) == 1) {
         sigaction(interrupting[i], &before_[i], nullptr);
@@ -61,38 +52,12 @@ void Interruption::wait_with_handlers() {
       sigaction(interrupting[i], &action, &before_[i]);
     }
   }
-  if (limit_time_) {
-    sigaction(SIGALRM, &action, nullptr);
-    const itimerval often{{0, tick_us}, {0, tick_us}};
-    setitimer(ITIMER_REAL, &often, nullptr);
-  }
 }
 
-/// Nothing but atomic variables is touched: the stop sources have no callbacks.
-void Interruption::handle(int signal) {
-  if (without_thread == nullptr) {
-    return;
-  }
-  if (signal == SIGALRM) {
-    without_thread->stop_what_is_due();
-  } else {
-    without_thread->stop_all();
-  }
-}
-
-void Interruption::stop_all() {
-  user_.request_stop();
-  limit_.request_stop();
-  segmentation_.request_stop();
-}
-
-void Interruption::stop_what_is_due() {
-  const auto now = Clock::now();
-  if (segmentation_time_ && now >= *segmentation_time_) {
-    segmentation_.request_stop();
-  }
-  if (limit_time_ && now >= *limit_time_) {
-    limit_.request_stop();
+/// Nothing but atomic variables is touched: the stop source has no callbacks.
+void Interruption::handle(int /*signal*/) {
+  if (without_thread != nullptr) {
+    without_thread->user_.request_stop();
   }
 }
 
@@ -103,9 +68,8 @@ void Interruption::wait_for_signal(const std::stop_token& finished) {
     if (finished.stop_requested()) {
       return;
     }
-    stop_what_is_due();
   }
-  stop_all();
+  user_.request_stop();
   for (int i = 0; i < 25; ++i) {
     std::this_thread::sleep_for(20ms);
     if (finished.stop_requested()) {

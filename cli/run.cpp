@@ -15,13 +15,14 @@
 #include "cli/arguments/options.hpp"
 #include "cli/early_end.hpp"
 #include "cli/files/formats.hpp"
+#include "cli/files/model_input.hpp"
 #include "cli/files/pending_files.hpp"
 #include "cli/interruption.hpp"
-#include "cli/jobs/pipeline.hpp"
+#include "cli/jobs/paper_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
 #include "cli/jobs/time_limit.hpp"
-#include "cli/files/model_input.hpp"
 #include "cli/telling/progress.hpp"
+#include "cli/telling/remarks.hpp"
 #include "cli/telling/summary.hpp"
 #include "mesh/reading/read_soup.hpp"
 
@@ -95,18 +96,14 @@ void fill_closed_streams() {
 class Session {
  public:
   explicit Session(const CommonOptions& options)
-      : interruption_(pending_, {options.time_limit_s, segmentation_share}),
-        progress_(!options.quiet && !options.json),
-        options_(options) {
-    Context& context = run_.patient;
+      : interruption_(pending_), progress_(!options.quiet && !options.json), options_(options) {
+    Context& context = context_;
     context.threads = options.threads;
     context.seed = options.seed;
     context.stop = interruption_.stopped();
-    run_.time_up = interruption_.time_up();
-    run_.segmentation_up = interruption_.segmentation_up();
     context.progress = [this](std::string_view stage, double share) { progress_.show(stage, share); };
-    if (const auto deadline = interruption_.deadline()) {
-      context.deadline = *deadline;
+    if (options.time_limit_s) {
+      context.deadline = Deadline::in(*options.time_limit_s);
     }
   }
   Session(const Session&) = delete;
@@ -118,7 +115,7 @@ class Session {
     }
   }
 
-  [[nodiscard]] const RunContext& run() const { return run_; }
+  [[nodiscard]] const Context& context() const { return context_; }
   [[nodiscard]] PendingFiles& pending() { return pending_; }
 
   void report(const mesh::RepairReport& repairs) {
@@ -135,6 +132,11 @@ class Session {
     if (!options_.quiet) {
       remark(line);
     }
+  }
+  /// Prints the summary of a job that wrote these files, as the user wants it. The job's exit code.
+  [[nodiscard]] ExitCode finish(const std::vector<std::string>& files, const Summary& summary) {
+    return finish(
+        files, [&] { return summary.text(); }, [&] { return summary.json(); });
   }
   /// Prints what a job made that wrote these files, as the user wants it. The job's exit code.
   template <class Text, class JsonText>
@@ -174,7 +176,7 @@ class Session {
   Interruption interruption_;
   Progress progress_;
   CommonOptions options_;
-  RunContext run_;
+  Context context_;
 };
 
 /// Stages after reading don't know the model's file; where they refuse what comes from it and name no other,
@@ -201,33 +203,47 @@ ExitCode do_job(const PrintJob& job) {
   return ExitCode::ok;
 }
 
+/// Said before anything is read: what the options alone make questionable.
+void warn_of(const AskedSize& asked, const job::Options& options, Session& session) {
+  if (options.paper) {
+    if (const auto warning = narrow_margin_warning(*options.paper)) {
+      session.warn(*warning);
+    }
+  }
+  if (const auto warning = assumed_unit_warning(asked, options.size)) {
+    session.warn(*warning);
+  }
+}
+
 ExitCode do_job(const PaperJob& job) {
   Session session(job.common);
+  warn_of(job.size_asked, job.options, session);
   const PaperResult result = about(job.model, [&] {
-    return make_paper(job, session.run(), session.pending(),
-                      [&](const std::string& line) { session.warn(line); });
+    return make_paper(job, session.context(), session.pending(),
+                      [&](const job::Remark& remark) { session.warn(sentence(remark)); });
   });
-  session.report(result.prepared.model.repairs);
-  return session.finish(
-      result.files, [&] { return summary(job, result); }, [&] { return summary_json(job, result); });
+  for (const std::string& remark : result.remarks) {
+    session.warn(remark);
+  }
+  session.report(result.made.prepared.model.repairs);
+  return session.finish(result.files, summary(job, result));
 }
 
 ExitCode do_job(const SegmentJob& job) {
   Session session(job.common);
   const SegmentResult result =
-      about(job.model, [&] { return make_parts(job, session.run(), session.pending()); });
+      about(job.model, [&] { return make_parts(job, session.context(), session.pending()); });
   session.report(result.model.repairs);
-  return session.finish(
-      result.files, [&] { return summary(job, result); }, [&] { return summary_json(job, result); });
+  return session.finish(result.files, summary(job, result));
 }
 
 ExitCode do_job(const UnfoldJob& job) {
   Session session(job.common);
-  const UnfoldResult result =
-      about(job.model, [&] { return make_nets(job, session.run(), session.pending()); });
-  session.report(result.prepared.model.repairs);
-  return session.finish(
-      result.files, [&] { return summary(job, result); }, [&] { return summary_json(job, result); });
+  warn_of(job.size_asked, job.options, session);
+  const PaperResult result =
+      about(job.model, [&] { return make_nets(job, session.context(), session.pending()); });
+  session.report(result.made.prepared.model.repairs);
+  return session.finish(result.files, summary(job, result));
 }
 
 /// The verbs of solid/ differ in what they make only.
@@ -235,13 +251,11 @@ template <class SolidJob>
 ExitCode do_solid(const SolidJob& job, SolidResult (*make)(const SolidJob&, const Context&, PendingFiles&)) {
   Session session(job.common);
   const SolidResult result = about(job.model, [&] {
-    return in_time(session.run(), "bodies were made",
+    return in_time(session.context(), "bodies were made",
                    [&](const Context& strict) { return make(job, strict, session.pending()); });
   });
   session.report(result.model.repairs);
-  return session.finish(
-      result.files, [&] { return summary(shown_name(job.model), result); },
-      [&] { return summary_json(result); });
+  return session.finish(result.files, summary(shown_name(job.model), result));
 }
 
 ExitCode do_job(const HullsJob& job) {
@@ -260,12 +274,11 @@ ExitCode do_job(const DeformJob& job) {
 ExitCode do_job(const InfoJob& job) {
   Session session(job.common);
   const mesh::Model model = about(job.model, [&] {
-    return in_time(session.run(), shown_name(job.model) + " was read",
+    return in_time(session.context(), shown_name(job.model) + " was read",
                    [&](const Context& strict) { return read_model(job.model, {}, strict); });
   });
   const prepare::Panels panels = prepare::find_panels(model.surface);
-  return session.finish(
-      {}, [&] { return summary(job, model, panels); }, [&] { return summary_json(job, model, panels); });
+  return session.finish({}, summary(job, model, panels));
 }
 
 /// A FOLD file is JSON, and that begins with a bracket, after blanks and perhaps a byte order mark. What
@@ -284,9 +297,9 @@ ExitCode do_job(const VerifyJob& job) {
   Session session(job.common);
   const std::string bytes = mesh::read_file(job.file);
   require_json(job.file, bytes);
-  const verify::Report report = in_time(session.run(), job.file + " was checked", [&](const Context& strict) {
-    return verify::verify(bytes, {}, strict);
-  });
+  const verify::Report report =
+      in_time(session.context(), job.file + " was checked",
+              [&](const Context& strict) { return verify::verify(bytes, {}, strict); });
   const ExitCode told = session.finish(
       {}, [&] { return summary(job, report); }, [&] { return verify::to_json(report) + "\n"; });
   return report.sound() ? told : ExitCode::faults_found;

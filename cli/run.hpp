@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_code.hpp"
+#include "cli/telling/exit_code.hpp"
 
 namespace ridgecraft::cli {
 

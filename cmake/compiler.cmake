@@ -44,10 +44,18 @@ if(RIDGECRAFT_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
+# Headers that most files include are read once. Files must name what they use all the same: the fuzz build goes without.
+option(RIDGECRAFT_PRECOMPILED "Precompile common headers" ON)
+
 # ridgecraft_library(NAME SOURCES... [PUBLIC libs...] [PRIVATE libs...]): one folder, one static library.
 function(ridgecraft_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(ridgecraft_${name} STATIC ${arg_SOURCES})
   add_library(ridgecraft::${name} ALIAS ridgecraft_${name})
   target_link_libraries(ridgecraft_${name} PUBLIC ridgecraft_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  if(RIDGECRAFT_PRECOMPILED)
+    target_precompile_headers(ridgecraft_${name} PRIVATE
+      <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <numeric> <optional> <span> <string>
+      <string_view> <utility> <vector>)
+  endif()
 endfunction()

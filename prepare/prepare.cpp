@@ -13,7 +13,7 @@
 namespace ridgecraft::prepare {
 
 Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
-                 const Page& page, const Context& context) {
+                 const PanelRoom& room, const Context& context) {
   context.report("preparing", 0.0);
   Prepared prepared;
   prepared.model = std::move(model);
@@ -27,10 +27,10 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
     const double factor = resize(prepared.model, size);
     prepared.mm_per_unit *= factor;
     prepared.simplified.deviation_mm *= factor;
-    prepared.simplified.short_edges_after = short_fold_share(prepared.model.surface, simplify.short_edge_mm);
+    prepared.simplified.short_edges_after = short_fold_share(prepared.model.surface, simplify);
   }
   prepared.panels = find_panels(prepared.model.surface);
-  prepared.divided_panels = divide_panels(prepared.model, prepared.panels, page, context);
+  prepared.divided_panels = divide_panels(prepared.model, prepared.panels, room, context);
   const mesh::Surface& surface = prepared.model.surface;
   if (count_narrow_faces(surface, prepared.panels, nothing_mm) == surface.face_count()) {
     throw Error(ErrorKind::no_nets, "every face is too narrow to be cut from paper at this size");

@@ -20,6 +20,6 @@ namespace ridgecraft::prepare {
 /// n). Throws no_nets where every face is narrower than 0.005 mm (below 0.05 mm they are noted as
 /// narrow_faces), or where the model would be larger than 100 m or than a million faces of this paper.
 [[nodiscard]] Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
-                               const Page& page, const Context& context);
+                               const PanelRoom& room, const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -93,7 +93,7 @@ class FirstCut {
         component_ = std::move(component);
       }
     }
-    measurer_.measure(component_, {}, segment::MeasureMode::split, measurement_);
+    measurer_.measure(component_, {}, {}, measurement_);
     ridges_ = segment::find_ridges(measurement_, surface_.points);
     regions_.assign(measurer_, ridges_);
   }
@@ -119,10 +119,10 @@ class FirstCut {
     }
     std::map<std::pair<std::size_t, std::size_t>, segment::Bridge> deepest;
     for (const segment::Bridge& bridge : measurement_.bridges) {
-      if (bridge.state == segment::Bridge::State::high) {
+      if (bridge.high) {
         const auto [at, fresh] =
             deepest.try_emplace(std::minmax(ridge_of.at(bridge.a), ridge_of.at(bridge.b)), bridge);
-        if (!fresh && bridge.high > at->second.high) {
+        if (!fresh && greatest_concavity(bridge) > greatest_concavity(at->second)) {
           at->second = bridge;
         }
       }

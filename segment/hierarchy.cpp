@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <numeric>
 #include <utility>
 
 #include "segment/concavity/measure.hpp"
 #include "segment/concavity/vertex_graph.hpp"
 #include "segment/cutting/edge_weights.hpp"
+#include "segment/joining/border.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {
@@ -21,6 +21,21 @@ constexpr double least_tolerance = 0.005;
 /// Of openings (hull_depth.hpp), whatever the tolerance: each union has one concavity, and rims of vessels
 /// aren't deep. That of segment() by default.
 constexpr double opening_scale = Options{}.concavity;
+
+/// A border between two nodes that are parts at the time.
+struct Meeting : Border {
+  /// Of the union of the two once it is measured. When one of them has grown since: what it was before.
+  /// Growing rarely makes a union less concave, so that is nearly always a lower bound, and a pair needs to
+  /// be measured again only when its bound is the least of all.
+  double concavity = 0.0;
+  bool measured = false;
+
+  void add(const Meeting& other) {
+    Border::add(other);
+    concavity = std::max(concavity, other.concavity);
+    measured = false;
+  }
+};
 
 class Joiner {
  public:
@@ -37,14 +52,15 @@ class Joiner {
     out_.faces = scaled_.facet_count();
     out_.nodes.assign(finest.parts.begin(), finest.parts.end());
     find_borders(finest);
-    while (!borders_.empty()) {
+    while (!waiting_.empty()) {
       context_->check();
-      const auto best = std::min_element(borders_.begin(), borders_.end(), comes_first);
-      const auto [a, b] = best->first;
-      if (!best->second.measured) {
-        measure(a, b, MeasureMode::split);
-        best->second.concavity = std::max(best->second.concavity, measurement_.concavity);
-        best->second.measured = true;
+      const Pair pair = waiting_.take();
+      const auto [a, b] = pair;
+      if (Meeting& meeting = borders_.between(a, b); !meeting.measured) {
+        measure(a, b, {});
+        meeting.concavity = std::max(meeting.concavity, measurement_.concavity);
+        meeting.measured = true;
+        wait(pair);
         continue;
       }
       join(a, b);
@@ -56,28 +72,16 @@ class Joiner {
   }
 
  private:
-  struct Border {
-    double length = 0.0;
-    double smoothness = 0.0;
-    /// Of the union. Until it is measured, that of the parts whose union this one was before they grew:
-    /// unions of more are rarely less concave, so few have to be measured again before their turn.
-    double concavity = 0.0;
-    bool measured = false;
-
-    [[nodiscard]] double mean() const { return length > 0.0 ? smoothness / length : 0.0; }
-  };
-  using Borders = std::map<std::pair<std::uint32_t, std::uint32_t>, Border>;
-
-  static bool comes_first(const Borders::value_type& x, const Borders::value_type& y) {
-    const Border& a = x.second;
-    const Border& b = y.second;
-    if (a.concavity != b.concavity) {
-      return a.concavity < b.concavity;
-    }
-    return a.mean() != b.mean() ? a.mean() > b.mean() : x.first < y.first;
+  /// The least concave union first, of equal ones that with the more convex border.
+  void wait(const Pair& pair) {
+    const Meeting& meeting = borders_.between(pair.first, pair.second);
+    waiting_.put(pair, {meeting.concavity, -meeting.mean()});
   }
 
   void find_borders(const Segmentation& finest) {
+    for (std::size_t i = 0; i < out_.leaves; ++i) {
+      borders_.add_set();
+    }
     for (std::uint32_t f = 0; f < scaled_.facet_count(); ++f) {
       for (unsigned k = 0; k < 3; ++k) {
         const std::uint32_t g = scaled_.neighbors[f][k];
@@ -87,16 +91,17 @@ class Joiner {
         const std::uint32_t p = finest.part[FaceId(f)].value();
         const std::uint32_t q = finest.part[FaceId(g)].value();
         if (p != q) {
-          Border& b = borders_[std::minmax(p, q)];
-          b.length += weights_.length[3 * f + k];
-          b.smoothness += weights_.smoothness[3 * f + k] * weights_.length[3 * f + k];
+          borders_.between(p, q).add_side(weights_, std::size_t{3} * f + k);
         }
       }
+    }
+    for (const auto& [pair, meeting] : borders_.all()) {
+      waiting_.put(pair, {meeting.concavity, -meeting.mean()});
     }
   }
 
   /// Leaves the facets in facets_ and the values in measurement_.
-  void measure(std::uint32_t a, std::uint32_t b, MeasureMode mode) {
+  void measure(std::uint32_t a, std::uint32_t b, const MeasureOptions& options) {
     facets_.clear();
     hull_points_.clear();
     for (const std::uint32_t node : {a, b}) {
@@ -110,14 +115,14 @@ class Joiner {
     std::sort(facets_.begin(), facets_.end());
     std::sort(hull_points_.begin(), hull_points_.end());
     hull_points_.erase(std::unique(hull_points_.begin(), hull_points_.end()), hull_points_.end());
-    if (mode == MeasureMode::scratch) {
+    if (options.from_scratch) {
       hull_points_.clear();
     }
-    measurer_.measure(facets_, hull_points_, mode, measurement_);
+    measurer_.measure(facets_, hull_points_, options, measurement_);
   }
 
   void join(std::uint32_t a, std::uint32_t b) {
-    measure(a, b, MeasureMode::scratch);
+    measure(a, b, {.from_scratch = true});
     Part part;
     for (const std::uint32_t f : facets_) {
       part.faces.emplace_back(f);
@@ -133,30 +138,15 @@ class Joiner {
       least = std::max(least, node < out_.leaves ? out_.nodes[node].concavity
                                                  : out_.joinings[node - out_.leaves].concavity);
     }
-    const auto node = static_cast<std::uint32_t>(out_.nodes.size());
     out_.nodes.push_back(std::move(part));
     out_.joinings.push_back({std::min(a, b), std::max(a, b), least});
-    redirect(a, b, node);
-  }
-
-  void redirect(std::uint32_t a, std::uint32_t b, std::uint32_t node) {
-    Borders changed;
-    for (auto it = borders_.begin(); it != borders_.end();) {
-      const auto [p, q] = it->first;
-      if (p != a && p != b && q != a && q != b) {
-        ++it;
-        continue;
-      }
-      const std::uint32_t other = p == a || p == b ? q : p;
-      if (other != a && other != b) {
-        Border& border = changed[std::minmax(node, other)];
-        border.length += it->second.length;
-        border.smoothness += it->second.smoothness;
-        border.concavity = std::max(border.concavity, it->second.concavity);
-      }
-      it = borders_.erase(it);
+    const std::uint32_t node = borders_.add_set();
+    for (const std::uint32_t taken_in : {a, b}) {
+      borders_.take_in(node, taken_in, [&](const Pair& pair) { waiting_.drop(pair); });
     }
-    borders_.merge(changed);
+    for (const std::uint32_t other : borders_.beside(node)) {
+      wait(std::minmax(node, other));
+    }
   }
 
   /// Ascending by concavity; what a node is made of still comes before it, since it is no more concave.
@@ -193,7 +183,8 @@ class Joiner {
   Measurer measurer_;
   const Context* context_;
   Measurement measurement_;
-  Borders borders_;
+  BorderGraph<Meeting> borders_;
+  PairQueue<std::pair<double, double>> waiting_;
   std::vector<std::uint32_t> facets_;
   std::vector<std::uint32_t> hull_points_;
   Hierarchy out_;

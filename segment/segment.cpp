@@ -10,13 +10,11 @@
 #include "base/error.hpp"
 #include "segment/concavity/measure.hpp"
 #include "segment/concavity/vertex_graph.hpp"
-#include "segment/cutting/cut.hpp"
+#include "segment/cutting/division.hpp"
 #include "segment/cutting/edge_weights.hpp"
 #include "segment/joining/assembly.hpp"
 #include "segment/joining/crumbs.hpp"
-#include "segment/joining/merge.hpp"
-#include "segment/part_tasks.hpp"
-#include "segment/recursion.hpp"
+#include "segment/joining/join_parts.hpp"
 #include "segment/surface/component_ties.hpp"
 #include "segment/surface/scaled_surface.hpp"
 #include "segment/surface/virtual_facets.hpp"
@@ -47,321 +45,180 @@ ScaledSurface scaled_and_whole(const mesh::Surface& surface, std::span<const std
   return scaled;
 }
 
-/// A part that is within the tolerance, or can't be divided.
-struct DonePart {
-  PartTask task;  ///< without its hull
-  double concavity = 0.0;
-  Hull hull;
+/// The surface in the forms that all phases look at and none changes.
+struct Ground {
+  Ground(const mesh::Surface& surface, std::span<const std::uint32_t> polygon, const Options& options)
+      : closed(closes_holes(surface, options)),
+        real_facets(surface.face_count()),
+        scaled(scaled_and_whole(surface, polygon, closed, options.components)),
+        rules(rules_of(options.reading)),
+        weights(weigh_edges(scaled, rules)),
+        graph(build_vertex_graph(scaled, arc_sagitta_share * options.concavity)) {}
+
+  bool closed;  ///< holes were closed: facets from real_facets on are virtual
+  std::size_t real_facets;
+  ScaledSurface scaled;
+  Rules rules;
+  EdgeWeights weights;
+  VertexGraph graph;
 };
 
-/// Everything one run needs, and its stages in order.
-class Run {
- public:
-  Run(const mesh::Surface& surface, std::span<const std::uint32_t> polygon, const Options& options,
-      const Context& context)
-      : closed_(closes_holes(surface, options)),
-        real_facets_(surface.face_count()),
-        scaled_(scaled_and_whole(surface, polygon, closed_, options.components)),
-        rules_(rules_of(options.reading)),
-        weights_(weigh_edges(scaled_, rules_)),
-        graph_(build_vertex_graph(scaled_, arc_sagitta_share * options.concavity)),
-        workers_(scaled_, graph_, weights_, options.concavity, context, rules_),
-        context_(&context) {
-    if (options.effort > 1 || volume_weight(options) > 0.0 || options.planes || options.pockets) {
-      assembly_.emplace(scaled_, weights_, graph_, measurer(), cutter(), assembly_settings(options));
-    }
-  }
-
-  Segmentation run() {
-    cut_all();
-    if (assembly_) {
-      assemble_all();
-    } else {
-      merge_all();
-    }
-    measure_all();
-    if (closed_) {
-      absorb_crumbs();
-    }
-    return result();
-  }
-  [[nodiscard]] const Recursion& recursion() const { return recursion_; }
-
- private:
-  [[nodiscard]] Measurer& measurer() { return workers_.first().measurer; }
-  [[nodiscard]] Cutter& cutter() { return workers_.first().cutter; }
-
-  /// Measures and divides these parts and all that come of them, round by round. What is done, by smallest
-  /// facet. `from`, `to`: shares of the whole work.
-  std::vector<DonePart> divide_all(std::vector<PartTask> tasks, MeasureMode mode, double from, double to) {
-    const auto total = static_cast<double>(std::max<std::size_t>(1, scaled_.facet_count()));
-    double facets_done = 0.0;
-    std::vector<DonePart> done;
-    while (!tasks.empty()) {
-      double round = 0.0;
-      std::vector<TaskOutcome> outcomes = workers_.run(tasks, mode, valleys_, [&](double facets) {
-        round = facets;
-        context_->report("segment", from + (to - from) * std::min(1.0, (facets_done + facets) / total));
-      });
-      facets_done += round;
-      std::vector<PartTask> pieces;
-      for (std::size_t i = 0; i < tasks.size(); ++i) {
-        TaskOutcome& outcome = outcomes[i];
-        if (outcome.pieces.empty()) {
-          done.push_back({std::move(tasks[i]), outcome.concavity, std::move(outcome.hull)});
-          continue;
-        }
-        const int depth = tasks[i].depth + 1;
-        recursion_.depth = std::max(recursion_.depth, depth);
-        if (!outcome.cut) {
-          ++(outcome.halved ? recursion_.halvings : recursion_.splits);
-        }
-        for (Facets& piece : outcome.pieces) {
-          pieces.push_back({std::move(piece), depth, outcome.cut ? PartReason::ridge : PartReason::split});
-        }
-      }
-      tasks = std::move(pieces);
-    }
-    std::sort(done.begin(), done.end(), [](const DonePart& a, const DonePart& b) {
-      return a.task.facets.front() < b.task.facets.front();
-    });
-    return done;
-  }
-
-  void cut_all() {
-    Facets all(scaled_.facet_count());
-    std::iota(all.begin(), all.end(), 0U);
-    std::vector<PartTask> tasks;
-    for (Facets& component : cutter().components(all)) {
-      tasks.push_back({std::move(component)});
-    }
-    parts_ = divide_all(std::move(tasks), MeasureMode::split, 0.0, 0.7);
-  }
-
-  void merge_all() {
-    std::vector<MergePart> parts;
-    for (DonePart& part : parts_) {
-      parts.push_back({std::move(part.task.facets), part.hull.vertices, false, true});
-    }
-    if (rules_.merging) {
-      join(parts, MeasureMode::test);
-    }
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (parts[i].facets.empty()) {
-        continue;
-      }
-      PartTask task{std::move(parts[i].facets), 0, parts_[i].task.reason};
-      if (parts[i].merged) {
-        task.reason = PartReason::merged;
-      } else {
-        task.hull = std::move(parts_[i].hull);
-      }
-      tasks_.push_back(std::move(task));
-    }
-    parts_.clear();
-  }
-
-  /// The merge pass, which goes on with the valleys that are known and leaves its own among them.
-  void join(std::vector<MergePart>& parts, MeasureMode mode) {
-    measurer().use_valleys(std::move(valleys_), nullptr);
-    merge_parts(measurer(), weights_, parts, mode);
-    valleys_ = measurer().take_valleys();
-  }
-
-  /// What the assembly makes of the parts, with the valleys that are known. A part that comes out as it went
-  /// in keeps its reason.
-  template <class Assemble>
-  std::vector<PartTask> assembled(const Assemble& assemble) {
-    std::vector<Facets> before;
-    std::vector<PartReason> reasons;
-    for (DonePart& part : parts_) {
-      before.push_back(std::move(part.task.facets));
-      reasons.push_back(part.task.reason);
-    }
-    parts_.clear();
-    measurer().use_valleys(std::move(valleys_), nullptr);
-    std::vector<PartTask> tasks;
-    for (AssembledPart& part : assemble(before)) {
-      // Parts ascend by smallest facet, so as wholes, too.
-      const auto same = std::lower_bound(before.begin(), before.end(), part.facets);
-      const bool kept = same != before.end() && *same == part.facets;
-      const PartReason cut = part.joined ? PartReason::merged : PartReason::ridge;
-      tasks.push_back(
-          {std::move(part.facets), 0, kept ? reasons[static_cast<std::size_t>(same - before.begin())] : cut});
-    }
-    valleys_ = measurer().take_valleys();
-    return tasks;
-  }
-
-  void assemble_all() {
-    tasks_ = assembled([&](const std::vector<Facets>& parts) { return assembly_->assemble(parts); });
-  }
-
-  /// What is reported is measured from scratch; a part that turns out too concave is divided once more
-  /// (12.6), and its pieces join each other and their neighbours where that holds from scratch, too.
-  void measure_all() {
-    parts_ = divide_all(std::move(tasks_), MeasureMode::scratch, 0.8, 1.0);
-    const bool divided =
-        std::any_of(parts_.begin(), parts_.end(), [](const DonePart& p) { return p.task.depth > 0; });
-    if (divided && rules_.merging) {
-      merge_divided();
-    }
-    for (DonePart& part : parts_) {
-      final_.push_back(describe(std::move(part)));
-    }
-    parts_.clear();
-  }
-
-  void merge_divided() {
-    std::vector<PartTask> changed;
-    std::vector<DonePart> remaining;
-    if (assembly_) {
-      changed =
-          assembled([&](const std::vector<Facets>& parts) { return assembly_->join_from_scratch(parts); });
-    } else {
-      std::vector<MergePart> parts;
-      for (DonePart& part : parts_) {
-        parts.push_back({part.task.facets, {}, false, part.task.depth > 0});
-      }
-      join(parts, MeasureMode::test_scratch);
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i].merged) {
-          changed.push_back({std::move(parts[i].facets), 0, PartReason::merged});
-        } else if (!parts[i].facets.empty()) {
-          remaining.push_back(std::move(parts_[i]));
-        }
-      }
-    }
-    // Their unions were within the tolerance from scratch, so none of them is divided here.
-    for (DonePart& part : divide_all(std::move(changed), MeasureMode::scratch, 1.0, 1.0)) {
-      remaining.push_back(std::move(part));
-    }
-    parts_ = std::move(remaining);
-  }
-
-  /// By value: the hull, which is larger than what is kept of it, goes with the argument.
-  Part describe(DonePart done) const {
-    Part part;
-    part.faces.reserve(done.task.facets.size());
-    for (const std::uint32_t f : done.task.facets) {
-      part.faces.emplace_back(f);
-    }
-    part.concavity = done.concavity;
-    for (const std::uint32_t v : done.hull.vertices) {
-      part.hull_vertices.emplace_back(v);
-    }
-    part.hull_volume = done.hull.volume(scaled_.points) * scaled_.unit * scaled_.unit * scaled_.unit;
-    part.reason = done.task.reason;
-    return part;
-  }
-
-  void absorb_crumbs() {
-    Facets all(scaled_.facet_count());
-    std::iota(all.begin(), all.end(), 0U);
-    const std::vector<std::uint32_t> together(scaled_.facet_count(), 0);
-    std::vector<Facets> before(final_.size());
-    for (std::size_t p = 0; p < final_.size(); ++p) {
-      for (const FaceId f : final_[p].faces) {
-        before[p].push_back(f.value());
-      }
-    }
-    segment::absorb_crumbs(
-        scaled_, cutter().components(all, together), std::move(before),
-        [&](std::span<const std::uint32_t> parts, std::uint32_t into) { return unite(parts, into); },
-        *context_);
-    std::erase_if(final_, [](const Part& part) { return part.faces.empty(); });
-  }
-
-  /// Puts these parts into one of them, if what comes out is within the tolerance from scratch.
-  bool unite(std::span<const std::uint32_t> parts, std::uint32_t into) {
-    PartTask task{{}, 0, final_[into].reason};
-    for (const std::uint32_t p : parts) {
-      for (const FaceId f : final_[p].faces) {
-        task.facets.push_back(f.value());
-      }
-    }
-    std::sort(task.facets.begin(), task.facets.end());
-    Measurement& measurement = workers_.first().measurement;
-    measurer().use_valleys(ValleyCache(), nullptr);
-    measurer().measure(task.facets, {}, MeasureMode::test_scratch, measurement);
-    if (measurement.stopped) {
-      return false;
-    }
-    for (const std::uint32_t p : parts) {
-      final_[p].faces.clear();
-    }
-    final_[into] = describe({std::move(task), measurement.concavity, measurement.hull});
-    return true;
-  }
-
-  /// Virtual facets leave their parts; parts of nothing else are none.
-  void drop_virtual_facets() {
-    for (Part& part : final_) {
-      std::erase_if(part.faces, [&](FaceId f) { return f.value() >= real_facets_; });
-    }
-    std::erase_if(final_, [](const Part& part) { return part.faces.empty(); });
-  }
-
-  /// Faces and vertices get the numbers that they have in the surface.
-  void number_as_given() {
-    if (scaled_.face_of.empty()) {
-      return;
-    }
-    for (Part& part : final_) {
-      for (FaceId& f : part.faces) {
-        f = FaceId(scaled_.face_of[f.value()]);
-      }
-      for (VertexId& v : part.hull_vertices) {
-        v = VertexId(scaled_.vertex_of[v.value()]);
-      }
-      std::sort(part.faces.begin(), part.faces.end());
-      std::sort(part.hull_vertices.begin(), part.hull_vertices.end());
-    }
-  }
-
-  Segmentation result() {
-    drop_virtual_facets();
-    number_as_given();
-    std::sort(final_.begin(), final_.end(),
-              [](const Part& a, const Part& b) { return a.faces.front() < b.faces.front(); });
-    Segmentation s;
-    s.part.resize(real_facets_);
-    for (Part& part : final_) {
-      const PartId id(s.parts.size());
-      for (const FaceId f : part.faces) {
-        s.part[f] = id;
-      }
-      s.parts.push_back(std::move(part));
-    }
-    return s;
-  }
-
-  bool closed_;  ///< holes were closed: facets from real_facets_ on are virtual
-  std::size_t real_facets_;
-  ScaledSurface scaled_;
-  Rules rules_;
-  EdgeWeights weights_;
-  VertexGraph graph_;
-  PartWorkers workers_;
-  std::optional<Assembly> assembly_;
-  const Context* context_;
-  ValleyCache valleys_;  ///< known to all; with a worker while that works alone
-  std::vector<PartTask> tasks_;
-  std::vector<DonePart> parts_;
-  std::vector<Part> final_;
-  Recursion recursion_;
-};
-
-}  // namespace
-
-Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
-                     const Options& options, const Context& context) {
-  Recursion unused;
-  return segment(surface, polygon, options, context, unused);
+Facets all_facets(const Ground& ground) {
+  Facets all(ground.scaled.facet_count());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
 }
 
-Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
-                     const Options& options, const Context& context, Recursion& recursion) {
+std::vector<PartTask> components_of(const Ground& ground, Cutter& cutter) {
+  std::vector<PartTask> tasks;
+  for (Facets& component : cutter.components(all_facets(ground))) {
+    tasks.push_back({std::move(component)});
+  }
+  return tasks;
+}
+
+/// By value: the hull, which is larger than what is kept of it, goes with the argument.
+Part described(MeasuredPart measured, const ScaledSurface& scaled) {
+  Part part;
+  part.faces.reserve(measured.facets.size());
+  for (const std::uint32_t f : measured.facets) {
+    part.faces.emplace_back(f);
+  }
+  part.concavity = measured.concavity;
+  for (const std::uint32_t v : measured.hull.vertices) {
+    part.hull_vertices.emplace_back(v);
+  }
+  part.hull_volume = measured.hull.volume(scaled.points) * scaled.unit * scaled.unit * scaled.unit;
+  part.reason = measured.reason;
+  return part;
+}
+
+/// Shares of the whole work that are done when phases end, as progress tells them.
+constexpr double cut_share = 0.7;
+constexpr double joined_share = 0.8;
+
+/// Cuts, joins and measures: parts that are within the tolerance from scratch, but for single polygons.
+std::vector<Part> find_parts(const Ground& ground, PartWorkers& workers, Assembly* assembly,
+                             const Context& context) {
+  ValleyCache valleys;  // found by all phases
+  const auto divide = [&](std::vector<PartTask> tasks, const MeasureOptions& options, double from,
+                          double to) {
+    const auto progress = [&](double share) { context.report("segment", from + (to - from) * share); };
+    return divide_all(workers, std::move(tasks), options, valleys, progress).parts;
+  };
+  const JoiningTools tools{&workers.first().measurer, &ground.weights, assembly, &valleys};
+  const MeasureOptions from_scratch{.from_scratch = true};
+
+  std::vector<MeasuredPart> parts = divide(components_of(ground, workers.first().cutter), {}, 0.0, cut_share);
+  std::vector<PartTask> joined =
+      ground.rules.merging ? join_parts(std::move(parts), tools) : leave_parts(std::move(parts));
+  // What is reported is measured from scratch; a part that turns out too concave is divided once more.
+  parts = divide(std::move(joined), from_scratch, joined_share, 1.0);
+  const bool divided =
+      std::any_of(parts.begin(), parts.end(), [](const MeasuredPart& part) { return part.depth > 0; });
+  if (divided && ground.rules.merging) {
+    Rejoined rejoined = rejoin_divided(std::move(parts), tools);
+    parts = std::move(rejoined.kept);
+    // Their unions were within the tolerance from scratch, so none of them is divided here.
+    for (MeasuredPart& part : divide(std::move(rejoined.changed), from_scratch, 1.0, 1.0)) {
+      parts.push_back(std::move(part));
+    }
+  }
+  std::vector<Part> found;
+  for (MeasuredPart& part : parts) {
+    found.push_back(described(std::move(part), ground.scaled));
+  }
+  return found;
+}
+
+/// Puts these parts into one of them, if what comes out is within the tolerance from scratch.
+bool unite(std::span<const std::uint32_t> united, std::uint32_t into, const ScaledSurface& scaled,
+           PartWorker& worker, std::vector<Part>& parts) {
+  MeasuredPart whole;
+  whole.reason = parts[into].reason;
+  for (const std::uint32_t p : united) {
+    for (const FaceId f : parts[p].faces) {
+      whole.facets.push_back(f.value());
+    }
+  }
+  std::sort(whole.facets.begin(), whole.facets.end());
+  ValleyCache unknown;
+  const ValleyLoan loan(worker.measurer.valleys(), unknown);
+  worker.measurer.measure(whole.facets, {}, {.stop_at_first = true, .from_scratch = true},
+                          worker.measurement);
+  if (worker.measurement.stopped) {
+    return false;
+  }
+  whole.concavity = worker.measurement.concavity;
+  whole.hull = worker.measurement.hull;
+  for (const std::uint32_t p : united) {
+    parts[p].faces.clear();
+  }
+  parts[into] = described(std::move(whole), scaled);
+  return true;
+}
+
+/// The crumbs of a surface whose holes were closed join the parts that they touch.
+void absorb_crumbs(const Ground& ground, PartWorker& worker, std::vector<Part>& parts,
+                   const Context& context) {
+  const std::vector<std::uint32_t> together(ground.scaled.facet_count(), 0);
+  std::vector<Facets> before(parts.size());
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (const FaceId f : parts[p].faces) {
+      before[p].push_back(f.value());
+    }
+  }
+  segment::absorb_crumbs(
+      ground.scaled, worker.cutter.components(all_facets(ground), together), std::move(before),
+      [&](std::span<const std::uint32_t> united, std::uint32_t into) {
+        return unite(united, into, ground.scaled, worker, parts);
+      },
+      context);
+}
+
+/// Virtual facets leave their parts; parts of nothing else are none.
+void drop_virtual_facets(std::size_t real_facets, std::vector<Part>& parts) {
+  for (Part& part : parts) {
+    std::erase_if(part.faces, [&](FaceId f) { return f.value() >= real_facets; });
+  }
+  std::erase_if(parts, [](const Part& part) { return part.faces.empty(); });
+}
+
+/// Faces and vertices get the numbers that they have in the surface.
+void number_as_given(const ScaledSurface& scaled, std::vector<Part>& parts) {
+  if (scaled.face_of.empty()) {
+    return;
+  }
+  for (Part& part : parts) {
+    for (FaceId& f : part.faces) {
+      f = FaceId(scaled.face_of[f.value()]);
+    }
+    for (VertexId& v : part.hull_vertices) {
+      v = VertexId(scaled.vertex_of[v.value()]);
+    }
+    std::sort(part.faces.begin(), part.faces.end());
+    std::sort(part.hull_vertices.begin(), part.hull_vertices.end());
+  }
+}
+
+Segmentation segmentation_of(std::vector<Part> parts, const Ground& ground) {
+  drop_virtual_facets(ground.real_facets, parts);
+  number_as_given(ground.scaled, parts);
+  std::sort(parts.begin(), parts.end(),
+            [](const Part& a, const Part& b) { return a.faces.front() < b.faces.front(); });
+  Segmentation s;
+  s.part.resize(ground.real_facets);
+  for (Part& part : parts) {
+    const PartId id(s.parts.size());
+    for (const FaceId f : part.faces) {
+      s.part[f] = id;
+    }
+    s.parts.push_back(std::move(part));
+  }
+  return s;
+}
+
+void require_possible(const Options& options) {
   if (!std::isfinite(options.concavity) || !(options.concavity > 0.0)) {
     throw Error(ErrorKind::usage, "the concavity must be a number above 0");
   }
@@ -374,14 +231,30 @@ Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t
         ErrorKind::usage,
         "the readings literal and a go with effort 1 alone: without planes, pockets and a weight of volume");
   }
+}
+
+}  // namespace
+
+Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                     const Options& options, const Context& context) {
+  require_possible(options);
   context.check();
   if (surface.face_count() == 0) {
     return {};
   }
-  Run run(surface, polygon, options, context);
-  Segmentation result = run.run();
-  recursion = run.recursion();
-  return result;
+  const Ground ground(surface, polygon, options);
+  PartWorkers workers(ground.scaled, ground.graph, ground.weights, options.concavity, context, ground.rules);
+  PartWorker& worker = workers.first();
+  std::optional<Assembly> assembly;
+  if (options.effort > 1 || volume_weight(options) > 0.0 || options.planes || options.pockets) {
+    assembly.emplace(ground.scaled, ground.weights, ground.graph, worker.measurer, worker.cutter,
+                     assembly_settings(options));
+  }
+  std::vector<Part> parts = find_parts(ground, workers, assembly ? &*assembly : nullptr, context);
+  if (ground.closed) {
+    absorb_crumbs(ground, worker, parts, context);
+  }
+  return segmentation_of(std::move(parts), ground);
 }
 
 }  // namespace ridgecraft::segment

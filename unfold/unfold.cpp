@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <map>
 
+#include "base/convex_hull.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/random.hpp"
+#include "base/rectangle.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/net/joins.hpp"
-#include "unfold/net/sheet.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/panel_parts.hpp"
 #include "unfold/patch/check.hpp"
@@ -312,18 +314,6 @@ void insist_on_no_overlap(const Nets& nets) {
   }
 }
 
-/// Joins and tabs on nets that are complete otherwise.
-void add_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options, Nets& nets,
-              const Context& context) {
-  number_joins(surface, nets);
-  if (options.tabs.wanted) {
-    place_tabs(surface, panels, options.tabs, nets, context);
-    if (options.sheet) {
-      fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context);
-    }
-  }
-}
-
 /// The pieces that were split off others, but for the largest of each, are there for tabs. Their number.
 std::size_t blame_tabs(const Folds& split, Forest& forest) {
   const Layout before = lay_out(forest.patch, forest.folds);
@@ -351,7 +341,7 @@ SplitForTabs give_all_tabs(const mesh::Surface& surface, const prepare::Panels& 
   const NetsOf nets_of = [&](const Folds& folds) {
     Nets nets = assemble(surface, part, forest, folds);
     close_flat_cuts(surface, panels, plan.wishes, nets);
-    add_tabs(surface, panels, options, nets, context);
+    replace_tabs(surface, panels, options, nets, context);
     return nets;
   };
   TabSplit split = split_for_tabs(surface, panels, forest.patch, forest.folds, room_of(options), options.tabs,
@@ -393,11 +383,23 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   do_in_parallel(nets.pieces.size(), context, [&](std::size_t i, const Context& own) {
     nets.pieces[PieceId(i)].folding = find_fold_order(surface, nets, PieceId(i), own);
   });
-  add_tabs(surface, panels, options, nets, context);
+  replace_tabs(surface, panels, options, nets, context);
   if (options.tabs.wanted && options.tabs.split_pieces) {
     note_all_tabs(surface, options.tabs, split, nets);
   }
   return nets;
+}
+
+void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
+                  Nets& nets, const Context& context) {
+  nets.tabs = {};
+  number_joins(surface, nets);
+  if (options.tabs.wanted) {
+    place_tabs(surface, panels, options.tabs, nets, context);
+    if (options.sheet) {
+      fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context);
+    }
+  }
 }
 
 }  // namespace ridgecraft::unfold

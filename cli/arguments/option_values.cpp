@@ -11,8 +11,8 @@
 
 #include "base/error.hpp"
 #include "base/length_text.hpp"
+#include "base/sentence.hpp"
 #include "cli/arguments/units.hpp"
-#include "cli/telling/sentence.hpp"
 
 namespace ridgecraft::cli {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/nearest_word.hpp"
+#include "base/sentence.hpp"
+#include "base/version.hpp"
 #include "cli/arguments/option_values.hpp"
 #include "cli/arguments/verbs.hpp"
-#include "cli/telling/sentence.hpp"
-#include "cli/version.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -51,10 +51,6 @@ std::string term_of(const std::string& option, const Manual& manual) {
 }
 
 }  // namespace
-
-std::string program_and_version() {
-  return std::string("ridgecraft ") + RIDGECRAFT_VERSION;
-}
 
 std::string verbs_with(const std::string& option) {
   std::vector<std::string> names;

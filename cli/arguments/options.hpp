@@ -8,11 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "cli/arguments/manual.hpp"
-#include "export/export.hpp"
-#include "prepare/prepare.hpp"
+#include "cli/files/edge_arguments.hpp"
+#include "job/options.hpp"
 #include "segment/segment.hpp"
-#include "unfold/unfold.hpp"
 
 namespace ridgecraft::cli {
 
@@ -25,21 +23,10 @@ struct CommonOptions {
   std::optional<double> time_limit_s;
 };
 
-/// How a model is brought to paper size; the main job and `unfold` share it.
-struct SizeArguments {
-  prepare::SizeOptions size;
-  prepare::SimplifyOptions simplify;
-  std::string asked;          ///< how the size was asked for, for the summary: "--size 150mm"
+/// How a user asked for the size.
+struct AskedSize {
+  std::string words;          ///< "--size 150mm"
   bool unit_assumed = false;  ///< --size was a number alone
-};
-
-/// Files that name edges to be cut or kept; empty: none.
-struct EdgeArguments {
-  std::string cuts;  ///< pairs of points
-  std::string keep;
-  std::string from;  ///< nets made before
-
-  [[nodiscard]] bool any() const { return !cuts.empty() || !keep.empty() || !from.empty(); }
 };
 
 /// ridgecraft MODEL
@@ -48,15 +35,10 @@ struct PaperJob {
   std::string model;
   std::vector<std::string> outputs;  ///< empty: all default formats in the current folder
   bool overwrite = false;
-  SizeArguments size;
-  double concavity = 0.1;
+  AskedSize size_asked;
   std::string paper_name = "A4";
-  paper::Paper paper;
-  unfold::TabOptions tabs;
-  std::string pieces_asked = "parts";  ///< --pieces
-  unfold::PieceRules pieces;
+  job::Options options;  ///< but for the edges that these name:
   EdgeArguments edges;
-  paper::Style style;
 };
 
 struct InfoJob {
@@ -84,10 +66,8 @@ struct SegmentJob {
 struct UnfoldJob {
   CommonOptions common;
   std::string model;
-  SizeArguments size;
-  double concavity = 0.1;
-  bool whole = false;  ///< no segmentation: each component is one part
-  unfold::TabOptions tabs;
+  AskedSize size_asked;
+  job::Options options;  ///< without paper, and but for the edges that these name:
   EdgeArguments edges;
   std::string output;  ///< FILE.fold; empty: none
   bool overwrite = false;
@@ -150,8 +130,5 @@ using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, Cag
 
 /// Parses the arguments after the program's name. Throws Error(usage) with one sentence.
 [[nodiscard]] Job parse_arguments(const std::vector<std::string>& arguments);
-
-/// "ridgecraft 0.1.0"
-[[nodiscard]] std::string program_and_version();
 
 }  // namespace ridgecraft::cli

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
+#include "base/sentence.hpp"
 #include "cli/arguments/option_values.hpp"
-#include "cli/telling/sentence.hpp"
 #include "unfold/net/piece_rules.hpp"
 
 namespace ridgecraft::cli {

@@ -57,8 +57,7 @@ void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
                   : "How many faces to keep: auto, keep or a number (keep).");
 }
 
-SizeArguments SizeTexts::checked() const {
-  SizeArguments out;
+void SizeTexts::check_into(job::Options& options, AskedSize& asked) const {
   if (!size.empty() && !scale.empty()) {
     refuse("--size and --scale exclude each other");
   }
@@ -70,25 +69,24 @@ SizeArguments SizeTexts::checked() const {
     if (!factor) {
       refuse("--scale takes a factor such as 1:50, 0.5 or 30%, not '" + scale + "'");
     }
-    out.size.mm_per_unit = *factor * unit_or_refuse("--unit", unit);
-    out.asked = "--scale " + scale + (unit.empty() ? "" : " --unit " + unit);
+    options.size.mm_per_unit = *factor * unit_or_refuse("--unit", unit);
+    asked.words = "--scale " + scale + (unit.empty() ? "" : " --unit " + unit);
   } else {
-    out.size.largest_extent_mm = size.empty() ? 150.0 : length_or_refuse("--size", size);
-    require_range("--size", size, out.size.largest_extent_mm, 1.0, 100000.0, "1mm to 100m");
+    options.size.largest_extent_mm = size.empty() ? 150.0 : length_or_refuse("--size", size);
+    require_range("--size", size, options.size.largest_extent_mm, 1.0, 100000.0, "1mm to 100m");
     std::string_view typed = size;
     const auto length = take_length(typed);
-    out.unit_assumed = length && !length->mm_per_unit;
-    out.asked = "--size " + (size.empty() ? std::string("150mm") : size);
+    asked.unit_assumed = length && !length->mm_per_unit;
+    asked.words = "--size " + (size.empty() ? std::string("150mm") : size);
   }
   if (faces == "auto") {
-    out.simplify.mode = prepare::Simplification::automatic;
+    options.simplify.mode = prepare::Simplification::automatic;
   } else if (faces == "keep") {
-    out.simplify.mode = prepare::Simplification::keep;
+    options.simplify.mode = prepare::Simplification::keep;
   } else {
-    out.simplify.mode = prepare::Simplification::count;
-    out.simplify.faces = whole_number_or_refuse("--faces", faces, 4);
+    options.simplify.mode = prepare::Simplification::count;
+    options.simplify.faces = whole_number_or_refuse("--faces", faces, 4);
   }
-  return out;
 }
 
 }  // namespace ridgecraft::cli

@@ -29,7 +29,8 @@ struct SizeTexts {
   std::string size, scale, unit, faces;
 
   void add_to(Verb& verb, const std::string& default_faces);
-  [[nodiscard]] SizeArguments checked() const;
+  /// Sets the size and how the model is simplified. Throws Error(usage).
+  void check_into(job::Options& options, AskedSize& asked) const;
 };
 
 }  // namespace ridgecraft::cli

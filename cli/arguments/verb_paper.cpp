@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/version.hpp"
 #include "cli/arguments/edge_options.hpp"
 #include "cli/arguments/option_values.hpp"
 #include "cli/arguments/piece_options.hpp"
@@ -86,7 +87,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.option("Tabs and lines", "--tab-height", tab_height, "LENGTH", "Height of the glue tabs (5mm).");
   verb.option("Tabs and lines", "--tab-angle", tab_angle, "DEGREES",
               "Side angle of the glue tabs; steeper where an edge is short (45).");
-  verb.flag("Tabs and lines", "--all-tabs", job.tabs.split_pieces,
+  verb.flag("Tabs and lines", "--all-tabs", job.options.tabs.split_pieces,
             "Split pieces further until every edge with a face wide enough behind it has a glue tab.");
   verb.flag("Tabs and lines", "--no-tabs", no_tabs, "Draw no glue tabs.");
   verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
@@ -111,35 +112,35 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     }
     require(job.model, "name the model to turn into paper", "ridgecraft");
     job.common = common.checked();
-    job.size = size.checked();
-    job.paper = paper::parse_paper(paper);
+    size.check_into(job.options, job.size_asked);
+    job.options.paper = paper::parse_paper(paper);
     job.paper_name = paper;
     if (!margin.empty()) {
-      job.paper.margin = length_or_refuse("--margin", margin, true);
+      job.options.paper->margin = length_or_refuse("--margin", margin, true);
     }
-    const Vec2 area = paper::piece_area(job.paper);
+    const Vec2 area = paper::piece_area(*job.options.paper);
     if (!(area.x >= 20.0 && area.y >= 20.0)) {
-      refuse("paper " + paper + " with a margin of " + fmt::format("{:g}", job.paper.margin) +
+      refuse("paper " + paper + " with a margin of " + fmt::format("{:g}", job.options.paper->margin) +
              " mm leaves no room for pieces");
     }
-    job.concavity = concavity_or_refuse(concavity);
-    job.pieces = pieces.rules();
-    job.pieces_asked = pieces.mode;
-    if (no_tabs && job.tabs.split_pieces) {
+    job.options.concavity = concavity_or_refuse(concavity);
+    job.options.pieces = pieces.rules();
+    if (no_tabs && job.options.tabs.split_pieces) {
       refuse("--all-tabs and --no-tabs exclude each other");
     }
     if (no_tabs && (!tab_height.empty() || !tab_angle.empty())) {
       refuse("--tab-height and --tab-angle tell the shape of tabs; with --no-tabs they have no effect");
     }
-    job.tabs.wanted = !no_tabs;
+    job.options.tabs.wanted = !no_tabs;
     if (!tab_height.empty()) {
-      job.tabs.height_mm = length_or_refuse("--tab-height", tab_height);
-      require_range("--tab-height", tab_height, job.tabs.height_mm, 1.5, 50.0, "1.5mm to 50mm");
+      job.options.tabs.height_mm = length_or_refuse("--tab-height", tab_height);
+      require_range("--tab-height", tab_height, job.options.tabs.height_mm, 1.5, 50.0, "1.5mm to 50mm");
     }
-    job.tabs.angle =
+    job.options.tabs.angle =
         number_or_refuse("--tab-angle", tab_angle.empty() ? "45" : tab_angle, 15.0, 85.0) * degree;
-    job.tabs.steepest_angle = std::max(job.tabs.steepest_angle, job.tabs.angle);
-    job.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
+    job.options.tabs.steepest_angle = std::max(job.options.tabs.steepest_angle, job.options.tabs.angle);
+    job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
+    job.options.simplify.hidden_fold_angle = job.options.style.hidden_fold_angle;
     return job;
   });
 }

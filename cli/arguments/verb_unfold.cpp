@@ -19,32 +19,38 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   verb.example("ridgecraft unfold gem.off --whole -o gem.fold",
                "The whole model as one net, if there is one.");
   UnfoldJob job;
-  job.tabs.wanted = false;
-  job.tabs.trials_per_face = patient_trials_per_face;
+  job.options.paper = std::nullopt;
+  bool whole = false;
+  job.options.tabs.wanted = false;
+  job.options.tabs.trials_per_face = patient_trials_per_face;
   CommonTexts common;
   std::string concavity;
   SizeTexts size;
   verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
   verb.option("Output", "-o,--output", job.output, "FILE.fold", "Where the nets go.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");
-  verb.flag("Parts", "--whole", job.whole, "Don't cut the model into parts first.");
+  verb.flag("Parts", "--whole", whole, "Don't cut the model into parts first.");
   verb.option("Parts", "--concavity", concavity, "TOLERANCE", "How far a part may be from convex (0.1).");
   add_edge_options(verb, job.edges);
   size.add_to(verb, "keep");
-  verb.flag("Tabs", "--tabs", job.tabs.wanted,
+  verb.flag("Tabs", "--tabs", job.options.tabs.wanted,
             "Search nets whose cut edges have room for 5 mm glue tabs, and draw these.");
-  verb.flag("Tabs", "--all-tabs", job.tabs.split_pieces,
+  verb.flag("Tabs", "--all-tabs", job.options.tabs.split_pieces,
             "The same, and split pieces until every edge with a face wide enough behind it has a tab.");
   common.add_to(verb, TimeUp::ends_searches);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.model, "name the model to unfold", "ridgecraft unfold");
     job.common = common.checked();
-    job.tabs.wanted = job.tabs.wanted || job.tabs.split_pieces;
-    job.size = size.checked();
-    if (job.whole && !concavity.empty()) {
+    job.options.tabs.wanted = job.options.tabs.wanted || job.options.tabs.split_pieces;
+    size.check_into(job.options, job.size_asked);
+    if (whole && !concavity.empty()) {
       refuse("--concavity tells how to cut the model into parts; with --whole it has no effect");
     }
-    job.concavity = concavity_or_refuse(concavity);
+    job.options.concavity = concavity_or_refuse(concavity);
+    if (whole) {
+      job.options.parts = job::PartsFrom::components;
+      job.options.panel_cuts = unfold::PanelCuts::before_pieces;
+    }
     return job;
   });
 }

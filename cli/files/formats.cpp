@@ -5,20 +5,15 @@
 #include <array>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "cli/telling/sentence.hpp"
+#include "base/sentence.hpp"
 
 namespace ridgecraft::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Row = FormatRow;
 
-struct Row {
-  const char* suffix;
-  const char* what;
-};
-constexpr std::array read_formats{
+constexpr std::array read_rows{
     Row{".obj", "Wavefront OBJ, with materials"}, Row{".stl", "STL, binary and ASCII"},
     Row{".ply", "PLY, ASCII and binary of both byte orders"}, Row{".off", "OFF and its variants, ASCII"}};
 
@@ -47,7 +42,13 @@ const PaperRow& row(Format format) {
                        [&](const PaperRow& r) { return r.format == format; });
 }
 
-std::vector<Row> written_formats() {
+}  // namespace
+
+std::vector<FormatRow> read_formats() {
+  return {read_rows.begin(), read_rows.end()};
+}
+
+std::vector<FormatRow> written_formats() {
   std::vector<Row> rows;
   for (const PaperRow& r : paper_formats) {
     rows.push_back(r.row);
@@ -55,8 +56,6 @@ std::vector<Row> written_formats() {
   rows.insert(rows.end(), verb_formats.begin(), verb_formats.end());
   return rows;
 }
-
-}  // namespace
 
 std::optional<Format> paper_format(std::string_view suffix) {
   for (const PaperRow& r : paper_formats) {
@@ -98,29 +97,6 @@ std::string suffix_of(const std::filesystem::path& file) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return ending;
-}
-
-std::string formats_text() {
-  std::string text = "read:\n";
-  for (const Row& r : read_formats) {
-    text += fmt::format("  {:<6} {}\n", r.suffix, r.what);
-  }
-  text += "written:\n";
-  for (const Row& r : written_formats()) {
-    text += fmt::format("  {:<6} {}\n", r.suffix, r.what);
-  }
-  return text;
-}
-
-std::string formats_json() {
-  Json json{{"read", Json::array()}, {"written", Json::array()}};
-  for (const Row& r : read_formats) {
-    json["read"].push_back({{"suffix", r.suffix}, {"what", r.what}});
-  }
-  for (const Row& r : written_formats()) {
-    json["written"].push_back({{"suffix", r.suffix}, {"what", r.what}});
-  }
-  return json.dump(2) + "\n";
 }
 
 }  // namespace ridgecraft::cli

@@ -32,8 +32,12 @@ enum class Format { pdf, svg, fold, png };
 /// The suffix in lower case, with its dot.
 [[nodiscard]] std::string suffix_of(const std::filesystem::path& file);
 
-/// ridgecraft formats
-[[nodiscard]] std::string formats_text();
-[[nodiscard]] std::string formats_json();
+/// A format of any verb: ".obj", and what it is.
+struct FormatRow {
+  const char* suffix;
+  const char* what;
+};
+[[nodiscard]] std::vector<FormatRow> read_formats();
+[[nodiscard]] std::vector<FormatRow> written_formats();
 
 }  // namespace ridgecraft::cli

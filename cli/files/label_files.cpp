@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "cli/telling/sentence.hpp"
+#include "base/sentence.hpp"
 #include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::cli {

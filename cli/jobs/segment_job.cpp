@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ridgecraft segment: reads, segments, compares, writes.
+#include "cli/jobs/segment_job.hpp"
+
 #include <map>
 #include <optional>
 #include <utility>
@@ -8,16 +9,18 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/version.hpp"
 #include "cli/files/label_files.hpp"
+#include "cli/files/model_input.hpp"
 #include "cli/files/part_files.hpp"
 #include "cli/files/targets.hpp"
 #include "cli/jobs/find_parts.hpp"
-#include "cli/jobs/pipeline.hpp"
-#include "cli/files/model_input.hpp"
+#include "cli/jobs/time_limit.hpp"
+#include "export/export.hpp"
 #include "mesh/model/file_numbers.hpp"
 #include "mesh/write.hpp"
-#include "segment/evaluate.hpp"
 #include "segment/hierarchy.hpp"
+#include "segment/judging/evaluate.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -143,13 +146,12 @@ std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& h
 
 }  // namespace
 
-SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFiles& pending) {
+SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingFiles& pending) {
   check_outputs(job);
-  const Context& context = run.patient;
   SegmentResult result;
-  StageClock& clock = result.clock;
+  job::StageClock clock;
   result.model = clock("read", context, [&] {
-    return in_time(run, shown_name(job.model) + " was read", [&](const Context& strict) {
+    return in_time(context, shown_name(job.model) + " was read", [&](const Context& strict) {
       return read_model(job.model, {.collapse_flat_faces = false}, strict);
     });
   });
@@ -164,7 +166,7 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
   }
   std::optional<segment::Hierarchy> hierarchy;
   result.segmentation = clock("segment", context, [&] {
-    return in_time(run, shown_name(job.model) + " was segmented", [&](const Context& strict) {
+    return in_time(context, shown_name(job.model) + " was segmented", [&](const Context& strict) {
       if (!job.hierarchy.empty()) {
         hierarchy = segment::find_hierarchy(result.model.surface, result.model.polygon.items(),
                                             job.parts.count, strict);
@@ -193,6 +195,7 @@ SegmentResult make_parts(const SegmentJob& job, const RunContext& run, PendingFi
     }
     return true;
   });
+  result.seconds = clock.seconds();
   return result;
 }
 

@@ -10,16 +10,18 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/sentence.hpp"
+#include "base/version.hpp"
 #include "cli/files/formats.hpp"
+#include "cli/files/model_input.hpp"
 #include "cli/files/part_files.hpp"
 #include "cli/files/targets.hpp"
-#include "cli/jobs/cage_check.hpp"
 #include "cli/jobs/find_parts.hpp"
-#include "cli/files/model_input.hpp"
-#include "cli/telling/sentence.hpp"
+#include "export/export.hpp"
 #include "mesh/model/file_numbers.hpp"
 #include "mesh/reading/read_soup.hpp"
 #include "mesh/write.hpp"
+#include "solid/cage_check.hpp"
 #include "solid/solid.hpp"
 #include "solid/write_bodies.hpp"
 
@@ -225,7 +227,7 @@ SolidResult make_deformed(const DeformJob& job, const Context& context, PendingF
   require_no_input(job.output, {{"--cage", job.cage}, {"--to", job.to}}, job.overwrite);
   SolidResult result = begin(job, mesh_suffixes, mesh_formats, context);
   const solid::Body before = read_cage(job.cage, context);
-  require_closed(job.cage, before);
+  solid::require_closed(job.cage, before);
   const solid::Body after = read_cage(job.to, context);
   if (before.points.size() != after.points.size() || before.triangles != after.triangles) {
     throw Error(ErrorKind::unusable_mesh,
@@ -234,7 +236,7 @@ SolidResult make_deformed(const DeformJob& job, const Context& context, PendingF
   solid::Body moved = result.clock("deform", context, [&] {
     std::vector<Vec3> points(result.model.surface.points().begin(), result.model.surface.points().end());
     mesh::to_file_numbers(points, result.model.file_scale);  // as those of the cages are
-    if (const std::size_t outside = count_outside(points, before, context); outside > 0) {
+    if (const std::size_t outside = solid::count_outside(points, before, context); outside > 0) {
       result.notes.push_back(fmt::format("{} of {} lie outside {}, where they follow it less well", outside,
                                          counted(points.size(), "point"), job.cage));
     }

@@ -7,7 +7,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/files/pending_files.hpp"
-#include "cli/jobs/pipeline.hpp"
+#include "job/stage_clock.hpp"
 #include "mesh/mesh.hpp"
 #include "solid/body.hpp"
 
@@ -19,7 +19,7 @@ struct SolidResult {
   std::vector<solid::Body> bodies;  ///< what was written
   std::vector<std::string> notes;
   std::vector<std::string> files;
-  StageClock clock;
+  job::StageClock clock;
 };
 
 // Each reads, computes, checks and writes; files appear only when all are complete. Throw Error.
@@ -28,9 +28,5 @@ struct SolidResult {
 [[nodiscard]] SolidResult make_cage(const CageJob& job, const Context& context, PendingFiles& pending);
 [[nodiscard]] SolidResult make_shell(const ShellJob& job, const Context& context, PendingFiles& pending);
 [[nodiscard]] SolidResult make_deformed(const DeformJob& job, const Context& context, PendingFiles& pending);
-
-/// `model` is the file as the user named it.
-[[nodiscard]] std::string summary(const std::string& model, const SolidResult& result);
-[[nodiscard]] std::string summary_json(const SolidResult& result);
 
 }  // namespace ridgecraft::cli

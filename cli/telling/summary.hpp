@@ -1,31 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a job did: a few lines for a person, or one JSON object for a machine.
+// What each job tells of its work.
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "cli/exit_code.hpp"
-#include "cli/jobs/pipeline.hpp"
+#include "cli/arguments/options.hpp"
+#include "cli/jobs/paper_job.hpp"
+#include "cli/jobs/segment_job.hpp"
+#include "cli/jobs/solid_jobs.hpp"
+#include "cli/telling/exit_code.hpp"
+#include "cli/telling/figures.hpp"
+#include "mesh/model/model.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "verify/verify.hpp"
 
 namespace ridgecraft::cli {
 
-[[nodiscard]] std::string summary(const PaperJob& job, const PaperResult& result);
-[[nodiscard]] std::string summary_json(const PaperJob& job, const PaperResult& result);
+[[nodiscard]] Summary summary(const PaperJob& job, const PaperResult& result);
+[[nodiscard]] Summary summary(const UnfoldJob& job, const PaperResult& result);
+[[nodiscard]] Summary summary(const SegmentJob& job, const SegmentResult& result);
+[[nodiscard]] Summary summary(const InfoJob& job, const mesh::Model& model, const prepare::Panels& panels);
+/// hulls, cage, shell and deform; `model` is the file as the user named it.
+[[nodiscard]] Summary summary(const std::string& model, const SolidResult& result);
 
-[[nodiscard]] std::string summary(const SegmentJob& job, const SegmentResult& result);
-[[nodiscard]] std::string summary_json(const SegmentJob& job, const SegmentResult& result);
-
-[[nodiscard]] std::string summary(const UnfoldJob& job, const UnfoldResult& result);
-[[nodiscard]] std::string summary_json(const UnfoldJob& job, const UnfoldResult& result);
-
-/// info MODEL
-[[nodiscard]] std::string summary(const InfoJob& job, const mesh::Model& model,
-                                  const prepare::Panels& panels);
-[[nodiscard]] std::string summary_json(const InfoJob& job, const mesh::Model& model,
-                                       const prepare::Panels& panels);
-
-/// verify FILE
+/// verify FILE; its JSON is verify::to_json().
 [[nodiscard]] std::string summary(const VerifyJob& job, const verify::Report& report);
+
+/// ridgecraft formats
+[[nodiscard]] std::string formats_text();
+[[nodiscard]] std::string formats_json();
 
 /// {"error": {"code": 3, "message": "..."}}: what --json prints where a job fails.
 [[nodiscard]] std::string error_json(ExitCode code, const std::string& sentence);

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/random.hpp"
 #include "export/packing/packing_fill.hpp"
 #include "export/packing/packing_finish.hpp"
 #include "export/packing/packing_separate.hpp"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/random.hpp"
+
 namespace ridgecraft::paper {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/random.hpp"
 #include "export/packing/packing_fill.hpp"
 
 namespace ridgecraft::paper {

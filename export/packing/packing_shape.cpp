@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/convex_hull.hpp"
 #include "base/error.hpp"
-#include "unfold/net/sheet.hpp"
+#include "base/rectangle.hpp"
 
 namespace ridgecraft::paper {
 namespace {

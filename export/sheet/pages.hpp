@@ -12,6 +12,7 @@
 #include "base/vector.hpp"
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/paper.hpp"
+#include "prepare/prepared/options.hpp"
 
 namespace ridgecraft::paper {
 
@@ -35,9 +36,9 @@ struct Pages {
 };
 
 struct Style {
-  double hidden_fold_angle = 3.0 * 3.14159265358979323846 / 180.0;  ///< smaller folds get no line, radians
-  double label_height = 2.5;                                        ///< mm
-  double smallest_label_height = 1.6;                               ///< mm
+  double hidden_fold_angle = prepare::hidden_fold_angle;  ///< smaller folds get no line, radians
+  double label_height = 2.5;                              ///< mm
+  double smallest_label_height = 1.6;                     ///< mm
 };
 
 /// What is drawn, beside the pages themselves.

@@ -29,8 +29,8 @@ constexpr std::uint32_t none = 0xffffffffU;
 /// The faces of panels that are cut, and of their neighbours, with sides that can be divided.
 class PanelCutter {
  public:
-  PanelCutter(const mesh::Model& model, const Panels& panels, const Page& page, const Context& context)
-      : context_(context), page_(page), loose_(mesh::take_apart(model)) {
+  PanelCutter(const mesh::Model& model, const Panels& panels, const PanelRoom& room, const Context& context)
+      : context_(context), given_(room), loose_(mesh::take_apart(model)) {
     label_.reserve(panels.panel.size());
     for (const PanelId p : panels.panel) {
       label_.push_back(p.value());
@@ -41,12 +41,12 @@ class PanelCutter {
         own.push_back(f.value());
       }
     }
-    const double strip = std::max(page.tab_mm, least_strip_mm);
-    const Vec2 with_tabs{page.width_mm - 2.0 * strip, page.height_mm - 2.0 * strip};
+    const double strip = std::max(room.tab_mm, least_strip_mm);
+    const Vec2 with_tabs{room.sheet.width - 2.0 * strip, room.sheet.height - 2.0 * strip};
     const double least = std::min(with_tabs.x, with_tabs.y);
-    room_ = least > page.tab_mm
+    room_ = least > room.tab_mm
                 ? with_tabs
-                : Vec2{page.width_mm - 2.0 * least_strip_mm, page.height_mm - 2.0 * least_strip_mm};
+                : Vec2{room.sheet.width - 2.0 * least_strip_mm, room.sheet.height - 2.0 * least_strip_mm};
   }
 
   std::size_t run() {
@@ -57,7 +57,7 @@ class PanelCutter {
         context_.check();
       }
       const FlatShape shape = shape_of(label, false);
-      if (!fits_page(shape.points(), {page_.width_mm, page_.height_mm})) {
+      if (!fits_page(shape.points(), {given_.sheet.width, given_.sheet.height})) {
         large.push_back(label);
         paper += shape.area();
       }
@@ -320,7 +320,7 @@ class PanelCutter {
   }
 
   const Context& context_;
-  Page page_;
+  PanelRoom given_;
   Vec2 room_;  ///< of a cell
   mesh::LooseFaces loose_;
   std::vector<std::uint32_t> label_;                 ///< of each face: its panel or cell
@@ -330,8 +330,8 @@ class PanelCutter {
 
 }  // namespace
 
-std::size_t divide_panels(mesh::Model& model, Panels& panels, const Page& page, const Context& context) {
-  PanelCutter cutter(model, panels, page, context);
+std::size_t divide_panels(mesh::Model& model, Panels& panels, const PanelRoom& room, const Context& context) {
+  PanelCutter cutter(model, panels, room, context);
   const std::size_t divided = cutter.run();
   if (divided > 0) {
     cutter.give_back(model, panels);

@@ -15,6 +15,6 @@ namespace ridgecraft::prepare {
 /// panel; sides that a line crosses get a vertex there, so that the surface stays a surface, of the same
 /// shape. Returns how many panels were cut. Throws Error(no_nets) where more than a million faces would come
 /// of it. O(n) for the panels that fit; O(faces * cuts) for the others.
-std::size_t divide_panels(mesh::Model& model, Panels& panels, const Page& page, const Context& context);
+std::size_t divide_panels(mesh::Model& model, Panels& panels, const PanelRoom& room, const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -8,22 +8,19 @@
 #include <utility>
 
 #include "base/convex_hull.hpp"
+#include "base/rectangle.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
-/// Extents may be larger than the page by this, mm: rounding.
-constexpr double fit_slack_mm = 1e-7;
-/// Turns tried for each degree.
-constexpr int turns_per_degree = 4;
-/// Hulls with more sides than this are turned by degrees alone.
-constexpr std::size_t most_hull_turns = 64;
+/// Corners nearer to each other than this are one, mm: rounding.
+constexpr double one_corner_mm = 1e-7;
 /// Directions of cuts that are tried: those that most of the outline runs along.
 constexpr std::size_t most_directions = 8;
 /// Directions closer than this are one, radians (a hundredth of a degree).
 constexpr double same_direction = 1.7e-4;
-/// A piece narrower than this in the mean is a sliver, mm: hard to glue by its long side.
-constexpr double sliver_mm = 12.0;
+/// A piece narrower than this in the mean is a strip, mm: hard to glue by its long side.
+constexpr double strip_mm = 12.0;
 /// Cuts shorter by less than this are as long, mm: the first one found stays.
 constexpr double same_length_mm = 1e-6;
 /// Concave corners that are tried, and tiles up to which they are: each asks for two more plans.
@@ -35,7 +32,7 @@ constexpr double many_pieces = 100.0;
 using Sides = std::vector<std::array<Vec2, 2>>;
 
 struct Cost {
-  std::size_t pieces = 0;  ///< slivers count twice
+  std::size_t pieces = 0;  ///< strips count twice
   double length = 0.0;
 
   [[nodiscard]] bool less_than(const Cost& other) const {
@@ -48,13 +45,7 @@ struct Plan {
   Cost cost{static_cast<std::size_t>(-1), INFINITY};
 };
 
-bool fits_along(const std::vector<Vec2>& hull, Vec2 right, Vec2 page) {
-  const double x = reach(hull, right).size() - fit_slack_mm;
-  const double y = reach(hull, perpendicular(right)).size() - fit_slack_mm;
-  return (x <= page.x && y <= page.y) || (x <= page.y && y <= page.x);
-}
-
-bool is_sliver(const FlatShape& shape) {
+bool is_strip(const FlatShape& shape) {
   const std::vector<Vec2> hull = convex_hull(shape.points());
   double longest = 0.0;
   for (const Vec2 p : hull) {
@@ -62,7 +53,7 @@ bool is_sliver(const FlatShape& shape) {
       longest = std::max(longest, length(p - q));
     }
   }
-  return shape.area() < sliver_mm * longest;
+  return shape.area() < strip_mm * longest;
 }
 
 /// Lines that divide the shape into strips of one width.
@@ -125,7 +116,7 @@ class Planner {
   }
 
  private:
-  static Cost whole(const FlatShape& shape) { return {is_sliver(shape) ? 2U : 1U, 0.0}; }
+  static Cost whole(const FlatShape& shape) { return {is_strip(shape) ? 2U : 1U, 0.0}; }
 
   /// Of these strips, each cut across into as few lengths as fit.
   [[nodiscard]] Cost cost_of(const FlatShape& shape, const Cuts& cuts) const {
@@ -234,7 +225,7 @@ std::vector<Cuts> corner_cuts(const Sides& sides) {
   std::vector<Cuts> cuts;
   for (const auto& [a, b] : sides) {
     for (const auto& [c, d] : sides) {
-      if (length(b - c) > fit_slack_mm || !(length(b - a) > 0.0) || !(length(d - c) > 0.0)) {
+      if (length(b - c) > one_corner_mm || !(length(b - a) > 0.0) || !(length(d - c) > 0.0)) {
         continue;
       }
       const Vec2 in = (b - a) / length(b - a);
@@ -253,29 +244,7 @@ std::vector<Cuts> corner_cuts(const Sides& sides) {
 }  // namespace
 
 bool fits_page(const std::vector<Vec2>& points, Vec2 page) {
-  const std::vector<Vec2> hull = convex_hull(points);
-  const double diagonal = length(page) + fit_slack_mm;
-  for (const Vec2 p : hull) {
-    if (length(p - hull[0]) > diagonal) {
-      return false;
-    }
-  }
-  if (hull.size() <= most_hull_turns) {
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-      const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
-      if (length(side) > 0.0 && fits_along(hull, side / length(side), page)) {
-        return true;
-      }
-    }
-  }
-  constexpr int turns = 90 * turns_per_degree;
-  for (int turn = 0; turn < turns; ++turn) {
-    const double angle = turn * std::numbers::pi / (2.0 * turns);
-    if (fits_along(hull, {std::cos(angle), std::sin(angle)}, page)) {
-      return true;
-    }
-  }
-  return false;
+  return angle_to_fit(convex_hull(points), {page.x, page.y}).has_value();
 }
 
 Cuts plan_cuts(const FlatShape& shape, const Sides& sides, Vec2 page, const Context& context) {

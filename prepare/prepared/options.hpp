@@ -5,7 +5,13 @@
 #include <cstddef>
 #include <optional>
 
+#include "base/rectangle.hpp"
+
 namespace ridgecraft::prepare {
+
+/// Smaller folds get no line, so nobody has to fold them, radians (3 degrees): what a user may change by one
+/// option for the drawing, for simplification and for warnings alike.
+inline constexpr double hidden_fold_angle = 3.0 * 3.14159265358979323846 / 180.0;
 
 /// How large the model becomes.
 struct SizeOptions {
@@ -27,13 +33,14 @@ struct SimplifyOptions {
   double short_edge_share = 0.1;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;
+  /// Folds of less are drawn as no line, so they don't count; radians.
+  double hidden_fold_angle = prepare::hidden_fold_angle;
 };
 
-/// What a flat region should fit: the printable area, mm, and the height of tabs on either side of it.
-struct Page {
-  double width_mm = 0.0;
-  double height_mm = 0.0;
-  double tab_mm = 0.0;
+/// What a flat region should fit, mm.
+struct PanelRoom {
+  Rectangle sheet;      ///< the printable area
+  double tab_mm = 0.0;  ///< height of tabs on either side of the region
 };
 
 }  // namespace ridgecraft::prepare

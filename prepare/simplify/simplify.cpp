@@ -16,8 +16,6 @@
 namespace ridgecraft::prepare {
 namespace {
 
-/// Folds below this are not drawn, so nobody has to fold them.
-constexpr double drawn_fold = 3.0 * std::numbers::pi / 180.0;
 /// Nothing recognisable is left below this many faces.
 constexpr std::size_t fewest_faces = 16;
 /// Samples for the deviation are this share of the largest extent apart.
@@ -139,13 +137,13 @@ class Search {
       candidate.model = sequence_.after(count);
       candidate.deviation = deviation(candidate.model);
     }
-    candidate.share = short_fold_share(candidate.model.surface, options_.short_edge_mm);
+    candidate.share = short_fold_share(candidate.model.surface, options_);
     return candidate;
   }
 
  private:
   [[nodiscard]] double share(std::size_t count) const {
-    return short_fold_share(sequence_.after(count).surface, options_.short_edge_mm);
+    return short_fold_share(sequence_.after(count).surface, options_);
   }
   [[nodiscard]] bool foldable(std::size_t count) const { return share(count) <= options_.short_edge_share; }
   [[nodiscard]] double deviation(const mesh::Model& model) const {
@@ -255,7 +253,7 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
       // Nothing more can go: what the first sequence left is the result.
       best.emplace();
       best->model = sequence.after(0);
-      best->share = short_fold_share(best->model.surface, options.short_edge_mm);
+      best->share = short_fold_share(best->model.surface, options);
       best->foldable = best->share <= options.short_edge_share;
       best->deviation =
           greatest_distance(mesh::SurfaceTree(best->model.surface, spacing), original, INFINITY, context);
@@ -280,16 +278,16 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
 
 }  // namespace
 
-double short_fold_share(const mesh::Surface& surface, double short_edge_mm) {
+double short_fold_share(const mesh::Surface& surface, const SimplifyOptions& options) {
   const Panels panels = find_panels(surface);
   std::size_t folds = 0;
   std::size_t brief = 0;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
     if (d.valid() && panels.panel[mesh::face_of(c)] != panels.panel[mesh::face_of(d)] &&
-        std::abs(surface.fold_angle(e)) >= drawn_fold) {
+        std::abs(surface.fold_angle(e)) >= options.hidden_fold_angle) {
       ++folds;
-      brief += surface.length(e) < short_edge_mm ? 1U : 0U;
+      brief += surface.length(e) < options.short_edge_mm ? 1U : 0U;
     }
   }
   return folds == 0 ? 0.0 : static_cast<double>(brief) / static_cast<double>(folds);
@@ -298,7 +296,7 @@ double short_fold_share(const mesh::Surface& surface, double short_edge_mm) {
 SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, const Context& context) {
   SimplifyReport report;
   report.faces_before = model.surface.face_count();
-  report.short_edges_before = short_fold_share(model.surface, options.short_edge_mm);
+  report.short_edges_before = short_fold_share(model.surface, options);
   if (options.mode == Simplification::automatic && report.short_edges_before > options.short_edge_share) {
     simplify_to_fold(model, options, report, context);
   }
@@ -306,7 +304,7 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
     simplify_to_count(model, options, report, context);
   }
   report.faces_after = model.surface.face_count();
-  report.short_edges_after = short_fold_share(model.surface, options.short_edge_mm);
+  report.short_edges_after = short_fold_share(model.surface, options);
   return report;
 }
 

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include "base/disjoint_sets.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
 /// How far a jump may lean out of the surface at its ends, as the cosine to the normal there
-/// (specification 3.2).
+/// (docs/segmentation.md, "Arcs and jumps").
 constexpr double jump_lean = 0.3;
 
 }  // namespace
@@ -38,23 +40,11 @@ void PartGraph::select(std::span<const std::uint32_t> facets) {
   find_loops();
 }
 
-std::uint32_t PartGraph::root(std::uint32_t v) {
-  while (loop_[v] != v) {
-    loop_[v] = loop_[loop_[v]];
-    v = loop_[v];
-  }
-  return v;
-}
-
-void PartGraph::find_loops() {
+/// Marks what lies at edges whose neighbour facet is in another part, and collects these edges where jumps
+/// are allowed.
+void PartGraph::find_cut_edges() {
+  cut_edges_.clear();
   on_cut_.clear();
-  const auto touch = [&](std::uint32_t v) {
-    if (loop_mark_[v] != current_) {
-      loop_mark_[v] = current_;
-      loop_[v] = v;
-      on_cut_.push_back(v);
-    }
-  };
   for (const std::uint32_t f : facets_) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = surface_->neighbors[f][k];
@@ -63,55 +53,57 @@ void PartGraph::find_loops() {
       }
       const std::uint32_t a = surface_->corners[f][k];
       const std::uint32_t b = surface_->corners[f][(k + 1) % 3];
-      touch(a);
-      touch(b);
       // Their facets are incomplete; the third corner lacks its arc across this edge. All other vertices of
       // the part have all their facets, since a fan that is partly outside has a cut edge.
       partial_[a] = partial_[b] = partial_[surface_->corners[f][(k + 2) % 3]] = current_;
-      const std::uint32_t x = root(a);
-      const std::uint32_t y = root(b);
-      loop_[std::max(x, y)] = std::min(x, y);
+      if (!jumps_) {
+        continue;
+      }
+      cut_edges_.push_back({a, b});
+      for (const std::uint32_t v : {a, b}) {
+        if (loop_mark_[v] != current_) {
+          loop_mark_[v] = current_;
+          on_cut_.push_back(v);
+        }
+      }
     }
   }
-  if (!jumps_) {
-    for (const std::uint32_t v : on_cut_) {
-      loop_mark_[v] = 0;
-    }
-    on_cut_.clear();
-  }
-  // Roots are the smallest vertices of their loops, so sorting by (root, vertex) groups and orders
-  // everything.
-  std::sort(on_cut_.begin(), on_cut_.end());
+}
+
+/// Cut edges that hang together over vertices are a loop; loops are numbered by their smallest vertex.
+void PartGraph::find_loops() {
+  find_cut_edges();
   loop_first_.assign(1, 0);
   loop_vertices_.clear();
   if (on_cut_.empty()) {
     return;
   }
-  std::vector<std::uint32_t> roots(on_cut_.size());
-  std::vector<std::uint32_t> count;
-  for (std::size_t i = 0; i < on_cut_.size(); ++i) {
-    roots[i] = root(on_cut_[i]);
+  std::sort(on_cut_.begin(), on_cut_.end());
+  const auto place = [&](std::uint32_t v) {
+    return static_cast<std::uint32_t>(std::lower_bound(on_cut_.begin(), on_cut_.end(), v) - on_cut_.begin());
+  };
+  DisjointSets sets(on_cut_.size());
+  for (const auto& [a, b] : cut_edges_) {
+    sets.join(place(a), place(b));
   }
-  // Number the loops; a root comes before its members.
-  std::vector<std::uint32_t> number(on_cut_.size());
-  for (std::size_t i = 0; i < on_cut_.size(); ++i) {
-    if (roots[i] == on_cut_[i]) {
-      number[i] = static_cast<std::uint32_t>(count.size());
+  // The first of each set stands for it, so it has its number before the others ask for it.
+  std::vector<std::uint32_t> count;
+  for (std::uint32_t i = 0; i < on_cut_.size(); ++i) {
+    const std::uint32_t first = sets.find(i);
+    if (first == i) {
+      loop_[on_cut_[i]] = static_cast<std::uint32_t>(count.size());
       count.push_back(0);
-    } else {
-      const auto at = std::lower_bound(on_cut_.begin(), on_cut_.end(), roots[i]) - on_cut_.begin();
-      number[i] = number[static_cast<std::size_t>(at)];
     }
-    ++count[number[i]];
+    loop_[on_cut_[i]] = loop_[on_cut_[first]];
+    ++count[loop_[on_cut_[i]]];
   }
   for (const std::uint32_t c : count) {
     loop_first_.push_back(loop_first_.back() + c);
   }
   std::vector<std::uint32_t> fill(loop_first_.begin(), loop_first_.end() - 1);
   loop_vertices_.resize(on_cut_.size());
-  for (std::size_t i = 0; i < on_cut_.size(); ++i) {
-    loop_[on_cut_[i]] = number[i];
-    loop_vertices_[fill[number[i]]++] = on_cut_[i];
+  for (const std::uint32_t v : on_cut_) {
+    loop_vertices_[fill[loop_[v]]++] = v;
   }
 }
 

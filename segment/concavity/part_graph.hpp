@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part under consideration: which facets, which arcs, where it was cut off and what may jump across
-// (3.1, 3.2).
+// (docs/segmentation.md, "Arcs and jumps").
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -79,8 +80,8 @@ class PartGraph {
   [[nodiscard]] double mean_arc_length() const { return graph_->mean_length; }
 
  private:
+  void find_cut_edges();
   void find_loops();
-  std::uint32_t root(std::uint32_t v);
 
   const ScaledSurface* surface_;
   const VertexGraph* graph_;
@@ -92,10 +93,11 @@ class PartGraph {
   std::vector<std::uint32_t> vertex_mark_;
   std::vector<std::uint32_t> partial_;  ///< vertices some of whose arcs are missing in this part
   std::vector<std::uint32_t> loop_mark_;
-  std::vector<std::uint32_t> loop_;  ///< while they are found: union-find parent
+  std::vector<std::uint32_t> loop_;  ///< of each vertex that loop_mark_ says is on one: its number
   std::vector<std::uint32_t> loop_vertices_;
   std::vector<std::uint32_t> loop_first_;
-  std::vector<std::uint32_t> on_cut_;
+  std::vector<std::array<std::uint32_t, 2>> cut_edges_;  ///< that may be jumped from
+  std::vector<std::uint32_t> on_cut_;                    ///< their vertices, ascending
 };
 
 }  // namespace ridgecraft::segment

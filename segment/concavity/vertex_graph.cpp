@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ridgecraft::segment {
 namespace {
@@ -55,72 +56,85 @@ Candidate line_across(const ScaledSurface& s, std::uint32_t f, unsigned k, std::
   return {p, q, static_cast<float>(std::sqrt((tp - tq) * (tp - tq) + rise * rise))};
 }
 
+/// Calls visit(facet, side, neighbour) for each edge, from the smaller of its two facets; a border's
+/// neighbour is none.
+template <class Visit>
+void for_edges(const ScaledSurface& s, const Visit& visit) {
+  for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t g = s.neighbors[f][k];
+      if (g == none || g >= f) {
+        visit(f, k, g);
+      }
+    }
+  }
+}
+
+/// Makes room for the arcs of each vertex: those along edges, then those across.
+struct ArcPlaces {
+  explicit ArcPlaces(std::size_t vertices) : along(vertices, 0), across(vertices, 0) {}
+
+  /// From counts to the places where the next arc of each vertex goes.
+  void lay_out(VertexGraph& graph) {
+    const std::size_t vertices = along.size();
+    graph.first.resize(vertices + 1);
+    graph.across.resize(vertices);
+    std::uint32_t total = 0;
+    for (std::size_t v = 0; v < vertices; ++v) {
+      graph.first[v] = total;
+      total += std::exchange(along[v], total);
+      graph.across[v] = total;
+      total += std::exchange(across[v], total);
+    }
+    graph.first[vertices] = total;
+    graph.arcs.resize(total);
+  }
+
+  std::vector<std::uint32_t> along;
+  std::vector<std::uint32_t> across;
+};
+
 }  // namespace
 
 VertexGraph build_vertex_graph(const ScaledSurface& s, double sagitta) {
   VertexGraph graph;
-  const std::size_t vertices = s.vertex_count();
-  std::vector<std::uint32_t> along_count(vertices, 0);
-  std::vector<std::uint32_t> across_count(vertices, 0);
+  ArcPlaces places(s.vertex_count());
   std::vector<Candidate> lines;
   lines.reserve(3 * s.facet_count() / 2 + 1);
-  for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
-    for (unsigned k = 0; k < 3; ++k) {
-      const std::uint32_t g = s.neighbors[f][k];
-      if (g != none && g < f) {
-        continue;
-      }
-      ++along_count[s.corners[f][k]];
-      ++along_count[s.corners[f][(k + 1) % 3]];
-      if (g == none) {
-        continue;
-      }
-      lines.push_back(line_across(s, f, k, g, sagitta));
-      if (lines.back().length >= 0.0F) {
-        ++across_count[lines.back().from];
-        ++across_count[lines.back().to];
-      }
+  for_edges(s, [&](std::uint32_t f, unsigned k, std::uint32_t g) {
+    ++places.along[s.corners[f][k]];
+    ++places.along[s.corners[f][(k + 1) % 3]];
+    if (g == none) {
+      return;
     }
-  }
-  graph.first.resize(vertices + 1);
-  graph.across.resize(vertices);
-  std::vector<std::uint32_t> along_fill(vertices);
-  std::vector<std::uint32_t> across_fill(vertices);
-  std::uint32_t total = 0;
-  for (std::size_t v = 0; v < vertices; ++v) {
-    graph.first[v] = along_fill[v] = total;
-    total += along_count[v];
-    graph.across[v] = across_fill[v] = total;
-    total += across_count[v];
-  }
-  graph.first[vertices] = total;
-  graph.arcs.resize(total);
+    lines.push_back(line_across(s, f, k, g, sagitta));
+    if (lines.back().length >= 0.0F) {
+      ++places.across[lines.back().from];
+      ++places.across[lines.back().to];
+    }
+  });
+  places.lay_out(graph);
   std::size_t line = 0;
-  for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
-    for (unsigned k = 0; k < 3; ++k) {
-      const std::uint32_t g = s.neighbors[f][k];
-      if (g != none && g < f) {
-        continue;
-      }
-      const std::uint32_t a = s.corners[f][k];
-      const std::uint32_t b = s.corners[f][(k + 1) % 3];
-      const auto size = static_cast<float>(length(s.points[b] - s.points[a]));
-      graph.arcs[along_fill[a]++] = {b, size, f, g};
-      graph.arcs[along_fill[b]++] = {a, size, f, g};
-      if (g != none) {
-        const Candidate& c = lines[line++];
-        if (c.length >= 0.0F) {
-          graph.arcs[across_fill[c.from]++] = {c.to, c.length, f, g};
-          graph.arcs[across_fill[c.to]++] = {c.from, c.length, f, g};
-        }
-      }
+  for_edges(s, [&](std::uint32_t f, unsigned k, std::uint32_t g) {
+    const std::uint32_t a = s.corners[f][k];
+    const std::uint32_t b = s.corners[f][(k + 1) % 3];
+    const auto size = static_cast<float>(length(s.points[b] - s.points[a]));
+    graph.arcs[places.along[a]++] = {b, size, f, g};
+    graph.arcs[places.along[b]++] = {a, size, f, g};
+    if (g == none) {
+      return;
     }
-  }
+    const Candidate& c = lines[line++];
+    if (c.length >= 0.0F) {
+      graph.arcs[places.across[c.from]++] = {c.to, c.length, f, g};
+      graph.arcs[places.across[c.to]++] = {c.from, c.length, f, g};
+    }
+  });
   double sum = 0.0;
   for (const Arc& arc : graph.arcs) {
     sum += static_cast<double>(arc.length);
   }
-  graph.mean_length = sum > 0.0 ? sum / static_cast<double>(total) : 1.0;
+  graph.mean_length = sum > 0.0 ? sum / static_cast<double>(graph.arcs.size()) : 1.0;
   return graph;
 }
 

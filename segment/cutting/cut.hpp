@@ -14,8 +14,6 @@
 
 namespace ridgecraft::segment {
 
-using Facets = std::vector<std::uint32_t>;
-
 /// Ridges of one round that are cut off at most, the last region counted in (16.2).
 inline constexpr std::size_t most_ridges = 64;
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "segment/rules.hpp"
+#include "segment/parts/rules.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {

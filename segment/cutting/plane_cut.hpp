@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "segment/concavity/hull.hpp"
 #include "segment/cutting/cut.hpp"
 #include "segment/cutting/edge_weights.hpp"
 #include "segment/cutting/maximum_flow.hpp"
+#include "segment/hull/hull.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {

@@ -60,15 +60,16 @@ std::vector<Ridge> find_ridges(const Measurement& m, std::span<const Vec3> point
   std::vector<std::pair<double, std::uint32_t>> low;  // length of the valley, number
   for (std::uint32_t i = 0; i < m.bridges.size(); ++i) {
     const Bridge& b = m.bridges[i];
-    if (b.state == Bridge::State::low) {
+    if (!b.high) {
       low.emplace_back(b.length, i);
       continue;
     }
     const std::uint32_t a = local(b.a);
     const std::uint32_t c = local(b.b);
     sets.make_enemies(a, c);
-    reach[a] = std::max(reach[a], b.reach_a);
-    reach[c] = std::max(reach[c], b.reach_b);
+    const auto [from_a, from_b] = sub_valleys(b, m.bridges);
+    reach[a] = std::max(reach[a], from_a);
+    reach[c] = std::max(reach[c], from_b);
   }
   std::sort(low.begin(), low.end());
   for (const auto& [length, i] : low) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
+#include "base/context.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft::segment {
 namespace {
@@ -81,42 +83,36 @@ Assembly::Assembly(const ScaledSurface& surface, const EdgeWeights& weights, con
 }
 
 std::vector<AssembledPart> Assembly::assemble(const std::vector<Facets>& parts) {
-  std::vector<AssembledPart> best;
-  double least = INFINITY;
+  Assembled best;
   for (const Attempt& attempt : settings_.attempts) {
     std::vector<Piece> pieces = cut_by_planes(parts, attempt);
     const bool by_plane =
         std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.by_plane; });
-    if (attempt.planes && !by_plane && !best.empty()) {
+    if (attempt.planes && !by_plane && !best.parts.empty()) {
       continue;  // the same as without planes, which was tried
     }
-    Partition joiner = partition(cut_finely(std::move(pieces), attempt.fineness), MeasureMode::test);
-    Random random(1);
-    std::vector<AssembledPart> found =
-        attempt.at_any_cost ? joiner.join_all() : joiner.run(attempt.rounds, settings_.noise, random);
-    if (best.empty() || joiner.cost() < least) {
+    PieceSets sets = piece_sets(cut_finely(std::move(pieces), attempt.fineness), false);
+    Partition partition(sets, *weights_, cost());
+    // Attempts begin with the same numbers, so that one more of them changes none of the others.
+    Random random(measurer_->context().seed);
+    Assembled found = attempt.at_any_cost ? partition.join_pieces(true)
+                                          : partition.search(attempt.rounds, settings_.noise, random);
+    if (best.parts.empty() || found.cost < best.cost) {
       best = std::move(found);
-      least = joiner.cost();
     }
   }
-  return best;
+  return std::move(best.parts);
 }
 
 std::vector<AssembledPart> Assembly::join_from_scratch(std::vector<Facets> parts) {
-  Random random(1);
-  return partition(std::move(parts), MeasureMode::test_scratch).run(0, 0.0, random);
+  PieceSets sets = piece_sets(std::move(parts), true);
+  return Partition(sets, *weights_, cost()).join_pieces(false).parts;
 }
 
 /// Sets of parts whose hulls lie in each other.
 std::vector<std::vector<std::size_t>> Assembly::overlapping(const std::vector<Facets>& parts) {
-  std::vector<std::size_t> parent(parts.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i) {
-      i = parent[i];
-    }
-    return i;
-  };
+  DisjointSets together(parts.size());
+  const auto set_of = [&](std::size_t i) { return together.find(static_cast<std::uint32_t>(i)); };
   std::vector<std::vector<std::uint32_t>> hull;
   std::vector<double> volume;
   for (const Facets& facets : parts) {
@@ -127,7 +123,7 @@ std::vector<std::vector<std::size_t>> Assembly::overlapping(const std::vector<Fa
   for (std::size_t i = 0; i < parts.size() && parts.size() <= most_compared; ++i) {
     measurer_->context().check();
     for (std::size_t j = 0; j < i; ++j) {
-      if (root(i) == root(j)) {
+      if (set_of(i) == set_of(j)) {
         continue;
       }
       both.clear();
@@ -135,15 +131,13 @@ std::vector<std::vector<std::size_t>> Assembly::overlapping(const std::vector<Fa
                      std::back_inserter(both));
       const double shared = volume[i] + volume[j] - planes_.volume_of(both);
       if (shared > overlap_share * std::min(volume[i], volume[j])) {
-        const std::size_t x = root(i);
-        const std::size_t y = root(j);
-        parent[std::max(x, y)] = std::min(x, y);
+        together.join(set_of(i), set_of(j));
       }
     }
   }
   std::vector<std::vector<std::size_t>> sets(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    sets[root(i)].push_back(i);
+    sets[set_of(i)].push_back(i);
   }
   std::erase_if(sets, [](const auto& set) { return set.empty(); });
   return sets;
@@ -212,7 +206,7 @@ void Assembly::cut_further(std::vector<Piece> open, const Attempt& attempt, std:
     if (is_hollow(piece.facets)) {
       children = planes_.cut(*cutter_, piece.facets, 0.0, border_reach, false);
       if (children.size() < 2) {
-        measurer_->measure(piece.facets, {}, MeasureMode::split, measurement_);
+        measurer_->measure(piece.facets, {}, {}, measurement_);
         children = cutter_->split(*measurer_, measurement_, true);
       }
     } else if (attempt.planes && piece.by_plane && piece.depth < deepest_plane &&
@@ -249,7 +243,7 @@ std::vector<Facets> Assembly::cut_finely(std::vector<Piece> pieces, double finen
       continue;
     }
     Measurer& measurer = piece.by_plane ? *measurer_ : *fine;
-    measurer.measure(piece.facets, {}, MeasureMode::split, measurement_);
+    measurer.measure(piece.facets, {}, {}, measurement_);
     if (measurement_.concavity > measurer.tolerance()) {
       std::vector<Facets> children;
       if (piece.depth < deepest_fine_cut) {
@@ -270,14 +264,17 @@ std::vector<Facets> Assembly::cut_finely(std::vector<Piece> pieces, double finen
   return done;
 }
 
-Partition Assembly::partition(std::vector<Facets> pieces, MeasureMode mode) {
+PieceSets Assembly::piece_sets(std::vector<Facets> pieces, bool from_scratch) {
   std::sort(pieces.begin(), pieces.end(),
             [](const Facets& a, const Facets& b) { return a.front() < b.front(); });
-  PartitionCost cost;
-  cost.volume = settings_.volume_weight;
-  cost.border = settings_.border_weight;
-  cost.unit_volume = unit_volume_;
-  return {*measurer_, *weights_, cost, pockets_ ? &*pockets_ : nullptr, mode, std::move(pieces)};
+  const PieceTest test{.pockets = pockets_ ? &*pockets_ : nullptr,
+                       .from_scratch = from_scratch,
+                       .wants_rays = settings_.volume_weight > 0.0};
+  return {*measurer_, test, std::move(pieces)};
+}
+
+PartitionCost Assembly::cost() const {
+  return {.volume = settings_.volume_weight, .border = settings_.border_weight, .unit_volume = unit_volume_};
 }
 
 }  // namespace ridgecraft::segment

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "segment/concavity/measure.hpp"
-#include "segment/concavity/pocket_test.hpp"
 #include "segment/concavity/vertex_graph.hpp"
 #include "segment/cutting/cut.hpp"
 #include "segment/cutting/edge_weights.hpp"
 #include "segment/cutting/plane_cut.hpp"
+#include "segment/hull/pocket_test.hpp"
 #include "segment/joining/partition.hpp"
-#include "segment/segment.hpp"
+#include "segment/parts/options.hpp"
 
 namespace ridgecraft::segment {
 
@@ -29,10 +29,12 @@ struct Attempt {
 
 struct AssemblySettings {
   std::vector<Attempt> attempts;  ///< the cheapest result counts, the first of equal ones
-  double volume_weight = 0.0;     ///< parts that one would give for a volume ratio less by 1
-  double border_weight = 0.0;  ///< parts for a border shorter by one ball radius, concave edges counting less
-  double noise = 0.0;          ///< of the order in which pieces are joined, in shares of a part
-  bool pockets = false;        ///< no part has a pocket (pocket_test.hpp)
+  double volume_weight = 0.0;     ///< price of volume: as Options::volume_weight
+  /// Price of borders: how many parts more may be spent to save border of the length of one ball radius along
+  /// convex edges. Along concave edges, where borders belong, it counts for Theta (edge_weights.hpp) of that.
+  double border_weight = 0.0;
+  double noise = 0.0;    ///< of the order in which pieces are joined, in shares of a part
+  bool pockets = false;  ///< no part has a pocket (pocket_test.hpp)
 };
 
 /// What more effort, planes and a price of volume buy; measured in docs/segmentation.md. Attempts with planes
@@ -65,7 +67,8 @@ class Assembly {
   [[nodiscard]] std::vector<Piece> cut_by_planes(std::vector<Facets> parts, const Attempt& attempt);
   void cut_further(std::vector<Piece> open, const Attempt& attempt, std::vector<Piece>& done);
   [[nodiscard]] std::vector<Facets> cut_finely(std::vector<Piece> pieces, double fineness);
-  [[nodiscard]] Partition partition(std::vector<Facets> pieces, MeasureMode mode);
+  [[nodiscard]] PieceSets piece_sets(std::vector<Facets> pieces, bool from_scratch);
+  [[nodiscard]] PartitionCost cost() const;
 
   const ScaledSurface* surface_;
   const EdgeWeights* weights_;

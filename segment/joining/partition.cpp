@@ -2,118 +2,50 @@
 #include "segment/joining/partition.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 
-#include "base/error.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft::segment {
 namespace {
 
 /// Parts that one round tears up at most.
 constexpr std::size_t most_torn = 4;
-/// Rounds end when the sets that were measured have so many facets together, times the surface's: vessels of
-/// a hundred thin pieces would take minutes, others need less than a tenth of it.
-constexpr std::size_t most_work = 400;
+/// No more rounds when the sets that were measured have together this many times the facets of the surface:
+/// vessels of a hundred thin pieces would take minutes; all others end with less than a tenth of it.
+constexpr double most_work = 400.0;
 
 }  // namespace
 
-Partition::Partition(Measurer& measurer, const EdgeWeights& weights, const PartitionCost& cost,
-                     PocketTest* pockets, MeasureMode mode, std::vector<Facets> pieces)
-    : measurer_(&measurer),
-      weights_(&weights),
-      cost_(cost),
-      pockets_(pockets),
-      mode_(mode),
-      pieces_(std::move(pieces)),
-      hulls_(measurer.graph().surface().points) {
-  for (const Facets& piece : pieces_) {
-    facet_count_ += piece.size();
-  }
+Partition::Partition(PieceSets& sets, const EdgeWeights& weights, const PartitionCost& cost)
+    : sets_(&sets), weights_(&weights), cost_(cost) {
   find_borders();
 }
 
 void Partition::find_borders() {
-  const ScaledSurface& s = measurer_->graph().surface();
+  const ScaledSurface& s = sets_->surface();
   std::vector<std::uint32_t> piece_of(s.facet_count(), none);
-  for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
-    for (const std::uint32_t f : pieces_[p]) {
+  for (std::uint32_t p = 0; p < sets_->piece_count(); ++p) {
+    for (const std::uint32_t f : sets_->piece(p)) {
       piece_of[f] = p;
     }
   }
-  beside_.assign(pieces_.size(), {});
+  beside_.assign(sets_->piece_count(), {});
   for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = s.neighbors[f][k];
-      if (g == none || piece_of[f] == none || piece_of[g] == none || piece_of[f] == piece_of[g]) {
-        continue;
+      if (g != none && piece_of[f] != none && piece_of[g] != none && piece_of[f] != piece_of[g]) {
+        beside_[piece_of[f]][piece_of[g]].add_side(*weights_, std::size_t{3} * f + k);
       }
-      Border& b = beside_[piece_of[f]][piece_of[g]];
-      b.length += weights_->length[3 * f + k];
-      b.smoothness += weights_->smoothness[3 * f + k] * weights_->length[3 * f + k];
     }
   }
-}
-
-void Partition::gather(const Key& key) {
-  facets_.clear();
-  for (const std::uint32_t p : key) {
-    facets_.insert(facets_.end(), pieces_[p].begin(), pieces_[p].end());
-  }
-  std::sort(facets_.begin(), facets_.end());
-}
-
-void Partition::describe(const Hull& hull, PieceSet& set) const {
-  set.feasible = true;
-  set.hull_vertices = hull.vertices;
-  if (cost_.volume > 0.0) {
-    set.rays = cast_rays(hull, measurer_->graph().surface().points);
-  }
-}
-
-/// A single piece, or a set that was measured.
-PieceSet& Partition::set_of(const Key& key) {
-  const auto [at, fresh] = known_.try_emplace(key);
-  if (fresh) {
-    RIDGECRAFT_ASSERT(key.size() == 1);
-    const ScaledSurface& s = measurer_->graph().surface();
-    std::vector<std::uint32_t> ids;
-    for (const std::uint32_t f : pieces_[key[0]]) {
-      ids.insert(ids.end(), s.corners[f].begin(), s.corners[f].end());
-    }
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-    hulls_.build(ids, hull_, flat_face_lift);
-    describe(hull_, at->second);
-  }
-  return at->second;
-}
-
-/// The set that unites two feasible ones, measured when that wasn't done yet.
-PieceSet& Partition::measured(const Key& key, const PieceSet& a, const PieceSet& b) {
-  const auto [at, fresh] = known_.try_emplace(key);
-  if (!fresh) {
-    return at->second;
-  }
-  std::vector<std::uint32_t> ids;
-  if (mode_ != MeasureMode::test_scratch) {
-    std::set_union(a.hull_vertices.begin(), a.hull_vertices.end(), b.hull_vertices.begin(),
-                   b.hull_vertices.end(), std::back_inserter(ids));
-  }
-  gather(key);
-  work_ += facets_.size();
-  measurer_->measure(facets_, ids, mode_, measurement_);
-  if (!measurement_.stopped && (pockets_ == nullptr || !pockets_->has_pocket(measurement_.hull))) {
-    describe(measurement_.hull, at->second);
-  }
-  return at->second;
 }
 
 double Partition::cost_of(const Groups& groups) const {
   double sum = 0.0;
   for (const Group& g : groups) {
-    if (g.pieces.empty()) {
+    if (g.set == none) {
       continue;
     }
     sum += 1.0;
@@ -121,63 +53,34 @@ double Partition::cost_of(const Groups& groups) const {
       sum += 0.5 * cost_.border * border.smoothness;
     }
   }
-  double covered = 0.0;
-  std::vector<RaySpan> spans;
-  for (const std::vector<Slab>& ray : cover_) {
-    spans.clear();
-    for (const Slab& slab : ray) {
-      spans.push_back(slab.span);
-    }
-    covered += union_length(spans);
-  }
-  return sum + cost_.volume * covered * volume_per_length() / cost_.unit_volume;
+  return sum + cost_.volume * hulls_.length() * volume_per_length() / cost_.unit_volume;
 }
 
-void Partition::fill_cover(const Groups& groups) {
-  cover_.assign(cost_.volume > 0.0 ? ray_count : 0, {});
-  for (std::uint32_t g = 0; g < groups.size(); ++g) {
-    for (const RaySpan& span : groups[g].set->rays) {
-      cover_[span.ray].push_back({g, span});
-    }
+/// What the partition costs less when two groups become one.
+double Partition::gain_of(const Groups& groups, const Pair& pair, std::uint32_t united) const {
+  const auto [g, h] = pair;
+  double gain = 1.0 + cost_.border * groups[g].beside.at(h).smoothness;
+  if (cost_.volume > 0.0) {
+    const double added = hulls_.added_length(g, h, (*sets_)[united].rays) * volume_per_length();
+    gain -= cost_.volume * added / cost_.unit_volume;
   }
+  return gain;
 }
 
-/// By how much the union of all hulls grows when two groups become one set.
-double Partition::added_volume(const PieceSet& set, std::uint32_t g, std::uint32_t h) const {
-  double added = 0.0;
-  std::vector<RaySpan> before;
-  std::vector<RaySpan> after;
-  for (const RaySpan& span : set.rays) {
-    before.clear();
-    after.assign(1, span);
-    for (const Slab& slab : cover_[span.ray]) {
-      before.push_back(slab.span);
-      if (slab.group != g && slab.group != h) {
-        after.push_back(slab.span);
-      }
-    }
-    added += union_length(after) - union_length(before);
-  }
-  return added * volume_per_length();
-}
-
-Partition::Groups Partition::groups_of(const std::vector<Key>& keys) {
-  Groups groups(keys.size());
-  std::vector<std::uint32_t> group_of(pieces_.size(), none);
-  for (std::uint32_t g = 0; g < keys.size(); ++g) {
-    groups[g].pieces = keys[g];
-    groups[g].set = &set_of(keys[g]);
-    for (const std::uint32_t p : keys[g]) {
+Partition::Groups Partition::groups_of(const std::vector<std::uint32_t>& sets) const {
+  Groups groups(sets.size());
+  std::vector<std::uint32_t> group_of(sets_->piece_count(), none);
+  for (std::uint32_t g = 0; g < sets.size(); ++g) {
+    groups[g].set = sets[g];
+    for (const std::uint32_t p : (*sets_)[sets[g]].pieces) {
       group_of[p] = g;
     }
   }
-  for (std::uint32_t g = 0; g < keys.size(); ++g) {
-    for (const std::uint32_t p : keys[g]) {
+  for (std::uint32_t g = 0; g < sets.size(); ++g) {
+    for (const std::uint32_t p : (*sets_)[sets[g]].pieces) {
       for (const auto& [q, border] : beside_[p]) {
-        const std::uint32_t h = group_of[q];
-        if (h != g) {
-          groups[g].beside[h].length += border.length;
-          groups[g].beside[h].smoothness += border.smoothness;
+        if (const std::uint32_t h = group_of[q]; h != g) {
+          groups[g].beside[h].add(border);
         }
       }
     }
@@ -185,74 +88,50 @@ Partition::Groups Partition::groups_of(const std::vector<Key>& keys) {
   return groups;
 }
 
-Partition::Key Partition::united(const Key& a, const Key& b) {
-  Key key;
-  std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(key));
-  return key;
-}
-
-void Partition::unite(Groups& groups, std::uint32_t g, std::uint32_t h, Key key, PieceSet& set) {
-  if (!cover_.empty()) {
-    for (const RaySpan& span : set.rays) {
-      auto& slabs = cover_[span.ray];
-      std::erase_if(slabs, [&](const Slab& slab) { return slab.group == g || slab.group == h; });
-      slabs.push_back({g, span});
-    }
-  }
-  groups[g].pieces = std::move(key);
-  groups[g].set = &set;
-  groups[h].pieces.clear();
+/// Pair: g, h; h goes into g.
+void Partition::unite(Groups& groups, const Pair& pair, std::uint32_t united) {
+  const auto [g, h] = pair;
+  hulls_.unite(g, h, (*sets_)[united].rays);
+  groups[g].set = united;
+  groups[h].set = none;
   groups[g].beside.erase(h);
-  for (const auto& [other, border] : groups[h].beside) {
+  for (const auto& [other, border] : std::exchange(groups[h].beside, {})) {
     if (other != g) {
       Border& b = groups[g].beside[other];
-      b.length += border.length;
-      b.smoothness += border.smoothness;
+      b.add(border);
       groups[other].beside[g] = b;
       groups[other].beside.erase(h);
     }
   }
-  groups[h].beside.clear();
 }
 
-void Partition::join(Groups& groups, double noise, Random& random) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> open;
+void Partition::join(Groups& groups, const Joining& joining) {
+  PairQueue<double> waiting;  // the most convex borders first
   const auto consider = [&](std::uint32_t g, std::uint32_t h) {
-    const Border& b = groups[g].beside.at(h);
-    const double mean = b.length > 0.0 ? b.smoothness / b.length : 0.0;
-    open[std::minmax(g, h)] = mean + (noise > 0.0 ? noise * random.unit() : 0.0);
+    const double noise = joining.noise > 0.0 ? joining.noise * joining.random->unit() : 0.0;
+    waiting.put(std::minmax(g, h), -(groups[g].beside.at(h).mean() + noise));
   };
-  fill_cover(groups);
+  hulls_.start(cost_.volume > 0.0);
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    hulls_.add(g, (*sets_)[groups[g].set].rays);
     for (const auto& [h, border] : groups[g].beside) {
       if (g < h) {
         consider(g, h);
       }
     }
   }
-  while (!open.empty()) {
-    measurer_->context().check();
-    const auto best = std::max_element(open.begin(), open.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    const auto [g, h] = best->first;
-    open.erase(best);
-    Key key = united(groups[g].pieces, groups[h].pieces);
-    PieceSet& set = measured(key, *groups[g].set, *groups[h].set);
-    if (!set.feasible) {
-      continue;
-    }
-    double gain = at_any_cost_ ? std::numeric_limits<double>::infinity()
-                               : 1.0 + cost_.border * groups[g].beside.at(h).smoothness;
-    if (!at_any_cost_ && cost_.volume > 0.0) {
-      gain -= cost_.volume * added_volume(set, g, h) / cost_.unit_volume;
-    }
-    if (gain <= 0.0) {
+  while (!waiting.empty()) {
+    sets_->context().check();
+    const Pair pair = waiting.take();
+    const auto [g, h] = pair;
+    const std::uint32_t united = sets_->united(groups[g].set, groups[h].set);
+    if (!(*sets_)[united].feasible || !(joining.at_any_cost || gain_of(groups, pair, united) > 0.0)) {
       continue;
     }
     for (const auto& [other, border] : groups[h].beside) {
-      open.erase(std::minmax(other, h));
+      waiting.drop(std::minmax(other, h));
     }
-    unite(groups, g, h, std::move(key), set);
+    unite(groups, pair, united);
     for (const auto& [other, border] : groups[g].beside) {
       consider(std::min(g, other), std::max(g, other));
     }
@@ -260,7 +139,7 @@ void Partition::join(Groups& groups, double noise, Random& random) {
 }
 
 /// The parts, of which some that lie together are torn into their pieces.
-std::vector<Partition::Key> Partition::torn(const std::vector<Key>& parts, Random& random) {
+std::vector<std::uint32_t> Partition::torn(const std::vector<std::uint32_t>& parts, Random& random) {
   const auto below = [&](std::size_t n) { return random.below(static_cast<std::uint32_t>(n)); };
   const Groups now = groups_of(parts);
   std::vector<std::uint32_t> chosen{below(parts.size())};
@@ -282,42 +161,41 @@ std::vector<Partition::Key> Partition::torn(const std::vector<Key>& parts, Rando
       }
     }
   }
-  std::vector<Key> keys;
+  std::vector<std::uint32_t> sets;
   for (std::size_t g = 0; g < parts.size(); ++g) {
     if (!is_torn[g]) {
-      keys.push_back(parts[g]);
+      sets.push_back(parts[g]);
       continue;
     }
-    for (const std::uint32_t p : parts[g]) {
-      keys.push_back({p});
+    for (const std::uint32_t p : (*sets_)[parts[g]].pieces) {
+      sets.push_back(sets_->single(p));
     }
   }
-  return keys;
+  return sets;
 }
 
-std::vector<Partition::Key> Partition::keys_of(const Groups& groups) {
-  std::vector<Key> keys;
+std::vector<std::uint32_t> Partition::sets_of(const Groups& groups) {
+  std::vector<std::uint32_t> sets;
   for (const Group& g : groups) {
-    if (!g.pieces.empty()) {
-      keys.push_back(g.pieces);
+    if (g.set != none) {
+      sets.push_back(g.set);
     }
   }
-  return keys;
+  return sets;
 }
 
-std::vector<Partition::Key> Partition::single_pieces() const {
-  std::vector<Key> keys;
-  for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
-    keys.push_back({p});
+std::vector<std::uint32_t> Partition::single_pieces() {
+  std::vector<std::uint32_t> sets;
+  for (std::uint32_t p = 0; p < sets_->piece_count(); ++p) {
+    sets.push_back(sets_->single(p));
   }
-  return keys;
+  return sets;
 }
 
-std::vector<AssembledPart> Partition::parts_of(const std::vector<Key>& keys) {
+std::vector<AssembledPart> Partition::parts_of(const std::vector<std::uint32_t>& sets) const {
   std::vector<AssembledPart> parts;
-  for (const Key& key : keys) {
-    gather(key);
-    parts.push_back({facets_, key.size() > 1});
+  for (const std::uint32_t set : sets) {
+    parts.push_back({sets_->facets(set), (*sets_)[set].pieces.size() > 1});
   }
   std::sort(parts.begin(), parts.end(), [](const AssembledPart& a, const AssembledPart& b) {
     return a.facets.front() < b.facets.front();
@@ -325,31 +203,26 @@ std::vector<AssembledPart> Partition::parts_of(const std::vector<Key>& keys) {
   return parts;
 }
 
-std::vector<AssembledPart> Partition::join_all() {
-  Random unused(1);
+Assembled Partition::join_pieces(bool at_any_cost) {
   Groups groups = groups_of(single_pieces());
-  at_any_cost_ = true;
-  join(groups, 0.0, unused);
-  at_any_cost_ = false;
-  least_ = cost_of(groups);
-  return parts_of(keys_of(groups));
+  join(groups, {.at_any_cost = at_any_cost});
+  return {parts_of(sets_of(groups)), cost_of(groups)};
 }
 
-std::vector<AssembledPart> Partition::run(unsigned rounds, double noise, Random& random) {
+Assembled Partition::search(unsigned rounds, double noise, Random& random) {
   Groups groups = groups_of(single_pieces());
-  join(groups, 0.0, random);
-  std::vector<Key> best = keys_of(groups);
-  least_ = cost_of(groups);
-  for (unsigned round = 0; round < rounds && best.size() > 1 && work_ < most_work * facet_count_; ++round) {
+  join(groups, {});
+  std::vector<std::uint32_t> best = sets_of(groups);
+  double least = cost_of(groups);
+  for (unsigned round = 0; round < rounds && best.size() > 1 && sets_->work() < most_work; ++round) {
     Groups tried = groups_of(torn(best, random));
-    join(tried, noise, random);
-    const double found = cost_of(tried);
-    if (found <= least_) {
-      least_ = found;
-      best = keys_of(tried);
+    join(tried, {.noise = noise, .random = &random});
+    if (const double found = cost_of(tried); found <= least) {
+      least = found;
+      best = sets_of(tried);
     }
   }
-  return parts_of(best);
+  return {parts_of(best), least};
 }
 
 }  // namespace ridgecraft::segment

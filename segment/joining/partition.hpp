@@ -2,17 +2,15 @@
 // Which pieces of a finely cut surface belong together: few parts, small hulls, borders along creases.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
 
 #include "base/context.hpp"
-#include "segment/concavity/hull_rays.hpp"
-#include "segment/concavity/measure.hpp"
-#include "segment/concavity/pocket_test.hpp"
-#include "segment/cutting/cut.hpp"
-#include "segment/cutting/edge_weights.hpp"
+#include "base/random.hpp"
+#include "segment/joining/border.hpp"
+#include "segment/joining/hull_union.hpp"
+#include "segment/joining/piece_sets.hpp"
 
 namespace ridgecraft::segment {
 
@@ -28,84 +26,56 @@ struct AssembledPart {
   bool joined = false;  ///< of several pieces
 };
 
-/// A set of pieces that was measured.
-struct PieceSet {
-  bool feasible = false;  ///< may be one part; else nothing more is known
-  std::vector<std::uint32_t> hull_vertices;
-  std::vector<RaySpan> rays;  ///< through its hull
+/// Parts, ascending by smallest facet, and what they cost together.
+struct Assembled {
+  std::vector<AssembledPart> parts;
+  double cost = 0.0;
 };
 
-/// Joins connected pieces, each within the tolerance, to parts that are, too. What was measured of a set of
-/// pieces is known for the rest of the run, so many orders of joining share their tests.
+/// Joins connected pieces, each within the tolerance, to parts that are, too.
 class Partition {
  public:
-  /// All must outlive this. `pockets`: parts mustn't have any; null: they may. Without a price of volume or
-  /// border, all joins that are possible are made. `mode`: one of the tests.
-  Partition(Measurer& measurer, const EdgeWeights& weights, const PartitionCost& cost, PocketTest* pockets,
-            MeasureMode mode, std::vector<Facets> pieces);
+  /// Both must outlive this. With a price of volume the sets must know the rays through their hulls.
+  Partition(PieceSets& sets, const EdgeWeights& weights, const PartitionCost& cost);
 
-  /// Joins pairs, convex borders first, as long as that lowers the cost; then tears a few neighbouring parts
-  /// up in each round and joins their pieces in another order (`noise` is added to the smoothness of their
-  /// borders), and keeps what costs less. Rounds end early where so much was measured that more would take
-  /// too long. Parts ascend by smallest facet.
-  [[nodiscard]] std::vector<AssembledPart> run(unsigned rounds, double noise, Random& random);
-  /// Makes all joins that are possible, convex borders first, whatever they cost: the merge pass.
-  [[nodiscard]] std::vector<AssembledPart> join_all();
-  /// Of what was returned last.
-  [[nodiscard]] double cost() const { return least_; }
+  /// Joins pairs, convex borders first, as long as that lowers the cost (without a price of volume or border
+  /// it always does), or at any cost: the merge pass.
+  [[nodiscard]] Assembled join_pieces(bool at_any_cost);
+  /// Joins pairs as long as that lowers the cost; then tears a few neighbouring parts up in each round and
+  /// joins their pieces in another order (up to `noise` is added to the smoothness of their borders), and
+  /// keeps what costs less. Rounds end early where so much was measured that more would take too long.
+  [[nodiscard]] Assembled search(unsigned rounds, double noise, Random& random);
 
  private:
-  using Key = std::vector<std::uint32_t>;  ///< pieces, ascending
-  struct Border {
-    double length = 0.0;
-    double smoothness = 0.0;
-  };
+  /// Pieces that are joined; without a set when it went into another one.
   struct Group {
-    Key pieces;
+    std::uint32_t set = none;
     std::map<std::uint32_t, Border> beside;  ///< by group
-    PieceSet* set = nullptr;
   };
   using Groups = std::vector<Group>;
+  /// Which joins are made and in which order.
+  struct Joining {
+    bool at_any_cost = false;
+    double noise = 0.0;
+    Random* random = nullptr;  ///< of the noise
+  };
 
-  [[nodiscard]] PieceSet& set_of(const Key& key);
-  PieceSet& measured(const Key& key, const PieceSet& a, const PieceSet& b);
-  void describe(const Hull& hull, PieceSet& set) const;
-  [[nodiscard]] double cost_of(const Groups& groups) const;
   void find_borders();
-  [[nodiscard]] double added_volume(const PieceSet& set, std::uint32_t g, std::uint32_t h) const;
-  [[nodiscard]] static std::vector<Key> keys_of(const Groups& groups);
-  [[nodiscard]] std::vector<Key> single_pieces() const;
-  void fill_cover(const Groups& groups);
-  Groups groups_of(const std::vector<Key>& keys);
-  void join(Groups& groups, double noise, Random& random);
-  [[nodiscard]] std::vector<AssembledPart> parts_of(const std::vector<Key>& keys);
-  [[nodiscard]] std::vector<Key> torn(const std::vector<Key>& parts, Random& random);
-  [[nodiscard]] static Key united(const Key& a, const Key& b);
-  void unite(Groups& groups, std::uint32_t g, std::uint32_t h, Key key, PieceSet& set);
-  void gather(const Key& key);
+  [[nodiscard]] std::vector<std::uint32_t> single_pieces();
+  [[nodiscard]] Groups groups_of(const std::vector<std::uint32_t>& sets) const;
+  [[nodiscard]] static std::vector<std::uint32_t> sets_of(const Groups& groups);
+  [[nodiscard]] double cost_of(const Groups& groups) const;
+  [[nodiscard]] double gain_of(const Groups& groups, const Pair& pair, std::uint32_t united) const;
+  void join(Groups& groups, const Joining& joining);
+  void unite(Groups& groups, const Pair& pair, std::uint32_t united);
+  [[nodiscard]] std::vector<std::uint32_t> torn(const std::vector<std::uint32_t>& parts, Random& random);
+  [[nodiscard]] std::vector<AssembledPart> parts_of(const std::vector<std::uint32_t>& sets) const;
 
-  Measurer* measurer_;
+  PieceSets* sets_;
   const EdgeWeights* weights_;
   PartitionCost cost_;
-  PocketTest* pockets_;
-  MeasureMode mode_;
-  bool at_any_cost_ = false;
-  double least_ = 0.0;
-  std::vector<Facets> pieces_;
-  std::vector<std::map<std::uint32_t, Border>> beside_;
-  std::map<Key, PieceSet> known_;
-  /// Stretches on each ray inside the hulls of the groups that are being joined.
-  struct Slab {
-    std::uint32_t group = 0;
-    RaySpan span;
-  };
-  std::vector<std::vector<Slab>> cover_;
-  Measurement measurement_;
-  HullBuilder hulls_;
-  Hull hull_;
-  Facets facets_;
-  std::size_t facet_count_ = 0;  ///< of all pieces
-  std::size_t work_ = 0;         ///< facets of all sets that were measured
+  std::vector<std::map<std::uint32_t, Border>> beside_;  ///< of each piece, by piece
+  HullUnion hulls_;                                      ///< of the groups that were joined last
 };
 
 }  // namespace ridgecraft::segment

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/delaunay_edges.hpp"
 #include "base/disjoint_sets.hpp"
-#include "segment/surface/delaunay_edges.hpp"
 
 namespace ridgecraft::segment {
 namespace {

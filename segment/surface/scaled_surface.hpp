@@ -16,6 +16,9 @@ namespace ridgecraft::segment {
 /// "No facet", "no vertex" and so on in the flat arrays of this folder.
 inline constexpr std::uint32_t none = 0xffffffffU;
 
+/// Facets of a part, ascending.
+using Facets = std::vector<std::uint32_t>;
+
 /// How facets and vertices are numbered.
 enum class Numbering {
   kept,         ///< as in the surface

@@ -10,6 +10,7 @@
 #include "base/context.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/length_text.hpp"
+#include "base/random.hpp"
 #include "base/utf8.hpp"
 
 using namespace ridgecraft;

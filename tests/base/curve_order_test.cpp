@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft {
 namespace {

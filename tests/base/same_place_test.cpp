@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft {
 

@@ -103,12 +103,34 @@ TEST_CASE("the keys of --json are documented, each of them and no other", "[json
     }
     for (const std::string& key : told) {
       // Common to most verbs; or there only where a file has hundreds of faults.
-      if (key == "model" || key.starts_with("repairs") || key == "files" ||
+      if (key == "model" || key.starts_with("repairs") || key.starts_with("seconds") || key == "files" ||
           key.starts_with("faults_not_listed")) {
         continue;
       }
       INFO(verb << " is said to print " << key);
       CHECK(std::any_of(keys.begin(), keys.end(), [&](const std::string& k) { return matches(key, k); }));
     }
+  }
+}
+
+TEST_CASE("seconds have one form everywhere", "[json]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const std::vector<std::vector<std::string>> jobs{{"house.obj", "-o", "x.fold"},
+                                                   {"segment", "house.obj"},
+                                                   {"unfold", "house.obj"},
+                                                   {"hulls", "house.obj", "-o", "x.obj"}};
+  for (std::vector<std::string> arguments : jobs) {
+    arguments.push_back("--json");
+    const Outcome outcome = run_program(arguments, in(folder));
+    INFO(arguments.front() << ": " << outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const Json seconds = Json::parse(outcome.out).at("seconds");
+    REQUIRE(seconds.is_object());
+    double sum = 0.0;
+    for (const auto& [stage, value] : seconds.items()) {
+      sum += stage == "total" ? 0.0 : value.get<double>();
+    }
+    CHECK(seconds.at("total").get<double>() == Approx(sum).margin(1e-5));
   }
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.hpp"
+#include "base/random.hpp"
 #include "export/export.hpp"
 #include "support/check_nets.hpp"
 #include "support/shapes.hpp"

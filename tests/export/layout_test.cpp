@@ -7,10 +7,11 @@
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
+#include "base/random.hpp"
+#include "base/rectangle.hpp"
 #include "export/export.hpp"
 #include "layout_promises.hpp"
 #include "plain_pieces.hpp"
-#include "unfold/net/sheet.hpp"
 
 using namespace ridgecraft;
 using test::blob;
@@ -250,7 +251,7 @@ TEST_CASE("no pieces, no pages", "[layout]") {
 TEST_CASE("layout stops when it is asked to", "[layout]") {
   test::PlainPieces pieces;
   pieces.add_boxes({{0, 0, 10, 10}});
-  std::stop_source stop;
+  StopSource stop;
   stop.request_stop();
   Context context;
   context.stop = stop.get_token();

@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
 #include "export/packing/clearance.hpp"
 
 using namespace ridgecraft;

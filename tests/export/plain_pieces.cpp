@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/random.hpp"
 #include "mesh/model/surface.hpp"
 
 namespace ridgecraft::test {

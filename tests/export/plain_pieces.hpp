@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "unfold/net/nets.hpp"
 
 namespace ridgecraft::test {

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
 #include "export/packing/clearance.hpp"
 #include "export/packing/packing_separate.hpp"
 

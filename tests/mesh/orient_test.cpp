@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces are turned to agree and outwards; what no surface can be is cut open.
+#include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 

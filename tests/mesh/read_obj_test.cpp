@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <clocale>
-#include <stop_token>
 
 #include <catch2/catch.hpp>
 
@@ -167,7 +166,7 @@ TEST_CASE("OBJ: numbers don't depend on the locale") {
 }
 
 TEST_CASE("Reading stops when it is asked to") {
-  std::stop_source stop;
+  StopSource stop;
   stop.request_stop();
   Context context;
   context.stop = stop.get_token();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Soups of every kind become surfaces.
 #include "base/error.hpp"
+#include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 

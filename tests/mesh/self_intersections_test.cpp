@@ -12,6 +12,7 @@
 
 #include "base/context.hpp"
 #include "base/near_boxes.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points that are one are joined, and nothing else.
+#include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 

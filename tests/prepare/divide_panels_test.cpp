@@ -13,13 +13,13 @@
 #include "support/soups.hpp"
 
 using namespace ridgecraft;
-using prepare::Page;
+using prepare::PanelRoom;
 using prepare::Prepared;
 
 namespace {
 
 /// A4 with borders of 10 mm and tabs of 5 mm.
-constexpr Page page{190.0, 277.0, 5.0};
+constexpr PanelRoom page{{190.0, 277.0}, 5.0};
 constexpr Vec2 room{180.0, 267.0};
 
 Prepared prepared(const mesh::Surface& surface, double size_mm) {
@@ -60,7 +60,7 @@ void check_cells(const Prepared& p) {
   for (const PanelId id : ids<PanelId>(p.panels.count())) {
     faces += p.panels.faces[id].size();
     CHECK(std::is_sorted(p.panels.faces[id].begin(), p.panels.faces[id].end()));
-    CHECK(prepare::fits_page(corners(p, id), {page.width_mm, page.height_mm}));
+    CHECK(prepare::fits_page(corners(p, id), {page.sheet.width, page.sheet.height}));
     for (const FaceId f : p.panels.faces[id]) {
       CHECK(p.panels.panel[f] == id);
     }

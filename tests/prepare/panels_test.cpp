@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Flat regions are found and got along with their corners.
+#include "base/random.hpp"
 #include "mesh/mesh.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepare.hpp"

@@ -14,7 +14,7 @@ using prepare::SizeOptions;
 
 namespace {
 
-constexpr prepare::Page page{190.0, 270.0};
+constexpr prepare::PanelRoom page{{190.0, 270.0}};
 
 Prepared prepared(const mesh::Surface& surface, SizeOptions size = {}) {
   SimplifyOptions keep;
@@ -78,7 +78,7 @@ TEST_CASE("faces too narrow to be cut are noted, or refused when all are", "[pre
 }
 
 TEST_CASE("preparation can be stopped", "[prepare]") {
-  std::stop_source stop;
+  StopSource stop;
   stop.request_stop();
   Context context;
   context.stop = stop.get_token();

@@ -15,7 +15,7 @@ using prepare::SimplifyOptions;
 
 namespace {
 
-constexpr prepare::Page page{190.0, 270.0};
+constexpr prepare::PanelRoom page{{190.0, 270.0}};
 
 Prepared prepared(const mesh::Surface& surface, const SimplifyOptions& options = {},
                   const prepare::SizeOptions& size = {}) {
@@ -158,7 +158,6 @@ TEST_CASE("short folds are counted at the size that was asked for", "[simplify]"
     size.largest_extent_mm = size_mm;
     const Prepared p = prepared(test::sphere(120, 60), options, size);
     REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
-    CHECK(p.simplified.short_edges_after ==
-          prepare::short_fold_share(p.model.surface, options.short_edge_mm));
+    CHECK(p.simplified.short_edges_after == prepare::short_fold_share(p.model.surface, options));
   }
 }

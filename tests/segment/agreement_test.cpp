@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "segment/agreement.hpp"
+#include "segment/judging/agreement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "mesh/mesh.hpp"
 #include "support/benchmark_models.hpp"
 #include "support/shapes.hpp"

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -8,8 +8,9 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
+#include "segment/cutting/division.hpp"
 #include "segment/cutting/ridges.hpp"
-#include "segment/recursion.hpp"
 #include "segment/segment.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
@@ -30,7 +31,7 @@ struct Measured {
         cutter(scaled, weights, coarse_from),
         all(scaled.facet_count()) {
     std::iota(all.begin(), all.end(), 0U);
-    measurer.measure(all, {}, segment::MeasureMode::split, measurement);
+    measurer.measure(all, {}, {}, measurement);
   }
 
   Context context;
@@ -42,6 +43,18 @@ struct Measured {
   Facets all;
   segment::Measurement measurement;
 };
+
+/// How the parts of a surface are divided, before any are joined.
+segment::Division divided(const mesh::Surface& surface, double tolerance) {
+  Measured m(surface, {}, tolerance);
+  segment::PartWorkers workers(m.scaled, m.graph, m.weights, tolerance, m.context, {});
+  std::vector<segment::PartTask> tasks;
+  for (Facets& component : m.cutter.components(m.all)) {
+    tasks.push_back({std::move(component)});
+  }
+  segment::ValleyCache valleys;
+  return segment::divide_all(workers, std::move(tasks), {}, valleys, [](double) {});
+}
 
 /// Children are a partition, each connected, in order.
 void check_children(Measured& m, const std::vector<Facets>& children) {
@@ -174,17 +187,17 @@ TEST_CASE("Trays are peeled until the limit of depth, and end within the toleran
     double height;
     double inner;
   };
-  segment::Recursion seen;
   std::size_t halvings = 0;
   for (const Tray& t : {Tray{64, 0.19, 0.9}, Tray{100, 0.18, 0.85}, Tray{200, 0.19, 0.9},
                         Tray{200, 0.18, 0.92}, Tray{130, 0.18, 0.85}}) {
     const mesh::Surface tray = test::revolve(
         {{0, 0}, {1, 0}, {1, t.height}, {t.inner, t.height}, {t.inner, 0.06}, {0, 0.06}}, t.steps);
-    const auto s = segment::segment(tray, {}, {0.1}, Context{}, seen);
+    const auto s = segment::segment(tray, {}, {0.1}, Context{});
     CHECK(s.max_concavity() <= 0.1);
     CHECK(s.parts.size() < 20);
-    CHECK(seen.depth > 30);
-    halvings += seen.halvings;
+    const segment::Division division = divided(tray, 0.1);
+    CHECK(division.depth > 30);
+    halvings += division.halvings;
   }
   CHECK(halvings > 0);
 }
@@ -192,13 +205,11 @@ TEST_CASE("Trays are peeled until the limit of depth, and end within the toleran
 TEST_CASE("Where no cut makes two pieces a whole run falls back to the nearer end") {
   // Noise of twenty times the tolerance: somewhere a few facets are one ridge and too concave.
   Random random(2);
-  segment::Recursion seen;
   std::size_t splits = 0;
   for (int round = 0; round < 4; ++round) {
     const mesh::Surface rough = test::star_shaped([&](Vec3) { return 1.0 + 0.02 * random.unit(); }, 100, 50);
-    const auto s = segment::segment(rough, {}, {0.001}, Context{}, seen);
-    CHECK(s.max_concavity() <= 0.001);
-    splits += seen.splits;
+    CHECK(segment::segment(rough, {}, {0.001}, Context{}).max_concavity() <= 0.001);
+    splits += divided(rough, 0.001).splits;
   }
   CHECK(splits > 0);
 }

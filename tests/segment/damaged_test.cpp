@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "segment/segment.hpp"
 #include "segment/surface/virtual_facets.hpp"
 #include "support/concave_shapes.hpp"

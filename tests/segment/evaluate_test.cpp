@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "segment/evaluate.hpp"
+#include "segment/judging/evaluate.hpp"
 
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "segment/surface/enclosing_ball.hpp"
 #include "support/shapes.hpp"
 

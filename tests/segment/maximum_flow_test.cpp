@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The nearest plane that is found by directions is the one that a look at all planes finds.
-#include "segment/concavity/plane_directions.hpp"
+#include "segment/hull/plane_directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cups: what --pockets promises, checked by code of its own (lattice, winding by solid angles, hull planes by
 // trying triples of vertices), and the promise's building blocks.
-#include "segment/concavity/pocket_test.hpp"
+#include "segment/hull/pocket_test.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,9 @@
 
 #include "base/context.hpp"
 #include "base/error.hpp"
-#include "segment/concavity/deepest_point.hpp"
-#include "segment/evaluate.hpp"
+#include "base/random.hpp"
+#include "segment/hull/deepest_point.hpp"
+#include "segment/judging/evaluate.hpp"
 #include "segment/segment.hpp"
 #include "segment/surface/enclosing_ball.hpp"
 #include "support/concave_shapes.hpp"

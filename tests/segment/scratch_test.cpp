@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "segment/concavity/valley_concavity.hpp"
 #include "segment/segment.hpp"
 #include "segment/surface/enclosing_ball.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "segment/concavity/shadow.hpp"
+#include "segment/hull/shadow.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +13,7 @@
 
 #include "base/context.hpp"
 #include "base/convex_hull.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft {
 namespace {

@@ -11,7 +11,8 @@
 
 #include "base/context.hpp"
 #include "base/error.hpp"
-#include "segment/evaluate.hpp"
+#include "base/random.hpp"
+#include "segment/judging/evaluate.hpp"
 #include "segment/segment.hpp"
 #include "support/concave_shapes.hpp"
 
@@ -334,7 +335,7 @@ TEST_CASE("Bad tolerances are refused, a request to stop is obeyed") {
   for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     CHECK_THROWS_AS(segment::segment(test::cube(), {}, {bad}, Context{}), Error);
   }
-  std::stop_source stop;
+  StopSource stop;
   Context context;
   context.stop = stop.get_token();
   stop.request_stop();

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "segment/concavity/vertex_graph.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"

@@ -8,9 +8,10 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
+#include "segment/concavity/residual_concavity.hpp"
+#include "segment/concavity/separators.hpp"
 #include "segment/concavity/valley_concavity.hpp"
-#include "segment/cutting/residual_concavity.hpp"
-#include "segment/cutting/separators.hpp"
 
 namespace ridgecraft {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
 #include "solid/convex_hull.hpp"
 #include "solid/solid.hpp"
 #include "support/shapes.hpp"

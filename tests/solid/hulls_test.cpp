@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
 #include "segment/segment.hpp"
 #include "solid/convex_hull.hpp"
 #include "solid/enclosing_polytope.hpp"

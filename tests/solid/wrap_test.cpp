@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
 #include "segment/segment.hpp"
 #include "solid/solid.hpp"
 #include "solid/solid_checks.hpp"

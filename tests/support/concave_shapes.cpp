@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft::test {

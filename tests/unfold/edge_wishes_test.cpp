@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/disjoint_sets.hpp"
+#include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/panel_parts.hpp"

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/folding/fold_motion.hpp"
 #include "unfold/folding/free_folding.hpp"

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
 #include "mesh/mesh.hpp"
 #include "prepare/prepare.hpp"
 #include "unfold/nets_checks.hpp"

@@ -6,8 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
+#include "base/rectangle.hpp"
 #include "support/shapes.hpp"
-#include "unfold/net/sheet.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
@@ -165,15 +166,15 @@ TEST_CASE("turned rectangles fit the sheet they are made for and no smaller one"
           {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
     }
     const auto hull = convex_hull(corners);
-    CHECK(unfold::angle_to_fit(hull, {width, height}).has_value());
-    CHECK(unfold::angle_to_fit(hull, {height, width}).has_value());
-    CHECK_FALSE(unfold::angle_to_fit(hull, {width - 0.01, height - 0.01}).has_value());
+    CHECK(angle_to_fit(hull, {width, height}).has_value());
+    CHECK(angle_to_fit(hull, {height, width}).has_value());
+    CHECK_FALSE(angle_to_fit(hull, {width - 0.01, height - 0.01}).has_value());
   }
 }
 
 TEST_CASE("a long strip fits a sheet only along its diagonal", "[sheet]") {
   // 240 by 1 in a sheet of 200 by 150, diagonal 250: no turn along an axis holds it.
   const std::vector<Vec2> strip{{0, 0}, {240, 0}, {240, 1}, {0, 1}};
-  CHECK(unfold::angle_to_fit(strip, {200, 150}).has_value());
-  CHECK_FALSE(unfold::angle_to_fit(strip, {200, 100}).has_value());
+  CHECK(angle_to_fit(strip, {200, 150}).has_value());
+  CHECK_FALSE(angle_to_fit(strip, {200, 100}).has_value());
 }

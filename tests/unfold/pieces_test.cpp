@@ -8,8 +8,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
+#include "base/rectangle.hpp"
 #include "support/shapes.hpp"
-#include "unfold/net/sheet.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/panel_parts.hpp"
 #include "unfold/patch/check.hpp"

@@ -2,8 +2,8 @@
 // Pieces nearly as large as the sheet: which of their tabs there is paper for.
 #include <catch2/catch.hpp>
 
+#include "base/rectangle.hpp"
 #include "support/shapes.hpp"
-#include "unfold/net/sheet.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/unfold.hpp"
 
@@ -30,7 +30,7 @@ std::size_t missing_tabs(const mesh::Surface& surface, const Options& options) {
         points.insert(points.end(), tab.polygon.begin(), tab.polygon.end());
       }
     }
-    CHECK(unfold::angle_to_fit(convex_hull(points), *options.sheet).has_value());
+    CHECK(angle_to_fit(convex_hull(points), *options.sheet).has_value());
   }
   std::size_t missing = 0;
   for (const unfold::Join& join : nets.joins) {

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/disjoint_sets.hpp"
+#include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"

@@ -2,16 +2,15 @@
 // Pieces that are split until every edge that is wide enough has a tab.
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <limits>
 #include <optional>
-#include <stop_token>
 #include <utility>
 
 #include <catch2/catch.hpp>
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/check.hpp"
@@ -282,7 +281,7 @@ TEST_CASE("nets that were split in too little time say so", "[tabs]") {
   const Surface s = dented(test::scaled(test::sphere(12, 6), 20.0), 0.1, 5);
   Options options;
   options.tabs.split_pieces = true;
-  const auto note_of = [&](std::optional<std::chrono::steady_clock::time_point> deadline) {
+  const auto note_of = [&](std::optional<Deadline> deadline) {
     Context context;
     context.deadline = deadline;
     const Nets nets = unfold::unfold(s, test::no_panels(s), test::one_part(s), options, context);
@@ -290,7 +289,7 @@ TEST_CASE("nets that were split in too little time say so", "[tabs]") {
     CHECK((deadline || missing(s, nets) == 0));
     return nets.notes.back();
   };
-  const std::string late = note_of(std::chrono::steady_clock::now());
+  const std::string late = note_of(Deadline::in(0.0));
   CHECK(late.find("the time given was up") != std::string::npos);
   // Whoever had no time to look for room doesn't know that there is none.
   CHECK(late.find("no room for a tab yet") != std::string::npos);
@@ -407,7 +406,7 @@ TEST_CASE("what stands in the way of tabs is looked for until somebody says stop
   const auto gaps = tab_gaps.gaps(nets, lacking, Context());
   Random random(1);
   CHECK_FALSE(unfold::choose_tab_cuts(s, patch, folds, tab_gaps, gaps, 0.0, random, Context()).empty());
-  std::stop_source source;
+  StopSource source;
   source.request_stop();
   Context stopped;
   stopped.stop = source.get_token();

@@ -9,6 +9,7 @@
 
 #include "base/context.hpp"
 #include "base/disjoint_sets.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft::test {
 

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/search/edged_triangle.hpp"
 

@@ -130,7 +130,7 @@ TEST_CASE("a face that no sheet holds is refused with its name", "[unfold]") {
 
 TEST_CASE("a stop request interrupts", "[unfold]") {
   const mesh::Surface s = test::sphere(16, 8);
-  std::stop_source source;
+  StopSource source;
   source.request_stop();
   Context context;
   context.stop = source.get_token();
@@ -140,7 +140,7 @@ TEST_CASE("a stop request interrupts", "[unfold]") {
 TEST_CASE("a deadline that has passed still gives clean nets", "[unfold]") {
   const mesh::Surface s = scaled(test::sphere(20, 12), 75.0);
   Context context;
-  context.deadline = std::chrono::steady_clock::now();
+  context.deadline = Deadline::in(0.0);
   const Options options = on_sheet(190, 277);
   const Nets nets = unfold::unfold(s, test::no_panels(s), test::one_part(s), options, context);
   CHECK(faults_of(s, nets, options) == none);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "verify/cube_file.hpp"
 
 using namespace ridgecraft;

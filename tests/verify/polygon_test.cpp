@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
 #include "verify/box_tree.hpp"
 #include "verify/rigid_motion.hpp"
 

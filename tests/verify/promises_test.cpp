@@ -260,7 +260,7 @@ TEST_CASE("messages name the piece, and faults carry their indices", "[verify]")
 }
 
 TEST_CASE("a check that is stopped says so", "[verify]") {
-  std::stop_source source;
+  StopSource source;
   source.request_stop();
   Context context;
   context.stop = source.get_token();

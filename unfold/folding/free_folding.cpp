@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/random.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/tabs/trees/tree_improvement.hpp"
 

@@ -4,16 +4,14 @@
 
 #include <optional>
 
+#include "base/rectangle.hpp"
 #include "unfold/net/edge_wishes.hpp"
 #include "unfold/net/piece_rules.hpp"
 
 namespace ridgecraft::unfold {
 
-/// A rectangle, mm, that every piece must fit with its tabs after some rotation.
-struct Sheet {
-  double width = 0.0;
-  double height = 0.0;
-};
+/// What every piece must fit with its tabs after some rotation, mm.
+using Sheet = Rectangle;
 
 struct TabOptions {
   bool wanted = true;

@@ -18,8 +18,21 @@ constexpr std::array terms{Term{"cut", &Weights::cut},      Term{"pieces", &Weig
 
 }  // namespace
 
+std::string_view name(PieceMode mode) {
+  switch (mode) {
+    case PieceMode::few:
+      return "few";
+    case PieceMode::parts:
+      return "parts";
+    case PieceMode::small:
+      return "small";
+  }
+  return "parts";
+}
+
 PieceRules rules_of(PieceMode mode) {
   PieceRules rules;
+  rules.mode = mode;
   rules.merge = true;
   switch (mode) {
     case PieceMode::few:

@@ -27,8 +27,12 @@ enum class PieceMode {
   small,  ///< small ones for short evenings
 };
 
+/// "few", "parts" or "small".
+[[nodiscard]] std::string_view name(PieceMode mode);
+
 /// What a mode means.
 struct PieceRules {
+  PieceMode mode = PieceMode::parts;  ///< that these are the rules of, or began as
   Weights weights;
   std::size_t max_panels = 0;  ///< flat regions that one piece may have; 0: any number
   bool merge = false;          ///< join neighbouring pieces, of several parts too, where that costs less

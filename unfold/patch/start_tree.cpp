@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/disjoint_sets.hpp"
+#include "base/random.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "unfold/folding/free_folding.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/patch/layout.hpp"

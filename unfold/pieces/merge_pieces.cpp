@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/convex_hull.hpp"
+#include "base/random.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/search/circle_tree.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/room.hpp"
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/convex_hull.hpp"
+#include "base/random.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/room.hpp"
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "base/random.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/pieces/merge_pieces.hpp"

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/random.hpp"
 #include "unfold/patch/forest.hpp"
 
 namespace ridgecraft::unfold {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/random.hpp"
 #include "mesh/model/surface.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/tabs/place/missing_tabs.hpp"

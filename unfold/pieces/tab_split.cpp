@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/pieces/page_split.hpp"

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/random.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"

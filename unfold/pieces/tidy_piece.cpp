@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/random.hpp"
 #include "unfold/patch/objective.hpp"
 #include "unfold/tabs/trees/tree_improvement.hpp"
 

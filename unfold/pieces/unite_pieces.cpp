@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/random.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/piece_borders.hpp"

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "unfold/net/sheet.hpp"
+#include "base/convex_hull.hpp"
+#include "base/random.hpp"
+#include "base/rectangle.hpp"
 #include "unfold/patch/branch.hpp"
 #include "unfold/search/tree_search.hpp"
 

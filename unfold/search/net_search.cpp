@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/search/tree_search.hpp"

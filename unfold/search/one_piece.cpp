@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/random.hpp"
 #include "unfold/search/fit_search.hpp"
 #include "unfold/search/net_search.hpp"
 

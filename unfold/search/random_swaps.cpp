@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/search/random_swaps.hpp"
 
+#include "base/random.hpp"
+
 namespace ridgecraft::unfold {
 
 std::optional<Swap> draw_swap_at(std::uint32_t cut, const Patch& patch, TreeSearch& net, Random& random) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "unfold/patch/branch.hpp"
 #include "unfold/search/tree_search.hpp"
 

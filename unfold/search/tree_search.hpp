@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/start_tree.hpp"
 #include "unfold/search/circle_tree.hpp"

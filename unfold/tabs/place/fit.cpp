@@ -5,8 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "base/convex_hull.hpp"
+#include "base/rectangle.hpp"
 #include "mesh/model/surface.hpp"
-#include "unfold/net/sheet.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/place/sheet_over_piece.hpp"
 #include "unfold/tabs/place/sites.hpp"

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "unfold/net/sheet.hpp"
+#include "base/convex_hull.hpp"
+#include "base/rectangle.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {

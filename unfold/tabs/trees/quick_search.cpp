@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.hpp"
+
 namespace ridgecraft::unfold {
 
 namespace {

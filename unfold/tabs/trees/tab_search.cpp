@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/random.hpp"
 #include "unfold/patch/linked_patch.hpp"
 #include "unfold/tabs/trees/quick_search.hpp"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/tabs/trees/tree_improvement.hpp"
 
+#include "base/random.hpp"
+
 namespace ridgecraft::unfold {
 namespace {
 

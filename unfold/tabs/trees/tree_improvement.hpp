@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/context.hpp"
+#include "base/random.hpp"
 #include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/jobs/paper_job.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "cli/files/edge_files.hpp"
+#include "cli/files/model_input.hpp"
+#include "cli/files/targets.hpp"
+#include "cli/jobs/time_limit.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+paper::Mark mark_of(const mesh::Model& model) {
+  return {program_and_version(), model.name, model.digest};
+}
+
+std::string printed(const fs::path& file) {
+  return file.lexically_normal().string();
+}
+
+/// Writes one target's files under their temporary names.
+void add_target(const Target& target, const job::Paper& made, PendingFiles& pending,
+                std::vector<std::string>& written) {
+  const paper::Mark mark = mark_of(made.prepared.model);
+  const std::vector<fs::path> files = files_of(target, made.drawings.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    switch (target.format) {
+      case Format::pdf:
+        pending.add(files[i], paper::write_pdf(made.drawings, mark));
+        break;
+      case Format::svg:
+        pending.add(files[i], paper::write_svg(made.drawings[i], mark));
+        break;
+      case Format::png:
+        pending.add(files[i], paper::write_png(made.drawings[i], mark));
+        break;
+      case Format::fold:
+        pending.add(files[i], made.fold);
+        break;
+    }
+    written.push_back(printed(files[i]));
+  }
+}
+
+/// Pages of an earlier run for this model that this one doesn't have.
+void remove_leftovers(const std::vector<Target>& targets, std::size_t pages, const std::string& digest,
+                      PendingFiles& pending) {
+  std::set<fs::path> kept;
+  for (const Target& target : targets) {
+    for (const fs::path& file : files_of(target, pages)) {
+      kept.insert(file);
+    }
+  }
+  for (const Target& target : targets) {
+    for (const fs::path& leftover : leftovers_of(target, kept, digest)) {
+      pending.remove_on_commit(leftover);
+    }
+  }
+}
+
+void require_all_replaceable(const PaperJob& job, const std::vector<Target>& targets, std::size_t pages,
+                             const std::string& digest) {
+  for (const Target& target : targets) {
+    for (const fs::path& file : files_of(target, pages)) {
+      require_no_input(file, input_files(job.edges), job.overwrite);
+      require_replaceable(file, digest, job.overwrite);
+    }
+  }
+}
+
+/// What is known of the outputs is checked before the long work.
+std::vector<Target> checked_targets(const PaperJob& job) {
+  std::vector<Target> targets = plan_targets(job.outputs, results_name(job.model));
+  if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
+    paper::check_pdf_size(job.options.paper->size);
+  }
+  for (const Target& target : targets) {
+    require_no_input(files_of(target, 1).front(), input_files(job.edges), job.overwrite);
+  }
+  return targets;
+}
+
+/// The model with its edges named, and all that follows from it.
+template <class Job>
+job::Paper make(const Job& job, const EdgeFiles& edge_files, mesh::Model model, const Context& context,
+                const job::Listener& listener) {
+  job::Options options = job.options;
+  options.edges = requests_of(edge_files, model);
+  try {
+    return job::paper(std::move(model), options, context, listener);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::out_of_time) {
+      throw;
+    }
+    throw Error(ErrorKind::out_of_time, "--time-limit passed while " + shown_name(job.model) +
+                                            " was simplified; nothing was written");
+  }
+}
+
+template <class Job>
+mesh::Model read_for(const Job& job, job::StageClock& clock, const Context& context) {
+  return clock("read", context, [&] {
+    return in_time(context, shown_name(job.model) + " was read", [&](const Context& strict) {
+      return read_model(job.model, {.keep_points = job.edges.any()}, strict);
+    });
+  });
+}
+
+}  // namespace
+
+PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending,
+                       const job::Listener& listener) {
+  const std::vector<Target> targets = checked_targets(job);
+  const EdgeFiles edge_files = read_edge_files(job.edges);
+  PaperResult result;
+  job::StageClock clock;
+  mesh::Model model = read_for(job, clock, context);
+  const std::string digest = model.digest;
+  // How many pages there will be isn't known yet.
+  for (const Target& target : targets) {
+    if (!one_file_per_page(target.format)) {
+      require_replaceable(files_of(target, 1).front(), digest, job.overwrite);
+    }
+  }
+  result.made = make(job, edge_files, std::move(model), context, listener);
+  clock.add(result.made.seconds);
+  clock("write", context, [&] {
+    const std::size_t pages = result.made.drawings.size();
+    require_all_replaceable(job, targets, pages, digest);
+    for (const Target& target : targets) {
+      add_target(target, result.made, pending, result.files);
+    }
+    remove_leftovers(targets, pages, digest, pending);
+    context.check();
+    result.remarks = pending.commit();
+    return true;
+  });
+  result.seconds = clock.seconds();
+  return result;
+}
+
+PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending) {
+  if (!job.output.empty()) {
+    if (suffix_of(job.output) != ".fold") {
+      throw Error(ErrorKind::usage, "-o " + job.output + ": nets without pages are written as .fold");
+    }
+    require_writable_folder(fs::path(job.output).has_parent_path() ? fs::path(job.output).parent_path()
+                                                                   : ".");
+    require_no_input(job.output, input_files(job.edges), job.overwrite);
+  }
+  const EdgeFiles edge_files = read_edge_files(job.edges);
+  PaperResult result;
+  job::StageClock clock;
+  mesh::Model model = read_for(job, clock, context);
+  if (!job.output.empty()) {
+    require_replaceable(job.output, model.digest, job.overwrite);
+  }
+  result.made = make(job, edge_files, std::move(model), context, {});
+  clock.add(result.made.seconds);
+  if (!job.output.empty()) {
+    clock("write", context, [&] {
+      pending.add(job.output, result.made.fold);
+      result.files.push_back(job.output);
+      context.check();
+      pending.commit();
+      return true;
+    });
+  }
+  result.seconds = clock.seconds();
+  return result;
+}
+
+}  // namespace ridgecraft::cli

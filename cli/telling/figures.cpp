@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/telling/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+double micro(double seconds) {
+  return std::round(seconds * 1e6) / 1e6;
+}
+
+/// "1.25 s (read 0.20, segment 1.05)"
+std::string seconds_text(const job::StageSeconds& seconds) {
+  std::string text = fmt::format("{:.2f} s", job::total(seconds));
+  const char* separator = " (";
+  for (const auto& [name, value] : seconds) {
+    if (value >= 0.005) {
+      text += fmt::format("{}{} {:.2f}", separator, name, value);
+      separator = ", ";
+    }
+  }
+  return text + (*separator == ',' ? ")" : "");
+}
+
+/// A line for each file; the middle of a long list is left out.
+std::string written_text(const std::vector<std::string>& files) {
+  // Hundreds of pages would push everything else off the screen.
+  constexpr std::size_t most = 12;
+  if (files.empty()) {
+    return "nothing was written: -o says where to\n";
+  }
+  std::string text;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files.size() <= most || i < 4 || i + 2 >= files.size()) {
+      text += "wrote " + files[i] + "\n";
+    } else if (i == 4) {
+      text += fmt::format("wrote {} more\n", files.size() - 6);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+void Summary::add(std::string_view key, Value value, std::string_view unit) {
+  add(key, std::move(value), Line::nets, {}, {}, unit);
+}
+
+void Summary::add(std::string_view key, Value value, Line line, std::string_view label, std::string sentence,
+                  std::string_view unit) {
+  RIDGECRAFT_ASSERT(unit.empty() || key.ends_with("_" + std::string(unit)));
+  figures_.push_back({key, std::move(value), unit, line, label, std::move(sentence)});
+}
+
+void Summary::say(Line line, std::string_view label, std::string sentence) {
+  figures_.push_back({{}, {}, {}, line, label, std::move(sentence)});
+}
+
+void Summary::add_seconds(const job::StageSeconds& seconds) {
+  Value value(Value::Object{});
+  for (const auto& [name, stage] : seconds) {
+    value.set(name, micro(stage));
+  }
+  value.set("total", micro(job::total(seconds)));
+  add("seconds", std::move(value), Line::time, "time", seconds_text(seconds));
+}
+
+void Summary::add_repairs(const mesh::RepairReport& report) {
+  Value list(Value::List{});
+  for (const mesh::Repair& repair : report.entries()) {
+    list.add(Value::Object{{"kind", mesh::name(repair.kind)}, {"count", repair.count}});
+  }
+  add("repairs", std::move(list));
+}
+
+void Summary::add_notes(const std::vector<std::string>& notes) {
+  add("notes", list_of(notes));
+  for (const std::string& note : notes) {
+    say(Line::notes, "note", note);
+  }
+}
+
+void Summary::add_files(const std::vector<std::string>& files, bool silent) {
+  add("files", list_of(files));
+  files_ = silent && files.empty() ? std::string() : written_text(files);
+}
+
+std::string Summary::text() const {
+  std::vector<const Figure*> lines;
+  for (const Figure& figure : figures_) {
+    if (!figure.sentence.empty()) {
+      lines.push_back(&figure);
+    }
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const Figure* a, const Figure* b) { return a->line < b->line; });
+  std::string text = title_ + "\n";
+  for (const Figure* const figure : lines) {
+    text += fmt::format("  {:<11} {}\n", figure->label, figure->sentence);
+  }
+  return text + files_;
+}
+
+std::string Summary::json() const {
+  Value object(Value::Object{});
+  for (const Figure& figure : figures_) {
+    if (!figure.key.empty()) {
+      object.set(std::string(figure.key), figure.value);
+    }
+  }
+  return json_text(object) + "\n";
+}
+
+}  // namespace ridgecraft::cli

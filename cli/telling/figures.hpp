@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a job tells, as one list of figures: the lines for a person and the object for a machine are two
+// renderings of it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/telling/value.hpp"
+#include "job/stage_clock.hpp"
+#include "mesh/model/repair_report.hpp"
+
+namespace ridgecraft::cli {
+
+/// The lines of a summary in the order in which a person reads them.
+enum class Line {
+  size,
+  simplified,
+  nets,
+  hint,
+  pieces,
+  tabs,
+  lines,
+  numbers,
+  slivers,
+  folding,
+  colours,
+  bodies,
+  notes,
+  time
+};
+
+struct Figure {
+  std::string_view key;  ///< in the object; empty for what people alone are told
+  Value value;
+  std::string_view unit;  ///< "mm" and so on; the key ends with it. Empty for counts, names and texts
+  Line line = Line::nets;
+  std::string_view label;  ///< of the sentence's line: one word
+  std::string sentence;    ///< empty for what machines alone are told; further lines of one label behind "\n"
+};
+
+/// The report of one job.
+class Summary {
+ public:
+  /// `title`: the first line.
+  explicit Summary(std::string title) : title_(std::move(title)) {}
+
+  /// A figure that machines alone are told.
+  void add(std::string_view key, Value value, std::string_view unit = {});
+  /// One that people are told, too, if the sentence isn't empty.
+  void add(std::string_view key, Value value, Line line, std::string_view label, std::string sentence,
+           std::string_view unit = {});
+  /// A sentence for people alone.
+  void say(Line line, std::string_view label, std::string sentence);
+
+  // What the jobs have in common.
+  void add_seconds(const job::StageSeconds& seconds);
+  void add_repairs(const mesh::RepairReport& report);
+  void add_notes(const std::vector<std::string>& notes);
+  /// `silent`: nothing is said where nothing was written.
+  void add_files(const std::vector<std::string>& files, bool silent = false);
+
+  /// Lines for a person.
+  [[nodiscard]] std::string text() const;
+  /// One object, its keys in the order in which they were added.
+  [[nodiscard]] std::string json() const;
+
+ private:
+  std::string title_;
+  std::vector<Figure> figures_;
+  std::string files_;  ///< lines about what was written, at the end
+};
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/telling/net_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/sentence.hpp"
+#include "export/page/neighbours.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+std::vector<PieceId> pieces_with_care(const unfold::Nets& nets) {
+  std::vector<PieceId> found;
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    if (nets.pieces[p].folding.way == unfold::FoldWay::with_care) {
+      found.push_back(p);
+    }
+  }
+  return found;
+}
+
+/// unfold::sentence(reason), with the option that the user can change it by.
+std::string sentence_of_one(unfold::PieceReason reason) {
+  return std::string(unfold::sentence(reason)) +
+         (reason == unfold::PieceReason::faces ? " (--max-faces)" : "");
+}
+
+/// The same for several pieces.
+std::string sentence_of_several(unfold::PieceReason reason) {
+  using unfold::PieceReason;
+  switch (reason) {
+    case PieceReason::page:
+      return "their parts don't fit the paper in one piece";
+    case PieceReason::overlap:
+      return "their parts would overlap themselves in one piece";
+    case PieceReason::tabs:
+      return "their parts have no room for tabs in one piece";
+    case PieceReason::faces:
+      return "their parts have more faces than one piece may have (--max-faces)";
+    case PieceReason::component:
+      return "their parts aren't connected";
+    case PieceReason::part:
+    case PieceReason::time:
+    case PieceReason::request:
+      return sentence_of_one(reason);
+  }
+  return "";
+}
+
+/// "A to D", "A, C", "A, C and 7 more": names in the order of the pieces.
+std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces) {
+  constexpr std::size_t most = 6;  // before the rest is only counted
+  const auto name = [&](PieceId p) { return nets.pieces[p].name; };
+  const bool in_a_row = pieces.back().value() - pieces.front().value() + 1 == pieces.size();
+  if (in_a_row && pieces.size() > 2) {
+    return name(pieces.front()) + " to " + name(pieces.back());
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(pieces.size(), most); ++i) {
+    text += (i == 0 ? "" : ", ") + name(pieces[i]);
+  }
+  return pieces.size() <= most ? text : text + " and " + std::to_string(pieces.size() - most) + " more";
+}
+
+/// "3 too short, 1 no room": why joins have no tab.
+std::string without_tab_text(const unfold::Nets& nets) {
+  std::map<unfold::NoTab, std::size_t> reasons;
+  for (const unfold::Join& join : nets.joins) {
+    if (!join.tab.valid()) {
+      ++reasons[join.no_tab];
+    }
+  }
+  std::string text;
+  for (const auto& [reason, count] : reasons) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", count, unfold::sentence(reason));
+  }
+  return text;
+}
+
+double height_of(const unfold::Tab& tab) {
+  const Vec2 base = tab.polygon[1] - tab.polygon[0];
+  double highest = 0.0;
+  for (const Vec2 p : tab.polygon) {
+    highest = std::max(highest, std::abs(cross(base, p - tab.polygon[0])) / length(base));
+  }
+  return highest;
+}
+
+/// Where another height than the default was asked for: how many tabs are lower.
+std::string lower_tabs_text(const unfold::Nets& nets, double asked_mm) {
+  if (asked_mm == unfold::TabOptions().height_mm) {
+    return {};
+  }
+  std::size_t lower = 0;
+  double lowest = asked_mm;
+  for (const unfold::Tab& tab : nets.tabs) {
+    const double height = height_of(tab);
+    lower += height < 0.99 * asked_mm ? 1U : 0U;
+    lowest = std::min(lowest, height);
+  }
+  return lower == 0 ? ""
+                    : fmt::format(
+                          "; {} lower than {:g} mm, down to {:.1f} mm, as their edges and the faces "
+                          "behind them allow",
+                          lower == nets.tabs.size() ? "all" : std::to_string(lower), asked_mm, lowest);
+}
+
+std::size_t count_joins(const unfold::Nets& nets, bool (*holds)(const unfold::Join&)) {
+  return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(), holds));
+}
+
+/// "A 1, 2; B 7 and 3 more": numbers without a place.
+std::string lost_text(std::vector<paper::DrawReport::Number> lost) {
+  constexpr std::size_t most = 10;
+  std::sort(lost.begin(), lost.end());
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, lost.size()); ++i) {
+    const bool same_piece = i > 0 && lost[i].piece == lost[i - 1].piece;
+    text += same_piece ? ", " : (i == 0 ? ": " : "; ") + lost[i].piece + " ";
+    text += std::to_string(lost[i].number);
+  }
+  return text + (lost.size() > most ? fmt::format(" and {} more", lost.size() - most) : "");
+}
+
+/// "2 that no join connects: 1 A to C; 2 D at B"
+std::string bodies_text(const unfold::Nets& nets, const std::vector<paper::Body>& bodies) {
+  constexpr std::size_t most = 8;
+  if (bodies.empty()) {
+    return {};
+  }
+  std::string text = fmt::format("{} that no join connects: ", bodies.size());
+  for (std::size_t i = 0; i < std::min(most, bodies.size()); ++i) {
+    text += fmt::format("{}{} {}", i == 0 ? "" : "; ", i + 1, piece_names(nets, bodies[i].pieces));
+    if (bodies[i].beside.valid() && i > 0) {
+      text += " at " + nets.pieces[bodies[i].beside].name;
+    }
+  }
+  return text + (bodies.size() > most ? fmt::format("; {} more", bodies.size() - most) : "");
+}
+
+}  // namespace
+
+std::string reasons_text(const unfold::Nets& nets) {
+  std::map<std::string, std::size_t> reasons;
+  for (const unfold::Piece& piece : nets.pieces) {
+    if (piece.reason != unfold::PieceReason::part) {
+      ++reasons[std::string(unfold::name(piece.reason))];
+    }
+  }
+  std::string text;
+  for (const auto& [reason, count] : reasons) {
+    text += fmt::format("{}{} because of {}", text.empty() ? " (" : ", ", count, reason);
+  }
+  return text.empty() ? text : text + ")";
+}
+
+void add_extra_pieces(Summary& summary, const unfold::Nets& nets) {
+  std::map<unfold::PieceReason, std::vector<PieceId>> extra;
+  Value list(Value::List{});
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    const unfold::Piece& piece = nets.pieces[p];
+    if (piece.reason != unfold::PieceReason::part) {
+      extra[piece.reason].push_back(p);
+      list.add(Value::Object{{"name", piece.name},
+                             {"reason", unfold::name(piece.reason)},
+                             {"why", sentence_of_one(piece.reason)}});
+    }
+  }
+  summary.add("extra_pieces", std::move(list));
+  for (const auto& [reason, pieces] : extra) {
+    summary.say(Line::pieces, pieces.size() == 1 ? "piece" : "pieces",
+                piece_names(nets, pieces) + ": " +
+                    (pieces.size() == 1 ? sentence_of_one(reason) : sentence_of_several(reason)));
+  }
+}
+
+TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,
+                       const unfold::TabOptions& options) {
+  return {nets.tabs.size(), unfold::tabs_usable(surface, nets, options),
+          count_joins(nets, [](const unfold::Join& join) { return !join.tab.valid(); }),
+          count_joins(nets, [](const unfold::Join& join) { return join.too_narrow; })};
+}
+
+std::string tabs_text(const TabFigures& figures, const unfold::Nets& nets,
+                      const unfold::TabOptions& options) {
+  return fmt::format(
+      "{} for {}{}{}{}", figures.tabs, counted(nets.joins.size(), "join"),
+      figures.usable < figures.tabs
+          ? fmt::format(", {} of them usable (the others are smaller than holds well)", figures.usable)
+          : "",
+      lower_tabs_text(nets, options.height_mm),
+      figures.without > 0 ? fmt::format("; {} without ({})", figures.without, without_tab_text(nets)) : "");
+}
+
+Value index_value(const mesh::Surface& surface, const unfold::Nets& nets, const paper::Pages& pages) {
+  const auto neighbours = paper::find_neighbours(surface, nets);
+  Value list(Value::List{});
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    Value joins(Value::List{});
+    for (const paper::Neighbour& neighbour : neighbours[p]) {
+      joins.add(Value::Object{{"piece", nets.pieces[neighbour.piece].name},
+                              {"numbers", Value::List(neighbour.numbers.begin(), neighbour.numbers.end())}});
+    }
+    list.add(Value::Object{{"piece", nets.pieces[p].name},
+                           {"page", pages.placements[p].page.value() + 1},
+                           {"joins", std::move(joins)}});
+  }
+  return list;
+}
+
+void add_numbers(Summary& summary, const paper::DrawReport& drawn) {
+  const std::size_t lost = drawn.labels_left_out.size();
+  Value list(Value::List{});
+  for (const auto& [piece, number] : drawn.labels_left_out) {
+    list.add(Value::Object{{"piece", piece}, {"number", number}});
+  }
+  std::string sentence;
+  if (lost + drawn.labels_outside + drawn.names_left_out > 0) {
+    sentence = fmt::format("{} beside their piece, {} without a place", drawn.labels_outside, lost) +
+               lost_text(drawn.labels_left_out);
+  }
+  if (drawn.names_left_out > 0) {
+    sentence += fmt::format("; {} without a place", counted(drawn.names_left_out, "name"));
+  }
+  summary.add("labels_left_out", lost, Line::numbers, "numbers", std::move(sentence));
+  summary.add("numbers_without_place", std::move(list));
+  summary.add("labels_outside", drawn.labels_outside);
+  summary.add("names_left_out", drawn.names_left_out);
+}
+
+void add_folding(Summary& summary, const unfold::Nets& nets) {
+  const std::vector<PieceId> pieces = pieces_with_care(nets);
+  Value list(Value::List{});
+  for (const PieceId p : pieces) {
+    list.add(nets.pieces[p].name);
+  }
+  summary.add("pieces_to_fold_with_care", std::move(list), Line::folding, "folding",
+              pieces.empty()
+                  ? ""
+                  : piece_names(nets, pieces) + ": faces are in each other's way and have to be bent aside");
+}
+
+void say_colours(Summary& summary, const mesh::Model& model) {
+  const bool coloured =
+      std::any_of(model.materials.begin(), model.materials.end(), [](const mesh::Material& m) {
+        return !m.texture_file.empty() || (m.colour && *m.colour != mesh::Colour{1.0, 1.0, 1.0});
+      });
+  if (coloured) {
+    summary.say(Line::colours, "colours", "of the model aren't printed: pages show lines only");
+  }
+}
+
+void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<paper::Body>& bodies) {
+  Value list(Value::List{});
+  for (const paper::Body& body : bodies) {
+    Value pieces(Value::List{});
+    for (const PieceId piece : body.pieces) {
+      pieces.add(nets.pieces[piece].name);
+    }
+    Value item(Value::Object{{"pieces", std::move(pieces)}});
+    if (body.beside.valid()) {
+      item.set("beside", nets.pieces[body.beside].name);
+      item.set("distance_mm", rounded(body.distance_mm));
+    }
+    list.add(std::move(item));
+  }
+  summary.add("bodies", std::move(list), Line::bodies, "bodies", bodies_text(nets, bodies));
+}
+
+}  // namespace ridgecraft::cli

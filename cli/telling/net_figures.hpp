@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told of nets: pieces and why they are there, tabs, how they fold, which bodies they make.
+#pragma once
+
+#include <string>
+
+#include "cli/telling/figures.hpp"
+#include "export/sheet/pages.hpp"
+#include "mesh/model/model.hpp"
+#include "unfold/net/nets.hpp"
+#include "unfold/net/options.hpp"
+
+namespace ridgecraft::cli {
+
+/// " (2 because of overlap)"; empty where every piece is a part.
+[[nodiscard]] std::string reasons_text(const unfold::Nets& nets);
+
+/// The pieces that aren't there because of a part alone.
+void add_extra_pieces(Summary& summary, const unfold::Nets& nets);
+
+/// Joins and tabs, counted.
+struct TabFigures {
+  std::size_t tabs = 0;
+  std::size_t usable = 0;
+  std::size_t without = 0;     ///< joins without a tab
+  std::size_t too_narrow = 0;  ///< joins that could have no usable tab however the model is cut
+};
+[[nodiscard]] TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,
+                                     const unfold::TabOptions& options);
+/// A line: how many tabs, how many of them are usable where not all are, how many are lower than asked where
+/// that isn't the default, which joins have none and why.
+[[nodiscard]] std::string tabs_text(const TabFigures& figures, const unfold::Nets& nets,
+                                    const unfold::TabOptions& options);
+
+/// Which pieces each piece is glued to, by which numbers, and the page that it is on.
+[[nodiscard]] Value index_value(const mesh::Surface& surface, const unfold::Nets& nets,
+                                const paper::Pages& pages);
+
+/// Numbers and names that stand elsewhere than they should, or nowhere.
+void add_numbers(Summary& summary, const paper::DrawReport& drawn);
+
+/// The pieces that have to be bent while they are folded.
+void add_folding(Summary& summary, const unfold::Nets& nets);
+
+/// Says where the model has colours or pictures, since pages show none.
+void say_colours(Summary& summary, const mesh::Model& model);
+
+/// Which pieces make each separate body, and beside which piece it belongs.
+void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<paper::Body>& bodies);
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/telling/remarks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace ridgecraft::cli {
+namespace {
+
+/// What nearly every printer reaches, mm from the sheet's edge.
+constexpr double printer_margin_mm = 3.0;
+/// Hardly anybody folds smaller models, mm.
+constexpr double tiny_mm = 30.0;
+
+double two_digits(double value) {
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) - 1.0));
+  return std::round(value / unit) * unit;
+}
+
+std::string text_of(const job::ManyPages& many) {
+  return fmt::format("this takes {}{:.0f} pages; --size {:.0f}mm would take about {:.0f}",
+                     many.counted ? "" : "about ", many.counted ? many.pages : two_digits(many.pages),
+                     two_digits(many.size_for_fewer), many.fewer_pages);
+}
+
+std::string text_of(const job::ShortFolds& folds) {
+  return fmt::format(
+      "half of the folds are shorter than {:.1f} mm, too short for fingers; --size {:.0f}mm makes half of "
+      "them {:g} mm and longer",
+      folds.median_mm, std::ceil(folds.size_for_easy), folds.easy_mm);
+}
+
+}  // namespace
+
+std::string sentence(const job::Remark& remark) {
+  return std::visit([](const auto& told) { return text_of(told); }, remark);
+}
+
+std::optional<std::string> assumed_unit_warning(const AskedSize& asked, const prepare::SizeOptions& size) {
+  const double mm = size.largest_extent_mm;
+  if (!asked.unit_assumed || mm >= tiny_mm) {
+    return std::nullopt;
+  }
+  return fmt::format("{} has no unit, so it means {:g} mm; --size {:g}cm makes a model ten times as large",
+                     asked.words, mm, mm);
+}
+
+std::optional<std::string> narrow_margin_warning(const paper::Paper& paper) {
+  if (paper.margin >= printer_margin_mm) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "most printers don't reach the outer {:g} mm of a sheet: a margin of {:g} mm is for cutting machines",
+      printer_margin_mm, paper.margin);
+}
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What ridgecraft info tells.
+#include <fmt/format.h>
+
+#include "base/sentence.hpp"
+#include "cli/files/model_input.hpp"
+#include "cli/telling/summary.hpp"
+
+namespace ridgecraft::cli {
+
+Summary summary(const InfoJob& job, const mesh::Model& model, const prepare::Panels& panels) {
+  const mesh::Surface& surface = model.surface;
+  std::size_t border = 0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    border += surface.is_border(e) ? 1U : 0U;
+  }
+  const Vec3 size = model.file_scale * surface.bounds().size();
+  Summary summary(shown_name(job.model) + ": " + counted(model.polygon_count, "polygon"));
+  summary.add("model", model.name);
+  summary.add("polygons", model.polygon_count);
+  summary.add("faces", surface.face_count(), Line::nets, "surface",
+              fmt::format("{}, {} vertices, {}, {}", counted(surface.face_count(), "triangle"),
+                          surface.vertex_count(), counted(panels.count(), "panel"),
+                          counted(surface.component_count(), "component")));
+  summary.add("vertices", surface.vertex_count());
+  summary.add("panels", panels.count());
+  summary.add("components", surface.component_count());
+  summary.add("border_edges", border, Line::nets, "border",
+              border == 0 ? "none: the surface is closed" : counted(border, "edge"));
+  summary.add("size", Value::List{size.x, size.y, size.z}, Line::nets, "size",
+              fmt::format("{:g} x {:g} x {:g} in the file's unit", size.x, size.y, size.z));
+  summary.add("materials", model.materials.size());
+  summary.add("textured", !model.texture.empty());
+  summary.add_repairs(model.repairs);
+  for (const std::string& line : repair_lines(model.repairs)) {
+    summary.say(Line::notes, "repair", line);
+  }
+  return summary;
+}
+
+}  // namespace ridgecraft::cli

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What ridgecraft MODEL and ridgecraft unfold tell of their work.
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/sentence.hpp"
+#include "cli/files/model_input.hpp"
+#include "cli/telling/lengths.hpp"
+#include "cli/telling/net_figures.hpp"
+#include "cli/telling/summary.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+/// A surface that moved by more than this share of the largest extent has lost some of its shape.
+constexpr double far_moved = 0.04;
+
+void add_size(Summary& summary, const job::Paper& made, const std::string& asked) {
+  const Vec3 size = made.prepared.model.surface.bounds().size();
+  summary.add(
+      "size_mm", Value::List{rounded(size.x), rounded(size.y), rounded(size.z)}, Line::size, "size",
+      asked.empty() ? "" : fmt::format("{:.1f} x {:.1f} x {:.1f} mm ({})", size.x, size.y, size.z, asked),
+      "mm");
+}
+
+Value simplified_value(const prepare::SimplifyReport& report) {
+  return Value::Object{{"faces_before", report.faces_before},
+                       {"faces_after", report.faces_after},
+                       {"deviation_mm", rounded(report.deviation_mm)},
+                       {"specks_dropped", report.specks_dropped},
+                       {"short_edges_before", rounded(report.short_edges_before)},
+                       {"short_edges_after", rounded(report.short_edges_after)},
+                       {"still_too_fine", report.still_too_fine}};
+}
+
+void say_simplified(Summary& summary, const job::Paper& made) {
+  const prepare::SimplifyReport& report = made.prepared.simplified;
+  if (report.faces_after < report.faces_before && report.deviation_mm > 0.0) {
+    summary.say(Line::simplified, "simplified",
+                fmt::format("from {} to {} faces, the surface moved by at most {:.2f} mm",
+                            report.faces_before, report.faces_after, report.deviation_mm));
+    const double largest = made.prepared.model.surface.bounds().largest_extent();
+    if (report.deviation_mm > far_moved * largest) {
+      summary.say(
+          Line::simplified, "coarse",
+          fmt::format(
+              "that is {:.0f} % of the size: parts that stand out may be gone; more --faces keep them",
+              100.0 * report.deviation_mm / largest));
+    }
+  }
+  if (report.specks_dropped > 0) {
+    summary.say(Line::simplified, "left out",
+                counted(report.specks_dropped, "component") + " too small to be held");
+  }
+  if (report.still_too_fine) {
+    summary.say(
+        Line::simplified, "too fine",
+        fmt::format("{:.0f} % of the folds are shorter than {:g} mm; a larger --size or --faces N helps",
+                    100.0 * report.short_edges_after, made.options.simplify.short_edge_mm));
+  }
+}
+
+void add_page_saving(Summary& summary, const job::Paper& made) {
+  if (!made.share_saving_a_page) {
+    summary.add("size_saving_a_page_mm", {}, "mm");
+    return;
+  }
+  const double share = *made.share_saving_a_page;
+  // In whole millimetres.
+  const double size = std::floor(share * made.prepared.model.surface.bounds().largest_extent());
+  summary.add("size_saving_a_page_mm", size, Line::hint, "hint",
+              fmt::format("at {:.0f} % of this size these pieces would take a page less: --size {:.0f}mm",
+                          100.0 * share, size),
+              "mm");
+}
+
+void add_slivers(Summary& summary, const job::Paper& made) {
+  summary.add(
+      "slivers", made.slivers, Line::slivers, "slivers",
+      made.slivers == 0
+          ? ""
+          : fmt::format("{} thinner than {:g} mm, too thin to cut or fold; a larger --size or --faces "
+                        "N helps",
+                        counted(made.slivers, "face"), job::sliver_mm));
+}
+
+std::string lines_text(const verify::Figures& figures) {
+  return fmt::format("{} to cut, {} to fold", metres(figures.cut_mm), metres(figures.fold_mm));
+}
+
+}  // namespace
+
+Summary summary(const PaperJob& job, const PaperResult& result) {
+  const job::Paper& made = result.made;
+  const mesh::Model& model = made.prepared.model;
+  const unfold::Nets& nets = made.nets;
+  const TabFigures tabs = tab_figures(model.surface, nets, job.options.tabs);
+  Summary summary(fmt::format(
+      "{}: {}, {} on paper, {}", shown_name(job.model), counted(model.polygon_count, "polygon"),
+      counted(model.surface.face_count(), "face"), counted(model.surface.component_count(), "component")));
+  summary.add("model", model.name);
+  summary.add("faces", model.surface.face_count());
+  summary.add("parts", made.part_count);
+  summary.add("pieces", nets.pieces.size());
+  summary.add("pages", made.pages.count, Line::nets, "nets",
+              fmt::format("{}, {}{} on {}, {}", counted(made.part_count, "part"),
+                          counted(nets.pieces.size(), "piece"), reasons_text(nets),
+                          counted(made.pages.count, "page"), job.paper_name));
+  add_page_saving(summary, made);
+  add_extra_pieces(summary, nets);
+  add_size(summary, made, job.size_asked.words);
+  summary.add("tabs", tabs.tabs, Line::tabs, "tabs", tabs_text(tabs, nets, job.options.tabs));
+  summary.add("tabs_usable", tabs.usable);
+  summary.add("joins_too_narrow", tabs.too_narrow);
+  summary.add("joins", nets.joins.size());
+  summary.add("joins_without_tab", tabs.without);
+  summary.add("cut_mm", rounded(made.figures.cut_mm), Line::lines, "lines", lines_text(made.figures), "mm");
+  summary.add("fold_mm", rounded(made.figures.fold_mm), "mm");
+  summary.add("index", index_value(model.surface, nets, made.pages));
+  add_numbers(summary, made.drawn);
+  add_slivers(summary, made);
+  add_folding(summary, nets);
+  add_bodies(summary, nets, made.drawn.bodies);
+  summary.add("paper", job.paper_name);
+  summary.add("simplified", simplified_value(made.prepared.simplified));
+  say_simplified(summary, made);
+  say_colours(summary, model);
+  summary.add_seconds(result.seconds);
+  summary.add_repairs(model.repairs);
+  summary.add_notes(nets.notes);
+  summary.add_files(result.files);
+  return summary;
+}
+
+Summary summary(const UnfoldJob& job, const PaperResult& result) {
+  const job::Paper& made = result.made;
+  const mesh::Model& model = made.prepared.model;
+  const unfold::Nets& nets = made.nets;
+  Summary summary(fmt::format("{}: {}, {}", shown_name(job.model),
+                              counted(model.surface.face_count(), "face"),
+                              counted(model.surface.component_count(), "component")));
+  summary.add("model", model.name);
+  summary.add("faces", model.surface.face_count());
+  summary.add("parts", made.part_count);
+  summary.add("pieces", nets.pieces.size());
+  summary.add("overlaps", made.figures.overlaps, Line::nets, "nets",
+              fmt::format("{}, {}{}, {} overlaps", counted(made.part_count, "part"),
+                          counted(nets.pieces.size(), "piece"), reasons_text(nets), made.figures.overlaps));
+  summary.add("joins", nets.joins.size());
+  if (job.options.tabs.wanted) {
+    const TabFigures tabs = tab_figures(model.surface, nets, job.options.tabs);
+    summary.add("tabs", tabs.tabs, Line::tabs, "tabs", tabs_text(tabs, nets, job.options.tabs));
+    summary.add("tabs_usable", tabs.usable);
+    summary.add("joins_without_tab", tabs.without);
+    summary.add("joins_too_narrow", tabs.too_narrow);
+  }
+  add_size(summary, made, {});
+  summary.add("cut_mm", rounded(made.figures.cut_mm), "mm");
+  summary.add("fold_mm", rounded(made.figures.fold_mm), "mm");
+  Value reasons(Value::List{});
+  for (const unfold::Piece& piece : nets.pieces) {
+    reasons.add(unfold::name(piece.reason));
+  }
+  summary.add("reasons", std::move(reasons));
+  add_folding(summary, nets);
+  say_simplified(summary, made);
+  summary.add_seconds(result.seconds);
+  summary.add_repairs(model.repairs);
+  summary.add_notes(nets.notes);
+  summary.add_files(result.files);
+  return summary;
+}
+
+}  // namespace ridgecraft::cli

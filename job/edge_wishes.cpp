@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/edge_wishes.hpp"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "verify/file.hpp"
+
+namespace ridgecraft::job {
+namespace {
+
+using unfold::EdgeWish;
+using unfold::EdgeWishes;
+using unfold::Segment;
+using unfold::SegmentCount;
+
+struct Seams {
+  std::vector<Segment> cut, keep;
+};
+
+Box3 bounds_of(const std::vector<Vec3>& points) {
+  Box3 box;
+  for (const Vec3 p : points) {
+    box.add(p);
+  }
+  return box;
+}
+
+/// The folds and cuts of nets made before, in the surface's frame whatever size they were made in.
+Seams seams_in(const OldNets& old, const mesh::Surface& surface) {
+  verify::File nets;
+  try {
+    nets = verify::read_file(old.bytes);
+  } catch (const verify::NotInForm& reason) {
+    throw Error(ErrorKind::unreadable_input, old.name + ": " + reason.message, old.name);
+  }
+  const Box3 there = bounds_of(nets.model.points);
+  const double factor = surface.bounds().largest_extent() / there.largest_extent();
+  const auto point = [&](verify::Index v) {
+    return surface.bounds().low + factor * (nets.model.points[v] - there.low);
+  };
+  Seams seams;
+  for (verify::Index side = 0; side < nets.faces.sides(); ++side) {
+    const verify::Index face = nets.faces.face(side);
+    const verify::Index there_side =
+        nets.model.faces.first(nets.face_model[face]) + side - nets.faces.first(face);
+    if (nets.model.twin[there_side] == verify::none) {
+      continue;
+    }
+    const bool cut = nets.edges[nets.side_edge[side]].assignment == verify::Assignment::cut;
+    (cut ? seams.cut : seams.keep)
+        .push_back({point(nets.model.faces.tail(there_side)), point(nets.model.faces.head(there_side))});
+  }
+  return seams;
+}
+
+void note_count(const SegmentCount& count, std::string_view what, std::vector<std::string>& notes) {
+  if (count.flat > 0) {
+    notes.push_back(fmt::format("{} of {} edges {} lie inside flat regions, which stay whole", count.flat,
+                                count.found + count.flat + count.lost, what));
+  }
+  if (count.lost > 0) {
+    notes.push_back(fmt::format("{} of {} edges {} are no edges of the model on paper", count.lost,
+                                count.found + count.flat + count.lost, what));
+  }
+}
+
+/// Cuts and edges to be kept, matched each for itself so that contradictions show. Of these the cut counts:
+/// it can always be made, and what is kept is a wish that may fail for other reasons, too.
+EdgeWishes wishes_asked(const prepare::Prepared& prepared, const std::vector<Segment>& cut,
+                        const std::vector<Segment>& keep, const Context& context,
+                        std::vector<std::string>& notes) {
+  SegmentCount cuts;
+  SegmentCount keeps;
+  SegmentCount none;
+  const auto match = [&](const std::vector<Segment>& to_cut, const std::vector<Segment>& to_keep) {
+    return unfold::match_segments(prepared.model.surface, prepared.panels, to_cut, to_keep,
+                                  to_cut.empty() ? none : cuts, to_keep.empty() ? none : keeps, context);
+  };
+  EdgeWishes wishes = match(cut, {});
+  if (!keep.empty()) {
+    const EdgeWishes kept = match({}, keep);
+    std::size_t both = 0;
+    for (const EdgeId e : ids<EdgeId>(wishes.size())) {
+      both += wishes[e] == EdgeWish::cut && kept[e] == EdgeWish::keep ? 1U : 0U;
+      wishes[e] = wishes[e] == EdgeWish::none ? kept[e] : wishes[e];
+    }
+    if (both > 0) {
+      notes.push_back(fmt::format("{} to be kept {} to be cut, too, and {} cut",
+                                  std::to_string(both) + (both == 1 ? " edge" : " edges"),
+                                  both == 1 ? "is" : "are", both == 1 ? "is" : "are"));
+    }
+  }
+  note_count(cuts, "to be cut", notes);
+  note_count(keeps, "to be kept", notes);
+  return wishes;
+}
+
+EdgeWishes wishes_from_nets(const OldNets& old, const prepare::Prepared& prepared, const Context& context,
+                            std::vector<std::string>& notes) {
+  const mesh::Surface& surface = prepared.model.surface;
+  const Seams seams = seams_in(old, surface);
+  SegmentCount cuts;
+  SegmentCount keeps;
+  EdgeWishes wishes =
+      unfold::match_segments(surface, prepared.panels, seams.cut, seams.keep, cuts, keeps, context);
+  const std::size_t lost = cuts.lost + keeps.lost;
+  const std::size_t all = seams.cut.size() + seams.keep.size();
+  if (2 * lost > all) {
+    throw Error(ErrorKind::unusable_mesh,
+                fmt::format("{} holds nets of another model, or of this one with other faces: {} of {} edges "
+                            "don't lie on an edge of it",
+                            old.name, lost, all),
+                old.name);
+  }
+  if (lost > 0) {
+    notes.push_back(
+        fmt::format("{} of {} edges of {} are no edges of the model on paper", lost, all, old.name));
+  }
+  return wishes;
+}
+
+/// Edges by the numbers of their ends, at their places.
+std::vector<Segment> segments_of(const std::optional<EdgeList>& list, const mesh::Model& model) {
+  std::vector<Segment> segments;
+  if (list) {
+    for (const auto& [from, to] : list->edges) {
+      segments.push_back({model.file_points.at(from), model.file_points.at(to)});
+    }
+  }
+  return segments;
+}
+
+}  // namespace
+
+void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,
+                std::vector<std::string>& notes) {
+  if (edges.from) {
+    model.lines.clear();
+  } else if (2 * model.lines.size() > model.surface.edge_count()) {
+    notes.emplace_back("the file marks most of its edges, so they aren't taken for cuts");
+    model.lines.clear();
+  }
+  if (simplify.mode != prepare::Simplification::automatic || (!edges.any() && model.lines.empty())) {
+    return;
+  }
+  simplify.mode = prepare::Simplification::keep;
+  if (!edges.any()) {
+    notes.emplace_back("the file marks edges to cut, so the model isn't simplified");
+  }
+}
+
+EdgeWishes wishes_of(const EdgeRequests& edges, const prepare::Prepared& prepared, const Context& context,
+                     std::vector<std::string>& notes) {
+  EdgeWishes wishes;
+  if (edges.from) {
+    wishes = wishes_from_nets(*edges.from, prepared, context, notes);
+  }
+  std::vector<Segment> cut = prepared.model.lines;
+  const std::vector<Segment> named = segments_of(edges.cut, prepared.model);
+  cut.insert(cut.end(), named.begin(), named.end());
+  const std::vector<Segment> keep = segments_of(edges.keep, prepared.model);
+  if (cut.empty() && keep.empty()) {
+    return wishes;
+  }
+  const EdgeWishes asked = wishes_asked(prepared, cut, keep, context, notes);
+  if (wishes.empty()) {
+    return asked;
+  }
+  for (const EdgeId e : ids<EdgeId>(asked.size())) {
+    wishes[e] = asked[e] != EdgeWish::none ? asked[e] : wishes[e];
+  }
+  return wishes;
+}
+
+}  // namespace ridgecraft::job

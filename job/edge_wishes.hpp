@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the edges that a user names, or that nets made before fold and cut, to wishes for edges of the surface
+// that is unfolded.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/context.hpp"
+#include "job/options.hpp"
+#include "mesh/model/model.hpp"
+#include "prepare/prepared/options.hpp"
+#include "prepare/prepared/prepared.hpp"
+#include "unfold/net/edge_wishes.hpp"
+
+namespace ridgecraft::job {
+
+/// Edges that a user names, or that the model's file marks, are those of the model as it is in its file: it
+/// isn't simplified unless that was asked for with a number. Marks are dropped where nets made before decide,
+/// and where they stand at most of the edges: such a file means something else by them. Notes say what wasn't
+/// asked for.
+void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,
+                std::vector<std::string>& notes);
+
+/// What is wanted of each edge of the prepared surface; empty where nothing is. What couldn't be matched is
+/// noted. Throws Error(unreadable_input) for nets that can't be read, Error(unusable_mesh) for nets of
+/// another model.
+[[nodiscard]] unfold::EdgeWishes wishes_of(const EdgeRequests& edges, const prepare::Prepared& prepared,
+                                           const Context& context, std::vector<std::string>& notes);
+
+}  // namespace ridgecraft::job

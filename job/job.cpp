@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/job.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "job/edge_wishes.hpp"
+#include "job/parts.hpp"
+#include "job/settings.hpp"
+#include "prepare/prepare.hpp"
+#include "prepare/prepared/narrow_faces.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::job {
+namespace {
+
+/// A face of this size fits every sheet; for nets without pages.
+constexpr double boundless_mm = 1e9;
+
+/// What pieces must fit, mm.
+Vec2 room_for_pieces(const Options& options) {
+  return options.paper ? paper::piece_area(*options.paper) : Vec2{boundless_mm, boundless_mm};
+}
+
+prepare::PanelRoom panel_room(const Options& options) {
+  const Vec2 area = room_for_pieces(options);
+  return {area.x, area.y, options.paper && options.tabs.wanted ? options.tabs.height_mm : 0.0};
+}
+
+unfold::Options unfold_options(const Options& options, unfold::EdgeWishes wishes) {
+  unfold::Options unfolding;
+  if (options.paper) {
+    const Vec2 area = room_for_pieces(options);
+    unfolding.sheet = unfold::Sheet{area.x, area.y};
+  }
+  unfolding.tabs = options.tabs;
+  unfolding.panel_cuts = options.panel_cuts;
+  unfolding.pieces = options.pieces;
+  unfolding.wishes = std::move(wishes);
+  return unfolding;
+}
+
+void note_divided_panels(const prepare::Prepared& prepared, std::vector<std::string>& notes) {
+  if (const std::size_t n = prepared.divided_panels; n > 0) {
+    notes.push_back(
+        fmt::format("{} flat region{} larger than the printable area, so cut", n, n == 1 ? " is" : "s are"));
+  }
+}
+
+template <class Value>
+void tell(const Listener& listener, const std::optional<Value>& remark) {
+  if (listener && remark) {
+    listener(*remark);
+  }
+}
+
+/// Nothing that fails its own check leaves the program.
+verify::Figures checked_figures(const std::string& fold, const Context& context) {
+  const verify::Report report = verify::verify(fold, {.max_faults = 3}, context);
+  if (!report.sound() || !report.figures) {
+    throw Error(ErrorKind::internal,
+                "the nets fail their check and weren't written (" +
+                    (report.faults.empty() ? "no figures" : report.faults.front().message) + ")");
+  }
+  return *report.figures;
+}
+
+void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
+  made.pages =
+      clock("lay out", context, [&] { return paper::layout(made.nets, *made.options.paper, context); });
+}
+
+void draw_pages(Paper& made, StageClock& clock, const Context& context) {
+  made.share_saving_a_page =
+      clock("hint", context, [&] { return paper::share_that_saves_a_page(made.nets, made.pages, context); });
+  made.drawings = clock("draw", context, [&] {
+    return paper::draw(made.prepared, made.nets, made.pages, made.options.style, &made.drawn);
+  });
+}
+
+/// The FOLD file, and its check.
+void finish(Paper& made, StageClock& clock, const Context& context) {
+  const mesh::Model& model = made.prepared.model;
+  made.fold = clock("write", context, [&] {
+    const paper::Mark mark{program_and_version(), model.name, model.digest};
+    return paper::write_fold(made.prepared, made.part, made.nets, made.options.paper ? &made.pages : nullptr,
+                             mark, settings_of(made.options, context.seed));
+  });
+  made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
+}
+
+/// All that follows from nets that have changed.
+Paper with_new_nets(Paper made, const Context& context) {
+  StageClock clock;
+  made.drawn = {};
+  if (made.options.paper) {
+    lay_out_pages(made, clock, context);
+    draw_pages(made, clock, context);
+  }
+  finish(made, clock, context);
+  made.seconds = clock.seconds();
+  return made;
+}
+
+}  // namespace
+
+Paper paper(mesh::Model model, const Options& options, const Context& context, const Listener& listener) {
+  Paper made;
+  made.options = options;
+  StageClock clock;
+  std::vector<std::string> notes;
+  heed_edges(options.edges, model, made.options.simplify, notes);
+  const Vec2 area = room_for_pieces(options);
+  made.prepared = clock("prepare", context, [&] {
+    return prepare::prepare(std::move(model), options.size, made.options.simplify, panel_room(options),
+                            until_deadline(context));
+  });
+  const mesh::Surface& surface = made.prepared.model.surface;
+  made.slivers = prepare::count_narrow_faces(surface, made.prepared.panels, sliver_mm);
+  double expected = 0.0;
+  if (options.paper) {
+    tell(listener, short_folds(made.prepared, options.style.hidden_fold_angle));
+    expected = expected_pages(made.prepared, area);
+    tell(listener, many_pages(surface, area, expected, false));
+  }
+  unfold::EdgeWishes wishes =
+      clock("prepare", context, [&] { return wishes_of(options.edges, made.prepared, context, notes); });
+  if (options.paper) {
+    note_divided_panels(made.prepared, notes);
+  }
+  made.part = clock("segment", context, [&] { return find_parts(made.prepared, options, context, notes); });
+  made.part_count = count_parts(made.part);
+  made.nets = clock("unfold", context, [&] {
+    return unfold::unfold(surface, made.prepared.panels, made.part,
+                          unfold_options(options, std::move(wishes)), context);
+  });
+  made.nets.notes.insert(made.nets.notes.begin(), notes.begin(), notes.end());
+  if (options.paper) {
+    lay_out_pages(made, clock, context);
+    if (!many_pages(surface, area, expected, false)) {
+      tell(listener, many_pages(surface, area, static_cast<double>(made.pages.count), true));
+    }
+    draw_pages(made, clock, context);
+  }
+  finish(made, clock, context);
+  made.seconds = clock.seconds();
+  return made;
+}
+
+Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context) {
+  made.options.tabs = tabs;
+  unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels, unfold_options(made.options, {}),
+                       made.nets, context);
+  return with_new_nets(std::move(made), context);
+}
+
+Paper with_pages(Paper made, const paper::Paper& paper, const paper::Style& style, const Context& context) {
+  made.options.paper = paper;
+  made.options.style = style;
+  return with_new_nets(std::move(made), context);
+}
+
+}  // namespace ridgecraft::job

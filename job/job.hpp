@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A whole job as a function of values: a model goes in, paper comes out, without files or a terminal. Read
+// this header first. The command line, other programs and tests all call this and nothing else.
+//
+//   Model + Options --paper--> Paper        Paper + TabOptions --with_tabs--> Paper (same folds and cuts)
+//                                           Paper + paper      --with_pages--> Paper (same nets)
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/context.hpp"
+#include "export/export.hpp"
+#include "job/options.hpp"
+#include "job/remark.hpp"
+#include "job/stage_clock.hpp"
+#include "mesh/model/model.hpp"
+#include "prepare/prepared/prepared.hpp"
+#include "unfold/net/nets.hpp"
+#include "verify/verify.hpp"
+
+namespace ridgecraft::job {
+
+/// Narrower strips of paper can neither be cut out nor folded by hand, mm.
+inline constexpr double sliver_mm = 1.0;
+
+/// A finished job with all that was made on the way; every value is complete in itself.
+struct Paper {
+  /// As they were used: where edges are named that are those of the file, `simplify` keeps all faces.
+  Options options;
+  prepare::Prepared prepared;
+  std::size_t slivers = 0;        ///< faces of it thinner than sliver_mm
+  IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions
+  std::size_t part_count = 0;
+  unfold::Nets nets;   ///< its notes begin with those of the stages before
+  paper::Pages pages;  ///< none where Options::paper is none
+  std::optional<double>
+      share_saving_a_page;  ///< of the size, where a slightly smaller model would take a page less
+  std::vector<paper::Drawing> drawings;  ///< one a page
+  paper::DrawReport drawn;
+  std::string fold;         ///< bytes of the FOLD file, checked: what fails its check is never returned
+  verify::Figures figures;  ///< of that check
+  StageSeconds seconds;
+};
+
+/// Prepares, segments, unfolds, lays out, draws and checks. Deterministic for one seed, whatever the number
+/// of threads. Where the context's deadline passes, searches end with the best they have, and where it passes
+/// in the first half of segmentation's time, each component is one part, and a note says so. Throws
+/// Error(unusable_mesh), Error(no_nets), Error(unreadable_input) for nets made before that aren't in form,
+/// Error(out_of_time) where the deadline passes while there is nothing yet, Error(interrupted), and
+/// Error(internal) where the result fails its check. What takes time is named with each stage
+/// (docs/architecture.md).
+[[nodiscard]] Paper paper(mesh::Model model, const Options& options, const Context& context,
+                          const Listener& listener = {});
+
+/// The same nets with other tabs; they stay as they are but for these, also where another shape would have
+/// led the search to other folds. Their pages are laid out anew, since tabs take room.
+[[nodiscard]] Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context);
+
+/// The same nets on other paper, or drawn in another style. Throws Error(no_nets) where a piece is larger
+/// than it.
+[[nodiscard]] Paper with_pages(Paper made, const paper::Paper& paper, const paper::Style& style,
+                               const Context& context);
+
+}  // namespace ridgecraft::job

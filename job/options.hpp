@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a model becomes paper: all that a user chooses, as values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "export/sheet/pages.hpp"
+#include "export/sheet/paper.hpp"
+#include "prepare/prepared/options.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/net/piece_rules.hpp"
+
+namespace ridgecraft::job {
+
+/// Edges by the numbers of their ends: indices into mesh::Model::file_points
+/// (mesh::ReadOptions::keep_points).
+struct EdgeList {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::string
+      digest;  ///< of the text that they were read from (base/digest.hpp); kept as a setting of the nets
+};
+
+/// Nets made before: the bytes of their FOLD file.
+struct OldNets {
+  std::string name;  ///< for messages: the file's name
+  std::string bytes;
+};
+
+/// Edges that a user wants cut or kept together. What is to be cut and kept is cut; both count more than nets
+/// made before, and edges that the model's file marks (mesh::Model::lines) are cut, too.
+struct EdgeRequests {
+  std::optional<EdgeList> cut, keep;
+  std::optional<OldNets> from;
+
+  [[nodiscard]] bool any() const { return cut || keep || from; }
+};
+
+/// Which faces are unfolded together.
+enum class PartsFrom {
+  segmentation,  ///< nearly convex parts
+  components,    ///< each component as a whole
+};
+
+struct Options {
+  prepare::SizeOptions size;
+  prepare::SimplifyOptions simplify;
+  PartsFrom parts = PartsFrom::segmentation;
+  double concavity = 0.1;                             ///< segment::Options::concavity
+  std::optional<paper::Paper> paper{paper::Paper{}};  ///< none: nets without pages, each as large as it likes
+  unfold::TabOptions tabs;
+  unfold::PieceRules pieces;
+  unfold::PanelCuts panel_cuts = unfold::PanelCuts::only_if_too_large;
+  EdgeRequests edges;
+  paper::Style style;
+};
+
+}  // namespace ridgecraft::job

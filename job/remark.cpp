@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/remark.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ridgecraft::job {
+namespace {
+
+/// Shorter folds can't be made by hand; folds of the second length are no trouble, mm.
+constexpr double shortest_fold_mm = 3.0;
+constexpr double easy_fold_mm = 6.0;
+/// From here on a user is warned.
+constexpr double warned_pages = 100.0;
+/// As many pages as a maker finishes.
+constexpr double few_pages = 10.0;
+/// Share of the printable area that pieces fill.
+constexpr double filled = 0.6;
+
+double area_of(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
+  double area = 0.0;
+  for (const FaceId f : faces) {
+    area += surface.area(f);
+  }
+  return area;
+}
+
+double pages_filled(double area, Vec2 printable) {
+  return area / (filled * printable.x * printable.y);
+}
+
+/// Paper grows with the square of the size. A model on few pages has hardly a flat region that takes one for
+/// itself, so those of this size don't count more than their area.
+double size_on_few_pages(const mesh::Surface& surface, Vec2 printable, double pages) {
+  const double paper = std::max(pages, pages_filled(mesh::total_area(surface), printable));
+  return surface.bounds().largest_extent() * std::sqrt(few_pages / paper);
+}
+
+std::vector<double> fold_lengths(const prepare::Prepared& prepared, double hidden_fold_angle) {
+  const mesh::Surface& surface = prepared.model.surface;
+  const auto& panel = prepared.panels.panel;
+  std::vector<double> lengths;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    const auto [c, d] = surface.sides(e);
+    if (d.valid() && panel[mesh::face_of(c)] != panel[mesh::face_of(d)] &&
+        std::abs(surface.fold_angle(e)) >= hidden_fold_angle) {
+      lengths.push_back(surface.length(e));
+    }
+  }
+  return lengths;
+}
+
+}  // namespace
+
+double expected_pages(const prepare::Prepared& prepared, Vec2 printable) {
+  double alone = 0.0;
+  double area_of_others = 0.0;
+  for (const auto& faces : prepared.panels.faces) {
+    const double area = area_of(prepared.model.surface, faces);
+    if (area > 0.5 * printable.x * printable.y) {
+      alone += 1.0;
+    } else {
+      area_of_others += area;
+    }
+  }
+  return alone + pages_filled(area_of_others, printable);
+}
+
+std::optional<ManyPages> many_pages(const mesh::Surface& surface, Vec2 printable, double pages,
+                                    bool counted) {
+  if (pages < warned_pages) {
+    return std::nullopt;
+  }
+  return ManyPages{pages, counted, few_pages, size_on_few_pages(surface, printable, pages)};
+}
+
+std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared, double hidden_fold_angle) {
+  std::vector<double> lengths = fold_lengths(prepared, hidden_fold_angle);
+  if (lengths.empty()) {
+    return std::nullopt;
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  if (*middle >= shortest_fold_mm) {
+    return std::nullopt;
+  }
+  return ShortFolds{*middle, easy_fold_mm,
+                    prepared.model.surface.bounds().largest_extent() * easy_fold_mm / *middle};
+}
+
+}  // namespace ridgecraft::job

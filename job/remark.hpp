@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user may want to know before the long work, as figures; whoever runs the job words them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <variant>
+
+#include "base/vector.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/prepared.hpp"
+
+namespace ridgecraft::job {
+
+/// This model takes very many pages.
+struct ManyPages {
+  double pages = 0.0;
+  bool counted = false;         ///< else the figure is an estimate
+  double fewer_pages = 0.0;     ///< as many as a maker finishes, ...
+  double size_for_fewer = 0.0;  ///< ... and about the largest extent that takes no more, mm
+};
+
+/// Half of the folds that are drawn are too short for fingers.
+struct ShortFolds {
+  double median_mm = 0.0;
+  double easy_mm = 0.0;        ///< folds of this length are no trouble; with ...
+  double size_for_easy = 0.0;  ///< ... this largest extent, mm, half of them are as long
+};
+
+using Remark = std::variant<ManyPages, ShortFolds>;
+/// Called while the job goes on, from its thread. May be empty.
+using Listener = std::function<void(const Remark&)>;
+
+/// About how many pages the model takes: flat regions larger than half a page one each, the others by their
+/// area.
+[[nodiscard]] double expected_pages(const prepare::Prepared& prepared, Vec2 printable);
+
+/// Where that is so many that a user may want to stop; `counted`: the pages are laid out.
+[[nodiscard]] std::optional<ManyPages> many_pages(const mesh::Surface& surface, Vec2 printable, double pages,
+                                                  bool counted);
+
+/// Where half of the folds of at least `hidden_fold_angle` (radians) are too short. O(edges).
+[[nodiscard]] std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared,
+                                                    double hidden_fold_angle);
+
+}  // namespace ridgecraft::job

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/settings.hpp"
+
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "base/digest.hpp"
+#include "base/json_text.hpp"
+
+namespace ridgecraft::job {
+namespace {
+
+std::string number(double value) {
+  return fmt::format("{}", value);
+}
+std::string degrees(double radians) {
+  return fmt::format("{:.10g}", radians * 180.0 / std::numbers::pi);
+}
+
+void add_size(const Options& options, paper::Settings& settings) {
+  if (options.size.mm_per_unit) {
+    settings["mm_per_unit"] = number(*options.size.mm_per_unit);
+  } else {
+    settings["size_mm"] = number(options.size.largest_extent_mm);
+  }
+  settings["faces"] = options.simplify.mode == prepare::Simplification::automatic ? json_string("auto")
+                      : options.simplify.mode == prepare::Simplification::keep
+                          ? json_string("keep")
+                          : std::to_string(options.simplify.faces);
+}
+
+void add_tabs(const unfold::TabOptions& tabs, paper::Settings& settings) {
+  settings["tabs"] = tabs.wanted ? "true" : "false";
+  settings["tab_height_mm"] = number(tabs.height_mm);
+  settings["tab_angle_deg"] = degrees(tabs.angle);
+  if (tabs.wanted && tabs.split_pieces) {
+    settings["all_tabs"] = "true";
+  }
+}
+
+void add_edges(const EdgeRequests& edges, paper::Settings& settings) {
+  if (edges.cut) {
+    settings["cuts"] = json_string(edges.cut->digest);
+  }
+  if (edges.keep) {
+    settings["keep"] = json_string(edges.keep->digest);
+  }
+  if (edges.from) {
+    settings["from"] = json_string(digest(edges.from->bytes));
+  }
+}
+
+void add_pages(const Options& options, paper::Settings& settings) {
+  settings["paper_mm"] = fmt::format("[{},{}]", options.paper->size.x, options.paper->size.y);
+  settings["margin_mm"] = number(options.paper->margin);
+  settings["gap_mm"] = number(options.paper->gap);
+  settings["pieces"] = json_string(unfold::name(options.pieces.mode));
+  settings["max_faces"] = std::to_string(options.pieces.max_panels);
+  unfold::Weights weights = options.pieces.weights;
+  for (const std::string_view term : unfold::term_names()) {
+    settings["weigh_" + std::string(term)] = number(*unfold::weight_named(weights, term));
+  }
+  settings["hide_folds_deg"] = degrees(options.style.hidden_fold_angle);
+}
+
+}  // namespace
+
+paper::Settings settings_of(const Options& options, std::uint64_t seed) {
+  paper::Settings settings;
+  add_size(options, settings);
+  add_tabs(options.tabs, settings);
+  add_edges(options.edges, settings);
+  settings["seed"] = std::to_string(seed);
+  settings["concavity"] = number(options.concavity);
+  if (options.paper) {
+    add_pages(options, settings);
+  } else {
+    settings["whole"] = options.parts == PartsFrom::components ? "true" : "false";
+  }
+  return settings;
+}
+
+}  // namespace ridgecraft::job

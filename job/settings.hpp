@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a file of nets says of how it was made.
+#pragma once
+
+#include <cstdint>
+
+#include "export/export.hpp"
+#include "job/options.hpp"
+
+namespace ridgecraft::job {
+
+/// The options that shaped the result, for ridgecraft:settings (docs/formats.md); with the seed they give the
+/// same nets again.
+[[nodiscard]] paper::Settings settings_of(const Options& options, std::uint64_t seed);
+
+}  // namespace ridgecraft::job

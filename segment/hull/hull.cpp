@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segment/hull/hull.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "segment/surface/exact_orientation.hpp"
+
+namespace ridgecraft::segment {
+namespace {
+
+/// Share of the extent below which a set of points counts as flat ...
+constexpr double flat_share = 1e-7;
+/// ... or as a line: coordinates scaled to the grid of 1e-12 leave about 1e-9 of a part a thousandth of the
+/// ball.
+constexpr double line_share = 1e-9;
+/// n . (p - at): differences of grid points are exact, each component of n is off by at most 2 eps U V (eps =
+/// 2^-52, U and V the greatest coordinates of the two sides), times differences of at most 2, plus three
+/// products and two sums: 30 eps U V = 6.7e-15 U V.
+constexpr double sign_bound = 1e-14;
+
+/// Facets that may be more than a hull's final ones while it grows.
+constexpr std::size_t spare_facets = 1024;
+
+double greatest_coordinate(Vec3 v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+}  // namespace
+
+void Hull::clear() {
+  vertices.clear();
+  triangles.clear();
+  edges.clear();
+  triangle_edges.clear();
+  edge_triangles.clear();
+  flat = false;
+}
+
+double Hull::volume(std::span<const Vec3> points) const {
+  if (triangles.empty()) {
+    return 0.0;
+  }
+  const Vec3 origin = points[triangles[0][0]];
+  double sum = 0.0;
+  for (const auto& [a, b, c] : triangles) {
+    sum += dot(points[a] - origin, cross(points[b] - origin, points[c] - origin));
+  }
+  return sum / 6.0;
+}
+
+HullBuilder::HullBuilder(std::span<const Vec3> points) : all_points_(points) {}
+
+void HullBuilder::take_points(std::span<const std::uint32_t> ids, double lift) {
+  ids_.assign(ids.begin(), ids.end());
+  points_.resize(ids.size());
+  Vec3 middle;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    points_[i] = all_points_[ids[i]];
+    middle += points_[i];
+  }
+  if (lift == 0.0 || ids.empty()) {
+    return;
+  }
+  middle = middle / static_cast<double>(ids.size());
+  for (Vec3& p : points_) {
+    const Vec3 out = p - middle;
+    p = snap_to_grid(p + (lift * (1.0 - 0.25 * dot(out, out))) * out);
+  }
+}
+
+void HullBuilder::build(std::span<const std::uint32_t> ids, Hull& out, double lift) {
+  out.clear();
+  take_points(ids, lift);
+  next_.assign(ids.size(), none);
+  slot_.assign(ids.size(), none);
+  facets_.clear();
+  // 2 n facets at the end and hardly more before: doubling would take three times the memory for a while.
+  facets_.reserve(2 * ids.size() + spare_facets);
+  free_.clear();
+  pending_.clear();
+  mark_ = 0;
+  if (!find_simplex()) {
+    build_flat(out);
+    return;
+  }
+  begin_with_simplex();
+  while (!pending_.empty()) {
+    const std::uint32_t f = pending_.back();
+    pending_.pop_back();
+    if (facets_[f].alive && facets_[f].outside != none) {
+      add_top_of(f);
+    }
+  }
+  merge_coplanar();
+  emit();
+  connect(out);
+}
+
+int HullBuilder::side_of(const Facet& f, std::uint32_t p) const {
+  const double height = dot(f.n, points_[p] - f.at);
+  if (height > f.bound) {
+    return 1;
+  }
+  if (height < -f.bound) {
+    return -1;
+  }
+  return exact_orientation(f.at, points_[f.v[1]], points_[f.v[2]], points_[p]);
+}
+
+std::uint32_t HullBuilder::new_facet(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  std::uint32_t index = 0;
+  if (free_.empty()) {
+    index = static_cast<std::uint32_t>(facets_.size());
+    facets_.emplace_back();
+  } else {
+    index = free_.back();
+    free_.pop_back();
+  }
+  Facet& f = facets_[index];
+  const Vec3 u = points_[b] - points_[a];
+  const Vec3 v = points_[c] - points_[a];
+  f.v = {a, b, c};
+  f.at = points_[a];
+  f.n = cross(u, v);
+  f.bound = sign_bound * greatest_coordinate(u) * greatest_coordinate(v);
+  f.outside = none;
+  f.top = none;
+  f.height = -INFINITY;
+  f.alive = true;
+  f.mark = 0;
+  return index;
+}
+
+void HullBuilder::give_point(std::uint32_t facet, std::uint32_t p, double height) {
+  Facet& f = facets_[facet];
+  if (f.outside == none) {
+    pending_.push_back(facet);
+  }
+  next_[p] = f.outside;
+  f.outside = p;
+  // Equal heights: the smaller number, so that the order of the list doesn't matter.
+  if (height > f.height || (height == f.height && p < f.top)) {
+    f.height = height;
+    f.top = p;
+  }
+}
+
+/// Two of the points that are farthest along an axis, as far apart as such are; their distance, below 0
+/// when there are no points.
+double HullBuilder::find_extent() {
+  if (points_.empty()) {
+    return -1.0;
+  }
+  std::array<std::uint32_t, 6> extreme{};
+  for (std::uint32_t i = 1; i < points_.size(); ++i) {
+    const Vec3 p = points_[i];
+    extreme[0] = p.x < points_[extreme[0]].x ? i : extreme[0];
+    extreme[1] = p.x > points_[extreme[1]].x ? i : extreme[1];
+    extreme[2] = p.y < points_[extreme[2]].y ? i : extreme[2];
+    extreme[3] = p.y > points_[extreme[3]].y ? i : extreme[3];
+    extreme[4] = p.z < points_[extreme[4]].z ? i : extreme[4];
+    extreme[5] = p.z > points_[extreme[5]].z ? i : extreme[5];
+  }
+  double extent = -1.0;
+  for (const std::uint32_t i : extreme) {
+    for (const std::uint32_t j : extreme) {
+      const double d = length(points_[j] - points_[i]);
+      if (d > extent) {
+        extent = d;
+        simplex_[0] = i;
+        simplex_[1] = j;
+      }
+    }
+  }
+  return extent;
+}
+
+/// The first of the points whose distance is greatest and above a limit, or none.
+template <class Distance>
+std::uint32_t HullBuilder::farthest(double limit, const Distance& distance) const {
+  std::uint32_t best = none;
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    const double d = distance(points_[i]);
+    if (d > limit) {
+      limit = d;
+      best = i;
+    }
+  }
+  return best;
+}
+
+/// Four points that aren't in a plane, the last one below the first three. False where there are none; the
+/// first three, or two, are filled as far as there are such.
+bool HullBuilder::find_simplex() {
+  simplex_[2] = simplex_[3] = none;
+  const double extent = find_extent();
+  if (!(extent > 0.0)) {
+    return false;
+  }
+  const Vec3 a = points_[simplex_[0]];
+  const Vec3 along = (points_[simplex_[1]] - a) / extent;
+  simplex_[2] = farthest(line_share * extent, [&](Vec3 p) { return length(cross(along, p - a)); });
+  if (simplex_[2] == none) {
+    return false;
+  }
+  const Vec3 normal = normalized(cross(along, points_[simplex_[2]] - a));
+  simplex_[3] = farthest(flat_share * extent, [&](Vec3 p) { return std::abs(dot(normal, p - a)); });
+  if (simplex_[3] == none) {
+    return false;
+  }
+  const int side = exact_orientation(a, points_[simplex_[1]], points_[simplex_[2]], points_[simplex_[3]]);
+  if (side > 0) {
+    std::swap(simplex_[1], simplex_[2]);
+  }
+  return side != 0;
+}
+
+/// The four facets of the simplex, each with points above it.
+void HullBuilder::begin_with_simplex() {
+  const auto [p, q, r, s] = simplex_;
+  const std::uint32_t base = new_facet(p, q, r);
+  const std::uint32_t f0 = new_facet(q, p, s);
+  const std::uint32_t f1 = new_facet(r, q, s);
+  const std::uint32_t f2 = new_facet(p, r, s);
+  facets_[base].nb = {f0, f1, f2};
+  facets_[f0].nb = {base, f2, f1};
+  facets_[f1].nb = {base, f0, f2};
+  facets_[f2].nb = {base, f1, f0};
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    for (const std::uint32_t f : {base, f0, f1, f2}) {
+      if (side_of(facets_[f], i) > 0) {
+        give_point(f, i, dot(facets_[f].n, points_[i] - facets_[f].at));
+        break;
+      }
+    }
+  }
+}
+
+void HullBuilder::find_horizon(std::uint32_t facet, std::uint32_t p) {
+  ++mark_;
+  visible_.clear();
+  horizon_.clear();
+  facets_[facet].mark = mark_;
+  visible_.push_back(facet);
+  for (std::size_t i = 0; i < visible_.size(); ++i) {
+    const std::uint32_t f = visible_[i];
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t g = facets_[f].nb[k];
+      if (facets_[g].mark == mark_) {
+        continue;
+      }
+      if (side_of(facets_[g], p) >= 0) {
+        facets_[g].mark = mark_;
+        visible_.push_back(g);
+      }
+    }
+  }
+  for (const std::uint32_t f : visible_) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t g = facets_[f].nb[k];
+      if (facets_[g].mark != mark_) {
+        const std::uint32_t from = facets_[f].v[k];
+        const auto j =
+            static_cast<std::uint32_t>(facets_[g].nb[0] == f && facets_[g].v[1] == from
+                                           ? 0
+                                           : (facets_[g].nb[1] == f && facets_[g].v[2] == from ? 1 : 2));
+        horizon_.push_back({from, facets_[f].v[(k + 1) % 3], g, j});
+      }
+    }
+  }
+}
+
+void HullBuilder::add_top_of(std::uint32_t facet) {
+  const std::uint32_t p = facets_[facet].top;
+  find_horizon(facet, p);
+  for (const std::uint32_t f : visible_) {
+    facets_[f].alive = false;
+  }
+  fresh_.clear();
+  for (const HorizonEdge& e : horizon_) {
+    const std::uint32_t f = new_facet(e.from, e.to, p);
+    facets_[f].nb[0] = e.beyond;
+    facets_[e.beyond].nb[e.beyond_side] = f;
+    slot_[e.from] = f;
+    fresh_.push_back(f);
+  }
+  for (const std::uint32_t f : fresh_) {
+    const std::uint32_t after = slot_[facets_[f].v[1]];
+    facets_[f].nb[1] = after;
+    facets_[after].nb[2] = f;
+  }
+  for (const std::uint32_t f : visible_) {
+    std::uint32_t q = facets_[f].outside;
+    while (q != none) {
+      const std::uint32_t following = next_[q];
+      if (q != p) {
+        for (const std::uint32_t g : fresh_) {
+          const double height = dot(facets_[g].n, points_[q] - facets_[g].at);
+          if (height > facets_[g].bound || (height >= -facets_[g].bound && side_of(facets_[g], q) > 0)) {
+            give_point(g, q, height);
+            break;
+          }
+        }
+      }
+      q = following;
+    }
+    facets_[f].outside = none;
+  }
+  free_.insert(free_.end(), visible_.begin(), visible_.end());
+}
+
+}  // namespace ridgecraft::segment

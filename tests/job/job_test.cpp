@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A whole job as a function of values, and jobs that are entered in the middle.
+#include "job/job.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/error.hpp"
+#include "mesh/mesh.hpp"
+
+using namespace ridgecraft;
+
+namespace {
+
+mesh::Model sample(const std::string& name, bool keep_points = false) {
+  return mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + name, {.keep_points = keep_points},
+                    {});
+}
+
+/// The nets without what was asked for them: two ways to one result differ in nothing else.
+std::string bytes_of(const job::Paper& made) {
+  std::string text = made.fold;
+  for (const paper::Drawing& page : made.drawings) {
+    text += paper::write_svg(page, {});
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a job keeps every value on its way, and they agree", "[job]") {
+  const job::Paper made = job::paper(sample("house.obj"), {}, {});
+  CHECK(made.part.size() == made.prepared.model.surface.face_count());
+  CHECK(made.part_count > 0);
+  CHECK(made.nets.piece.size() == made.part.size());
+  CHECK(made.pages.placements.size() == made.nets.pieces.size());
+  CHECK(made.drawings.size() == made.pages.count);
+  CHECK(made.figures.pieces == made.nets.pieces.size());
+  CHECK(made.figures.overlaps == 0);
+  CHECK_FALSE(made.fold.empty());
+  std::vector<std::string> stages;
+  for (const auto& [name, seconds] : made.seconds) {
+    stages.push_back(name);
+  }
+  CHECK(stages == std::vector<std::string>{"prepare", "segment", "unfold", "lay out", "hint", "draw", "write",
+                                           "verify"});
+}
+
+TEST_CASE("the same tabs again and the same paper again give the same bytes", "[job]") {
+  const job::Paper made = job::paper(sample("rocket.obj"), {}, {});
+  CHECK(bytes_of(job::with_tabs(made, made.options.tabs, {})) == bytes_of(made));
+  CHECK(bytes_of(job::with_pages(made, *made.options.paper, made.options.style, {})) == bytes_of(made));
+}
+
+TEST_CASE("other tabs change tabs and nothing of the nets", "[job]") {
+  const job::Paper made = job::paper(sample("house.obj"), {}, {});
+  unfold::TabOptions lower = made.options.tabs;
+  lower.height_mm = 3.5;
+  const job::Paper other = job::with_tabs(made, lower, {});
+  CHECK(other.nets.use == made.nets.use);
+  CHECK(other.nets.flat == made.nets.flat);
+  CHECK(other.nets.piece == made.nets.piece);
+  CHECK(other.nets.tabs.size() > 0);
+  CHECK(bytes_of(other) != bytes_of(made));
+  CHECK(bytes_of(job::with_tabs(other, made.options.tabs, {})) == bytes_of(made));
+  unfold::TabOptions none = made.options.tabs;
+  none.wanted = false;
+  const job::Paper bare = job::with_tabs(made, none, {});
+  CHECK(bare.nets.tabs.empty());
+  CHECK(bare.figures.tabs == 0);
+  CHECK(bytes_of(job::with_tabs(bare, made.options.tabs, {})) == bytes_of(made));
+}
+
+TEST_CASE("other paper changes pages and nothing of the nets", "[job]") {
+  const job::Paper made = job::paper(sample("whale.obj"), {}, {});
+  const job::Paper large = job::with_pages(made, paper::parse_paper("A2"), made.options.style, {});
+  CHECK(large.pages.count <= made.pages.count);
+  CHECK(large.nets.flat == made.nets.flat);
+  CHECK(large.drawings.size() == large.pages.count);
+  CHECK_THROWS_AS(job::with_pages(made, paper::parse_paper("40x60mm"), made.options.style, {}), Error);
+}
+
+TEST_CASE("without paper there are nets and no pages", "[job]") {
+  job::Options options;
+  options.paper = std::nullopt;
+  options.parts = job::PartsFrom::components;
+  const job::Paper made = job::paper(sample("gem.stl"), options, {});
+  CHECK(made.pages.count == 0);
+  CHECK(made.drawings.empty());
+  CHECK(made.nets.pieces.size() == 1);
+  CHECK(made.figures.faces == made.part.size());
+}
+
+TEST_CASE("edges are named by points of the file", "[job]") {
+  mesh::Model model = sample("packaging_box.obj", true);
+  const auto [from, to] =
+      model.surface.vertices(FaceId(0)).size() == 3 ? std::pair{0U, 1U} : std::pair{0U, 0U};
+  job::Options options;
+  options.edges.cut = job::EdgeList{{{from, to}}, "0"};
+  const job::Paper made = job::paper(std::move(model), options, {});
+  CHECK(made.options.simplify.mode == prepare::Simplification::keep);
+  CHECK(made.fold.find("\"cuts\"") != std::string::npos);
+}
+
+TEST_CASE("a listener is told of hundreds of pages and of folds too short for fingers", "[job]") {
+  std::vector<job::Remark> told;
+  const job::Listener listener = [&](const job::Remark& remark) { told.push_back(remark); };
+  job::Options options;
+  options.simplify.mode = prepare::Simplification::keep;
+  options.size.largest_extent_mm = 12.0;
+  static_cast<void>(job::paper(sample("gem.stl"), options, {}, listener));
+  REQUIRE(told.size() == 1);
+  CHECK(std::holds_alternative<job::ShortFolds>(told.front()));
+  told.clear();
+  options.size.largest_extent_mm = 150.0;
+  static_cast<void>(job::paper(sample("gem.stl"), options, {}, listener));
+  CHECK(told.empty());
+}
+
+TEST_CASE("a job without time says so, and one that is stopped, too", "[job]") {
+  Context late;
+  late.deadline = Deadline::in(0.0);
+  try {
+    static_cast<void>(job::paper(sample("whale.obj"), {}, late));
+    FAIL("nothing could be prepared in no time");
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::out_of_time);
+  }
+  StopSource source;
+  source.request_stop();
+  Context stopped;
+  stopped.stop = source.get_token();
+  CHECK_THROWS_AS(job::paper(sample("whale.obj"), {}, stopped), Error);
+}
