@@ -9,7 +9,7 @@
 
 #include "base/stop.hpp"
 #include "cli/early_end.hpp"
-#include "cli/files/pending_files.hpp"
+#include "cli/files/set/pending_files.hpp"
 
 namespace ridgecraft::cli {
 

@@ -16,7 +16,7 @@
 #include "cli/early_end.hpp"
 #include "cli/files/formats.hpp"
 #include "cli/files/model_input.hpp"
-#include "cli/files/pending_files.hpp"
+#include "cli/files/set/pending_files.hpp"
 #include "cli/interruption.hpp"
 #include "cli/jobs/paper_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
@@ -133,6 +133,11 @@ class Session {
       remark(line);
     }
   }
+  void warn(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+      warn(line);
+    }
+  }
   /// Prints the summary of a job that wrote these files, as the user wants it. The job's exit code.
   [[nodiscard]] ExitCode finish(const std::vector<std::string>& files, const Summary& summary) {
     return finish(
@@ -222,9 +227,7 @@ ExitCode do_job(const PaperJob& job) {
     return make_paper(job, session.context(), session.pending(),
                       [&](const job::Remark& remark) { session.warn(sentence(remark)); });
   });
-  for (const std::string& remark : result.remarks) {
-    session.warn(remark);
-  }
+  session.warn(result.file_notes);
   session.report(result.made.prepared.model.repairs);
   return session.finish(result.files, summary(job, result));
 }
@@ -233,6 +236,7 @@ ExitCode do_job(const SegmentJob& job) {
   Session session(job.common);
   const SegmentResult result =
       about(job.model, [&] { return make_parts(job, session.context(), session.pending()); });
+  session.warn(result.file_notes);
   session.report(result.model.repairs);
   return session.finish(result.files, summary(job, result));
 }
@@ -242,6 +246,7 @@ ExitCode do_job(const UnfoldJob& job) {
   warn_of(job.size_asked, job.options, session);
   const PaperResult result =
       about(job.model, [&] { return make_nets(job, session.context(), session.pending()); });
+  session.warn(result.file_notes);
   session.report(result.made.prepared.model.repairs);
   return session.finish(result.files, summary(job, result));
 }
@@ -254,6 +259,7 @@ ExitCode do_solid(const SolidJob& job, SolidResult (*make)(const SolidJob&, cons
     return in_time(session.context(), "bodies were made",
                    [&](const Context& strict) { return make(job, strict, session.pending()); });
   });
+  session.warn(result.file_notes);
   session.report(result.model.repairs);
   return session.finish(result.files, summary(shown_name(job.model), result));
 }

@@ -51,19 +51,20 @@ void add_target(const Target& target, const job::Paper& made, PendingFiles& pend
 }
 
 /// Pages of an earlier run for this model that this one doesn't have.
-void remove_leftovers(const std::vector<Target>& targets, std::size_t pages, const std::string& digest,
-                      PendingFiles& pending) {
+std::vector<fs::path> find_leftovers(const std::vector<Target>& targets, std::size_t pages,
+                                     const std::string& digest) {
   std::set<fs::path> kept;
   for (const Target& target : targets) {
     for (const fs::path& file : files_of(target, pages)) {
       kept.insert(file);
     }
   }
+  std::vector<fs::path> found;
   for (const Target& target : targets) {
-    for (const fs::path& leftover : leftovers_of(target, kept, digest)) {
-      pending.remove_on_commit(leftover);
-    }
+    const std::vector<fs::path> leftovers = leftovers_of(target, kept, digest);
+    found.insert(found.end(), leftovers.begin(), leftovers.end());
   }
+  return found;
 }
 
 void require_all_replaceable(const PaperJob& job, const std::vector<Target>& targets, std::size_t pages,
@@ -138,9 +139,12 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
     for (const Target& target : targets) {
       add_target(target, result.made, pending, result.files);
     }
-    remove_leftovers(targets, pages, digest, pending);
     context.check();
-    result.remarks = pending.commit();
+    result.file_notes = pending.commit([&] {
+      // Another run may have put files there since.
+      require_all_replaceable(job, targets, pages, digest);
+      return find_leftovers(targets, pages, digest);
+    });
     return true;
   });
   result.seconds = clock.seconds();
@@ -170,7 +174,10 @@ PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles
       pending.add(job.output, result.made.fold);
       result.files.push_back(job.output);
       context.check();
-      pending.commit();
+      result.file_notes = pending.commit([&]() -> std::vector<fs::path> {
+        require_replaceable(job.output, result.made.prepared.model.digest, job.overwrite);
+        return {};
+      });
       return true;
     });
   }

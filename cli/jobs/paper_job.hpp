@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "cli/arguments/options.hpp"
-#include "cli/files/pending_files.hpp"
+#include "cli/files/set/pending_files.hpp"
 #include "job/job.hpp"
 
 namespace ridgecraft::cli {
 
 struct PaperResult {
   job::Paper made;
-  std::vector<std::string> files;    ///< that were written
-  std::vector<std::string> remarks;  ///< on files of earlier runs
-  job::StageSeconds seconds;         ///< reading and writing included
+  std::vector<std::string> files;       ///< that were written
+  std::vector<std::string> file_notes;  ///< PendingFiles::commit
+  job::StageSeconds seconds;            ///< reading and writing included
 };
 
 /// Reads, makes the paper and writes. Files appear only when all of them are complete. Throws Error. The

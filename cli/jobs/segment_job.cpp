@@ -77,14 +77,11 @@ Comparison compare_with(const std::vector<std::string>& files, const mesh::Model
 }
 
 /// Labels have no place for a mark: the same ones may stand there already, others are somebody's work.
-void add_labels(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
-  std::string bytes = label_text(polygon_labels(result.model, result.segmentation));
+void require_same_labels(const SegmentJob& job, const std::string& bytes) {
   if (!job.overwrite && fs::is_regular_file(job.labels) && !holds(job.labels, bytes)) {
     throw Error(ErrorKind::cant_write, job.labels + " holds other labels; --overwrite replaces it",
                 job.labels);
   }
-  pending.add(job.labels, std::move(bytes));
-  result.files.push_back(job.labels);
 }
 
 /// The same before the work, when the bytes aren't known: what can't be the same ones is refused.
@@ -99,7 +96,8 @@ void require_own_labels(const SegmentJob& job, std::size_t polygons) {
   require_replaceable(job.labels, {}, job.overwrite || are_labels());
 }
 
-void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pending) {
+void add_files(const SegmentJob& job, const std::string& labels, SegmentResult& result,
+               PendingFiles& pending) {
   const mesh::Surface surface = mesh::surface_in_file_numbers(result.model);
   const mesh::FaceColours colours = part_colours(result.segmentation);
   for (const std::string& output : job.outputs) {
@@ -111,7 +109,9 @@ void add_files(const SegmentJob& job, SegmentResult& result, PendingFiles& pendi
     result.files.push_back(output);
   }
   if (!job.labels.empty()) {
-    add_labels(job, result, pending);
+    require_same_labels(job, labels);
+    pending.add(job.labels, labels);
+    result.files.push_back(job.labels);
   }
 }
 
@@ -144,6 +144,28 @@ std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& h
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// The files that say from which model they were made.
+void require_marked_replaceable(const SegmentJob& job, const std::string& digest) {
+  for (const std::string& output : job.outputs) {
+    require_replaceable(output, digest, job.overwrite);
+  }
+  if (!job.hierarchy.empty()) {
+    require_replaceable(job.hierarchy, digest, job.overwrite);
+  }
+}
+
+/// Puts all files in place, unless another run has put some there since.
+std::vector<std::string> commit(const SegmentJob& job, const SegmentResult& result, const std::string& labels,
+                                PendingFiles& pending) {
+  return pending.commit([&]() -> std::vector<fs::path> {
+    require_marked_replaceable(job, result.model.digest);
+    if (!job.labels.empty()) {
+      require_same_labels(job, labels);
+    }
+    return {};
+  });
+}
+
 }  // namespace
 
 SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingFiles& pending) {
@@ -155,12 +177,7 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
       return read_model(job.model, {.collapse_flat_faces = false}, strict);
     });
   });
-  for (const std::string& output : job.outputs) {
-    require_replaceable(output, result.model.digest, job.overwrite);
-  }
-  if (!job.hierarchy.empty()) {
-    require_replaceable(job.hierarchy, result.model.digest, job.overwrite);
-  }
+  require_marked_replaceable(job, result.model.digest);
   if (!job.labels.empty()) {
     require_own_labels(job, result.model.polygon_count);
   }
@@ -184,15 +201,15 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
     });
   }
   clock("write", context, [&] {
-    add_files(job, result, pending);
+    const std::string labels =
+        job.labels.empty() ? "" : label_text(polygon_labels(result.model, result.segmentation));
+    add_files(job, labels, result, pending);
     if (!job.hierarchy.empty()) {
       pending.add(job.hierarchy, hierarchy_text(result.model, *hierarchy));
       result.files.push_back(job.hierarchy);
     }
     context.check();
-    if (!result.files.empty()) {
-      pending.commit();
-    }
+    result.file_notes = commit(job, result, labels, pending);
     return true;
   });
   result.seconds = clock.seconds();

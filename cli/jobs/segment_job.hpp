@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/arguments/options.hpp"
-#include "cli/files/pending_files.hpp"
+#include "cli/files/set/pending_files.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/model/model.hpp"
 #include "segment/judging/agreement.hpp"
@@ -30,6 +30,7 @@ struct SegmentResult {
   segment::Segmentation segmentation;
   std::optional<Comparison> comparison;
   std::vector<std::string> files;
+  std::vector<std::string> file_notes;  ///< PendingFiles::commit
   job::StageSeconds seconds;
 };
 

@@ -104,6 +104,16 @@ void add_file(const fs::path& file, const std::string& bytes, const std::string&
   files.push_back(file.string());
 }
 
+/// Puts all files in place, unless another run has put some there since.
+void commit(bool overwrite, PendingFiles& pending, SolidResult& result) {
+  result.file_notes = pending.commit([&]() -> std::vector<fs::path> {
+    for (const std::string& file : result.files) {
+      require_replaceable(file, result.model.digest, overwrite);
+    }
+    return {};
+  });
+}
+
 /// A robot description names meshes that lie beside it.
 std::string visual_file(const fs::path& urdf) {
   return urdf.stem().string() + "-visual.obj";
@@ -158,7 +168,7 @@ void write_body(const std::string& output, bool overwrite, const Context& contex
         mesh_bytes(surface_of(result.bodies.front()), suffix_of(output), comment_of(result.model));
     add_file(output, bytes, result.model.digest, overwrite, pending, result.files);
     context.check();
-    pending.commit();
+    commit(overwrite, pending, result);
     return true;
   });
 }
@@ -198,7 +208,7 @@ SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles
                job.overwrite, pending, result.files);
     }
     context.check();
-    pending.commit();
+    commit(job.overwrite, pending, result);
     return true;
   });
   return result;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/arguments/options.hpp"
-#include "cli/files/pending_files.hpp"
+#include "cli/files/set/pending_files.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/mesh.hpp"
 #include "solid/body.hpp"
@@ -19,6 +19,7 @@ struct SolidResult {
   std::vector<solid::Body> bodies;  ///< what was written
   std::vector<std::string> notes;
   std::vector<std::string> files;
+  std::vector<std::string> file_notes;  ///< PendingFiles::commit
   job::StageClock clock;
 };
 

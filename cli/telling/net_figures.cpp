@@ -55,21 +55,6 @@ std::string sentence_of_several(unfold::PieceReason reason) {
   return "";
 }
 
-/// "A to D", "A, C", "A, C and 7 more": names in the order of the pieces.
-std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces) {
-  constexpr std::size_t most = 6;  // before the rest is only counted
-  const auto name = [&](PieceId p) { return nets.pieces[p].name; };
-  const bool in_a_row = pieces.back().value() - pieces.front().value() + 1 == pieces.size();
-  if (in_a_row && pieces.size() > 2) {
-    return name(pieces.front()) + " to " + name(pieces.back());
-  }
-  std::string text;
-  for (std::size_t i = 0; i < std::min(pieces.size(), most); ++i) {
-    text += (i == 0 ? "" : ", ") + name(pieces[i]);
-  }
-  return pieces.size() <= most ? text : text + " and " + std::to_string(pieces.size() - most) + " more";
-}
-
 /// "3 too short, 1 no room": why joins have no tab.
 std::string without_tab_text(const unfold::Nets& nets) {
   std::map<unfold::NoTab, std::size_t> reasons;
@@ -147,6 +132,20 @@ std::string bodies_text(const unfold::Nets& nets, const std::vector<paper::Body>
 }
 
 }  // namespace
+
+std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces) {
+  constexpr std::size_t most = 6;  // before the rest is only counted
+  const auto name = [&](PieceId p) { return nets.pieces[p].name; };
+  const bool in_a_row = pieces.back().value() - pieces.front().value() + 1 == pieces.size();
+  if (in_a_row && pieces.size() > 2) {
+    return name(pieces.front()) + " to " + name(pieces.back());
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(pieces.size(), most); ++i) {
+    text += (i == 0 ? "" : ", ") + name(pieces[i]);
+  }
+  return pieces.size() <= most ? text : text + " and " + std::to_string(pieces.size() - most) + " more";
+}
 
 std::string reasons_text(const unfold::Nets& nets) {
   std::map<std::string, std::size_t> reasons;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/telling/figures.hpp"
 #include "export/sheet/pages.hpp"
@@ -11,6 +12,9 @@
 #include "unfold/net/options.hpp"
 
 namespace ridgecraft::cli {
+
+/// "A to D", "A, C", "A, C and 7 more": names in the order of the pieces, of which there is one.
+[[nodiscard]] std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces);
 
 /// " (2 because of overlap)"; empty where every piece is a part.
 [[nodiscard]] std::string reasons_text(const unfold::Nets& nets);

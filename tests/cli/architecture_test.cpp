@@ -82,9 +82,10 @@ const std::vector<Folder>& folders() {
        {"job.hpp", "options.hpp", "remark.hpp", "stage_clock.hpp"}},
       {"cli",
        {"job", "export", "unfold", "solid", "segment", "verify", "prepare", "mesh"},
-       {{"files", {}},
+       {{"files/set", {}},
+        {"files", {}},
         {"arguments", {"files"}},
-        {"jobs", {"files", "arguments"}},
+        {"jobs", {"files/set", "files", "arguments"}},
         {"telling", {"files", "arguments", "jobs"}}},
        {}},
   };

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/telling/summary.hpp"
+
 using namespace ridgecraft::cli;
 
 TEST_CASE("a suffix names one format and the format that suffix", "[formats]") {

@@ -27,13 +27,14 @@ TEST_CASE("a model alone gets the defaults that a maker would choose", "[options
   const auto& paper = std::get<PaperJob>(job);
   CHECK(paper.model == "whale.obj");
   CHECK(paper.outputs.empty());
-  CHECK(paper.size.size.largest_extent_mm == 150.0);
-  CHECK(paper.size.simplify.mode == prepare::Simplification::automatic);
-  CHECK(paper.paper.size == Vec2{210.0, 297.0});
-  CHECK(paper.paper.margin == 10.0);
-  CHECK(paper.tabs.wanted);
-  CHECK(paper.tabs.height_mm == 5.0);
-  CHECK(paper.concavity == 0.1);
+  CHECK(paper.options.size.largest_extent_mm == 150.0);
+  CHECK(paper.options.simplify.mode == prepare::Simplification::automatic);
+  CHECK(paper.options.paper->size == Vec2{210.0, 297.0});
+  CHECK(paper.options.paper->margin == 10.0);
+  CHECK(paper.options.tabs.wanted);
+  CHECK(paper.options.tabs.height_mm == 5.0);
+  CHECK(paper.options.concavity == 0.1);
+  CHECK(paper.options.simplify.hidden_fold_angle == paper.options.style.hidden_fold_angle);
   CHECK(paper.common.seed == 1);
   CHECK(paper.common.threads >= 1);
 }
@@ -44,20 +45,28 @@ TEST_CASE("options may stand anywhere, and -o is repeatable", "[options]") {
   const auto& paper = std::get<PaperJob>(job);
   CHECK(paper.model == "whale.obj");
   CHECK(paper.outputs == std::vector<std::string>{"a.pdf", "b.svg"});
-  CHECK(paper.size.size.largest_extent_mm == 200.0);
-  CHECK(paper.paper.size.x == Approx(215.9));
+  CHECK(paper.options.size.largest_extent_mm == 200.0);
+  CHECK(paper.options.paper->size.x == Approx(215.9));
+}
+
+TEST_CASE("folds that are hidden don't count anywhere else", "[options]") {
+  const Job job = parse_arguments({"whale.obj", "--hide-folds", "10"});
+  const auto& options = std::get<PaperJob>(job).options;
+  CHECK(options.style.hidden_fold_angle == Approx(0.17453).epsilon(1e-4));
+  CHECK(options.simplify.hidden_fold_angle == options.style.hidden_fold_angle);
 }
 
 TEST_CASE("a scale says how large one unit becomes", "[options]") {
   const Job job = parse_arguments({"house.obj", "--scale", "1:50", "--unit", "m"});
-  CHECK(*std::get<PaperJob>(job).size.size.mm_per_unit == Approx(20.0));
+  CHECK(*std::get<PaperJob>(job).options.size.mm_per_unit == Approx(20.0));
 }
 
 TEST_CASE("verbs get their jobs", "[options]") {
   CHECK(std::get<InfoJob>(parse_arguments({"info", "a.obj"})).model == "a.obj");
   CHECK(std::get<SegmentJob>(parse_arguments({"segment", "a.obj", "--labels", "a.seg"})).labels == "a.seg");
-  CHECK(std::get<UnfoldJob>(parse_arguments({"unfold", "a.obj", "--whole", "-o", "a.fold"})).whole);
-  CHECK(std::get<UnfoldJob>(parse_arguments({"unfold", "a.obj"})).size.simplify.mode ==
+  CHECK(std::get<UnfoldJob>(parse_arguments({"unfold", "a.obj", "--whole", "-o", "a.fold"})).options.parts ==
+        job::PartsFrom::components);
+  CHECK(std::get<UnfoldJob>(parse_arguments({"unfold", "a.obj"})).options.simplify.mode ==
         prepare::Simplification::keep);
   CHECK(std::get<VerifyJob>(parse_arguments({"verify", "a.fold", "--json"})).common.json);
   CHECK(std::holds_alternative<FormatsJob>(parse_arguments({"formats"})));
@@ -133,8 +142,8 @@ TEST_CASE("wrong arguments are refused in one sentence", "[options]") {
 }
 
 TEST_CASE("an option that is given twice counts as it stands last", "[options]") {
-  CHECK(std::get<PaperJob>(parse_arguments({"a.obj", "--paper", "A4", "--paper", "A3"})).paper.size.x ==
-        297.0);
+  CHECK(std::get<PaperJob>(parse_arguments({"a.obj", "--paper", "A4", "--paper", "A3"}))
+            .options.paper->size.x == 297.0);
 }
 
 TEST_CASE("no entry of the help is without a name", "[options]") {

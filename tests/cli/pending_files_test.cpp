@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that appear together or not at all.
-#include "cli/files/pending_files.hpp"
+#include "cli/files/set/pending_files.hpp"
+
+#include <csignal>
 
 #include <catch2/catch.hpp>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 #include "base/error.hpp"
 #include "support/temporary_folder.hpp"
@@ -49,13 +53,50 @@ TEST_CASE("files in new folders appear on commit, and nothing else stays", "[pen
   CHECK_FALSE(fs::exists(folder / "a/e"));
 }
 
+TEST_CASE("new files have the rights that the user's mask leaves, and a link makes room", "[pending]") {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / "old", "before");
+  test::write_bytes(folder / "elsewhere", "before");
+  fs::permissions(folder / "old", fs::perms::owner_read);
+  fs::create_symlink("elsewhere", folder / "link");
+  const mode_t mask = ::umask(027);
+  PendingFiles pending;
+  for (const char* name : {"new", "old", "link"}) {
+    pending.add(folder / name, "after");
+  }
+  pending.commit();
+  ::umask(mask);
+  for (const char* name : {"new", "old", "link"}) {
+    CHECK(fs::symlink_status(folder / name).permissions() ==
+          (fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read));
+    CHECK(test::read_bytes(folder / name) == "after");
+  }
+  CHECK(test::read_bytes(folder / "elsewhere") == "before");
+}
+
+TEST_CASE("a file that couldn't be written isn't put in place later", "[pending]") {
+  const test::TemporaryFolder folder;
+  PendingFiles pending;
+  pending.add(folder / "one", "1");
+  rlimit before{};
+  REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{100, before.rlim_max};
+  REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
+  CHECK_THROWS_AS(pending.add(folder / "two", std::string(1000, '2')), Error);
+  REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
+  std::signal(SIGXFSZ, handler);
+  pending.commit();
+  CHECK(folder.names() == std::set<std::string>{"one"});
+}
+
 TEST_CASE("a leftover that can't be removed is told, and no failure", "[pending]") {
   const test::TemporaryFolder folder;
   fs::create_directories(folder / "page-2.svg/inside");
   PendingFiles pending;
   pending.add(folder / "page.svg", "1");
-  pending.remove_on_commit(folder / "page-2.svg");
-  const std::vector<std::string> notes = pending.commit();
+  const std::vector<std::string> notes =
+      pending.commit([&] { return std::vector<fs::path>{folder / "page-2.svg"}; });
   REQUIRE(notes.size() == 1);
   CHECK(notes[0].find("page-2.svg") != std::string::npos);
   CHECK(test::read_bytes(folder / "page.svg") == "1");

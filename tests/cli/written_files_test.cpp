@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the main job writes, where, and what it never leaves behind or replaces.
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include "cli/program_checks.hpp"
 #include "support/temporary_folder.hpp"
@@ -79,6 +80,27 @@ TEST_CASE("folders are made for results, and go again when there are none", "[wr
   CHECK(folder.names() == std::set<std::string>{"house.obj"});
   CHECK(run_program({"segment", "house.obj", "-o", "a/b/h.ply"}, in(folder)).exit_code == 0);
   CHECK(fs::exists(folder / "a/b/h.ply"));
+}
+
+TEST_CASE("a folder that may be written, but not listed", "[written_files]") {
+  if (::geteuid() == 0 && !can_drop_rights()) {
+    WARN("skipped: root's rights can't be dropped here");
+    return;
+  }
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  fs::permissions(folder.path(), fs::perms::all);
+  fs::create_directory(folder / "out");
+  fs::permissions(folder / "out", fs::perms(0333));
+  RunOptions options = in(folder);
+  options.as_nobody = true;
+  for (int i = 0; i < 2; ++i) {
+    const Outcome outcome = run_program({"house.obj", "-o", "out", "--size", "8cm"}, options);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 0);
+  }
+  fs::permissions(folder / "out", fs::perms(0777));
+  CHECK(contents(folder / "out").size() == 3);
 }
 
 TEST_CASE("names with spaces and letters of any script work", "[written_files]") {

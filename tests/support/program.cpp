@@ -98,7 +98,18 @@ Outcome run_command(const std::vector<std::string>& command, const RunOptions& o
     ::kill(child, options.signal);
   }
   int status = 0;
-  ::waitpid(child, &status, 0);
+  if (options.kill_when) {
+    while (::waitpid(child, &status, WNOHANG) == 0) {
+      if (options.kill_when()) {
+        ::kill(child, SIGKILL);
+        ::waitpid(child, &status, 0);
+        break;
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
+  } else {
+    ::waitpid(child, &status, 0);
+  }
   Outcome outcome;
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   outcome.by_signal = WIFSIGNALED(status);

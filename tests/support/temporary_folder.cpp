@@ -6,12 +6,16 @@
 #include <iterator>
 #include <stdexcept>
 
+#include <unistd.h>
+
 namespace ridgecraft::test {
 
 namespace fs = std::filesystem;
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "ridgecraft-test-XXXXXX").string();
+TemporaryFolder::TemporaryFolder() : TemporaryFolder(fs::temp_directory_path()) {}
+
+TemporaryFolder::TemporaryFolder(const fs::path& parent) {
+  std::string pattern = (parent / "ridgecraft-test-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) {
     throw std::runtime_error("can't create a temporary folder");
   }
@@ -29,6 +33,21 @@ std::set<std::string> TemporaryFolder::names() const {
     found.insert(entry.path().filename().string());
   }
   return found;
+}
+
+Contents contents(const fs::path& folder) {
+  Contents found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_directory()) {
+      found[fs::relative(entry.path(), folder).string()] = read_bytes(entry.path());
+    }
+  }
+  return found;
+}
+
+fs::path memory() {
+  const fs::path folder = "/dev/shm";
+  return ::access(folder.c_str(), W_OK | X_OK) == 0 ? folder : fs::temp_directory_path();
 }
 
 std::string read_bytes(const fs::path& file) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,6 +13,8 @@ namespace ridgecraft::test {
 class TemporaryFolder {
  public:
   TemporaryFolder();
+  /// Inside this one.
+  explicit TemporaryFolder(const std::filesystem::path& parent);
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   ~TemporaryFolder();
@@ -24,6 +27,14 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// The bytes of all files below a folder, hidden files included, by their paths from there.
+using Contents = std::map<std::string, std::string>;
+[[nodiscard]] Contents contents(const std::filesystem::path& folder);
+
+/// A folder for temporary ones that is no disk, so that nobody waits for it; one like any other where there
+/// is none.
+[[nodiscard]] std::filesystem::path memory();
 
 [[nodiscard]] std::string read_bytes(const std::filesystem::path& file);
 void write_bytes(const std::filesystem::path& file, std::string_view bytes);

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/convex_hull.hpp"
 #include "base/random.hpp"
 #include "base/rectangle.hpp"
 #include "support/shapes.hpp"

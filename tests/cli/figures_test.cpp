@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of figures that summaries and JSON are made of.
+#include "cli/telling/figures.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/telling/net_figures.hpp"
+
+using namespace ridgecraft;
+using cli::Line;
+using cli::Summary;
+using cli::Value;
+
+TEST_CASE("a value is printed as the JSON library reads it", "[figures]") {
+  Value value(
+      Value::Object{{"none", {}}, {"yes", true}, {"count", std::size_t{7}}, {"less", -3}, {"length", 0.1}});
+  value.set("words", Value::List{"a", "b\"\xff"});
+  value.set("empty", Value(Value::List{}));
+  const auto json = nlohmann::json::parse(cli::json_text(value));
+  CHECK(json["none"].is_null());
+  CHECK(json["yes"] == true);
+  CHECK(json["count"] == 7);
+  CHECK(json["less"] == -3);
+  CHECK(json["length"] == 0.1);
+  CHECK(json["words"] == std::vector<std::string>{"a", "b\"\xEF\xBF\xBD"});
+  CHECK(json["empty"].is_array());
+  CHECK(cli::json_line(value).find('\n') == std::string::npos);
+}
+
+TEST_CASE("one figure is a line for people and a key for machines", "[figures]") {
+  Summary summary("gem: 12 faces");
+  summary.add("pages", 2, Line::nets, "nets", "3 pieces on 2 pages");
+  summary.add("cut_mm", 12.5, "mm");
+  summary.add("size_mm", 40.0, Line::size, "size", "40 mm", "mm");
+  summary.say(Line::notes, "note", "cut with care");
+  summary.add_files({});
+  CHECK(summary.text() ==
+        "gem: 12 faces\n  size        40 mm\n  nets        3 pieces on 2 pages\n  note        cut with care\n"
+        "nothing was written: -o says where to\n");
+  const auto json = nlohmann::ordered_json::parse(summary.json());
+  CHECK(json.dump() == R"({"pages":2,"cut_mm":12.5,"size_mm":40.0,"files":[]})");
+}
+
+TEST_CASE("rows of piece names are short", "[figures]") {
+  unfold::Nets nets;
+  for (const char* name : {"A", "B", "C", "D", "E", "F", "G", "H", "I"}) {
+    unfold::Piece piece;
+    piece.name = name;
+    nets.pieces.push_back(std::move(piece));
+  }
+  const auto named = [&](const std::vector<std::uint32_t>& numbers) {
+    std::vector<PieceId> pieces;
+    for (const std::uint32_t i : numbers) {
+      pieces.emplace_back(i);
+    }
+    return cli::piece_names(nets, pieces);
+  };
+  CHECK(named({0}) == "A");
+  CHECK(named({0, 1}) == "A, B");
+  CHECK(named({1, 2, 3}) == "B to D");
+  CHECK(named({0, 2}) == "A, C");
+  CHECK(named({0, 1, 2, 3, 4, 5, 8}) == "A, B, C, D, E, F and 1 more");
+}
