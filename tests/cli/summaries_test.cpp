@@ -253,7 +253,7 @@ TEST_CASE("a size without a unit is told of where it makes a tiny model", "[summ
     const std::string note =
         "--size " + size + " has no unit, so it means " + size + " mm; --size " + size + "cm ";
     const bool by_paper = paper.err.find(note) != std::string::npos;
-    CHECK((nets.out.find(note) != std::string::npos) == by_paper);
+    CHECK((nets.err.find(note) != std::string::npos) == by_paper);
     CHECK(paper.exit_code + nets.exit_code == 0);
     return by_paper;
   };
