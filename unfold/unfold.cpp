@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "base/rectangle.hpp"
+#include "unfold/folded_flat.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/net/joins.hpp"
 #include "unfold/net/tolerance.hpp"
@@ -28,6 +29,10 @@
 
 namespace ridgecraft::unfold {
 namespace {
+
+/// Flat models of more faces aren't searched for fewer pieces: in their layers everything overlaps, so each
+/// search would take all the time it may, some twenty seconds for 800 polygons, and nobody builds the result.
+constexpr std::size_t most_flat_faces = 300;
 
 /// One connected patch of one part.
 struct Task {
@@ -300,6 +305,21 @@ void note_all_tabs(const mesh::Surface& surface, const TabOptions& options, cons
   nets.notes.push_back(std::move(note));
 }
 
+/// What searches for fewer pieces and better trees get: no time where the model is flat. That is noted.
+Context for_searches(const mesh::Surface& surface, const Context& context, std::vector<std::string>& notes) {
+  Context searching = context;
+  if (!is_folded_flat(surface)) {
+    return searching;
+  }
+  std::string note = "the model is flat: its faces lie on each other in one plane";
+  if (surface.face_count() > most_flat_faces) {
+    searching.deadline = std::chrono::steady_clock::time_point::min();
+    note += ", so no time is spent on fewer pieces";
+  }
+  notes.push_back(std::move(note));
+  return searching;
+}
+
 /// The promise of the header, checked on what is about to be returned.
 void insist_on_no_overlap(const Nets& nets) {
   std::vector<Triangle> triangles;
@@ -358,16 +378,17 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   context.check();
   context.report("unfold", 0.0);
   refuse_large_faces(surface, options);
-  const Plan plan = make_plan(surface, panels, part, options, context);
-  Forest forest = unfold_parts(surface, plan, make_tasks(surface, part, plan), options, context);
+  Plan plan = make_plan(surface, panels, part, options, context);
+  const Context searching = for_searches(surface, context, plan.notes);
+  Forest forest = unfold_parts(surface, plan, make_tasks(surface, part, plan), options, searching);
   forest.notes.insert(forest.notes.begin(), plan.notes.begin(), plan.notes.end());
   if (options.pieces.merge) {
     forest.folds =
         merge_parts(forest.patch, part.items(), forest.folds, room_of(options), options.pieces.weights,
-                    net_tolerance(forest.patch.extent), context.seed, context);
+                    net_tolerance(forest.patch.extent), context.seed, searching);
   }
   forest.folds =
-      better_trees(surface, plan.panels, forest.patch, forest.folds, options, room_of(options), context);
+      better_trees(surface, plan.panels, forest.patch, forest.folds, options, room_of(options), searching);
   if (options.tabs.wanted && context.out_of_time()) {
     forest.notes.emplace_back("the time given was up before all nets with more tabs were tried");
   }

@@ -51,7 +51,9 @@ class TreeSearch {
   [[nodiscard]] std::uint64_t best_overlaps() const { return best_total_; }
   [[nodiscard]] std::uint64_t iterations() const { return iteration_; }
   /// Whether far more is left than ever was when a net was found in the end.
-  [[nodiscard]] bool hopeless() const;
+  [[nodiscard]] bool hopeless() const { return hopeless_after(iteration_); }
+  /// The same if so many iterations had been made and hadn't found a better tree.
+  [[nodiscard]] bool hopeless_after(std::uint64_t iterations) const;
 
   // What a search for something else than overlap needs (tab_search.hpp): tree_swaps.cpp.
 
