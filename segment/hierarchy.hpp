@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All tolerances at once: which parts join at which concavity (specification 15).
+// All tolerances at once: which parts join at which concavity (docs/segmentation.md, "Any number of
+// parts, all tolerances at once").
 #pragma once
 
 #include <cstddef>

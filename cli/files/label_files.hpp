@@ -24,8 +24,7 @@ constexpr std::uint32_t no_part = std::numeric_limits<std::uint32_t>::max();
 /// One line per polygon.
 [[nodiscard]] std::string label_text(const Labels& labels);
 
-/// The labels in a file that should have one for each of `polygons`. Throws
-/// Error(unreadable_input).
+/// The labels in a file that should have one for each of `polygons`. Throws Error(unreadable_input).
 [[nodiscard]] Labels read_labels(const std::string& file, std::size_t polygons);
 
 }  // namespace ridgecraft::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What concavity is left in the two halves when a valley is cut at a vertex (specification 6).
+// What concavity is left in the two halves when a valley is cut at a vertex (docs/segmentation.md,
+// "Separators").
 #pragma once
 
 #include <span>

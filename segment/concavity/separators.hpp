@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a deep valley is cut: at one vertex of a V, at two of a U (specification 7).
+// Where a deep valley is cut: at one vertex of a V, at two of a U (docs/segmentation.md, "Separators").
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Valleys found earlier in the run (specification 3.5): parts of a part often have the same ones.
+// Valleys found earlier in the run (docs/segmentation.md, "Known valleys"): parts of a part often have the
+// same ones.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace ridgecraft::segment {
 /// A valley with what doesn't depend on the part: its path, length and uncapped concavity.
 struct Valley {
   std::span<const Step> steps;
-  std::span<const double> concavity;  ///< per step, 4.1 to 4.4
+  std::span<const double> concavity;  ///< of each step, without the cap
   double length = 0.0;
   double greatest = 0.0;   ///< of concavity
   std::uint64_t part = 0;  ///< signature of the part on which it was searched

@@ -135,7 +135,7 @@ class Polygon {
   std::span<const Vec2> corners_;
 };
 
-/// 4.3: corners that see their nearest point of the bridge have h; from those, Dijkstra over pairs that see
+/// Corners that see their nearest point of the bridge have h; from those, Dijkstra over pairs that see
 /// each other reaches the others.
 void shortest_in_polygon(std::span<const Vec2> chain, std::vector<double>& concavity) {
   const Polygon polygon(chain);
@@ -200,7 +200,8 @@ std::vector<std::size_t> hull_positions(std::span<const Vec2> chain, std::size_t
   return hull;
 }
 
-/// 4.4, with an explicit list of pockets.
+/// Where chain and bridge cross: corners of the chain's hull are as deep as their distance to the bridge, and
+/// what lies between two of them has the line between these as a bridge of its own.
 void hierarchy_of_bridges(std::span<const Vec2> chain, std::vector<double>& concavity) {
   struct Pocket {
     std::size_t first;

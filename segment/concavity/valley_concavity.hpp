@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How deep each vertex of a valley lies under its bridge (specification 4.1 to 4.4).
+// How deep each vertex of a valley lies under its bridge (docs/segmentation.md, "Depth of a valley").
 #pragma once
 
 #include <span>

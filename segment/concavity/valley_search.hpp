@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shortest paths on a part: valleys between two vertices (specification 3.3) and distances from several
-// (8.2).
+// Shortest paths on a part: valleys between two vertices (docs/segmentation.md, "Arcs and jumps") and
+// distances from several.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The graph on which valleys run (specification 3.1): built once for the whole surface; a part uses those of
-// its arcs that its facets carry.
+// The graph on which valleys run (docs/segmentation.md, "Arcs and jumps"): built once for the whole surface;
+// a part uses those of its arcs that its facets carry.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct VertexGraph {
 inline constexpr double arc_sagitta_share = 0.25;
 
 /// `sagitta`: arcs across an edge that dip or rise by more than this from the straight line between their
-/// ends are left out (a deviation from 3.1): a fold between two large triangles would otherwise be a bridge
+/// ends are left out: a fold between two large triangles would otherwise be a bridge
 /// of concavity 0 however deep it is. O(n).
 [[nodiscard]] VertexGraph build_vertex_graph(const ScaledSurface& surface, double sagitta);
 

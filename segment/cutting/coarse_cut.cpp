@@ -9,8 +9,9 @@ namespace {
 
 /// Nodes of a cluster at most. Larger ones make the flow cheaper and the band wider.
 constexpr std::size_t cluster_size = 32;
-/// Clusters on each side of the cut that stay open, counted in steps. The two of 16.3 leave a spike of the
-/// growth bench with twice the facets that the cheapest cut gives it, and another one in two parts.
+/// Clusters on each side of the cut that stay open, counted in steps. With a band of two steps the cheapest
+/// cut of bench_growth's sphere often lies outside: one spike gets twice the facets that belong to it, and
+/// another one is cut in two.
 constexpr int band_steps = 6;
 
 /// What borders between clusters count for: a smooth border of length 1 is about 4 / pi long on a square grid

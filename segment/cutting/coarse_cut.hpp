@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a minimum cut through many facets surely isn't (specification 16.3): found on clusters of facets.
+// Where a minimum cut through many facets surely isn't: found on clusters of facets (docs/segmentation.md,
+// "One part, cut").
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutting a part between its ridges (specification 10), and what is done when that cuts nothing (11.2, 11.3).
+// Cutting a part between its ridges (docs/segmentation.md, "Order of cuts"), and what is done when that cuts
+// nothing (there, "Where nothing is cut").
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace ridgecraft::segment {
 
-/// Ridges of one round that are cut off at most, the last region counted in (16.2).
+/// Ridges of one round that are cut off at most, the last region counted in.
 inline constexpr std::size_t most_ridges = 64;
 
 /// From so many open facets on a cut is first looked for among clusters of them. No benchmark model has as

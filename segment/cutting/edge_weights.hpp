@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a cut along an edge costs: concave and short edges are cheap (specification 9).
+// What a cut along an edge costs: concave and short edges are cheap (docs/segmentation.md,
+// "Price of an edge").
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Convex ridges: sets of hull vertices whose bridges among themselves are low (specification 5).
+// Convex ridges: sets of hull vertices whose bridges among themselves are low (docs/segmentation.md,
+// "Ridges").
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace ridgecraft::segment {
 /// A ridge with a high bridge.
 struct Ridge {
   std::vector<std::uint32_t> vertices;  ///< hull vertices, ascending
-  /// Ends of high bridges among them, ascending, with the longest sub-valley from there to a separator (8.1).
+  /// Ends of high bridges among them, ascending, with the longest sub-valley from there to a separator.
   struct End {
     std::uint32_t vertex;
     double reach;

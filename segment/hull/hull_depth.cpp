@@ -9,8 +9,6 @@ namespace {
 
 /// Cosine below which a normal counts as parallel to a plane.
 constexpr double parallel_cosine = 1e-9;
-/// A hull facet whose doubled area is below this share of its longest side squared carries no plane (2.5).
-constexpr double sliver_share = 1e-7;
 /// Cosine to the vertex normal above which a facet of the hull doesn't lie behind the surface: walls of
 /// vessels lean a little.
 constexpr double least_opening_cosine = -0.3;
@@ -57,14 +55,9 @@ std::uint32_t HullDepth::across(std::uint32_t triangle, std::size_t side) const 
 double HullDepth::to_plane(std::uint32_t triangle, Vec3 p, Vec3 n) const {
   const auto& points = surface_->points;
   const auto& [a, b, c] = hull_->triangles[triangle];
-  const Vec3 u = points[b] - points[a];
-  const Vec3 v = points[c] - points[a];
-  const Vec3 w = points[c] - points[b];
-  const Vec3 outward = cross(u, v);
-  const double size = length(outward);
+  const Vec3 outward = cross(points[b] - points[a], points[c] - points[a]);
   const double cosine = dot(outward, n);
-  if (size <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)}) ||
-      cosine <= parallel_cosine * size) {
+  if (is_sliver(points[a], points[b], points[c]) || cosine <= parallel_cosine * length(outward)) {
     return INFINITY;
   }
   return std::max(0.0, dot(outward, points[a] - p)) / cosine;
@@ -123,19 +116,7 @@ void HullDepth::find_planes() {
   for (const std::uint32_t v : hull_->vertices) {
     box.add(points[v]);
   }
-  found_.clear();
-  for (std::uint32_t t = 0; t < hull_->triangles.size(); ++t) {
-    const auto& [a, b, c] = hull_->triangles[t];
-    const Vec3 u = points[b] - points[a];
-    const Vec3 v = points[c] - points[a];
-    const Vec3 w = points[c] - points[b];
-    const Vec3 outward = cross(u, v);
-    const double size = length(outward);
-    if (size > sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)})) {
-      const Vec3 normal = outward / size;
-      found_.push_back({normal, dot(normal, points[a]), t});
-    }
-  }
+  find_hull_planes(*hull_, points, found_);
   planes_.assign(found_, 0.5 * (box.low + box.high));
   thickness_.assign(hull_->triangles.size(), Thickness::unknown);
   has_planes_ = true;

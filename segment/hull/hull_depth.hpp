@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How deep a point lies under a hull: along its normal (specification 4.5) or beside an opening. The cap on
-// concavity.
+// How deep a point lies under a hull: along its normal or beside an opening (docs/segmentation.md, "Cap on
+// depth").
 #pragma once
 
 #include <cstdint>
@@ -31,14 +31,16 @@ class HullDepth {
   /// Distance from v, a point in the hull, along its normal to the hull's boundary; 0 for hull vertices;
   /// infinite when v has no normal or the hull is flat.
   ///
-  /// Where that is above the tolerance: at most the distance to the plane of a hull facet that lies within
-  /// the scale of openings, doesn't lie behind the surface and closes an opening: the hull is many times as
-  /// thick there as that scale. So the rim of a vessel isn't deep, though the way along the normal leads
-  /// across all of it; where the gap between two arms of a flat thing meets its flat side, it is.
+  /// Where that is above the tolerance, there may be a shorter way out through an opening, as from the inner
+  /// side of a vessel's rim, whose normal leads across the whole vessel. A facet of the hull closes an
+  /// opening beside v if all three hold: its plane is nearer to v than the scale of openings; it isn't behind
+  /// the surface at v (its normal doesn't point against that of v); and the hull is many times thicker behind
+  /// it than that scale, so that the facet lies over a hollow body and isn't the flat side of a thin thing,
+  /// in which the gap between two arms stays deep. The depth is then at most the distance to that plane.
   ///
   /// When first asked for a vertex: a walk over the hull from where the last one ended; for those above the
   /// tolerance a search among the facets, and once for each facet that is near enough a climb over the hull.
-  /// Throws Cancelled when the context says so.
+  /// Throws Error(interrupted) when the user asked to stop.
   [[nodiscard]] double at(std::uint32_t v);
 
  private:

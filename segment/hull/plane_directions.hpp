@@ -8,15 +8,9 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "segment/hull/hull_planes.hpp"
 
 namespace ridgecraft::segment {
-
-/// A plane that has the hull behind it.
-struct HullPlane {
-  Vec3 normal;               ///< unit, outwards
-  double offset = 0.0;       ///< of its points along the normal
-  std::uint32_t number = 0;  ///< the caller's
-};
 
 /// Planes in cells of a cube whose sides are divided into squares, by direction: one cell's face nearly the
 /// same way, and what of them is nearest is bounded by one product.

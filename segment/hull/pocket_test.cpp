@@ -5,13 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "segment/hull/deepest_point.hpp"
-
 namespace ridgecraft::segment {
 namespace {
 
-/// A hull facet whose doubled area is below this share of its longest side squared carries no plane (2.5).
-constexpr double sliver_share = 1e-7;
 /// Depth beyond the tolerance that is rounding, in radii of the ball.
 constexpr double depth_rounding = 1e-9;
 /// How far beside a facet air is looked for, in radii: far above the grid, far below any feature.
@@ -50,24 +46,17 @@ int PocketTest::winding(Vec3 point) const {
 }
 
 void PocketTest::find_planes(const Hull& hull) {
+  find_hull_planes(hull, surface_->points, hull_planes_);
   planes_.clear();
-  const auto& points = surface_->points;
-  for (const auto& [a, b, c] : hull.triangles) {
-    const Vec3 u = points[b] - points[a];
-    const Vec3 v = points[c] - points[a];
-    const Vec3 w = points[c] - points[b];
-    const Vec3 n = cross(u, v);
-    const double size = length(n);
-    if (size > sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)})) {
-      planes_.push_back({n / size, dot(n / size, points[a]) - tolerance_ - depth_rounding});
-    }
+  for (const HullPlane& plane : hull_planes_) {
+    planes_.push_back({plane.normal, plane.offset - tolerance_ - depth_rounding});
   }
 }
 
 /// Whether a facet has a point inside all planes. `last`: the plane that turned the facet before away.
 bool PocketTest::reaches_in(std::uint32_t facet, std::size_t& last, Vec3& where) const {
   const auto& corners = surface_->corners[facet];
-  const auto beyond = [&](const Plane& plane) {
+  const auto beyond = [&](const HalfSpace& plane) {
     return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
       return dot(plane.normal, surface_->points[v]) >= plane.offset;
     });
@@ -86,7 +75,7 @@ bool PocketTest::reaches_in(std::uint32_t facet, std::size_t& last, Vec3& where)
     polygon.push_back(surface_->points[v]);
   }
   std::vector<Vec3> cut;
-  for (const Plane& plane : planes_) {
+  for (const HalfSpace& plane : planes_) {
     cut.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec3 p = polygon[i];
@@ -128,11 +117,7 @@ bool PocketTest::has_pocket(const Hull& hull) {
     return false;
   }
   find_planes(hull);
-  std::vector<HalfSpace> half_spaces;
-  for (const Plane& plane : planes_) {
-    half_spaces.push_back({plane.normal, plane.offset});
-  }
-  const auto deepest = deepest_point(half_spaces);
+  const auto deepest = deepest_point(planes_);
   if (!deepest || deepest->depth <= 0.0) {
     return false;
   }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether air lies deep under the hull of a part: what --pockets promises about (specification 14).
+// Whether air lies deep under the hull of a part: what --pockets promises about (docs/segmentation.md, "More
+// effort, smaller hulls, no pockets").
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "segment/hull/deepest_point.hpp"
 #include "segment/hull/hull.hpp"
+#include "segment/hull/hull_planes.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {
@@ -29,19 +32,15 @@ class PocketTest {
   [[nodiscard]] int winding(Vec3 point) const;
 
  private:
-  struct Plane {
-    Vec3 normal;  ///< unit, outward
-    double offset = 0.0;
-  };
-
   void find_planes(const Hull& hull);
   [[nodiscard]] bool reaches_in(std::uint32_t facet, std::size_t& last, Vec3& where) const;
   [[nodiscard]] bool has_air_beside(std::uint32_t facet, Vec3 where);
 
   const ScaledSurface* surface_;
   double tolerance_;
-  std::vector<Plane> planes_;     ///< of the hull, moved inward by the tolerance
-  std::vector<std::int8_t> air_;  ///< per facet: whether air is beside it, -1 not known yet
+  std::vector<HullPlane> hull_planes_;
+  std::vector<HalfSpace> planes_;  ///< the same, moved inward by the tolerance
+  std::vector<std::int8_t> air_;   ///< per facet: whether air is beside it, -1 not known yet
 };
 
 }  // namespace ridgecraft::segment

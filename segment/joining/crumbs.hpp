@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The crumbs of a damaged surface join the parts that they touch (specification 13.3).
+// The crumbs of a damaged surface join the parts that they touch (docs/segmentation.md, "Damaged models").
 #pragma once
 
 #include <cstdint>

@@ -10,12 +10,12 @@ namespace ridgecraft::segment {
 namespace {
 
 /// Puts all parts through the merge pass, or with `from_scratch` only those that the last measurement divided
-/// and their neighbours: no union may be more than what reporting would find.
-std::vector<MergePart> merged(const std::vector<MeasuredPart>& parts, bool from_scratch,
+/// and their neighbours: no union may be more than what reporting would find. Takes the facets of the parts.
+std::vector<MergePart> merged(std::vector<MeasuredPart>& parts, bool from_scratch,
                               const JoiningTools& tools) {
   std::vector<MergePart> merging;
-  for (const MeasuredPart& part : parts) {
-    merging.push_back({part.facets, part.hull.vertices, false, !from_scratch || part.depth > 0});
+  for (MeasuredPart& part : parts) {
+    merging.push_back({std::move(part.facets), part.hull.vertices, false, !from_scratch || part.depth > 0});
   }
   const ValleyLoan loan(tools.measurer->valleys(), *tools.valleys);
   merge_parts(*tools.measurer, *tools.weights, merging, from_scratch);
@@ -92,6 +92,7 @@ Rejoined rejoin_divided(std::vector<MeasuredPart> parts, const JoiningTools& too
     if (merging[i].merged) {
       result.changed.push_back({std::move(merging[i].facets), 0, PartReason::merged});
     } else {
+      parts[i].facets = std::move(merging[i].facets);
       result.kept.push_back(std::move(parts[i]));
     }
   }

@@ -12,8 +12,8 @@ namespace {
 
 /// Parts that one round tears up at most.
 constexpr std::size_t most_torn = 4;
-/// No more rounds when the sets that were measured have together this many times the facets of the surface:
-/// vessels of a hundred thin pieces would take minutes; all others end with less than a tenth of it.
+/// Rounds end early when this many times the facets of the surface have been measured, all measured sets of
+/// pieces together: vessels of a hundred thin pieces would take minutes; others need less than a tenth of it.
 constexpr double most_work = 400.0;
 
 }  // namespace

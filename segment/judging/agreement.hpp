@@ -33,8 +33,8 @@ struct Disagreement {
   std::optional<double> cut_discrepancy;
 };
 
-/// Share of the pairs of items on which the labelings disagree about "same part" (specification 20.4); any
-/// numbers. 0 for fewer than two items. O(n log n).
+/// Share of the pairs of items on which the labelings disagree about "same part"; any numbers. 0
+/// for fewer than two items. O(n log n).
 [[nodiscard]] double rand_error(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 
 /// Compares two labelings of the polygons that a surface was made of. `polygon`: of each face; `a`, `b`: part

@@ -6,13 +6,14 @@
 
 namespace ridgecraft::segment {
 
-/// The rules that readings differ in; all of them hold for Reading::b.
+/// The rules that readings differ in (docs/segmentation.md, "Where this differs from the paper, and from its
+/// plainest reading"); all of them hold for Reading::b.
 struct Rules {
-  bool jumps = true;            ///< a valley may run straight across the opening that a cut left (3.2)
-  bool cap = true;              ///< a vertex is no deeper than the hull is far along its normal (4.5)
-  bool derivation = true;       ///< what one bridge measured serves those beside it (3.6)
-  bool folds_by_length = true;  ///< the price of a fold grows with its length; nearly flat ones are none (9)
-  bool merging = true;          ///< neighbours whose union is within the tolerance are joined (12)
+  bool jumps = true;            ///< a valley may run straight across the opening that a cut left
+  bool cap = true;              ///< a vertex is no deeper than the hull is far along its normal
+  bool derivation = true;       ///< what one bridge measured serves those beside it
+  bool folds_by_length = true;  ///< the price of a fold grows with its length; nearly flat ones are none
+  bool merging = true;          ///< neighbours whose union is within the tolerance are joined
 };
 
 [[nodiscard]] constexpr Rules rules_of(Reading reading) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Damaged surfaces: 45 % of the faces removed, holes, crumbs (specification 13; the paper's figure 15).
+// Damaged surfaces: 45 % of the faces removed, holes, crumbs (the paper's figure 15).
 #include <algorithm>
 #include <set>
 

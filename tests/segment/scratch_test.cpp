@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The concavity that is reported, measured once more by slow and simple code of its own: gift wrapping,
-// Dijkstra on an explicit graph of the part, distances by the definitions of the specification.
+// Dijkstra on an explicit graph of the part, distances by the definitions in docs/segmentation.md,
+// "Rules".
 #include <cmath>
 #include <limits>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole shapes with the number of parts that they must have: specification of the segmentation, section 22.
+// Whole shapes with the number of parts that they must have.
 #include "support/shapes.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Concavity, residual concavity and separators of valleys given as chains (t, h): specification 4, 6 and 7.
+// Concavity, residual concavity and separators of valleys given as chains (t, h): docs/segmentation.md,
+// "Depth of a valley" and "Separators".
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shapes that a segmentation must get right, made in code: specification of the segmentation, section 22.
+// The shapes that a segmentation must get right, made in code.
 #pragma once
 
 #include <cstdint>
