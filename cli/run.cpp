@@ -299,13 +299,47 @@ void require_json(const std::string& file, std::string_view bytes) {
   }
 }
 
+std::vector<verify::PrintedFile> read_pages(const std::vector<std::string>& files) {
+  std::vector<verify::PrintedFile> pages;
+  for (const std::string& file : files) {
+    const std::string bytes = mesh::read_file(file);
+    if (!verify::is_pdf(bytes) && !verify::is_svg(bytes)) {
+      throw Error(ErrorKind::unreadable_input,
+                  file + " is in no format of pages that can be checked: PDF and SVG can");
+    }
+    pages.push_back(verify::is_pdf(bytes) ? verify::read_pdf(file, bytes) : verify::read_svg(file, bytes));
+  }
+  return pages;
+}
+
+/// The model as plain arrays, which is all that the check wants to know of it.
+verify::ModelSurface surface_of(const mesh::Model& model) {
+  verify::ModelSurface surface;
+  surface.points.assign(model.surface.points().begin(), model.surface.points().end());
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    const auto [a, b, c] = model.surface.vertices(f);
+    surface.faces.push_back({a.value(), b.value(), c.value()});
+  }
+  surface.units_per_point_unit = model.file_scale;
+  surface.digest = model.digest;
+  return surface;
+}
+
 ExitCode do_job(const VerifyJob& job) {
   Session session(job.common);
   const std::string bytes = mesh::read_file(job.file);
   require_json(job.file, bytes);
+  const std::vector<verify::PrintedFile> pages = read_pages(job.pages);
   const verify::Report report =
-      in_time(session.context(), job.file + " was checked",
-              [&](const Context& strict) { return verify::verify(bytes, {}, strict); });
+      in_time(session.context(), job.file + " was checked", [&](const Context& strict) {
+        verify::Against against{nullptr, pages};
+        std::optional<verify::ModelSurface> surface;
+        if (!job.model.empty()) {
+          surface = surface_of(about(job.model, [&] { return read_model(job.model, {}, strict); }));
+          against.model = &*surface;
+        }
+        return verify::verify(bytes, {.folding = true}, strict, against);
+      });
   const ExitCode told = session.finish(
       {}, [&] { return summary(job, report); }, [&] { return verify::to_json(report) + "\n"; });
   return report.sound() ? told : ExitCode::faults_found;

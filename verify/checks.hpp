@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One function per subject of the contract's section 4; each adds its faults and sets its figures.
+// One function per promise or part of one (docs/formats.md); each adds its faults and sets its figures.
 #pragma once
 
 #include "base/context.hpp"
@@ -32,6 +32,14 @@ void check_joins(const Case& given, Findings& findings);
 void check_tabs(const Case& given, Findings& findings);
 /// Promise 6.
 void check_refold(const Case& given, Findings& findings);
+/// Promise 7, where the file has a fold order. O(n log n).
+void check_fold_order(const Case& given, Findings& findings);
+/// The same in motion, where nothing is wrong with lengths, joins and order.
+void check_fold_motion(const Case& given, Findings& findings);
+/// Promise 8: what the file says of itself.
+void check_statements(const Case& given, Findings& findings);
+/// Promise 9.
+void check_model(const Case& given, const ModelSurface& surface, Findings& findings);
 /// What the knife cuts and what is folded.
 void measure_cuts(const Case& given, Findings& findings);
 

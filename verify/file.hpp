@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -27,6 +29,7 @@ struct Page {
   bool bounded = false;
   Vec2 low, high;                      ///< the whole page
   Vec2 printable_low, printable_high;  ///< page less margins
+  std::array<double, 4> margins{};     ///< left, bottom, right, top
 };
 
 struct Piece {
@@ -35,13 +38,14 @@ struct Piece {
   std::vector<std::int64_t> parts;
   Index page = 0;
   std::int64_t holes = 0;
+  std::string reason;
 };
 
 struct Join {
   std::int64_t number = 1;
   std::array<Index, 2> edges{};
   Index tab = none;
-  bool says_why = false;  ///< has a text that tells why there is no tab
+  std::string why;  ///< there is no tab
 };
 
 struct Tab {
@@ -51,8 +55,26 @@ struct Tab {
   std::vector<std::int64_t> numbers;  ///< of the joins that name it, as printed
 };
 
+/// One of the options that shaped the result; nothing for what no option can be.
+using Setting = std::variant<std::monostate, bool, double, std::string, std::vector<double>>;
+
+struct Settings {
+  std::vector<std::pair<std::string, Setting>> all;  ///< by name, ascending
+
+  /// Null where there is none.
+  [[nodiscard]] const Setting* find(std::string_view name) const;
+  /// Nothing where there is none, or one that is no number.
+  [[nodiscard]] std::optional<double> number(std::string_view name) const;
+};
+
+/// The words that a frame says about itself.
+struct FrameWords {
+  std::vector<std::string> classes, attributes;
+};
+
 /// The surface that was unfolded.
 struct Model {
+  FrameWords words;
   std::vector<Vec3> points;
   FaceList faces;
   std::vector<Index> twin;  ///< per side: the side of the other face along it, or none at a border
@@ -61,6 +83,13 @@ struct Model {
 };
 
 struct File {
+  std::string creator, title;
+  std::vector<std::string> file_classes;
+  FrameWords words;
+  std::size_t frames = 0;  ///< besides the nets
+  std::string digest;      ///< of the model's bytes, or empty
+  Settings settings;
+  std::vector<std::string> unknown_keys;  ///< under "ridgecraft:", in words; the first few
   Model model;
   std::vector<Vec2> points;
   FaceList faces;
@@ -72,8 +101,13 @@ struct File {
   std::vector<Page> pages;
   std::vector<Join> joins;
   std::vector<Tab> tabs;
+  /// Per piece the folds in the order in which they are made, those of one list together; nothing where the
+  /// file doesn't tell.
+  std::optional<std::vector<std::vector<std::vector<Index>>>> fold_order;
 
   [[nodiscard]] std::vector<Vec2> polygon(Index face) const;
+  /// Whether this program says that it made the file; then all of our own keys have to be there.
+  [[nodiscard]] bool is_ours() const { return creator.starts_with("ridgecraft "); }
 };
 
 /// Why bytes are no file of the contract; thrown by the readers below and caught in verify().

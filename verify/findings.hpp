@@ -17,6 +17,12 @@ class Findings {
   }
 
   [[nodiscard]] Figures& figures() { return *report_.figures; }
+  // These are there from the first time they are asked for.
+  [[nodiscard]] FoldingFigures& folding() { return there(report_.folding); }
+  [[nodiscard]] ModelFigures& model() { return there(report_.model); }
+  [[nodiscard]] PrintedFigures& printed() { return there(report_.printed); }
+
+  [[nodiscard]] bool has(Promise promise) const { return listed_[static_cast<std::size_t>(promise)] > 0; }
 
   /// Adds a fault; message() is only asked for when the fault is listed.
   template <typename Message>
@@ -44,8 +50,13 @@ class Findings {
   }
 
  private:
+  template <typename T>
+  static T& there(std::optional<T>& value) {
+    return value ? *value : value.emplace();
+  }
+
   std::size_t limit_;
-  std::size_t listed_[7] = {};
+  std::size_t listed_[promise_count] = {};
   Report report_;
 };
 

@@ -6,20 +6,23 @@
 #include <cmath>
 
 #include "verify/form_lists.hpp"
+#include "verify/form_statements.hpp"
 #include "verify/tolerance.hpp"
 
 namespace ridgecraft::verify {
 namespace {
 
-/// FOLD leaves room for further classes and attributes; one of them must be this.
-void expect_word(const Json& object, const char* key, std::string_view word, std::string_view where) {
-  const Json& words = list_member(object, key, where);
-  const auto is_it = [word](const Json& entry) {
-    return entry.is_string() && entry.get_ref<const std::string&>() == word;
-  };
-  if (std::none_of(words.begin(), words.end(), is_it)) {
+/// FOLD leaves room for further classes and attributes; one of them must be this. All of them.
+std::vector<std::string> read_words(const Json& object, const char* key, std::string_view word,
+                                    std::string_view where) {
+  std::vector<std::string> words;
+  for (const Json& entry : list_member(object, key, where)) {
+    words.push_back(entry.is_string() ? entry.get<std::string>() : std::string());
+  }
+  if (std::find(words.begin(), words.end(), word) == words.end()) {
     refuse("\"{}\" of {} lacks \"{}\"", key, where, word);
   }
+  return words;
 }
 
 void expect_millimetres(const Json& object, std::string_view where) {
@@ -121,13 +124,13 @@ Model read_model(const Json& file) {
   }
   constexpr std::string_view where = "the model's frame";
   const Json& frame = frames[0];
-  expect_word(frame, "frame_classes", "foldedForm", where);
-  expect_word(frame, "frame_attributes", "3D", where);
+  Model model;
+  model.words.classes = read_words(frame, "frame_classes", "foldedForm", where);
+  model.words.attributes = read_words(frame, "frame_attributes", "3D", where);
   expect_millimetres(frame, where);
   if (const auto inherit = frame.find("frame_inherit"); inherit != frame.end() && *inherit != Json(false)) {
     refuse("the model's frame inherits, so it isn't complete in itself");
   }
-  Model model;
   for (const Json& row : list_member(frame, "vertices_coords", where)) {
     std::array<double, 3> p{};
     lengths(row, p, {where, "vertices_coords", model.points.size()});
@@ -228,21 +231,18 @@ void match_sides_with_edges(File& file) {
   }
 }
 
-void expect_head(const Json& json) {
+void read_head(const Json& json, File& file) {
   constexpr std::string_view where = "the file";
   const Json& spec = member(json, "file_spec", where);
   if (!spec.is_number() || spec.get<double>() != 1.2) {
     refuse("\"file_spec\" of the file is not 1.2");
   }
-  static_cast<void>(text_member(json, "file_creator", where));
-  static_cast<void>(text_member(json, "file_title", where));
-  expect_word(json, "file_classes", "multiModel", where);
-  expect_word(json, "frame_classes", "creasePattern", where);
-  expect_word(json, "frame_attributes", "2D", where);
+  file.creator = text_member(json, "file_creator", where);
+  file.title = text_member(json, "file_title", where);
+  file.file_classes = read_words(json, "file_classes", "multiModel", where);
+  file.words.classes = read_words(json, "frame_classes", "creasePattern", where);
+  file.words.attributes = read_words(json, "frame_attributes", "2D", where);
   expect_millimetres(json, where);
-  if (!member(json, "ridgecraft:settings", where).is_object()) {
-    refuse("\"ridgecraft:settings\" of the file is not an object");
-  }
 }
 
 }  // namespace
@@ -261,9 +261,10 @@ File read_file(std::string_view bytes) {
   if (!json.is_object()) {
     refuse("the file is not a JSON object");
   }
-  expect_head(json);
   File file;
+  read_head(json, file);
   file.model = read_model(json);
+  file.frames = json.at("file_frames").size();
   for (const Json& row : list_member(json, "vertices_coords", "the file")) {
     std::array<double, 2> p{};
     lengths(row, p, {"the file", "vertices_coords", file.points.size()});
@@ -273,6 +274,7 @@ File read_file(std::string_view bytes) {
   read_edges(json, file);
   match_sides_with_edges(file);
   read_lists(json, file);
+  read_statements(json, file);
   return file;
 }
 

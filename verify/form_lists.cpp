@@ -30,7 +30,7 @@ Page read_page(const Json& json, const std::string& where) {
     return page;
   }
   std::array<double, 2> extent{};
-  std::array<double, 4> margins{};
+  std::array<double, 4>& margins = page.margins;
   lengths(size, extent, {where, "size"});
   lengths(member(json, "margins", where), margins, {where, "margins"});
   if (!(extent[0] > 0.0 && extent[1] > 0.0)) {
@@ -67,8 +67,9 @@ Piece read_piece(const Json& json, std::size_t pages, const std::string& where) 
     piece.parts.push_back(part_number(part, {where, "parts", piece.parts.size()}));
   }
   piece.page = index_below(member(json, "page", where), pages, {where, "page"});
-  if (const std::string& reason = text_member(json, "reason", where); !is_known_reason(reason)) {
-    refuse("\"reason\" of {} is {}, which the contract doesn't know", where, quote(reason));
+  piece.reason = text_member(json, "reason", where);
+  if (!is_known_reason(piece.reason)) {
+    refuse("\"reason\" of {} is {}, which the contract doesn't know", where, quote(piece.reason));
   }
   if (const auto holes = json.find("holes"); holes != json.end()) {
     piece.holes = whole(*holes, 0, most_holes, {where, "holes"});
@@ -90,8 +91,9 @@ Join read_join(const Json& json, const File& file, std::size_t tabs, const std::
   if (const Json& tab = member(json, "tab", where); !tab.is_null()) {
     join.tab = index_below(tab, tabs, {where, "tab"});
   }
-  const auto why = json.find("why");
-  join.says_why = why != json.end() && why->is_string() && !why->get_ref<const std::string&>().empty();
+  if (const auto why = json.find("why"); why != json.end() && why->is_string()) {
+    join.why = why->get<std::string>();
+  }
   return join;
 }
 

@@ -3,43 +3,15 @@
 // cut that is in exactly one join; nothing else is a fold or a join.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "verify/checks.hpp"
+#include "verify/model_fold.hpp"
 #include "verify/tolerance.hpp"
 
 namespace ridgecraft::verify {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
-
-/// The fold that the model has between two faces: negative for mountains.
-struct ModelFold {
-  double angle_deg = 0.0;
-  double tolerance_deg = 0.0;
-  double length = 0.0;
-};
-
-ModelFold model_fold(const Case& given, Index side) {
-  const Model& model = given.file.model;
-  const Relations& relations = given.relations;
-  const Index other = model.twin[side];
-  const Index a = model.faces.face(side);
-  const Index b = model.faces.face(other);
-  const Vec3 along = model.points[model.faces.head(side)] - model.points[model.faces.tail(side)];
-  ModelFold fold;
-  fold.length = length(along);
-  const double sine = dot(cross(relations.normal[a], relations.normal[b]), normalized(along));
-  fold.angle_deg = -std::atan2(sine, dot(relations.normal[a], relations.normal[b])) * degrees;
-  // Faces without area have no normal: then every angle is within the tolerance.
-  const double area = std::min(relations.area[a], relations.area[b]);
-  fold.tolerance_deg = area > 0.0
-                           ? angle_tolerance_deg + degrees * slender_share * model.size * fold.length / area
-                           : std::numeric_limits<double>::infinity();
-  return fold;
-}
 
 bool assignment_fits(Assignment assignment, double angle, double tolerance) {
   switch (assignment) {
@@ -133,7 +105,7 @@ class JoinCheck {
         continue;
       }
       ++findings_.figures().joins_without_tab;
-      if (!file_.joins[j].says_why) {
+      if (file_.joins[j].why.empty()) {
         add({{"join", j}},
             [&] { return fmt::format("{} has no tab and doesn't say why", join_name(file_, j)); });
       }
@@ -173,7 +145,7 @@ class JoinCheck {
   void check_fold(Index e, Index side) {
     explained_[e] = true;
     const Edge& edge = file_.edges[e];
-    const ModelFold fold = model_fold(given_, side);
+    const ModelFold fold = model_fold(file_, relations_, side);
     const double apart = std::abs(edge.angle_deg - fold.angle_deg);
     const double error = std::min(apart, 360.0 - apart);
     double& worst = findings_.figures().max_fold_error_deg;

@@ -50,6 +50,15 @@ struct Relations {
   return file.faces.face(relations.sides_of(file.tabs[tab].edge).front());
 }
 
+/// The side of the model that an edge of the nets is, or none where their corners don't correspond.
+[[nodiscard]] inline Index model_side_of(const File& file, const Relations& relations, Index edge) {
+  const Index side = relations.sides_of(edge).front();
+  const Index face = file.faces.face(side);
+  return relations.corners_match[face]
+             ? file.model.faces.first(file.face_model[face]) + (side - file.faces.first(face))
+             : none;
+}
+
 /// Names for messages: `face 12 (piece "A3")`, `piece "A3"`, `tab 7 (joins 3, 4)`.
 [[nodiscard]] std::string face_name(const File& file, Index face);
 [[nodiscard]] std::string piece_name(const File& file, Index piece);

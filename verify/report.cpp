@@ -41,6 +41,28 @@ OrderedJson fault_json(const Fault& fault) {
   return json;
 }
 
+/// What was looked at besides the nets themselves; keys are there only where it was.
+void add_beside_nets(const Report& report, OrderedJson& json) {
+  if (report.folding) {
+    json["pieces_to_fold_with_care"] = report.folding->with_care;
+    json["pieces_not_folded"] = report.folding->not_tried;
+  }
+  if (report.model) {
+    OrderedJson& model = json["against_model"];
+    model["deviation_mm"] = report.model->deviation_mm;
+    model["allowed_mm"] = report.model->allowed_mm ? OrderedJson(*report.model->allowed_mm) : OrderedJson();
+    model["mm_per_unit"] = report.model->mm_per_unit;
+    model["same_file"] = report.model->same_file ? OrderedJson(*report.model->same_file) : OrderedJson();
+  }
+  if (report.printed) {
+    OrderedJson& printed = json["printed"];
+    printed["pages"] = report.printed->pages;
+    printed["pages_not_given"] = report.printed->pages_not_given;
+    printed["faulty"] = report.printed->faulty;
+    printed["max_error_mm"] = report.printed->max_error_mm;
+  }
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -64,12 +86,13 @@ std::string to_json(const Report& report) {
   json["cut_mm"] = value(figures, &Figures::cut_mm);
   json["fold_mm"] = value(figures, &Figures::fold_mm);
   json["tabs"] = value(figures, &Figures::tabs);
+  add_beside_nets(report, json);
   json["faults"] = OrderedJson::array();
   for (const Fault& fault : report.faults) {
     json["faults"].push_back(fault_json(fault));
   }
   OrderedJson left;
-  for (std::size_t promise = 0; promise < 7; ++promise) {
+  for (std::size_t promise = 0; promise < promise_count; ++promise) {
     if (report.faults_not_listed[promise] > 0) {
       left[std::to_string(promise)] = report.faults_not_listed[promise];
     }

@@ -26,11 +26,55 @@ constexpr double flat_fold_deg = 1e-4;
 constexpr double slender_share = 1e-9;
 /// A tab's base beside its edge, in mm (promise 5).
 constexpr double tab_base_tolerance_mm = 1e-3;
-/// The edges under one tab beside its base, in mm (promise 5).
+/// The edges under one tab beside its base, and those of one straight seam beside its line, in mm (promises 5
+/// and 8).
 constexpr double seam_tolerance_mm = 1e-2;
 /// Folded corners beside the model's vertices, as a share of the model's size: 1e-3 mm per 100 mm (promise
 /// 6).
 constexpr double position_tolerance_share = 1e-5;
+
+/// Folds of less don't move anything that one could see and needn't be in the fold order, in degrees: 2e-6
+/// radians.
+constexpr double still_fold_deg = 1.15e-4;
+/// Faces that run into each other by less than this while a piece is folded pass each other, in mm: card
+/// bends as far out of the way, and looks that are taken at a few moments must not find what a finer look
+/// would let pass.
+constexpr double fold_seam_mm = 0.5;
+/// Faces that meet by this much in the folded piece belong to a model that runs through itself, in mm.
+constexpr double final_seam_mm = 0.29;
+/// Steps times faces of a piece whose motion is looked at: about a second.
+constexpr std::size_t most_fold_work = 200'000;
+
+/// Folds inside a flat region: each face is within 0.1 degrees of the same plane.
+constexpr double flat_region_fold_deg = 0.2 + angle_tolerance_deg;
+/// Between pages in the row of pages of this program, in mm.
+constexpr double page_gap_mm = 10.0;
+/// What a setting of a length and what follows from it may differ by, as a share: the settings stand in the
+/// file with ten digits.
+constexpr double setting_tolerance_share = 1e-6;
+/// By how much the gap between pieces may be less than the settings say, in mm.
+constexpr double gap_tolerance_mm = 1e-4;
+/// How far a surface that wasn't simplified may be beside the model, as a share of its size: flat regions are
+/// made quite flat.
+constexpr double same_surface_share = 5e-5;
+/// How far one that was simplified by the program's own choice may be, as a share of its largest extent: a
+/// fiftieth, and a quarter of that because the file doesn't tell how the simplified surface lay on the model.
+constexpr double simplified_share = 0.025;
+/// Distances below this aren't told apart, in mm.
+constexpr double same_point_mm = 1e-7;
+
+/// Components smaller than this are left out where the program simplifies, in mm: half of a short edge, and
+/// what the final size adds.
+constexpr double speck_mm = 3.1;
+/// Areas of surfaces that are the same, as a share.
+constexpr double area_tolerance_share = 1e-3;
+/// Samples of surfaces are this share of the largest extent apart, with at most so many steps along a
+/// triangle's side.
+constexpr double sample_share = 0.015;
+constexpr double most_sample_steps = 64.0;
+/// Coarser ones to find how a simplified surface lies on the model, and how often that is tried.
+constexpr double fit_share = 0.05;
+constexpr int fit_rounds = 12;
 
 /// Larger coordinates are no lengths on paper; up to here doubles are 2e-9 mm apart, far below every
 /// tolerance.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "verify/checks.hpp"
+#include "verify/pages/check_pages.hpp"
 
 namespace ridgecraft::verify {
 namespace {
@@ -17,31 +18,42 @@ Report not_in_form(std::string message) {
   return report;
 }
 
-Report check(const File& file, const Options& options, const Context& context) {
+Report check(const File& file, const Options& options, const Context& context, const Against& against) {
   const Relations relations = relate(file);
   const Case given{file, relations, context};
   Findings findings(options);
   findings.figures().faces = file.faces.faces();
   findings.figures().pieces = file.pieces.size();
   findings.figures().pages = file.pages.size();
-  constexpr std::array steps = {check_lengths, check_coverage, check_overlap, check_bounds, check_patches,
-                                check_joins,   check_tabs,     check_refold,  measure_cuts};
+  constexpr std::array steps = {check_lengths, check_coverage,   check_overlap,   check_bounds,
+                                check_patches, check_joins,      check_tabs,      check_refold,
+                                measure_cuts,  check_statements, check_fold_order};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     context.check();
     context.report("verify", static_cast<double>(i + 1) / static_cast<double>(steps.size() + 1));
     steps[i](given, findings);
+  }
+  if (options.folding) {
+    check_fold_motion(given, findings);
+  }
+  if (against.model != nullptr) {
+    check_model(given, *against.model, findings);
+  }
+  if (!against.printed.empty()) {
+    check_pages(given, against.printed, findings);
   }
   return findings.take();
 }
 
 }  // namespace
 
-Report verify(std::string_view bytes, const Options& options, const Context& context) {
+Report verify(std::string_view bytes, const Options& options, const Context& context,
+              const Against& against) {
   context.check();
   context.report("verify", 0.0);
   Report report;
   try {
-    report = check(read_file(bytes), options, context);
+    report = check(read_file(bytes), options, context, against);
   } catch (const NotInForm& fault) {
     report = not_in_form(fault.message);
   } catch (const std::bad_alloc&) {

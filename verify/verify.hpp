@@ -3,18 +3,23 @@
 // not be made again here. Read this header first; docs/formats.md has the contract.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/vector.hpp"
+#include "verify/printed.hpp"
 
 namespace ridgecraft::verify {
 
-/// The contract's promises; form is promise 0.
+/// The promises of docs/formats.md; form is promise 0. Those up to 6 are the contract's.
 enum class Promise {
   form = 0,
   lengths = 1,
@@ -22,8 +27,13 @@ enum class Promise {
   coverage = 3,
   page_bounds = 4,
   joins = 5,
-  refolds = 6
+  refolds = 6,
+  fold_order = 7,
+  statements = 8,
+  model = 9,
+  printed = 10
 };
+inline constexpr std::size_t promise_count = 11;
 
 struct Fault {
   Promise promise = Promise::form;
@@ -44,22 +54,63 @@ struct Figures {
   std::size_t tabs = 0;
 };
 
+/// Of the way in which the pieces are folded; there with Options::folding.
+struct FoldingFigures {
+  std::vector<std::string> with_care;  ///< names of pieces that run through themselves on the way
+  std::size_t not_tried = 0;           ///< pieces with circles of faces, or with too many steps
+};
+
+/// Of the comparison with the model.
+struct ModelFigures {
+  double deviation_mm = 0.0;         ///< greatest distance found between the two surfaces, both ways
+  std::optional<double> allowed_mm;  ///< nothing where the settings allow any
+  double mm_per_unit = 0.0;          ///< of the model's unit
+  std::optional<bool> same_file;     ///< by the hash of its bytes, where both are known
+};
+
+/// Of what is printed.
+struct PrintedFigures {
+  std::size_t pages = 0;            ///< looked at
+  std::size_t pages_not_given = 0;  ///< pages of the nets that none of the files has
+  std::size_t faulty = 0;           ///< faults of promise 10, those not listed included
+  double max_error_mm = 0.0;  ///< how far the end of a line is from its place, as far as it counts as there
+};
+
 struct Report {
   std::optional<Figures> figures;
+  std::optional<FoldingFigures> folding;
+  std::optional<ModelFigures> model;
+  std::optional<PrintedFigures> printed;
   std::vector<Fault> faults;
-  std::size_t faults_not_listed[7] = {};  ///< per promise, beyond Options::max_faults
+  std::size_t faults_not_listed[promise_count] = {};  ///< per promise, beyond Options::max_faults
 
   [[nodiscard]] bool sound() const { return faults.empty(); }
 };
 
 struct Options {
   std::size_t max_faults = 1000;  ///< listed per promise; the figures count all
+  bool folding = false;           ///< move every piece through its fold order: takes as long as all the rest
 };
 
-/// Checks the bytes of a .fold file against all six promises. Never throws for what the bytes hold: whatever
-/// isn't in the right form is one fault of Promise::form. Throws Error(interrupted). O(n log n) plus the
-/// pairs that come near each other.
-[[nodiscard]] Report verify(std::string_view bytes, const Options& options, const Context& context);
+/// The surface that the nets are said to be of, in its own unit.
+struct ModelSurface {
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices into points
+  double units_per_point_unit = 1.0;                ///< a point times this is in the unit of the model's file
+  std::string digest;                               ///< hash of the file's bytes, or empty
+};
+
+/// What nets can be held against besides themselves.
+struct Against {
+  const ModelSurface* model = nullptr;
+  std::span<const PrintedFile> printed;
+};
+
+/// Checks the bytes of a .fold file against the promises of docs/formats.md, those about model and pages
+/// where they are given. Never throws for what the bytes hold: whatever isn't in the right form is one fault
+/// of Promise::form. Throws Error(interrupted). O(n log n) plus the pairs that come near each other.
+[[nodiscard]] Report verify(std::string_view bytes, const Options& options, const Context& context,
+                            const Against& against = {});
 
 /// One JSON object with the keys of the contract's section 5. A fault has its indices by name ("face": 3),
 /// several of one kind as a list ("faces": [3, 8]). "faults_not_listed" is there only when the list stopped

@@ -114,6 +114,8 @@ struct DeformJob {
 struct VerifyJob {
   CommonOptions common;
   std::string file;
+  std::string model;               ///< what the nets were made from; empty: not compared
+  std::vector<std::string> pages;  ///< PDF and SVG files
 };
 
 struct FormatsJob {

@@ -7,6 +7,33 @@
 #include "cli/telling/summary.hpp"
 
 namespace ridgecraft::cli {
+namespace {
+
+/// What was looked at besides the nets themselves.
+std::string beside_nets_text(const verify::Report& report) {
+  std::string text;
+  if (report.folding && !report.folding->with_care.empty()) {
+    text += fmt::format("  with care   {} to be folded with care: {}\n",
+                        counted(report.folding->with_care.size(), "piece"),
+                        listed(report.folding->with_care, "and"));
+  }
+  if (report.model) {
+    const verify::ModelFigures& m = *report.model;
+    text += fmt::format("  model       at most {:.3g} mm apart{}, at {:.6g} mm per unit{}\n", m.deviation_mm,
+                        m.allowed_mm ? fmt::format(" ({:.3g} mm allowed)", *m.allowed_mm) : "", m.mm_per_unit,
+                        m.same_file.value_or(true) ? "" : "; the file isn't the one that the nets name");
+  }
+  if (report.printed) {
+    const verify::PrintedFigures& p = *report.printed;
+    text += fmt::format(
+        "  printed     {}, lines at most {:.3g} mm beside their places{}\n", counted(p.pages, "page"),
+        p.max_error_mm,
+        p.pages_not_given == 0 ? "" : fmt::format("; {} not given", counted(p.pages_not_given, "page")));
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string summary(const VerifyJob& job, const verify::Report& report) {
   std::string text;
@@ -24,6 +51,7 @@ std::string summary(const VerifyJob& job, const verify::Report& report) {
     text += fmt::format("  refolding   largest error {:.3g} mm, folds {:.3g} degrees\n",
                         f.max_refold_error_mm, f.max_fold_error_deg);
     text += fmt::format("  lines       {} to cut, {} to fold\n", metres(f.cut_mm), metres(f.fold_mm));
+    text += beside_nets_text(report);
   }
   if (!report.figures) {
     text += fmt::format("{}: not in the form of nets, so nothing else was checked\n", job.file);

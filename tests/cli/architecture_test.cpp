@@ -75,7 +75,7 @@ const std::vector<Folder>& folders() {
         {"packing", {}},
         {"formats", {"sheet", "style"}}},
        {"export.hpp", "sheet/paper.hpp", "sheet/pages.hpp", "page/neighbours.hpp"}},
-      {"verify", {}, {}, {"verify.hpp", "file.hpp"}},
+      {"verify", {}, {}, {"verify.hpp", "file.hpp", "printed.hpp"}},
       {"job",
        {"export", "unfold", "segment", "verify", "prepare", "mesh"},
        {},

@@ -74,6 +74,7 @@ TEST_CASE("the keys of --json are documented, each of them and no other", "[json
   Json fold = Json::parse(read_bytes(folder / "bad.fold"));
   fold["vertices_coords"][0][0] = 1e3;
   write_bytes(folder / "bad.fold", fold.dump());
+  REQUIRE(run_program({"house.obj", "-o", "."}, in(folder)).exit_code == 0);
   const std::string flat = "x.fold";
   const std::vector<std::pair<std::string, std::vector<std::vector<std::string>>>> verbs{
       {"ridgecraft MODEL",
@@ -85,7 +86,8 @@ TEST_CASE("the keys of --json are documented, each of them and no other", "[json
       {"ridgecraft unfold", {{"unfold", "bar.obj", "--tabs"}}},
       {"ridgecraft info", {{"info", "bar.obj"}}},
       {"ridgecraft hulls", {{"hulls", "bar.obj", "-o", "x.obj"}, {"shell", "bar.obj", "-o", "y.obj"}}},
-      {"ridgecraft verify", {{"verify", "bad.fold"}}},
+      {"ridgecraft verify",
+       {{"verify", "bad.fold"}, {"verify", "house.fold", "--model", "house.obj", "--pages", "house.pdf"}}},
       {"ridgecraft formats", {{"formats"}}}};
   for (const auto& [verb, runs] : verbs) {
     std::set<std::string> keys;

@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ridgecraft;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const verify::Report report = verify::verify(bytes, {.max_faults = 20}, {});
+  const verify::Report report = verify::verify(bytes, {.max_faults = 20, .folding = true}, {});
   const bool form_fault = report.faults.size() == 1 && report.faults[0].promise == verify::Promise::form;
   if (report.figures.has_value() == form_fault || verify::to_json(report).empty()) {
     std::abort();

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ridgecraft verify: what it is given beside the nets, what it says of it, and its exit codes.
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/program_checks.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ridgecraft::test;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A house of 25 cm on several pages.
+struct House {
+  House() {
+    write_bytes(folder / "house.obj", house);
+    REQUIRE(run_program({"house.obj", "--size", "25cm"}, in(folder)).exit_code == 0);
+    REQUIRE(std::filesystem::exists(folder / "house-2.svg"));
+  }
+  [[nodiscard]] Outcome verify(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"verify", "house.fold"});
+    return run_program(arguments, in(folder));
+  }
+  TemporaryFolder folder;
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("verify holds the nets against their model and their pages", "[verify]") {
+  const House house;
+  const Outcome outcome =
+      house.verify({"--model", "house.obj", "--pages", "house-2.svg", "house-1.svg", "house.pdf"});
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find("  model       at most ") != std::string::npos);
+  CHECK(outcome.out.find("  printed     ") != std::string::npos);
+  CHECK(outcome.out.find("no faults") != std::string::npos);
+  const Outcome one = house.verify({"--pages", "house-1.svg", "--json"});
+  const Json json = Json::parse(one.out);
+  CHECK(one.exit_code == 0);
+  CHECK(json.at("printed").at("pages") == 1);
+  CHECK(json.at("printed").at("pages_not_given").get<int>() >= 1);
+  CHECK_FALSE(json.contains("against_model"));
+  const Json plain = Json::parse(house.verify({"--json"}).out);
+  CHECK_FALSE(plain.contains("printed"));
+  CHECK(plain.at("pieces_to_fold_with_care").empty());
+}
+
+TEST_CASE("verify finds what is wrong about pages and model, with exit code 6", "[verify]") {
+  const House house;
+  const std::string svg = read_bytes(house.folder / "house-1.svg");
+  // The first point of the first outline, 0.05 mm to the side.
+  const std::size_t cut = svg.find("id=\"cut-piece");
+  const std::size_t path = svg.find(" d=\"M", cut) + 5;
+  const std::string x = svg.substr(path, svg.find(',', path) - path);
+  std::string moved = svg;
+  moved.replace(path, x.size(), std::to_string(std::stod(x) + 0.05));
+  write_bytes(house.folder / "moved.svg", moved);
+  const Outcome outcome = house.verify({"--pages", "moved.svg"});
+  CHECK(outcome.exit_code == 6);
+  CHECK(outcome.out.find("fault of promise 10: moved.svg has ") != std::string::npos);
+  write_bytes(house.folder / "scaled.svg", replaced(svg, "width=\"210mm\"", "width=\"208mm\""));
+  CHECK(house.verify({"--pages", "scaled.svg"}).exit_code == 6);
+  write_bytes(house.folder / "half.svg", svg.substr(0, svg.size() / 2));
+  const Outcome half = house.verify({"--pages", "half.svg"});
+  CHECK(half.exit_code == 6);
+  CHECK(half.out.find("half.svg can't be checked") != std::string::npos);
+
+  write_bytes(house.folder / "other.obj",
+              replaced(read_bytes(house.folder / "house.obj"), "v 2 5 6", "v 2 5 7"));
+  const Outcome other = house.verify({"--model", "other.obj"});
+  CHECK(other.exit_code == 6);
+  CHECK(other.out.find("fault of promise 9: ") != std::string::npos);
+  CHECK(other.out.find("isn't the one that the nets name") != std::string::npos);
+}
+
+TEST_CASE("verify refuses what are no pages and no model, in one sentence", "[verify]") {
+  const House house;
+  write_bytes(house.folder / "page.png", "\x89PNG\r\n\x1a\n");
+  check_refusal(house.verify({"--pages", "page.png"}), 3, "page.png is in no format of pages");
+  check_refusal(house.verify({"--pages", "missing.svg"}), 3, "missing.svg");
+  check_refusal(house.verify({"--model", "missing.obj"}), 3, "missing.obj");
+  check_refusal(house.verify({"--pages"}), 2, "--pages");
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nets against the model that they are said to be of.
+#include <catch2/catch.hpp>
+
+#include "verify/cube_file.hpp"
+#include "verify/surface_tree.hpp"
+#include "verify/written_job.hpp"
+
+using namespace ridgecraft;
+
+namespace {
+
+/// A cube from 0 to 1 of 12 triangles.
+verify::ModelSurface unit_cube() {
+  verify::ModelSurface cube;
+  for (int i = 0; i < 8; ++i) {
+    cube.points.push_back(
+        {static_cast<double>(i % 2), static_cast<double>(i / 2 % 2), static_cast<double>(i / 4)});
+  }
+  for (const auto& q : std::vector<std::array<std::uint32_t, 4>>{
+           {0, 2, 3, 1}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}, {4, 5, 7, 6}}) {
+    cube.faces.push_back({q[0], q[1], q[2]});
+    cube.faces.push_back({q[0], q[2], q[3]});
+  }
+  return cube;
+}
+
+constexpr int model_promise = 9;
+
+}  // namespace
+
+TEST_CASE("the nets of the samples are their models'", "[model]") {
+  for (const char* name : {"gem.stl", "house.obj", "torus.off", "vase.ply"}) {
+    for (const std::vector<std::string>& options : {std::vector<std::string>{},
+                                                    {"--faces", "keep", "--scale", "0.7"},
+                                                    {"--faces", "40", "--size", "9cm"}}) {
+      const test::WrittenJob job(test::sample(name), options);
+      const verify::Report report = test::verify_model(job.fold, test::surface_of(test::sample(name)));
+      INFO(name << ' ' << (options.empty() ? "" : options[1]) << ": " << test::first_fault(report));
+      CHECK(report.sound());
+      REQUIRE(report.model.has_value());
+      CHECK(report.model->same_file == true);
+      const bool counted = !options.empty() && options[1] == "40";
+      CHECK(report.model->allowed_mm.has_value() == !counted);
+      CHECK(report.model->deviation_mm < (counted ? 30.0 : 0.001));
+      if (!options.empty() && !counted) {
+        CHECK(report.model->mm_per_unit == Approx(0.7));
+      }
+    }
+  }
+}
+
+TEST_CASE("another model, another scale, a dent and a hole are found", "[model]") {
+  const test::WrittenJob job(test::sample("house.obj"), {"--faces", "keep", "--scale", "1.5"});
+  const verify::ModelSurface house = test::surface_of(test::sample("house.obj"));
+  CHECK(test::verify_model(job.fold, house).sound());
+  const auto broken = [&](const verify::ModelSurface& other) {
+    return test::broken(test::verify_model(job.fold, other)) == std::vector<int>{model_promise};
+  };
+  CHECK(broken(test::surface_of(test::sample("fish.obj"))));
+  verify::ModelSurface other = house;
+  for (Vec3& p : other.points) {
+    p = 1.001 * p;
+  }
+  CHECK(broken(other));
+  other = house;
+  other.points[other.faces[10][0]].z += 0.05;
+  CHECK(broken(other));
+  other = house;
+  other.faces.pop_back();
+  CHECK(broken(other));
+  other = house;
+  for (Vec3& p : other.points) {
+    p = {-p.y, p.x, p.z};
+  }
+  CHECK(broken(other));
+  // The model somewhere else is the same model.
+  other = house;
+  for (Vec3& p : other.points) {
+    p += Vec3{100, -7, 3};
+  }
+  CHECK_FALSE(broken(other));
+  // Each face twice: every point is where it should be, and still it is twice the paper.
+  other = house;
+  other.faces.insert(other.faces.end(), house.faces.begin(), house.faces.end());
+  CHECK(broken(other));
+}
+
+TEST_CASE("nets of another program are laid on the model by their sizes", "[model]") {
+  const auto json = test::cube_file();
+  verify::ModelSurface cube = unit_cube();
+  const verify::Report report = test::verify_model(json.dump(), cube);
+  INFO(test::first_fault(report));
+  CHECK(report.sound());
+  CHECK(report.model->mm_per_unit == Approx(40.0));
+  CHECK_FALSE(report.model->same_file.has_value());
+  cube.points[7] += Vec3{0.0, 0.0, -0.01};
+  CHECK(test::broken(test::verify_model(json.dump(), cube)) == std::vector<int>{model_promise});
+}
+
+TEST_CASE("a simplified surface may leave the model by what its settings allow", "[model]") {
+  auto json = test::cube_file();
+  verify::ModelSurface cube = unit_cube();
+  // A ridge on top: 0.4 mm at the size of the nets, which is 1 % of the size.
+  cube.points.push_back({0.5, 0.5, 1.01});
+  cube.faces.resize(10);
+  for (const auto& [a, b] : std::vector<std::array<std::uint32_t, 2>>{{4, 5}, {5, 7}, {7, 6}, {6, 4}}) {
+    cube.faces.push_back({a, b, 8});
+  }
+  CHECK_FALSE(test::verify_model(json.dump(), cube).sound());
+  json["ridgecraft:settings"]["faces"] = "auto";
+  const verify::Report report = test::verify_model(json.dump(), cube);
+  CHECK(report.sound());
+  CHECK(report.model->deviation_mm == Approx(0.3).margin(0.15));
+  CHECK(report.model->allowed_mm.value() == Approx(1.0).margin(0.02));
+  cube.points[8].z = 1.08;
+  CHECK_FALSE(test::verify_model(json.dump(), cube).sound());
+  json["ridgecraft:settings"]["faces"] = 12;
+  CHECK(test::verify_model(json.dump(), cube).sound());
+}
+
+TEST_CASE("the nearest point of a triangle", "[model]") {
+  const verify::Triangle3 t{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}};
+  CHECK(verify::nearest_on(t, {1, 1, 5}) == Vec3{1, 1, 0});
+  CHECK(verify::nearest_on(t, {-1, -1, 5}) == Vec3{0, 0, 0});
+  CHECK(verify::nearest_on(t, {2, -3, 1}) == Vec3{2, 0, 0});
+  CHECK(verify::nearest_on(t, {4, 4, 0}) == Vec3{2, 2, 0});
+  CHECK(verify::nearest_on({Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{2, 0, 0}}, {3, 1, 0}) == Vec3{3, 0, 0});
+}

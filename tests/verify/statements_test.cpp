@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a file says of itself. The program's own file is changed in every sensible way, and the changes that
+// no checker can see are listed one by one with the reason why.
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "verify/cube_file.hpp"
+#include "verify/written_job.hpp"
+
+using namespace ridgecraft;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr int statement_promise = 8;
+
+/// Small, with tabs, several pieces of some parts, and folds of both kinds.
+const Json& house() {
+  static const test::WrittenJob job(test::sample("house.obj"));
+  static const Json json = Json::parse(job.fold);
+  return json;
+}
+
+/// A change has to be found, as a fault of this promise, among others that it brings.
+void check_found(const std::string& words, const std::function<void(Json&)>& change,
+                 int promise = statement_promise) {
+  Json json = house();
+  change(json);
+  const verify::Report report = test::verify_json(json);
+  INFO(words << ": " << test::first_fault(report));
+  CHECK(std::any_of(report.faults.begin(), report.faults.end(), [&](const verify::Fault& fault) {
+    return static_cast<int>(fault.promise) == promise && fault.message.find(words) != std::string::npos;
+  }));
+}
+
+Json& settings(Json& json) {
+  return json["ridgecraft:settings"];
+}
+
+}  // namespace
+
+TEST_CASE("what the program says of its files is so, whatever it was asked for", "[statements]") {
+  const std::vector<std::vector<std::string>> jobs = {
+      {},
+      {"--no-tabs", "--margin", "0", "--max-faces", "9"},
+      {"--all-tabs", "--paper", "letter-landscape"},
+      {"--scale", "1:2", "--faces", "keep", "--pieces", "few", "--weigh", "cut=3", "--seed", "5"},
+      {"--faces", "20", "--hide-folds", "12.5", "--tab-angle", "61.3", "--tab-height", "0.3in"}};
+  for (const std::vector<std::string>& options : jobs) {
+    const test::WrittenJob job(test::sample("house.obj"), options);
+    const verify::Report report = verify::verify(job.fold, {.folding = true}, {});
+    INFO((options.empty() ? "" : options[0]) << ": " << test::first_fault(report));
+    CHECK(report.sound());
+  }
+}
+
+TEST_CASE("kind 1: settings that nobody knows, or that no option takes", "[statements]") {
+  check_found("which nobody knows", [](Json& json) { settings(json)["colour"] = "red"; });
+  for (const char* name :
+       {"seed", "faces", "concavity", "tabs", "tab_height_mm", "tab_angle_deg", "paper_mm", "margin_mm",
+        "gap_mm", "pieces", "max_faces", "hide_folds_deg", "weigh_cut", "weigh_pieces", "weigh_parts",
+        "weigh_compact", "weigh_thin", "weigh_small", "weigh_panels"}) {
+    check_found("the settings lack \"" + std::string(name), [&](Json& json) { settings(json).erase(name); });
+    for (const Json& bad : {Json(), Json(-1), Json("many"), Json::object(), Json::array({1, "a"})}) {
+      check_found("\"" + std::string(name) + "\" has a value that no option takes",
+                  [&](Json& json) { settings(json)[name] = bad; });
+    }
+  }
+  check_found("no option takes", [](Json& json) { settings(json)["seed"] = 1.5; });
+  check_found("no option takes", [](Json& json) { settings(json)["concavity"] = 3; });
+  check_found("no option takes", [](Json& json) { settings(json)["faces"] = 2; });
+  check_found("the size or the scale", [](Json& json) { settings(json).erase("size_mm"); });
+  check_found("the size or the scale", [](Json& json) { settings(json)["mm_per_unit"] = 2; });
+  check_found("can't have \"paper_mm\"", [](Json& json) { settings(json)["whole"] = true; });
+}
+
+TEST_CASE("kind 2: settings that the nets contradict", "[statements]") {
+  check_found("ask for a size of 151 mm", [](Json& json) { settings(json)["size_mm"] = 151; });
+  check_found("isn't as large as the paper", [](Json& json) { settings(json)["paper_mm"] = {297, 210}; });
+  check_found("aren't those of the settings", [](Json& json) { settings(json)["margin_mm"] = 9; });
+  check_found("less than 5 mm apart", [](Json& json) { settings(json)["gap_mm"] = 5; });
+  check_found("mm high, the settings allow 4.9 mm",
+              [](Json& json) { settings(json)["tab_height_mm"] = 4.9; });
+  check_found("the settings ask for no tabs", [](Json& json) { settings(json)["tabs"] = false; });
+  check_found("flat faces, the settings allow 2", [](Json& json) { settings(json)["max_faces"] = 2; });
+  check_found("all tabs and for none", [](Json& json) {
+    settings(json)["tabs"] = false;
+    settings(json)["all_tabs"] = true;
+  });
+  check_found("don't keep its faces", [](Json& json) { settings(json)["cuts"] = "0123456789abcdef"; });
+}
+
+TEST_CASE("kind 3: the hash of the model, and who made the file", "[statements]") {
+  check_found("no hash of a model", [](Json& json) { json.erase("ridgecraft:model_digest"); });
+  check_found("no hash of a model", [](Json& json) { json["ridgecraft:model_digest"] = "0123"; });
+  check_found(
+      "is not a text", [](Json& json) { json["ridgecraft:model_digest"] = 7; }, 0);
+  check_found("no version of ridgecraft",
+              [](Json& json) { json["file_creator"] = "ridgecraft of tomorrow"; });
+  check_found("is empty", [](Json& json) { json["file_creator"] = ""; });
+}
+
+TEST_CASE("kind 4: words of the frames", "[statements]") {
+  check_found("beside \"2D\"", [](Json& json) { json["frame_attributes"] = {"2D", "3D"}; });
+  check_found("which it isn't", [](Json& json) {
+    json["file_frames"][0]["frame_attributes"] = {"3D", "nonManifold"};
+  });
+  check_found("other words", [](Json& json) { json["file_frames"][0]["frame_attributes"] = {"3D"}; });
+  check_found("other words", [](Json& json) { json["file_classes"].push_back("animation"); });
+  check_found("other words", [](Json& json) { json["frame_classes"].push_back("graph"); });
+}
+
+TEST_CASE("kind 5: vertices and frames that nothing uses, keys that nobody knows", "[statements]") {
+  check_found("belongs to no face", [](Json& json) { json["vertices_coords"].push_back({0, 0}); });
+  check_found("belongs to no face", [](Json& json) {
+    json["file_frames"][0]["vertices_coords"].push_back({0, 0, 0});
+  });
+  check_found("has 2 frames", [](Json& json) { json["file_frames"].push_back(Json::object()); });
+  check_found("nobody knows the key \"ridgecraft:fold_ordr\"",
+              [](Json& json) { json["ridgecraft:fold_ordr"] = json["ridgecraft:fold_order"]; });
+  check_found("\"hole\" of piece 1", [](Json& json) { json["ridgecraft:pieces"][1]["hole"] = 1; });
+  check_found("\"tap\" of join 0", [](Json& json) { json["ridgecraft:joins"][0]["tap"] = 1; });
+  check_found("\"kind\" of tab 2", [](Json& json) { json["ridgecraft:tabs"][2]["kind"] = 1; });
+  check_found("\"name\" of page 0", [](Json& json) { json["ridgecraft:pages"][0]["name"] = 1; });
+}
+
+TEST_CASE("kind 6: names of pieces, their order, their reasons", "[statements]") {
+  check_found("should be named \"A\"", [](Json& json) {
+    std::swap(json["ridgecraft:pieces"][0]["name"], json["ridgecraft:pieces"][1]["name"]);
+  });
+  check_found("should be named", [](Json& json) { json["ridgecraft:pieces"][2]["name"] = ""; });
+  check_found("the reason of piece \"A\" can't be \"page\"",
+              [](Json& json) { json["ridgecraft:pieces"][0]["reason"] = "page"; });
+  check_found("the reason of piece \"B\" can't be \"part\"",
+              [](Json& json) { json["ridgecraft:pieces"][1]["reason"] = "part"; });
+  for (const char* reason : {"tabs", "request"}) {
+    check_found("can't be \"" + std::string(reason),
+                [&](Json& json) { json["ridgecraft:pieces"][1]["reason"] = reason; });
+  }
+}
+
+TEST_CASE("kind 7: pages that aren't where and what they should be", "[statements]") {
+  check_found("aren't those of the settings",
+              [](Json& json) { json["ridgecraft:pages"][0]["margins"][2] = 9.5; });
+  check_found("isn't as large as the paper", [](Json& json) {
+    json["ridgecraft:pages"][1]["size"] = {210, 297.5};
+  });
+  check_found("isn't as large as the paper",
+              [](Json& json) { json["ridgecraft:pages"][0]["size"] = nullptr; });
+  check_found("isn't at its place in the row",
+              [](Json& json) { json["ridgecraft:pages"][1]["origin"][0] = 220.4; });
+}
+
+TEST_CASE("kind 8: joins and tabs that are told in another way than they are", "[statements]") {
+  check_found("have the same number and are no straight seam", [](Json& json) {
+    Json& joins = json["ridgecraft:joins"];
+    const Json number = joins[0]["number"];
+    joins[5]["number"] = number;
+    json["ridgecraft:tabs"][joins[5]["tab"].get<std::size_t>()]["joins"] = {number};
+  });
+  check_found("doesn't come after", [](Json& json) {
+    Json& joins = json["ridgecraft:joins"];
+    joins[2]["number"] = 1000;
+    json["ridgecraft:tabs"][joins[2]["tab"].get<std::size_t>()]["joins"] = {1000};
+  });
+  check_found("has a tab and says why it has none",
+              [](Json& json) { json["ridgecraft:joins"][0]["why"] = "no room"; });
+  check_found("for more than one edge", [](Json& json) {
+    Json& numbers = json["ridgecraft:tabs"][0]["joins"];
+    numbers.push_back(numbers[0]);
+  });
+  check_found("has a corner twice", [](Json& json) {
+    Json& polygon = json["ridgecraft:tabs"][0]["polygon"];
+    polygon.push_back(polygon.back());
+  });
+  check_found("isn't convex", [](Json& json) {
+    Json& polygon = json["ridgecraft:tabs"][0]["polygon"];
+    const auto at = [&](std::size_t k, std::size_t x) { return polygon[k][x].get<double>(); };
+    const Json dent = {0.25 * (at(0, 0) + at(1, 0) + at(2, 0) + at(3, 0)),
+                       0.25 * (at(0, 1) + at(1, 1) + at(2, 1) + at(3, 1))};
+    polygon.insert(polygon.begin() + 3, dent);
+  });
+}
+
+TEST_CASE("files of other programs need not speak as this one does", "[statements]") {
+  Json json = test::cube_file();
+  REQUIRE(test::broken(json).empty());
+  json["file_creator"] = "somebody's script";
+  json["ridgecraft:settings"] = {{"own", {{"deep", 3}}}, {"seed", "none"}};
+  json["file_classes"] = {"multiModel", "animation"};
+  json["frame_attributes"] = {"2D", "noCuts"};
+  json["vertices_coords"].push_back({300, 300});
+  json["ridgecraft:note"] = "made by hand";
+  json["ridgecraft:pieces"][0]["name"] = "left ear";
+  json["ridgecraft:pieces"][0]["reason"] = "time";
+  json["file_frames"].push_back({{"frame_title", "a picture"}});
+  const verify::Report report = test::verify_json(json);
+  INFO(test::first_fault(report));
+  CHECK(report.sound());
+}
+
+namespace {
+
+/// Every value of the file, with its path; of long lists the first, the middle and the last entry.
+void visit(const Json& json, const std::string& path, const Json::json_pointer& at,
+           const std::function<void(const std::string&, const Json::json_pointer&)>& see) {
+  if (!path.empty()) {
+    see(path, at);
+  }
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) {
+      visit(value, path + "/" + key, at / key, see);
+    }
+  } else if (json.is_array()) {
+    const std::size_t n = json.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (n <= 3 || i == 0 || i == n / 2 || i == n - 1) {
+        visit(json[i], path + "/#", at / i, see);
+      }
+    }
+  }
+}
+
+std::vector<Json> changes_of(const Json& value) {
+  std::vector<Json> changes{nullptr};
+  if (value.is_boolean()) {
+    changes.emplace_back(!value.get<bool>());
+  } else if (value.is_number()) {
+    const auto x = value.get<double>();
+    if (value.is_number_integer()) {
+      changes.emplace_back(value.get<std::int64_t>() + 1);
+      changes.emplace_back(value.get<std::int64_t>() - 1);
+    }
+    for (const double other : {x + 1.0, x - 1.0, 1.01 * x, -x, 0.0, 1e6, x + 0.5}) {
+      changes.emplace_back(other);
+    }
+    changes.emplace_back(value.dump());
+  } else if (value.is_string()) {
+    changes.insert(changes.end(), {"", value.get<std::string>() + "x", 3});
+  } else if (value.is_array()) {
+    changes.emplace_back(Json::array());
+    changes.emplace_back(3);
+    if (!value.empty()) {
+      Json other = value;
+      other.erase(other.size() - 1);
+      changes.push_back(other);
+      other = value;
+      other.push_back(value.back());
+      changes.push_back(other);
+      other = value;
+      std::reverse(other.begin(), other.end());
+      changes.push_back(other);
+      other = value;
+      std::swap(other.front(), other[other.size() > 2 ? 1 : 0]);
+      changes.push_back(other);
+    }
+  } else if (value.is_object()) {
+    Json other = value;
+    other["ridgecraft:extra"] = 1;
+    changes.push_back(other);
+    changes.emplace_back(3);
+  }
+  return changes;
+}
+
+/// Where a change can't be seen in the file alone.
+const std::set<std::string> free_paths = {
+    "/file_title",                   // the model's name is whatever it is
+    "/edges_vertices",               // two flat folds that change their numbers
+    "/edges_vertices/#",             // an edge has no direction
+    "/ridgecraft:joins/#/edges",     // nor has a join
+    "/ridgecraft:fold_order/#/#",    // what is folded together comes in no order
+    "/edges_foldAngle/#",            // within the tolerance of small angles
+    "/file_frames/#/frame_inherit",  // false is what it means when it is left out
+    "/ridgecraft:pieces/#/holes",    // as is 0
+    "/ridgecraft:pages/#/origin/#",  // a hundredth of nothing
+    // How nets were searched leaves no trace in them, and limits may be wider than what came of them.
+    "/ridgecraft:settings/concavity", "/ridgecraft:settings/seed", "/ridgecraft:settings/max_faces",
+    "/ridgecraft:settings/gap_mm", "/ridgecraft:settings/tab_height_mm", "/ridgecraft:settings/tab_angle_deg",
+    "/ridgecraft:settings/hide_folds_deg", "/ridgecraft:settings/weigh_cut",
+    "/ridgecraft:settings/weigh_pieces", "/ridgecraft:settings/weigh_parts",
+    "/ridgecraft:settings/weigh_compact", "/ridgecraft:settings/weigh_thin",
+    "/ridgecraft:settings/weigh_small", "/ridgecraft:settings/weigh_panels",
+    // A tab may have any convex shape as high as the settings allow; the printed pages know which.
+    "/ridgecraft:tabs/#/polygon", "/ridgecraft:tabs/#/polygon/#", "/ridgecraft:tabs/#/polygon/#/#"};
+
+}  // namespace
+
+TEST_CASE("every value of a file, changed in every sensible way, is found or free", "[statements]") {
+  const Json& clean = house();
+  std::size_t changes = 0;
+  std::size_t accepted = 0;
+  const auto check = [&](const std::string& path, const Json& changed, const std::string& how) {
+    ++changes;
+    if (test::verify_json(changed).sound()) {
+      ++accepted;
+      INFO(path << " " << how);
+      CHECK(free_paths.contains(path));
+    }
+  };
+  visit(clean, "", Json::json_pointer(), [&](const std::string& path, const Json::json_pointer& at) {
+    for (const Json& change : changes_of(clean[at])) {
+      if (change != clean[at] || change.type() != clean[at].type()) {
+        Json json = clean;
+        json[at] = change;
+        check(path, json, "as " + change.dump().substr(0, 60));
+      }
+    }
+    Json json = clean;
+    Json& parent = json[at.parent_pointer()];
+    if (parent.is_object()) {
+      parent.erase(at.back());
+    } else {
+      parent.erase(std::stoul(at.back()));
+    }
+    check(path, json, "left out");
+  });
+  CHECK(changes > 1000);
+  CHECK(accepted < changes / 5);
+}

@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/pages/check_pages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "verify/pages/scale_bar.hpp"
+#include "verify/pages/tolerance.hpp"
+#include "verify/pages/wanted_lines.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+constexpr std::array<const char*, line_kinds> kind_names = {"cut",
+                                                            "mountain fold",
+                                                            "valley fold",
+                                                            "tab base (mountain fold)",
+                                                            "tab base (valley fold)",
+                                                            "tab base (not folded)"};
+
+/// A page of the nets, ready to be compared with any number of printed ones.
+struct NetPage {
+  WantedPage lines;
+  std::array<LineSet, line_kinds> allowed;
+
+  explicit NetPage(WantedPage page) : lines(std::move(page)) {
+    for (std::size_t kind = 0; kind < line_kinds; ++kind) {
+      allowed[kind] = LineSet(lines.allowed[kind]);
+    }
+  }
+};
+
+using Kinds = std::array<bool, line_kinds>;
+
+Kinds only(LineKind kind) {
+  Kinds kinds{};
+  kinds[static_cast<std::size_t>(kind)] = true;
+  return kinds;
+}
+
+double length_of(const PrintedLine& line) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    sum += length(line.points[i] - line.points[i - 1]);
+  }
+  return sum;
+}
+
+/// What a line can be, from its layer and its look; nothing where the two contradict each other.
+std::optional<Kinds> kinds_of(const PrintedLine& line) {
+  const bool short_line =
+      line.pattern == Pattern::solid && length_of(line) <= shortest_dashed_mm + rounding_mm;
+  switch (line.layer) {
+    case PrintedLayer::cut:
+      return line.pattern == Pattern::solid ? std::optional(only(LineKind::cut)) : std::nullopt;
+    case PrintedLayer::mountain:
+      return short_line || line.pattern == Pattern::dash_dot ? std::optional(only(LineKind::mountain))
+                                                             : std::nullopt;
+    case PrintedLayer::valley:
+      return short_line || line.pattern == Pattern::dashed ? std::optional(only(LineKind::valley))
+                                                           : std::nullopt;
+    case PrintedLayer::tab_fold:
+      if (short_line) {
+        return Kinds{false, false, false, true, true, true};
+      }
+      switch (line.pattern) {
+        case Pattern::dash_dot:
+          return only(LineKind::tab_mountain);
+        case Pattern::dashed:
+          return only(LineKind::tab_valley);
+        case Pattern::dotted:
+          return only(LineKind::tab_flat);
+        case Pattern::solid:
+        case Pattern::strange:
+          break;
+      }
+      return std::nullopt;
+    case PrintedLayer::mark:
+    case PrintedLayer::other:
+      break;
+  }
+  return std::nullopt;
+}
+
+const char* layer_words(PrintedLayer layer) {
+  switch (layer) {
+    case PrintedLayer::cut:
+      return "cut";
+    case PrintedLayer::mountain:
+      return "mountain fold";
+    case PrintedLayer::valley:
+      return "valley fold";
+    case PrintedLayer::tab_fold:
+      return "tab base";
+    case PrintedLayer::mark:
+    case PrintedLayer::other:
+      break;
+  }
+  return "mark";
+}
+
+std::string place(Vec2 p) {
+  return fmt::format("({:.2f}, {:.2f})", p.x, p.y);
+}
+
+/// Stretches of one sort that are told as one fault.
+struct Sum {
+  double length = 0.0;
+  std::size_t lines = 0;
+  Vec2 first;
+
+  void add(const Bare& bare) {
+    first = lines == 0 ? bare.middle : first;
+    length += bare.length;
+    ++lines;
+  }
+};
+
+class PageCheck {
+ public:
+  PageCheck(const Case& given, const std::vector<NetPage>& nets, const PrintedPage& printed, Index page,
+            Findings& findings)
+      : given_(given), nets_(nets), net_(nets[page]), printed_(printed), page_(page), findings_(findings) {}
+
+  void run() {
+    check_size();
+    if (const std::optional<Index> other = page_that_fits()) {
+      add(fmt::format("{} shows page {} of the nets instead of page {}", printed_.name, *other + 1,
+                      page_ + 1));
+      return;
+    }
+    check_printed();
+    check_wanted();
+    const Page& sheet = given_.file.pages[page_];
+    if (const auto fault = fault_of_bar(printed_, sheet.printable_high.x - sheet.printable_low.x)) {
+      add(fmt::format("{} {}", printed_.name, *fault));
+    }
+  }
+
+ private:
+  void add(const std::string& message) {
+    ++findings_.printed().faulty;
+    findings_.add(Promise::printed, {{"page", page_}}, [&] { return message; });
+  }
+
+  void check_size() {
+    const Page& page = given_.file.pages[page_];
+    if (!page.bounded) {
+      add(fmt::format("{} is printed, but page {} of the nets has no size", printed_.name, page_ + 1));
+      return;
+    }
+    const Vec2 size = page.high - page.low;
+    if (std::max(std::abs(size.x - printed_.size.x), std::abs(size.y - printed_.size.y)) >
+        measure_tolerance_mm) {
+      add(fmt::format("{} is {:.2f} x {:.2f} mm large instead of {:.2f} x {:.2f} mm", printed_.name,
+                      printed_.size.x, printed_.size.y, size.x, size.y));
+    }
+  }
+
+  /// The share of the printed outlines that lie on no outline of a page of the nets.
+  [[nodiscard]] double stray_share(const NetPage& net) const {
+    double all = 0.0;
+    double stray = 0.0;
+    const LineSet& outlines = net.allowed[static_cast<std::size_t>(LineKind::cut)];
+    for (const PrintedLine& line : printed_.lines) {
+      for (std::size_t i = 1; line.layer == PrintedLayer::cut && i < line.points.size(); ++i) {
+        const Segment segment{line.points[i - 1], line.points[i]};
+        const auto bare = outlines.bare(segment, line_tolerance_mm);
+        all += segment.length();
+        stray += bare ? bare->length : 0.0;
+      }
+    }
+    return all > 0.0 ? stray / all : 0.0;
+  }
+
+  /// Another page of the nets, where the outlines are those of that page and not of this one.
+  [[nodiscard]] std::optional<Index> page_that_fits() const {
+    if (stray_share(net_) < wrong_page_share) {
+      return std::nullopt;
+    }
+    for (Index other = 0; other < nets_.size(); ++other) {
+      given_.context.check();
+      if (other != page_ && stray_share(nets_[other]) < right_page_share) {
+        return other;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Every printed line is one that the nets have, and looks like it.
+  void check_printed() {
+    std::map<PrintedLayer, Sum> strange;
+    std::map<PrintedLayer, Sum> stray;
+    for (const PrintedLine& line : printed_.lines) {
+      given_.context.check();
+      if (line.layer == PrintedLayer::mark) {
+        continue;
+      }
+      const std::optional<Kinds> kinds = kinds_of(line);
+      if (!kinds) {
+        strange[line.layer].add({length_of(line), 0.5 * (line.points[0] + line.points[1])});
+      }
+      for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const Segment segment{line.points[i - 1], line.points[i]};
+        drawn_.push_back(segment);
+        if (kinds) {
+          check_segment(segment, *kinds, stray[line.layer]);
+        }
+      }
+    }
+    for (const auto& [layer, sum] : strange) {
+      add(fmt::format("{} draws {:.2f} mm of {} lines in another pattern, at {}", printed_.name, sum.length,
+                      layer_words(layer), place(sum.first)));
+    }
+    for (const auto& [layer, sum] : stray) {
+      if (sum.lines > 0) {
+        add(fmt::format("{} has {:.2f} mm of {} lines where the nets have none, at {}{}", printed_.name,
+                        sum.length, layer_words(layer), place(sum.first), what_is_at(sum.first)));
+      }
+    }
+  }
+
+  void check_segment(const Segment& segment, const Kinds& kinds, Sum& stray) {
+    if (const auto bare = bare_of_all(segment, kinds)) {
+      stray.add(*bare);
+    }
+    measure(segment.b, kinds);
+  }
+
+  /// What of the segment lies on no line of these kinds. Only short lines may be of several kinds, and those
+  /// lie on one line as a whole.
+  [[nodiscard]] std::optional<Bare> bare_of_all(const Segment& segment, const Kinds& kinds) const {
+    std::optional<Bare> least;
+    for (std::size_t kind = 0; kind < line_kinds; ++kind) {
+      if (!kinds[kind]) {
+        continue;
+      }
+      const std::optional<Bare> bare = net_.allowed[kind].bare(segment, line_tolerance_mm);
+      if (!bare) {
+        return std::nullopt;
+      }
+      if (!least || bare->length < least->length) {
+        least = bare;
+      }
+    }
+    return least;
+  }
+
+  void measure(Vec2 p, const Kinds& kinds) {
+    double best = INFINITY;
+    for (std::size_t kind = 0; kind < line_kinds; ++kind) {
+      if (kinds[kind]) {
+        best = std::min(best, net_.allowed[kind].distance_to(p, line_tolerance_mm).value_or(INFINITY));
+      }
+    }
+    if (best <= line_tolerance_mm) {
+      double& worst = findings_.printed().max_error_mm;
+      worst = std::max(worst, best);
+    }
+  }
+
+  /// A hint to what went wrong: how far the right line is, or which other line is there.
+  [[nodiscard]] std::string what_is_at(Vec2 p) const {
+    std::optional<double> nearest;
+    std::size_t nearest_kind = 0;
+    for (std::size_t kind = 0; kind < line_kinds; ++kind) {
+      const auto distance = net_.allowed[kind].distance_to(p, beside_mm);
+      if (distance && (!nearest || *distance < *nearest)) {
+        nearest = distance;
+        nearest_kind = kind;
+      }
+    }
+    if (!nearest) {
+      return "";
+    }
+    if (*nearest <= line_tolerance_mm) {
+      return fmt::format(", where a {} belongs", kind_names[nearest_kind]);
+    }
+    return fmt::format(", {:.3f} mm beside a {}", *nearest, kind_names[nearest_kind]);
+  }
+
+  /// Every line that the nets want is printed. A fold that lies on another line isn't drawn again, so any
+  /// line will do; what is drawn in a wrong way was found before.
+  void check_wanted() {
+    const LineSet drawn(drawn_);
+    std::map<std::pair<Index, LineKind>, Sum> missing;
+    for (const WantedLine& wanted : net_.lines.wanted) {
+      given_.context.check();
+      if (const auto bare = drawn.bare(wanted.line, line_tolerance_mm)) {
+        missing[{wanted.piece, wanted.kind}].add(*bare);
+      }
+    }
+    for (const auto& [what, sum] : missing) {
+      const auto& [piece, kind] = what;
+      ++findings_.printed().faulty;
+      findings_.add(Promise::printed, {{"page", page_}, {"piece", piece}},
+                    [&, piece = piece, kind = kind, &sum = sum] {
+                      return fmt::format("{} lacks {:.2f} mm of the {} lines of {}, at {}", printed_.name,
+                                         sum.length, kind_names[static_cast<std::size_t>(kind)],
+                                         piece_name(given_.file, piece), place(sum.first));
+                    });
+    }
+  }
+
+  const Case& given_;
+  const std::vector<NetPage>& nets_;
+  const NetPage& net_;
+  const PrintedPage& printed_;
+  Index page_;
+  Findings& findings_;
+  std::vector<Segment> drawn_;
+};
+
+/// The printed pages by the page of the nets that each is.
+class PageList {
+ public:
+  PageList(const Case& given, Findings& findings) : given_(given), findings_(findings) {}
+
+  void add(const PrintedFile& file) {
+    const std::size_t pages = given_.file.pages.size();
+    if (!file.defect.empty()) {
+      fault(fmt::format("{} can't be checked: {}", file.name, file.defect));
+    }
+    check_digest(file);
+    if (file.whole && file.defect.empty() && file.pages.size() != pages) {
+      fault(fmt::format("{} has {} page{}, the nets have {}", file.name, file.pages.size(),
+                        file.pages.size() == 1 ? "" : "s", pages));
+    }
+    for (const PrintedPage& page : file.pages) {
+      add(file, page);
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::pair<Index, const PrintedPage*>>& pages() const { return pages_; }
+
+ private:
+  void fault(const std::string& message) {
+    ++findings_.printed().faulty;
+    findings_.add(Promise::printed, {}, [&] { return message; });
+  }
+
+  void check_digest(const PrintedFile& file) {
+    const std::string& digest = given_.file.digest;
+    if (!file.digest.empty() && !digest.empty() && file.digest != digest) {
+      fault(fmt::format("{} was made from another model than the nets", file.name));
+    }
+  }
+
+  void add(const PrintedFile& file, const PrintedPage& page) {
+    const std::size_t pages = given_.file.pages.size();
+    const std::size_t number = page.number.value_or(++unnumbered_);
+    if (!file.whole && page.count && *page.count != pages) {
+      fault(fmt::format("{} says it is one of {} pages, the nets have {}", page.name, *page.count, pages));
+    }
+    if (number < 1 || number > pages) {
+      if (!file.whole) {
+        fault(fmt::format("{} is page {}, the nets have {}", page.name, number, pages));
+      }
+      return;
+    }
+    const auto index = static_cast<Index>(number - 1);
+    if (!file.whole && !single_.insert(index).second) {
+      fault(fmt::format("{} is page {}, as another file is", page.name, number));
+    }
+    pages_.emplace_back(index, &page);
+  }
+
+  const Case& given_;
+  Findings& findings_;
+  std::size_t unnumbered_ = 0;
+  std::set<Index> single_;  ///< given as a file of their own
+  std::vector<std::pair<Index, const PrintedPage*>> pages_;
+};
+
+}  // namespace
+
+void check_pages(const Case& given, std::span<const PrintedFile> printed, Findings& findings) {
+  PageList list(given, findings);
+  for (const PrintedFile& file : printed) {
+    list.add(file);
+  }
+  std::vector<NetPage> nets;
+  for (WantedPage& page : wanted_lines(given)) {
+    nets.emplace_back(std::move(page));
+  }
+  std::set<Index> seen;
+  for (const auto& [page, printed_page] : list.pages()) {
+    seen.insert(page);
+    PageCheck(given, nets, *printed_page, page, findings).run();
+  }
+  findings.printed().pages = list.pages().size();
+  findings.printed().pages_not_given = nets.size() - seen.size();
+}
+
+}  // namespace ridgecraft::verify

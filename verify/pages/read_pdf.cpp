@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PDF pages: qpdf finds the objects, content_stream.cpp says what they draw.
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <qpdf/Pipeline.hh>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFPageObjectHelper.hh>
+
+#include "verify/pages/content_stream.hpp"
+#include "verify/pages/print_form.hpp"
+#include "verify/pages/tolerance.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+constexpr double mm_per_point = 25.4 / 72.0;
+
+/// Takes what qpdf unpacks, up to the limit: a small file can unpack to very much.
+class LimitedText : public Pipeline {
+ public:
+  explicit LimitedText(std::size_t& left) : Pipeline("content", nullptr), left_(left) {}
+
+  void write(const unsigned char* data, std::size_t size) override {
+    if (size > left_) {
+      cannot_check("its content is larger than {} bytes", max_content_bytes);
+    }
+    left_ -= size;
+    text.append(reinterpret_cast<const char*>(data), size);
+  }
+  void finish() override {}
+
+  std::string text;
+
+ private:
+  std::size_t& left_;
+};
+
+std::vector<double> numbers_of(QPDFObjectHandle list) {
+  std::vector<double> numbers;
+  for (int i = 0; list.isArray() && i < list.getArrayNItems(); ++i) {
+    QPDFObjectHandle item = list.getArrayItem(i);
+    numbers.push_back(item.isNumber() ? item.getNumericValue() : 0.0);
+  }
+  return numbers;
+}
+
+class PageReader {
+ public:
+  PageReader(QPDFPageObjectHelper& page, const std::vector<std::string>& off, std::size_t& bytes_left,
+             PrintedPage& result)
+      : page_(page), off_(off), bytes_left_(bytes_left), result_(result) {}
+
+  void read() {
+    read_size();
+    LimitedText content(bytes_left_);
+    page_.pipeContents(&content);
+    draw(content.text, {}, page_.getAttribute("/Resources", false), std::nullopt, 0);
+  }
+
+ private:
+  void read_size() {
+    const std::vector<double> box = numbers_of(page_.getMediaBox());
+    const std::vector<double> cropped = numbers_of(page_.getCropBox());
+    if (box.size() != 4 || !(box[2] > box[0] && box[3] > box[1])) {
+      cannot_check("its size isn't told");
+    }
+    if (cropped != box) {
+      cannot_check("its crop box isn't the whole sheet");
+    }
+    QPDFObjectHandle rotate = page_.getAttribute("/Rotate", false);
+    QPDFObjectHandle unit = page_.getObjectHandle().getKey("/UserUnit");
+    if ((rotate.isNumber() && rotate.getNumericValue() != 0.0) ||
+        (unit.isNumber() && unit.getNumericValue() != 1.0)) {
+      cannot_check("it is turned or has a unit of its own");
+    }
+    low_ = {box[0], box[1]};
+    high_ = {box[2], box[3]};
+    result_.size = mm_per_point * Vec2{box[2] - box[0], box[3] - box[1]};
+  }
+
+  [[nodiscard]] Vec2 place(Vec2 p) const { return mm_per_point * (p - low_); }
+
+  void draw(const std::string& content, const InkState& state, QPDFObjectHandle resources,
+            std::optional<PrintedLayer> layer, int depth) {
+    const ContentEvents events{
+        .path = [&](const InkPath& path, const InkState& now) { add(path, now, layer); },
+        .object = [&](std::string_view name,
+                      const InkState& now) { draw_object(name, now, resources, layer, depth); },
+        .hides_lines =
+            [&](std::string_view name) {
+              QPDFObjectHandle opacity = entry(entry(resources, "/ExtGState"), "/" + std::string(name));
+              opacity = entry(opacity, "/CA");
+              return opacity.isNumber() && opacity.getNumericValue() <= 1.0 - white;
+            },
+        .other =
+            [&] {
+              if (!layer || (is_checked(*layer) && *layer != PrintedLayer::mark)) {
+                cannot_check("it has text or colours where only lines may be");
+              }
+            }};
+    read_content(content, state, events);
+  }
+
+  /// The entry of a dictionary, or null.
+  static QPDFObjectHandle entry(QPDFObjectHandle dictionary, const std::string& key) {
+    return dictionary.isDictionary() ? dictionary.getKey(key) : QPDFObjectHandle::newNull();
+  }
+
+  void draw_object(std::string_view name, const InkState& state, const QPDFObjectHandle& resources,
+                   std::optional<PrintedLayer> layer, int depth) {
+    if (depth == max_form_depth) {
+      cannot_check("its objects are nested deeper than {}", max_form_depth);
+    }
+    QPDFObjectHandle object = entry(entry(resources, "/XObject"), "/" + std::string(name));
+    QPDFObjectHandle kind = object.isStream() ? object.getDict().getKey("/Subtype") : object;
+    if (!kind.isName() || kind.getName() != "/Form") {
+      cannot_check("it has a picture or an object that isn't there: {}", name.substr(0, 40));
+    }
+    QPDFObjectHandle dictionary = object.getDict();
+    const std::optional<PrintedLayer> inner = layer ? layer : layer_of(dictionary, name);
+    if (!is_checked(*inner)) {
+      return;
+    }
+    InkState now = state;
+    if (const std::vector<double> m = numbers_of(dictionary.getKey("/Matrix")); m.size() == 6) {
+      now.matrix = product({m[0], m[1], m[2], m[3], m[4], m[5]}, now.matrix);
+    }
+    LimitedText content(bytes_left_);
+    object.pipeStreamData(&content, 0, qpdf_dl_generalized);
+    draw(content.text, now, dictionary.getKey("/Resources"), inner, depth + 1);
+  }
+
+  PrintedLayer layer_of(QPDFObjectHandle form, std::string_view name) const {
+    QPDFObjectHandle title = entry(form.getKey("/OC"), "/Name");
+    const std::string words = title.isString() ? title.getUTF8Value() : std::string();
+    const auto layer = layer_with_title(words);
+    if (!layer) {
+      cannot_check("its object {} is in no layer of ours", name.substr(0, 40));
+    }
+    if (std::find(off_.begin(), off_.end(), words) != off_.end()) {
+      cannot_check("its layer \"{}\" is switched off", words);
+    }
+    return *layer;
+  }
+
+  void add(const InkPath& path, const InkState& state, std::optional<PrintedLayer> layer) {
+    if (!layer) {
+      cannot_check("it has lines in no layer");
+    }
+    const bool plain = *layer != PrintedLayer::mark;
+    if (path.filled && plain) {
+      cannot_check("a line of its layers is an area");
+    }
+    if (!path.stroked || state.white || state.hidden || (path.curved && !plain)) {
+      return;
+    }
+    if (path.curved) {
+      cannot_check("a line isn't straight, and only straight lines can be checked");
+    }
+    const Pattern pattern = pattern_of(state.dashes);
+    for (const std::vector<Vec2>& points : path.lines) {
+      PrintedLine line{*layer, pattern, {}};
+      for (const Vec2 p : points) {
+        if (state.window && !inside(*state.window, p)) {
+          cannot_check("a line is cut off");
+        }
+        line.points.push_back(place(p));
+      }
+      result_.lines.push_back(std::move(line));
+    }
+  }
+
+  /// Whether a point is drawn that a line has. What is cut off at the sheet's border alone is there: Cairo
+  /// cuts at whole points, which no printer reaches.
+  [[nodiscard]] bool inside(const Box2& window, Vec2 p) const {
+    const auto within = [](double low, double x, double high, double sheet_low, double sheet_high) {
+      constexpr double whole_point = 1.0;
+      return (x >= low || low <= sheet_low + whole_point) && (x <= high || high >= sheet_high - whole_point);
+    };
+    return within(window.low.x, p.x, window.high.x, low_.x, high_.x) &&
+           within(window.low.y, p.y, window.high.y, low_.y, high_.y);
+  }
+
+  QPDFPageObjectHelper& page_;
+  const std::vector<std::string>& off_;
+  std::size_t& bytes_left_;
+  PrintedPage& result_;
+  Vec2 low_, high_;  ///< corners of the sheet, in points
+};
+
+/// Titles of the layers that aren't printed unless somebody switches them on.
+std::vector<std::string> layers_off(QPDF& pdf) {
+  std::vector<std::string> titles;
+  QPDFObjectHandle properties = pdf.getRoot().getKey("/OCProperties");
+  QPDFObjectHandle defaults = properties.isDictionary() ? properties.getKey("/D") : properties;
+  QPDFObjectHandle off = defaults.isDictionary() ? defaults.getKey("/OFF") : defaults;
+  for (int i = 0; off.isArray() && i < off.getArrayNItems(); ++i) {
+    QPDFObjectHandle group = off.getArrayItem(i);
+    QPDFObjectHandle title = group.isDictionary() ? group.getKey("/Name") : group;
+    titles.push_back(title.isString() ? title.getUTF8Value() : std::string());
+  }
+  return titles;
+}
+
+void read_document(QPDF& pdf, PrintedFile& file) {
+  QPDFObjectHandle info = pdf.getTrailer().getKey("/Info");
+  QPDFObjectHandle keywords = info.isDictionary() ? info.getKey("/Keywords") : info;
+  file.digest = keywords.isString() ? digest_in(keywords.getUTF8Value()) : std::string();
+  file.whole = true;
+  const std::vector<std::string> off = layers_off(pdf);
+  std::size_t bytes_left = max_content_bytes;
+  std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(pdf).getAllPages();
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    PrintedPage page;
+    page.name = fmt::format("page {} of {}", i + 1, file.name);
+    page.number = i + 1;
+    page.count = pages.size();
+    PageReader(pages[i], off, bytes_left, page).read();
+    file.pages.push_back(std::move(page));
+  }
+}
+
+}  // namespace
+
+PrintedFile read_pdf(const std::string& name, std::string_view bytes) {
+  PrintedFile file;
+  file.name = name;
+  try {
+    QPDF pdf;
+    pdf.setSuppressWarnings(true);
+    pdf.processMemoryFile(name.c_str(), bytes.data(), bytes.size());
+    read_document(pdf, file);
+    if (pdf.anyWarnings()) {
+      cannot_check("it is damaged");
+    }
+  } catch (const NotInForm& reason) {
+    file.pages.clear();
+    file.defect = reason.message;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {  // qpdf throws several kinds, with words of its own
+    file.pages.clear();
+    file.defect = "it isn't a PDF file that can be read";
+  }
+  return file;
+}
+
+}  // namespace ridgecraft::verify

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SVG pages: layers, groups and paths. Attributes that could move, hide or restyle a line are refused: a line
+// that is overlooked or read at a wrong place would be worse than a file that can't be checked.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+#include <pugixml.hpp>
+
+#include "verify/pages/path_data.hpp"
+#include "verify/pages/print_form.hpp"
+#include "verify/pages/tolerance.hpp"
+#include "verify/tolerance.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+/// How a path is drawn where it doesn't say so itself.
+struct Look {
+  std::string_view stroke = "none";
+  std::string_view width = "1";
+  std::string_view dashes = "none";
+  std::string_view fill = "black";
+};
+
+std::optional<double> plain_number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool all = end == text.data() + text.size();
+  return error == std::errc{} && all && std::abs(value) <= max_coordinate_mm ? std::optional(value)
+                                                                             : std::nullopt;
+}
+
+std::vector<double> numbers(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n,";
+  std::vector<double> result;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    if (text.empty()) {
+      return result;
+    }
+    const std::string_view word = text.substr(0, text.find_first_of(blanks));
+    const auto number = plain_number(word);
+    if (!number || *number < 0.0) {
+      cannot_check("a list of lengths isn't one: {}", word.substr(0, 40));
+    }
+    result.push_back(*number);
+    text.remove_prefix(word.size());
+  }
+}
+
+/// White lines are no lines; a colour by another way than its bytes counts as one that can be seen.
+bool is_white(std::string_view color) {
+  if (color == "white") {
+    return true;
+  }
+  if (color.size() != 7 || color[0] != '#') {
+    return false;
+  }
+  unsigned value = 0;
+  const auto [end, error] = std::from_chars(color.data() + 1, color.data() + color.size(), value, 16);
+  if (error != std::errc{} || end != color.data() + color.size()) {
+    return false;
+  }
+  const auto bright = [&](unsigned shift) { return ((value >> shift) & 0xffU) >= white * 255.0; };
+  return bright(0) && bright(8) && bright(16);
+}
+
+bool may_have(std::string_view attribute) {
+  constexpr std::array<std::string_view, 9> known = {"id",
+                                                     "d",
+                                                     "fill",
+                                                     "stroke",
+                                                     "stroke-width",
+                                                     "stroke-linecap",
+                                                     "stroke-linejoin",
+                                                     "aria-label",
+                                                     "stroke-dasharray"};
+  return attribute.starts_with("inkscape:") || attribute.starts_with("sodipodi:") ||
+         std::find(known.begin(), known.end(), attribute) != known.end();
+}
+
+class SvgReader {
+ public:
+  explicit SvgReader(PrintedFile& file) : file_(file) {}
+
+  void read(pugi::xml_node root) {
+    PrintedPage page;
+    page.name = file_.name;
+    read_size(root, page);
+    read_page_words(std::string_view(root.child_value("title")), page);
+    file_.digest = digest_in(root.child_value("metadata"));
+    page_ = &page;
+    for (const pugi::xml_node node : root.children()) {
+      if (node.type() == pugi::node_element) {
+        read_layer(node);
+      }
+    }
+    file_.pages.push_back(std::move(page));
+  }
+
+ private:
+  static double millimetres(pugi::xml_node root, const char* attribute) {
+    const std::string_view text = root.attribute(attribute).value();
+    const auto value = text.ends_with("mm") ? plain_number(text.substr(0, text.size() - 2)) : std::nullopt;
+    if (!value || !(*value > 0.0)) {
+      cannot_check("its {} isn't in millimetres", attribute);
+    }
+    return *value;
+  }
+
+  void read_size(pugi::xml_node root, PrintedPage& page) {
+    page.size = {millimetres(root, "width"), millimetres(root, "height")};
+    const std::vector<double> box = numbers(root.attribute("viewBox").value());
+    if (box.size() != 4 || !(box[2] > 0.0 && box[3] > 0.0)) {
+      cannot_check("it has no viewBox, so its unit isn't known");
+    }
+    origin_ = {box[0], box[1]};
+    mm_ = {page.size.x / box[2], page.size.y / box[3]};
+    height_ = page.size.y;
+  }
+
+  void read_layer(pugi::xml_node node) {
+    constexpr std::array<std::string_view, 4> silent = {"title", "metadata", "sodipodi:namedview", "desc"};
+    const std::string_view name = node.name();
+    if (std::find(silent.begin(), silent.end(), name) != silent.end()) {
+      return;
+    }
+    const std::string_view id = node.attribute("id").value();
+    const bool is_layer =
+        name == "g" && std::strcmp(node.attribute("inkscape:groupmode").value(), "layer") == 0;
+    const auto layer = is_layer ? layer_with_id(id) : std::nullopt;
+    if (!layer) {
+      cannot_check("it has <{}{}{}> in no layer of ours", name, id.empty() ? "" : " ", id);
+    }
+    if (is_checked(*layer)) {
+      read_group(node, *layer, {}, 0);
+    }
+  }
+
+  static Look look_of(pugi::xml_node node, Look look) {
+    const auto take = [&](const char* attribute, std::string_view& value) {
+      if (const pugi::xml_attribute found = node.attribute(attribute)) {
+        value = found.value();
+      }
+    };
+    take("stroke", look.stroke);
+    take("stroke-width", look.width);
+    take("stroke-dasharray", look.dashes);
+    take("fill", look.fill);
+    return look;
+  }
+
+  void read_group(pugi::xml_node group, PrintedLayer layer, const Look& outer, int depth) {
+    if (depth > max_group_depth) {
+      cannot_check("its groups are nested deeper than {}", max_group_depth);
+    }
+    expect_plain(group);
+    const Look look = look_of(group, outer);
+    for (const pugi::xml_node node : group.children()) {
+      if (node.type() != pugi::node_element) {
+        continue;
+      }
+      const std::string_view name = node.name();
+      if (name == "g") {
+        read_group(node, layer, look, depth + 1);
+      } else if (name == "path") {
+        expect_plain(node);
+        read_path(node, layer, look_of(node, look));
+      } else if (name != "text" || layer != PrintedLayer::mark) {
+        cannot_check("its layer {} has a <{}>", group.attribute("id").value(), name);
+      }
+    }
+  }
+
+  static void expect_plain(pugi::xml_node node) {
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      if (!may_have(attribute.name())) {
+        cannot_check("a <{}> has the attribute \"{}\", which may change what is printed", node.name(),
+                     attribute.name());
+      }
+    }
+  }
+
+  void read_path(pugi::xml_node node, PrintedLayer layer, const Look& look) {
+    if (look.fill != "none" && layer != PrintedLayer::mark) {
+      cannot_check("a line of its layers is an area");
+    }
+    const auto width = plain_number(look.width);
+    if (!width) {
+      cannot_check("a line's width isn't a length: {}", look.width.substr(0, 40));
+    }
+    if (look.stroke == "none" || is_white(look.stroke) || !(*width > 0.0)) {
+      return;
+    }
+    const Pattern pattern = look.dashes == "none" ? Pattern::solid : pattern_of(numbers(look.dashes));
+    for (std::vector<Vec2>& points : path_lines(node.attribute("d").value())) {
+      for (Vec2& p : points) {
+        p = {mm_.x * (p.x - origin_.x), height_ - mm_.y * (p.y - origin_.y)};
+      }
+      page_->lines.push_back({layer, pattern, std::move(points)});
+    }
+  }
+
+  PrintedFile& file_;
+  PrintedPage* page_ = nullptr;
+  Vec2 origin_;
+  Vec2 mm_;  ///< of the file's unit in x and y
+  double height_ = 0.0;
+};
+
+}  // namespace
+
+bool is_svg(std::string_view bytes) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  bytes.remove_prefix(bytes.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && bytes[first] == '<' &&
+         bytes.find("<svg") != std::string_view::npos;
+}
+
+PrintedFile read_svg(const std::string& name, std::string_view bytes) {
+  PrintedFile file;
+  file.name = name;
+  try {
+    pugi::xml_document document;
+    const pugi::xml_parse_result result = document.load_buffer(bytes.data(), bytes.size());
+    if (!result) {
+      cannot_check("it isn't XML: {} at byte {}", result.description(), result.offset);
+    }
+    const pugi::xml_node root = document.document_element();
+    if (std::strcmp(root.name(), "svg") != 0) {
+      cannot_check("its root is <{}> and not <svg>", root.name());
+    }
+    SvgReader(file).read(root);
+  } catch (const NotInForm& reason) {
+    file.pages.clear();
+    file.defect = reason.message;
+  }
+  return file;
+}
+
+}  // namespace ridgecraft::verify

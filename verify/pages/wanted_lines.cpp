@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/pages/wanted_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "verify/model_fold.hpp"
+#include "verify/pages/tolerance.hpp"
+#include "verify/tolerance.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+/// Which kinds a fold of an angle may be drawn as, and whether it has to be drawn at all.
+struct Look {
+  bool mountain = false, valley = false, none = false;
+};
+
+Look look_of(double angle, double tolerance, double hidden_deg) {
+  const double size = std::abs(angle);
+  const bool may = size >= std::max(hidden_deg, flat_fold_deg) - tolerance;
+  // Folded shut, both signs hold.
+  const bool shut = size >= 180.0 - tolerance;
+  const bool must = size >= std::max(hidden_deg, flat_region_fold_deg) + tolerance;
+  return {may && (angle < 0.0 || shut), may && (angle > 0.0 || shut), !must};
+}
+
+class Collector {
+ public:
+  explicit Collector(const Case& given)
+      : given_(given),
+        file_(given.file),
+        hidden_deg_(file_.settings.number("hide_folds_deg").value_or(default_hidden_deg)),
+        pages_(file_.pages.size()) {}
+
+  std::vector<WantedPage> collect() {
+    find_open_vertices();
+    for (Index edge = 0; edge < file_.edges.size(); ++edge) {
+      given_.relations.sides_of(edge).size() == 1 ? add_border(edge) : add_fold(edge);
+    }
+    for (const Tab& tab : file_.tabs) {
+      add_tab(tab);
+    }
+    return std::move(pages_);
+  }
+
+ private:
+  [[nodiscard]] Index piece_of(Index edge) const {
+    return file_.face_piece[file_.faces.face(given_.relations.sides_of(edge).front())];
+  }
+  [[nodiscard]] Segment segment(Index edge) const {
+    const auto [a, b] = file_.edges[edge].ends;
+    return {file_.points[a], file_.points[b]};
+  }
+
+  void allow(Index piece, LineKind kind, const Segment& line) {
+    const Index page = file_.pieces[piece].page;
+    const Vec2 origin = file_.pages[page].low;
+    pages_[page].allowed[static_cast<std::size_t>(kind)].push_back({line.a - origin, line.b - origin});
+  }
+  void want(Index piece, LineKind kind, const Segment& line) {
+    const Index page = file_.pieces[piece].page;
+    const Vec2 origin = file_.pages[page].low;
+    pages_[page].wanted.push_back({{line.a - origin, line.b - origin}, piece, kind});
+  }
+
+  void find_open_vertices() {
+    open_.assign(file_.points.size(), false);
+    tabs_at_.resize(file_.edges.size());
+    for (const Edge& edge : file_.edges) {
+      if (edge.assignment == Assignment::cut) {
+        open_[edge.ends[0]] = open_[edge.ends[1]] = true;
+      }
+    }
+    for (Index tab = 0; tab < file_.tabs.size(); ++tab) {
+      for (const Index edge : file_.tabs[tab].edges) {
+        tabs_at_[edge].push_back(tab);
+      }
+    }
+  }
+
+  /// The edge less what tabs cover of it; their own sides are added with them.
+  void add_border(Index edge) {
+    const Segment line = segment(edge);
+    const double size = line.length();
+    std::vector<std::pair<double, double>> covered;
+    for (const Index tab : tabs_at_[edge]) {
+      const Vec2 along = size > 0.0 ? (line.b - line.a) / size : Vec2{};
+      const double one = dot(file_.tabs[tab].polygon[0] - line.a, along);
+      const double two = dot(file_.tabs[tab].polygon[1] - line.a, along);
+      covered.emplace_back(std::min(one, two), std::max(one, two));
+    }
+    std::sort(covered.begin(), covered.end());
+    covered.emplace_back(size, size);
+    double at = 0.0;
+    for (const auto& [from, to] : covered) {
+      if (from > at) {
+        const double share_at = at / size;
+        const double share_from = std::min(from, size) / size;
+        const Vec2 whole = line.b - line.a;
+        add_cut(piece_of(edge), {line.a + share_at * whole, line.a + share_from * whole});
+      }
+      at = std::max(at, to);
+    }
+  }
+
+  void add_cut(Index piece, const Segment& line) {
+    allow(piece, LineKind::cut, line);
+    want(piece, LineKind::cut, line);
+  }
+
+  void add_fold(Index edge) {
+    const auto [a, b] = file_.edges[edge].ends;
+    const Index piece = piece_of(edge);
+    const Segment line = segment(edge);
+    const double angle = file_.edges[edge].angle_deg;
+    // A cut inside a flat region with both ends inside stands in the file as a fold (section 2 of the
+    // contract).
+    if (std::abs(angle) < flat_region_fold_deg && !open_[a] && !open_[b]) {
+      allow(piece, LineKind::cut, line);
+    }
+    add_look(piece, line, look_of(angle, angle_tolerance_deg, hidden_deg_), LineKind::mountain,
+             LineKind::valley);
+  }
+
+  void add_look(Index piece, const Segment& line, const Look& look, LineKind mountain, LineKind valley) {
+    if (look.mountain) {
+      allow(piece, mountain, line);
+    }
+    if (look.valley) {
+      allow(piece, valley, line);
+    }
+    if (!look.none) {
+      want(piece, look.mountain ? mountain : valley, line);
+    }
+  }
+
+  void add_tab(const Tab& tab) {
+    const Index piece = piece_of(tab.edge);
+    for (std::size_t i = 1; i < tab.polygon.size(); ++i) {
+      add_cut(piece, {tab.polygon[i], tab.polygon[(i + 1) % tab.polygon.size()]});
+    }
+    const Segment base{tab.polygon[0], tab.polygon[1]};
+    const Index side = model_side_of(file_, given_.relations, tab.edge);
+    ModelFold fold{0.0, std::numeric_limits<double>::infinity()};
+    if (side != none && file_.model.twin[side] != none) {
+      fold = model_fold(file_, given_.relations, side);
+    }
+    Look look = look_of(fold.angle_deg, fold.tolerance_deg, hidden_deg_);
+    if (look.none) {
+      allow(piece, LineKind::tab_flat, base);
+    }
+    if (look.none || !(look.mountain || look.valley)) {
+      want(piece, LineKind::tab_flat, base);
+      look.none = true;  // what it may look like besides is only allowed
+    }
+    add_look(piece, base, look, LineKind::tab_mountain, LineKind::tab_valley);
+  }
+
+  const Case& given_;
+  const File& file_;
+  double hidden_deg_;
+  std::vector<WantedPage> pages_;
+  std::vector<bool> open_;                   ///< per vertex of the nets: a cut ends there
+  std::vector<std::vector<Index>> tabs_at_;  ///< per edge
+};
+
+}  // namespace
+
+std::vector<WantedPage> wanted_lines(const Case& given) {
+  return Collector(given).collect();
+}
+
+}  // namespace ridgecraft::verify

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is printed: the lines of pages in true millimetres, as they stand in SVG and PDF files.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vector.hpp"
+
+namespace ridgecraft::verify {
+
+/// What a line is for, as the layer says that it lies in.
+enum class PrintedLayer {
+  cut,
+  mountain,
+  valley,
+  tab_fold,
+  mark,   ///< page furniture: the scale bar, the legend
+  other,  ///< any other layer of the format: numbers, names, areas of tabs; its lines aren't kept
+};
+
+/// How a line looks; people see this and not its layer.
+enum class Pattern {
+  solid,
+  dash_dot,  ///< mountain folds
+  dashed,    ///< valley folds
+  dotted,    ///< bases of tabs that stay flat
+  strange,   ///< none of these
+};
+
+/// A line that ink is spent on: lines without width and white ones aren't read.
+struct PrintedLine {
+  PrintedLayer layer = PrintedLayer::cut;
+  Pattern pattern = Pattern::solid;
+  std::vector<Vec2> points;  ///< mm from the sheet's lower left corner, y up; at least two. A closed line
+                             ///< ends where it begins
+};
+
+struct PrintedPage {
+  std::string name;                   ///< for messages: "whale-2.svg", "page 2 of whale.pdf"
+  Vec2 size;                          ///< of the sheet, mm
+  std::optional<std::size_t> number;  ///< which page of how many it says it is, from 1
+  std::optional<std::size_t> count;
+  std::vector<PrintedLine> lines;
+};
+
+struct PrintedFile {
+  std::string name;
+  std::string digest;              ///< hash of the model's bytes that the file bears, or empty
+  std::vector<PrintedPage> pages;  ///< in the file's order
+  bool whole = false;              ///< holds all pages of a model, as PDF does
+  std::string defect;              ///< why it can't be checked, a sentence; then there are no pages
+};
+
+/// Whether the bytes claim to be PDF or SVG at all. Any bytes.
+[[nodiscard]] bool is_pdf(std::string_view bytes);
+[[nodiscard]] bool is_svg(std::string_view bytes);
+
+/// Reads a file of docs/formats.md. It understands what cutters' programs do: paths of straight lines in a
+/// layer for each class of line, without transforms and style sheets. Never throws for what the bytes hold:
+/// what it doesn't understand is a defect, since a line that is overlooked can't be checked. O(size).
+[[nodiscard]] PrintedFile read_svg(const std::string& name, std::string_view bytes);
+
+/// The same for PDF, whose layers are optional content and whose lines may be transformed.
+[[nodiscard]] PrintedFile read_pdf(const std::string& name, std::string_view bytes);
+
+}  // namespace ridgecraft::verify
