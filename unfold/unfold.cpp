@@ -313,7 +313,7 @@ Context for_searches(const mesh::Surface& surface, const Context& context, std::
   }
   std::string note = "the model is flat: its faces lie on each other in one plane";
   if (surface.face_count() > most_flat_faces) {
-    searching.deadline = std::chrono::steady_clock::time_point::min();
+    searching.deadline = Deadline::in(0.0);
     note += ", so no time is spent on fewer pieces";
   }
   notes.push_back(std::move(note));

@@ -23,11 +23,6 @@ struct Placing {
   [[nodiscard]] Vec3 operator()(Vec3 p) const { return scale * p + shift; }
 };
 
-const double Box3& box.largest_extent() {
-  const Vec3 size = box.size();
-  return std::max({size.x, size.y, size.z});
-}
-
 Vec3 centre_of(const Box3& box) {
   return 0.5 * box.low + 0.5 * box.high;
 }

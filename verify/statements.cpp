@@ -164,7 +164,8 @@ class StatementCheck {
   /// What a piece is sorted by: the part that most of it belongs to, and its area.
   struct Share {
     std::int64_t part = 0;
-    double part_area = -1.0, area = 0.0;
+    bool certain = true;  ///< no other part has as much of it, up to rounding
+    double area = 0.0;
   };
   [[nodiscard]] std::vector<Share> shares() const {
     std::vector<std::map<std::int64_t, double>> areas(file_.pieces.size());
@@ -174,12 +175,15 @@ class StatementCheck {
     }
     std::vector<Share> result(file_.pieces.size());
     for (std::size_t i = 0; i < areas.size(); ++i) {
+      double largest = -1.0;
       for (const auto& [part, area] : areas[i]) {
         result[i].area += area;
-        // Two parts of the same area: which one counts can't be told.
-        if (area > result[i].part_area * (1.0 + setting_tolerance_share)) {
+        if (area > largest) {
+          result[i].certain = area * (1.0 - setting_tolerance_share) > largest;
           result[i].part = part;
-          result[i].part_area = area;
+          largest = area;
+        } else if (area > largest * (1.0 - setting_tolerance_share)) {
+          result[i].certain = false;
         }
       }
     }
@@ -202,23 +206,22 @@ class StatementCheck {
   /// The largest piece of a part stands for it, and comes first; others say why they are there.
   void check_reason(std::size_t i, const std::vector<Share>& share) {
     const Piece& piece = file_.pieces[i];
+    const auto name = [&] { return piece_name(file_, static_cast<Index>(i)); };
+    const bool certain = i == 0 || (share[i].certain && share[i - 1].certain);
     const bool follows = i > 0 && share[i].part == share[i - 1].part;
-    if (i > 0 && !follows && share[i].part < share[i - 1].part) {
-      add({{"piece", i}},
-          fmt::format("{} comes after pieces of later parts", piece_name(file_, static_cast<Index>(i))));
+    if (certain && i > 0 && share[i].part < share[i - 1].part) {
+      add({{"piece", i}}, fmt::format("{} comes after pieces of later parts", name()));
     }
-    if (follows && share[i].area > share[i - 1].area * (1.0 + setting_tolerance_share)) {
-      add({{"piece", i}},
-          fmt::format("{} comes after smaller pieces of its part", piece_name(file_, static_cast<Index>(i))));
+    if (certain && follows && share[i].area > share[i - 1].area * (1.0 + setting_tolerance_share)) {
+      add({{"piece", i}}, fmt::format("{} comes after smaller pieces of its part", name()));
     }
-    const auto asks = [&](std::string_view name) { return file_.settings.find(name) != nullptr; };
-    const bool impossible = (piece.reason == "part") == follows ||
+    const auto asks = [&](std::string_view setting) { return file_.settings.find(setting) != nullptr; };
+    const bool impossible = (certain && (piece.reason == "part") == follows) ||
                             (piece.reason == "tabs" && !asks("all_tabs")) ||
                             (piece.reason == "faces" && file_.settings.number("max_faces") == 0.0) ||
                             (piece.reason == "request" && !asks("cuts") && !asks("keep") && !asks("from"));
     if (impossible) {
-      add({{"piece", i}}, fmt::format("the reason of {} can't be {}",
-                                      piece_name(file_, static_cast<Index>(i)), quote(piece.reason)));
+      add({{"piece", i}}, fmt::format("the reason of {} can't be {}", name(), quote(piece.reason)));
     }
   }
 

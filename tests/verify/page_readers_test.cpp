@@ -2,6 +2,7 @@
 // Reading printed pages: what is understood, and that nothing is overlooked in silence.
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
 #include "base/context.hpp"
 #include "verify/file.hpp"
 #include "verify/pages/content_stream.hpp"

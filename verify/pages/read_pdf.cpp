@@ -133,7 +133,7 @@ class PageReader {
     draw(content.text, now, dictionary.getKey("/Resources"), inner, depth + 1);
   }
 
-  PrintedLayer layer_of(QPDFObjectHandle form, std::string_view name) const {
+  [[nodiscard]] PrintedLayer layer_of(QPDFObjectHandle form, std::string_view name) const {
     QPDFObjectHandle title = entry(form.getKey("/OC"), "/Name");
     const std::string words = title.isString() ? title.getUTF8Value() : std::string();
     const auto layer = layer_with_title(words);
