@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segment/concavity/bridges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "segment/surface/exact_orientation.hpp"
+
+namespace ridgecraft {
+namespace {
+
+using segment::Bridge;
+
+constexpr double tolerance = 0.1;
+
+/// A tetrahedron with two corners that are 0.02 apart, 1 and 2, and its bridges, all open.
+struct Thin {
+  explicit Thin(std::vector<Vec3> corners = {{0, 0, 0}, {0.5, 0, 0}, {0.5, 0.02, 0}, {0.2, 0.1, 0.4}})
+      : points(std::move(corners)) {
+    for (Vec3& p : points) {
+      p = segment::snap_to_grid(p);
+    }
+    std::vector<std::uint32_t> all(points.size());
+    std::iota(all.begin(), all.end(), 0U);
+    segment::HullBuilder(points).build(all, hull);
+    for (const auto& [a, b] : hull.edges) {
+      bridges.emplace_back();
+      bridges.back().a = a;
+      bridges.back().b = b;
+    }
+  }
+  [[nodiscard]] std::uint32_t number(std::uint32_t a, std::uint32_t b) const {
+    const auto at = std::find_if(bridges.begin(), bridges.end(),
+                                 [&](const Bridge& bridge) { return bridge.a == a && bridge.b == b; });
+    REQUIRE(at != bridges.end());
+    return static_cast<std::uint32_t>(at - bridges.begin());
+  }
+  Bridge& between(std::uint32_t a, std::uint32_t b) { return bridges[number(a, b)]; }
+  bool derive(std::uint32_t a, std::uint32_t b) {
+    return segment::derive_bridge(number(a, b), hull, points, tolerance, bridges);
+  }
+
+  std::vector<Vec3> points;
+  segment::Hull hull;
+  std::vector<Bridge> bridges;
+};
+
+}  // namespace
+
+TEST_CASE("A bridge is derived from the one beside it, with bounds that grow by twice their distance") {
+  Thin thin;
+  CHECK_FALSE(thin.derive(0, 2));  // nothing is known yet
+  thin.between(0, 1).length = 0.6;
+  thin.between(0, 1).known = segment::Searched{.concavity = 0.3, .reach = {0.25, 0.35}};
+  thin.between(0, 1).high = true;
+  REQUIRE(thin.derive(0, 2));
+  const Bridge& derived = thin.between(0, 2);
+  CHECK(derived.high);
+  CHECK(derived.length == Approx(0.62));
+  const auto bounds = segment::concavity_bounds(derived);
+  REQUIRE(bounds);
+  CHECK(bounds->least == Approx(0.26));
+  CHECK(bounds->most == Approx(0.34));
+  CHECK(segment::greatest_concavity(derived) == bounds->most);
+  CHECK(segment::sub_valleys(derived, thin.bridges) == std::array{0.25, 0.35});
+}
+
+TEST_CASE("A bridge whose bounds are on both sides of the tolerance stays open") {
+  Thin thin;
+  for (const double concavity : {0.07, 0.09, 0.1, 0.13}) {
+    thin.between(0, 1).known = segment::Searched{.concavity = concavity, .reach = {}};
+    CHECK_FALSE(thin.derive(0, 2));
+    CHECK(thin.between(0, 2).is_open());
+  }
+  thin.between(0, 1).known = segment::Searched{.concavity = 0.05, .reach = {}};
+  REQUIRE(thin.derive(0, 2));
+  CHECK_FALSE(thin.between(0, 2).high);
+}
+
+TEST_CASE("Bridges whose ends are joined are no sources") {
+  Thin thin;
+  thin.between(0, 1).known = segment::Joined{};
+  CHECK_FALSE(thin.derive(0, 2));
+  CHECK_FALSE(segment::concavity_bounds(thin.between(0, 1)));
+  CHECK(segment::greatest_concavity(thin.between(0, 1)) == 0.0);
+}
+
+TEST_CASE("A derived bridge that runs the other way takes the sub-valleys of its ends crossed") {
+  // The near corners are 0 and 3: the smaller end of the source is near the larger one of the other bridge.
+  Thin other({{0.5, 0, 0}, {0, 0, 0}, {0.2, 0.1, 0.4}, {0.5, 0.02, 0}});
+  other.between(0, 1).known = segment::Searched{.concavity = 0.3, .reach = {0.25, 0.35}};
+  REQUIRE(other.derive(1, 3));
+  CHECK(std::get<segment::Derived>(other.between(1, 3).known).crossed);
+  CHECK(segment::sub_valleys(other.between(1, 3), other.bridges) == std::array{0.35, 0.25});
+}
+
+}  // namespace ridgecraft
