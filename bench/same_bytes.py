@@ -25,7 +25,7 @@ TIME_LINE = re.compile(r"^  time .*\n", re.MULTILINE)
 COMMANDS = {
     "paper": ["MODEL", "-o", "."],
     "paper-png": ["MODEL", "-o", "page.png", "--paper", "letter", "--pieces", "few"],
-    "unfold": ["unfold", "MODEL", "--whole", "--tabs", "-o", "nets.fold"],
+    "unfold": ["unfold", "MODEL", "--whole", "--tabs", "--faces", "400", "-o", "nets.fold"],
     "segment": ["segment", "MODEL", "-o", "parts.ply", "--labels", "parts.seg", "--hierarchy", "all.json"],
     "hulls": ["hulls", "MODEL", "-o", "hulls.obj", "--max-vertices", "32"],
     "info": ["info", "MODEL"],

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/motion.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::paper {
@@ -13,16 +14,6 @@ namespace ridgecraft::paper {
 /// Smaller overlaps with a rectangle's border count as touching, mm: a tenth of what the contract allows, far
 /// above rounding.
 inline constexpr double fit_tolerance_mm = 1e-4;
-
-/// A rotation, counterclockwise.
-struct Turn {
-  double cosine = 1.0;
-  double sine = 0.0;
-
-  [[nodiscard]] Vec2 operator()(Vec2 p) const {
-    return {cosine * p.x - sine * p.y, sine * p.x + cosine * p.y};
-  }
-};
 
 /// The outline's interior as convex polygons; they may overlap each other.
 struct PackingShape {
@@ -39,7 +30,8 @@ struct PackingShape {
 /// A turn in which the hull fits the rectangle, the one with most room to spare among those where that can
 /// change; none if there is no such turn. Exact: all turns where the extents pass an extreme or a limit are
 /// tried, between which they run along sine curves (rotating calipers, Shamos 1978). O(h^2) for h hull
-/// corners in the worst case.
+/// corners in the worst case. (Whether there is any such turn is angle_to_fit() of base/rectangle.hpp; the packer
+/// wants the roomiest.)
 [[nodiscard]] std::vector<Turn> fitting_turns(std::span<const Vec2> hull, Vec2 area);
 
 /// At most `most` turns in which the hull fits the rectangle, the most promising first: sides of the smallest

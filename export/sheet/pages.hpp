@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/id.hpp"
+#include "base/motion.hpp"
 #include "base/vector.hpp"
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/paper.hpp"
@@ -16,17 +17,9 @@
 
 namespace ridgecraft::paper {
 
-/// Where a piece lies: turned counterclockwise by the angle whose cosine and sine are given, then moved.
-struct Placement {
+/// Where a piece lies: its motion takes its plane to the page (origin: lower left corner of the sheet, y up).
+struct Placement : Rigid {
   PageId page;
-  double cosine = 1.0;
-  double sine = 0.0;
-  Vec2 shift;
-
-  /// From the piece's plane to the page (origin: lower left corner of the sheet, y up).
-  [[nodiscard]] Vec2 operator()(Vec2 p) const {
-    return {cosine * p.x - sine * p.y + shift.x, sine * p.x + cosine * p.y + shift.y};
-  }
 };
 
 struct Pages {

@@ -109,7 +109,7 @@ SamplePages sample_pages(const mesh::Surface& surface, double scale, double tab_
   sample.pages.count = 1;
   for (const PieceId piece : ids<PieceId>(sample.nets.pieces.size())) {
     Box2 box;
-    paper::Placement place{PageId(sample.pages.count - 1), std::cos(turn), std::sin(turn), {}};
+    paper::Placement place{{std::cos(turn), std::sin(turn), {}}, PageId(sample.pages.count - 1)};
     for (const auto& outline : unfold::outline(model, sample.nets, piece)) {
       for (const Vec2 p : outline) {
         box.add(place(p));

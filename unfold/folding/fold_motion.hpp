@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mesh/model/surface.hpp"
-#include "unfold/folding/motion.hpp"
+#include "base/motion.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/patch/patch.hpp"
 

@@ -10,7 +10,7 @@
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/edge_wishes.hpp"
-#include "unfold/patch/rigid.hpp"
+#include "base/motion.hpp"
 #include "unfold/patch/triangle.hpp"
 
 namespace ridgecraft::unfold {

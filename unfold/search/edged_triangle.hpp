@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "unfold/patch/rigid.hpp"
+#include "base/motion.hpp"
 #include "unfold/patch/triangle.hpp"
 #include "unfold/search/lanes.hpp"
 
