@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <zlib.h>
+
 #include "base/utf8.hpp"
 #include "export/formats/cairo_page.hpp"
 #include "export/formats/layer_order.hpp"
@@ -15,16 +17,10 @@
 namespace ridgecraft::paper {
 namespace {
 
-/// The checksum of PNG (PNG specification, annex D).
-std::uint32_t crc32(std::string_view bytes) {
-  std::uint32_t crc = 0xffffffffU;
-  for (const char byte : bytes) {
-    crc ^= static_cast<std::uint8_t>(byte);
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = (crc & 1U) != 0 ? (crc >> 1U) ^ 0xedb88320U : crc >> 1U;
-    }
-  }
-  return ~crc;
+/// The checksum of PNG (PNG specification, annex D) is that of zlib.
+std::uint32_t checksum(std::string_view bytes) {
+  return static_cast<std::uint32_t>(
+      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<z_size_t>(bytes.size())));
 }
 
 std::string big_endian(std::uint32_t value) {
@@ -37,7 +33,7 @@ std::string big_endian(std::uint32_t value) {
 
 std::string chunk(std::string_view type, std::string_view data) {
   const std::string body = std::string(type) + std::string(data);
-  return big_endian(static_cast<std::uint32_t>(data.size())) + body + big_endian(crc32(body));
+  return big_endian(static_cast<std::uint32_t>(data.size())) + body + big_endian(checksum(body));
 }
 
 std::string text_chunk(std::string_view key, std::string_view value) {

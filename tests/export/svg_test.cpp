@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SVG pages: read back as XML, held against the shared checker, against a golden file and against weird
-// names.
+// SVG pages: read back as XML, held against the shared checker and against weird names.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -149,19 +148,10 @@ TEST_CASE("any name makes valid XML") {
   }
 }
 
-TEST_CASE("a page is the same in every run, and as it was") {
+TEST_CASE("a page is the same in every run") {
   const auto sample = test::sample_pages(test::cube(), 40.0, 5.0, {}, "Cube", {}, 0.3);
   const std::string svg = paper::write_svg(drawings(sample)[0], mark);
   CHECK(svg == paper::write_svg(drawings(sample)[0], mark));
-  const std::filesystem::path golden = std::string(RIDGECRAFT_SOURCE_DIR) + "/tests/golden/cube.svg";
-  if (const char* update = std::getenv("RIDGECRAFT_UPDATE_GOLDEN"); update != nullptr && *update == '1') {
-    std::filesystem::create_directories(golden.parent_path());
-    std::ofstream(golden, std::ios::binary) << svg;
-  }
-  // Not CHECK(a == b): a page's text in the log helps nobody.
-  const bool same = content(golden) == svg;
-  INFO("compare with " << golden << "; RIDGECRAFT_UPDATE_GOLDEN=1 writes it anew");
-  CHECK(same);
 }
 
 }  // namespace
