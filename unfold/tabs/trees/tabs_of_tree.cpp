@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "unfold/tabs/shape/clearance.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
@@ -24,16 +25,6 @@ Walled<n> moved(const Walled<n>& shape, const Frame& out, const Frame& in) {
   }
   result.build_walls();
   return result;
-}
-
-/// The rule of clear_of (tab_trimming.hpp) and tabs_clear.
-template <std::size_t n>
-bool keeps_clear(const TabCandidate& tab, const Walled<n>& whole, const Walled<n>& upper, bool common_corner,
-                 double clearance) {
-  if (!common_corner) {
-    return walls_apart(tab.whole, whole, clearance);
-  }
-  return walls_apart(tab.whole, whole, -touching_mm) && walls_apart(tab.upper, upper, clearance);
 }
 
 }  // namespace
@@ -116,7 +107,9 @@ TabState::Mask TabState::free_among_faces(std::uint32_t side) {
     for (Mask rest = free; rest != 0; rest = static_cast<Mask>(rest & (rest - 1U))) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rest));
       const bool common = (left && tabs[i].at_left) || (right && tabs[i].at_right);
-      if (!keeps_clear(tabs[i], shape, shape, common, gap)) {
+      if (!keeps_clear(
+              common, gap, [&](double least) { return walls_apart(tabs[i].whole, shape, least); },
+              [&](double least) { return walls_apart(tabs[i].upper, shape, least); })) {
         free = static_cast<Mask>(free & ~(1U << i));
       }
     }
@@ -318,8 +311,9 @@ bool TabState::clear(std::uint32_t a, const TabCandidate& tab_a, std::uint32_t b
                       common(tab_a.at_left, left_a, end(a), tab_b.at_right, vertex_[b], start(b)) ||
                       common(tab_a.at_right, vertex_[a], start(a), tab_b.at_left, left_b, end(b)) ||
                       common(tab_a.at_right, vertex_[a], start(a), tab_b.at_right, vertex_[b], start(b));
-  return corner ? keeps_clear(tab_a, whole, moved(tab_b.upper, there, here), true, options_.clearance_mm)
-                : keeps_clear(tab_a, whole, whole, false, options_.clearance_mm);
+  return keeps_clear(
+      corner, options_.clearance_mm, [&](double least) { return walls_apart(tab_a.whole, whole, least); },
+      [&](double least) { return walls_apart(tab_a.upper, moved(tab_b.upper, there, here), least); });
 }
 
 /// Finds a join a tab: free, or by pushing others aside.
