@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "unfold/tabs/shape/clearance.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
@@ -37,7 +38,7 @@ TabState::TabState(const mesh::Surface& surface, const prepare::Panels& panels, 
       targets_(find_tab_targets(surface, panels, patch, options)),
       candidates_(patch.twin.size()),
       around_(patch.twin.size()),
-      free_(patch.twin.size(), 0),
+      free_(patch.twin.size()),
       chosen_(patch.twin.size()),
       marked_in_(patch.twin.size(), 0) {
   vertex_.reserve(patch.twin.size());
@@ -117,23 +118,15 @@ TabState::Mask TabState::free_among_faces(std::uint32_t side) {
   return free;
 }
 
-void TabState::set_free(std::uint32_t side, Mask free) {
-  if (free_[side] != free) {
-    old_free_.emplace_back(side, free_[side]);
-    free_[side] = free;
-  }
-}
-
 void TabState::choose(std::uint32_t join, const Choice& choice) {
-  old_choices_.emplace_back(join, chosen_[join]);
   const bool had = chosen_[join].side != nothing;
   const bool has = choice.side != nothing;
   if (had != has) {
-    tabs_ += has ? 1U : static_cast<std::uint32_t>(-1);
+    count_.tabs += has ? 1U : static_cast<std::uint32_t>(-1);
     const double worth = tab_worth(patch_.length[join]);
-    worth_ += has ? worth : -worth;
+    count_.worth += has ? worth : -worth;
   }
-  chosen_[join] = choice;
+  chosen_.set(join, choice);
 }
 
 void TabState::mark(std::uint32_t side) {
@@ -179,12 +172,10 @@ void TabState::mark_near(std::uint32_t below, bool pairs) {
 }
 
 void TabState::renew_all() {
-  for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-    chosen_[side] = {};
-    free_[side] = 0;
-  }
-  tabs_ = 0;
-  worth_ = 0.0;
+  chosen_.reset();
+  free_.reset();
+  count_ = {};
+  undo_ = {};
   ++round_;
   marked_.clear();
   for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
@@ -192,13 +183,12 @@ void TabState::renew_all() {
   }
   refresh();
   fill_open();
-  old_free_.clear();
-  old_choices_.clear();
 }
 
 void TabState::swap(std::uint32_t below, std::uint32_t side) {
-  old_free_.clear();
-  old_choices_.clear();
+  chosen_.keep();
+  free_.keep();
+  undo_.count = count_;
   ++round_;
   marked_.clear();
   beside_.clear();
@@ -212,31 +202,27 @@ void TabState::swap(std::uint32_t below, std::uint32_t side) {
     mark(s);
   }
   mark_near(moved, true);
-  undo_below_ = moved;
-  undo_side_ = removed;
+  undo_.below = moved;
+  undo_.side = removed;
   refresh();
   drop_colliding();
   fill_open();
 }
 
 void TabState::take_back() {
-  net_.swap(undo_below_, undo_side_);
-  for (; !old_free_.empty(); old_free_.pop_back()) {
-    free_[old_free_.back().first] = old_free_.back().second;
-  }
-  while (!old_choices_.empty()) {
-    const auto [join, choice] = old_choices_.back();
-    old_choices_.pop_back();
-    choose(join, choice);
-    old_choices_.pop_back();
-  }
+  RIDGECRAFT_ASSERT(undo_.below != nothing);
+  net_.swap(undo_.below, undo_.side);
+  chosen_.take_back();
+  free_.take_back();
+  count_ = undo_.count;
+  undo_ = {};
 }
 
 /// Looks at the marked sides; tabs that no longer fit are taken away.
 void TabState::refresh() {
   for (const std::uint32_t side : marked_) {
     const Mask free = free_among_faces(side);
-    set_free(side, free);
+    free_.set(side, free);
     const Choice& choice = chosen_[join_of(side)];
     if (choice.side == side && (free >> choice.shape & 1U) == 0) {
       choose(join_of(side), {});
