@@ -96,6 +96,15 @@ std::vector<std::vector<Vec2>> all_tabs(const Patch& patch, const TreeSearch& ne
   return tabs;
 }
 
+/// The tab on each side, if any.
+std::vector<const unfold::TabCandidate*> sides_with_tabs(const Patch& patch, const TabState& state) {
+  std::vector<const unfold::TabCandidate*> tabs;
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    tabs.push_back(state.tab_on(side));
+  }
+  return tabs;
+}
+
 /// No tab lies on a face or on another tab, by brute force.
 void check_no_collision(const Patch& patch, const TreeSearch& net, const TabState& state) {
   const auto tabs = all_tabs(patch, net, state);
@@ -244,6 +253,8 @@ TEST_CASE("tabs that are kept up to date collide with nothing, and changes can b
     }
     ++swaps;
     const auto before = all_tabs(patch, net, state);
+    const auto sides = sides_with_tabs(patch, state);
+    const double worth = state.worth();
     state.swap(below, side);
     CHECK(net.overlaps() == 0);
     if (swaps % 10 == 0) {
@@ -251,6 +262,8 @@ TEST_CASE("tabs that are kept up to date collide with nothing, and changes can b
     }
     if (swaps % 3 == 0) {
       state.take_back();
+      CHECK(sides_with_tabs(patch, state) == sides);
+      CHECK(state.worth() == worth);
       const auto after = all_tabs(patch, net, state);
       REQUIRE(after.size() == before.size());
       // The other part may have moved instead, so shapes are compared by their sides.

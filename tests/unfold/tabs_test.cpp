@@ -11,6 +11,7 @@
 #include "support/shapes.hpp"
 #include "unfold/net/outline.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/tabs/shape/clearance.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 #include "unfold/tree_nets.hpp"
 #include "unfold/unfold.hpp"

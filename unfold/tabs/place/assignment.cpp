@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/box_grid.hpp"
+#include "unfold/tabs/shape/clearance.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -355,18 +356,14 @@ class Assignment {
 
 bool tabs_clear(const TabSite& a, const ConvexShape& tab_a, const TabSite& b, const ConvexShape& tab_b,
                 double clearance_mm) {
-  const ConvexShape placed_a = a.own.out(tab_a);
-  const ConvexShape placed_b = b.own.out(tab_b);
-  if (!share_corner(a, tab_a, b, tab_b)) {
-    return apart(placed_a, placed_b, clearance_mm);
-  }
-  if (!apart(placed_a, placed_b, 0.0)) {
-    return false;
-  }
-  const HalfPlane zone{{0.0, 1.0}, corner_zone_mm};
-  const ConvexShape upper_a = a.own.out(clipped(tab_a, zone));
-  const ConvexShape upper_b = b.own.out(clipped(tab_b, zone));
-  return upper_a.empty() || upper_b.empty() || apart(upper_a, upper_b, clearance_mm);
+  return keeps_clear(
+      share_corner(a, tab_a, b, tab_b), clearance_mm,
+      [&](double least) { return apart(a.own.out(tab_a), b.own.out(tab_b), least); },
+      [&](double least) {
+        const ConvexShape upper_a = a.own.out(above_corner_zone(tab_a));
+        const ConvexShape upper_b = b.own.out(above_corner_zone(tab_b));
+        return upper_a.empty() || upper_b.empty() || apart(upper_a, upper_b, least);
+      });
 }
 
 std::vector<std::optional<ChosenTab>> assign_tabs(const std::vector<TabSite>& sites,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "unfold/tabs/shape/clearance.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "unfold/tabs/shape/clearance.hpp"
+
 namespace ridgecraft::unfold {
 
 namespace {
@@ -121,14 +123,13 @@ bool clear_of(const ConvexShape& tab, const Obstacle& obstacle, double clearance
   if (obstacle.kind == Kind::target_edge) {
     return apart(tab, obstacle.shape, 0.0);
   }
-  if (!shares_left(obstacle.kind) && !shares_right(obstacle.kind)) {
-    return apart(tab, obstacle.shape, clearance_mm);
-  }
-  if (!apart(tab, obstacle.shape, 0.0)) {
-    return false;
-  }
-  const ConvexShape upper = above(tab, corner_zone_mm);
-  return upper.empty() || apart(upper, obstacle.shape, clearance_mm);
+  return keeps_clear(
+      shares_left(obstacle.kind) || shares_right(obstacle.kind), clearance_mm,
+      [&](double least) { return apart(tab, obstacle.shape, least); },
+      [&](double least) {
+        const ConvexShape upper = above_corner_zone(tab);
+        return upper.empty() || apart(upper, obstacle.shape, least);
+      });
 }
 
 ConvexShape trimmed(const ConvexShape& tab, const Obstacle& obstacle, double clearance_mm) {

@@ -11,10 +11,6 @@ namespace ridgecraft::unfold {
 /// A tab that is as high as this over half of its edge holds, mm (issue of users: lower ones tear off).
 inline constexpr double usable_height_mm = 3.0;
 
-/// Near a corner of its base a tab comes close to its neighbours inevitably: those that share the corner keep
-/// the clearance from this height upwards only, mm.
-inline constexpr double corner_zone_mm = 1.0;
-
 /// Something that a tab must not run into.
 struct Obstacle {
   enum class Kind : std::uint8_t {

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/error.hpp"
+#include "unfold/tabs/shape/clearance.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
@@ -26,16 +28,6 @@ Walled<n> moved(const Walled<n>& shape, const Frame& out, const Frame& in) {
   return result;
 }
 
-/// The rule of clear_of (tab_trimming.hpp) and tabs_clear.
-template <std::size_t n>
-bool keeps_clear(const TabCandidate& tab, const Walled<n>& whole, const Walled<n>& upper, bool common_corner,
-                 double clearance) {
-  if (!common_corner) {
-    return walls_apart(tab.whole, whole, clearance);
-  }
-  return walls_apart(tab.whole, whole, -touching_mm) && walls_apart(tab.upper, upper, clearance);
-}
-
 }  // namespace
 
 TabState::TabState(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
@@ -46,7 +38,7 @@ TabState::TabState(const mesh::Surface& surface, const prepare::Panels& panels, 
       targets_(find_tab_targets(surface, panels, patch, options)),
       candidates_(patch.twin.size()),
       around_(patch.twin.size()),
-      free_(patch.twin.size(), 0),
+      free_(patch.twin.size()),
       chosen_(patch.twin.size()),
       marked_in_(patch.twin.size(), 0) {
   vertex_.reserve(patch.twin.size());
@@ -116,7 +108,9 @@ TabState::Mask TabState::free_among_faces(std::uint32_t side) {
     for (Mask rest = free; rest != 0; rest = static_cast<Mask>(rest & (rest - 1U))) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rest));
       const bool common = (left && tabs[i].at_left) || (right && tabs[i].at_right);
-      if (!keeps_clear(tabs[i], shape, shape, common, gap)) {
+      if (!keeps_clear(
+              common, gap, [&](double least) { return walls_apart(tabs[i].whole, shape, least); },
+              [&](double least) { return walls_apart(tabs[i].upper, shape, least); })) {
         free = static_cast<Mask>(free & ~(1U << i));
       }
     }
@@ -124,23 +118,15 @@ TabState::Mask TabState::free_among_faces(std::uint32_t side) {
   return free;
 }
 
-void TabState::set_free(std::uint32_t side, Mask free) {
-  if (free_[side] != free) {
-    old_free_.emplace_back(side, free_[side]);
-    free_[side] = free;
-  }
-}
-
 void TabState::choose(std::uint32_t join, const Choice& choice) {
-  old_choices_.emplace_back(join, chosen_[join]);
   const bool had = chosen_[join].side != nothing;
   const bool has = choice.side != nothing;
   if (had != has) {
-    tabs_ += has ? 1U : static_cast<std::uint32_t>(-1);
+    count_.tabs += has ? 1U : static_cast<std::uint32_t>(-1);
     const double worth = tab_worth(patch_.length[join]);
-    worth_ += has ? worth : -worth;
+    count_.worth += has ? worth : -worth;
   }
-  chosen_[join] = choice;
+  chosen_.set(join, choice);
 }
 
 void TabState::mark(std::uint32_t side) {
@@ -186,12 +172,10 @@ void TabState::mark_near(std::uint32_t below, bool pairs) {
 }
 
 void TabState::renew_all() {
-  for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-    chosen_[side] = {};
-    free_[side] = 0;
-  }
-  tabs_ = 0;
-  worth_ = 0.0;
+  chosen_.reset();
+  free_.reset();
+  count_ = {};
+  undo_ = {};
   ++round_;
   marked_.clear();
   for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
@@ -199,13 +183,12 @@ void TabState::renew_all() {
   }
   refresh();
   fill_open();
-  old_free_.clear();
-  old_choices_.clear();
 }
 
 void TabState::swap(std::uint32_t below, std::uint32_t side) {
-  old_free_.clear();
-  old_choices_.clear();
+  chosen_.keep();
+  free_.keep();
+  undo_.count = count_;
   ++round_;
   marked_.clear();
   beside_.clear();
@@ -219,31 +202,27 @@ void TabState::swap(std::uint32_t below, std::uint32_t side) {
     mark(s);
   }
   mark_near(moved, true);
-  undo_below_ = moved;
-  undo_side_ = removed;
+  undo_.below = moved;
+  undo_.side = removed;
   refresh();
   drop_colliding();
   fill_open();
 }
 
 void TabState::take_back() {
-  net_.swap(undo_below_, undo_side_);
-  for (; !old_free_.empty(); old_free_.pop_back()) {
-    free_[old_free_.back().first] = old_free_.back().second;
-  }
-  while (!old_choices_.empty()) {
-    const auto [join, choice] = old_choices_.back();
-    old_choices_.pop_back();
-    choose(join, choice);
-    old_choices_.pop_back();
-  }
+  RIDGECRAFT_ASSERT(undo_.below != nothing);
+  net_.swap(undo_.below, undo_.side);
+  chosen_.take_back();
+  free_.take_back();
+  count_ = undo_.count;
+  undo_ = {};
 }
 
 /// Looks at the marked sides; tabs that no longer fit are taken away.
 void TabState::refresh() {
   for (const std::uint32_t side : marked_) {
     const Mask free = free_among_faces(side);
-    set_free(side, free);
+    free_.set(side, free);
     const Choice& choice = chosen_[join_of(side)];
     if (choice.side == side && (free >> choice.shape & 1U) == 0) {
       choose(join_of(side), {});
@@ -318,8 +297,9 @@ bool TabState::clear(std::uint32_t a, const TabCandidate& tab_a, std::uint32_t b
                       common(tab_a.at_left, left_a, end(a), tab_b.at_right, vertex_[b], start(b)) ||
                       common(tab_a.at_right, vertex_[a], start(a), tab_b.at_left, left_b, end(b)) ||
                       common(tab_a.at_right, vertex_[a], start(a), tab_b.at_right, vertex_[b], start(b));
-  return corner ? keeps_clear(tab_a, whole, moved(tab_b.upper, there, here), true, options_.clearance_mm)
-                : keeps_clear(tab_a, whole, whole, false, options_.clearance_mm);
+  return keeps_clear(
+      corner, options_.clearance_mm, [&](double least) { return walls_apart(tab_a.whole, whole, least); },
+      [&](double least) { return walls_apart(tab_a.upper, moved(tab_b.upper, there, here), least); });
 }
 
 /// Finds a join a tab: free, or by pushing others aside.

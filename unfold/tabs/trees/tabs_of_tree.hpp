@@ -13,6 +13,7 @@
 #include "unfold/tabs/place/sites.hpp"
 #include "unfold/tabs/place/targets.hpp"
 #include "unfold/tabs/shape/candidates.hpp"
+#include "unfold/tabs/trees/logged_values.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -37,13 +38,13 @@ class TabState {
   /// Makes the cut `side` a fold and the fold above `below`, which it crosses, a cut (TreeSearch::swap), and
   /// looks afresh at the tabs that this brings near other things or frees of them.
   void swap(std::uint32_t below, std::uint32_t side);
-  /// Takes the last swap back.
+  /// Takes the last swap back, once: there must have been one since renew_all() or the last take_back().
   void take_back();
 
   /// Cuts with a usable tab.
-  [[nodiscard]] std::uint32_t tabs() const { return tabs_; }
+  [[nodiscard]] std::uint32_t tabs() const { return count_.tabs; }
   /// The same weighed by how much each one is missed: what a search makes as great as it can.
-  [[nodiscard]] double worth() const { return worth_; }
+  [[nodiscard]] double worth() const { return count_.worth; }
   [[nodiscard]] bool is_cut(std::uint32_t side) const {
     return patch_.twin[side] == nothing ? targets_.seam[side] != 0
                                         : patch_.frozen[side] == 0 && net_.folds()[side] == 0;
@@ -73,6 +74,17 @@ class TabState {
   struct Choice {
     std::uint32_t side = nothing;  ///< none: no tab
     std::uint32_t shape = 0;
+    [[nodiscard]] bool operator==(const Choice&) const = default;
+  };
+  struct Count {
+    std::uint32_t tabs = 0;
+    double worth = 0.0;
+  };
+  /// What the last swap has to know to be taken back, beside the logs.
+  struct Undo {
+    std::uint32_t below = nothing;  ///< the swap that makes up for it; nothing: there is none
+    std::uint32_t side = nothing;
+    Count count;  ///< before it
   };
   using Mask = std::uint8_t;
   static_assert(most_candidates <= 8);
@@ -89,7 +101,6 @@ class TabState {
   void refresh();
   void drop_colliding();
   void fill_open();
-  void set_free(std::uint32_t side, Mask free);
   void choose(std::uint32_t join, const Choice& choice);
   void find_tabs_near(std::uint32_t side, std::vector<std::uint32_t>& sides);
   [[nodiscard]] bool clear(std::uint32_t a, const TabCandidate& tab_a, std::uint32_t b) const;
@@ -105,21 +116,16 @@ class TabState {
   std::vector<std::uint32_t> vertex_;                  ///< of the surface, at the start of each side
   std::vector<std::vector<TabCandidate>> candidates_;  ///< per side
   std::vector<Circle> around_;                         ///< per side, all of them, in the side's frame
-  std::vector<Mask> free_;                             ///< per side: candidates clear of all faces
-  std::vector<Choice> chosen_;                         ///< per join (its smaller side)
-  std::uint32_t tabs_ = 0;
-  double worth_ = 0.0;
+  LoggedValues<Mask> free_;                            ///< per side: candidates clear of all faces
+  LoggedValues<Choice> chosen_;                        ///< per join (its smaller side)
+  Count count_;                                        ///< of what is chosen
+  Undo undo_;
 
   std::vector<std::uint32_t> marked_;  ///< sides to be looked at
   std::vector<std::uint64_t> marked_in_;
   std::uint64_t round_ = 1;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> beside_;  ///< sides whose tabs may have come together
   std::vector<std::uint32_t> open_;
-
-  std::uint32_t undo_below_ = nothing;
-  std::uint32_t undo_side_ = nothing;
-  std::vector<std::pair<std::uint32_t, Mask>> old_free_;
-  std::vector<std::pair<std::uint32_t, Choice>> old_choices_;
 };
 
 }  // namespace ridgecraft::unfold
