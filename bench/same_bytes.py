@@ -56,7 +56,7 @@ def outputs(task):
         for file in sorted(pathlib.Path(folder).rglob("*")):
             if file.is_file():
                 found[file.name] = digest(file.read_bytes())
-    return f"{model.name} {name} threads={threads}{' json' if as_json else ''}", found
+    return f"{model.parent.name}/{model.name} {name} threads={threads}{' json' if as_json else ''}", found
 
 
 def main():

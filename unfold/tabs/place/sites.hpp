@@ -15,7 +15,8 @@
 
 namespace ridgecraft::unfold {
 
-/// A rigid frame of the plane: local (x, y) is the point origin + x * axis + y * (axis turned left).
+/// A rigid frame of the plane: local (x, y) is the point origin + x * axis + y * (axis turned left). No Rigid, whose
+/// inverse turns before it shifts: here points of the x axis come in with y = 0 but for one rounding.
 struct Frame {
   Vec2 origin;
   Vec2 axis{1.0, 0.0};
