@@ -134,7 +134,7 @@ TEST_CASE("parts, nets without pages, hulls, cages and shells are as they were",
   }
 }
 
-TEST_CASE("--json prints what it did, but for the times", "[golden]") {
+TEST_CASE("what --json prints is as it was, but for the times", "[golden]") {
   const TemporaryFolder folder;
   write_model(folder);
   const std::vector<std::pair<std::string, Words>> jobs{
@@ -153,7 +153,7 @@ TEST_CASE("--json prints what it did, but for the times", "[golden]") {
   }
 }
 
-TEST_CASE("--help says what it did", "[golden]") {
+TEST_CASE("what --help prints is as it was", "[golden]") {
   const TemporaryFolder folder;
   check_golden("help/ridgecraft.txt", run_well({"--help"}, folder).out);
   for (const std::string verb :
