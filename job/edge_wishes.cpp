@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "verify/file.hpp"
+#include "verify/file/file.hpp"
 
 namespace ridgecraft::job {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "verify/checks.hpp"
+#include "verify/checks/checks.hpp"
 #include "verify/pages/check_pages.hpp"
 
 namespace ridgecraft::verify {

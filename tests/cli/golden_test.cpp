@@ -2,9 +2,14 @@
 // Each format that is written, each verb's --help and --json, as they were when somebody last looked at them.
 #include "support/golden.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
+#include <filesystem>
+#include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,11 +20,14 @@
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft::test;
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 namespace {
 
 using Words = std::vector<std::string>;
+
+const fs::path golden_folder = fs::path(RIDGECRAFT_SOURCE_DIR) / "tests" / "golden";
 
 /// The house, and a tent beside it: two components, so two parts.
 void write_model(const TemporaryFolder& folder) {
@@ -86,6 +94,21 @@ std::string png_text(const std::string& bytes) {
   return chunks;
 }
 
+/// From the man page, where each has a section: ".SH RIDGECRAFT SEGMENT".
+std::vector<std::string> all_verbs(const TemporaryFolder& folder) {
+  constexpr std::string_view heading = ".SH RIDGECRAFT ";
+  std::istringstream lines(run_well({"--man-page"}, folder).out);
+  std::vector<std::string> verbs;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(heading)) {
+      std::string& verb = verbs.emplace_back(line.substr(heading.size()));
+      std::transform(verb.begin(), verb.end(), verb.begin(), [](unsigned char c) { return std::tolower(c); });
+    }
+  }
+  REQUIRE_FALSE(verbs.empty());
+  return verbs;
+}
+
 /// What --json prints, but for the times.
 std::string json_text(const Words& words, const TemporaryFolder& folder) {
   Words with_json = words;
@@ -134,7 +157,7 @@ TEST_CASE("parts, nets without pages, hulls, cages and shells are as they were",
   }
 }
 
-TEST_CASE("--json prints what it did, but for the times", "[golden]") {
+TEST_CASE("what --json prints is as it was, but for the times", "[golden]") {
   const TemporaryFolder folder;
   write_model(folder);
   const std::vector<std::pair<std::string, Words>> jobs{
@@ -153,11 +176,29 @@ TEST_CASE("--json prints what it did, but for the times", "[golden]") {
   }
 }
 
-TEST_CASE("--help says what it did", "[golden]") {
+TEST_CASE("what --help prints is as it was", "[golden]") {
   const TemporaryFolder folder;
   check_golden("help/ridgecraft.txt", run_well({"--help"}, folder).out);
-  for (const std::string verb :
-       {"info", "segment", "unfold", "verify", "hulls", "cage", "shell", "deform", "formats"}) {
+  for (const std::string& verb : all_verbs(folder)) {
     check_golden("help/" + verb + ".txt", run_well({verb, "--help"}, folder).out);
+  }
+}
+
+TEST_CASE("each format that is written has a golden file, and what each verb prints", "[golden]") {
+  const TemporaryFolder folder;
+  std::set<std::string> suffixes;
+  for (const auto& entry : fs::directory_iterator(golden_folder / "files")) {
+    // What isn't text stands there as text: house.pdf.txt.
+    const fs::path name = entry.path().filename();
+    suffixes.insert((name.extension() == ".txt" ? name.stem() : name).extension().string());
+  }
+  const Json formats = Json::parse(run_well({"formats", "--json"}, folder).out);
+  for (const Json& format : formats.at("written")) {
+    CAPTURE(format);
+    CHECK(suffixes.contains(format.at("suffix").get<std::string>()));
+  }
+  for (const std::string& verb : all_verbs(folder)) {
+    CAPTURE(verb);
+    CHECK(fs::exists(golden_folder / "json" / (verb + ".json")));
   }
 }

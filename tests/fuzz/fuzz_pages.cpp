@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "verify/file.hpp"
+#include "verify/file/file.hpp"
 #include "verify/pages/content_stream.hpp"
-#include "verify/printed.hpp"
+#include "verify/pages/printed.hpp"
 
 namespace {
 

@@ -2,13 +2,13 @@
 // Reading printed pages: what is understood, and that nothing is overlooked in silence.
 #include <catch2/catch.hpp>
 
-#include "base/random.hpp"
 #include "base/context.hpp"
-#include "verify/file.hpp"
+#include "base/random.hpp"
+#include "verify/file/file.hpp"
 #include "verify/pages/content_stream.hpp"
 #include "verify/pages/line_set.hpp"
 #include "verify/pages/path_data.hpp"
-#include "verify/printed.hpp"
+#include "verify/pages/printed.hpp"
 #include "verify/written_job.hpp"
 
 using namespace ridgecraft;

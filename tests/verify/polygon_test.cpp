@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The geometry that overlap rests on, against slow ways to the same answers.
-#include "verify/polygon.hpp"
+#include "verify/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "verify/box_tree.hpp"
-#include "verify/rigid_motion.hpp"
+#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/rigid_motion.hpp"
 
 using namespace ridgecraft;
 using verify::Polygon;

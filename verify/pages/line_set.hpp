@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
-#include "verify/box_tree.hpp"
+#include "verify/geometry/box_tree.hpp"
 
 namespace ridgecraft::verify {
 

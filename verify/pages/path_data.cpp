@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "verify/file/tolerance.hpp"
 #include "verify/pages/print_form.hpp"
-#include "verify/tolerance.hpp"
 
 namespace ridgecraft::verify {
 namespace {

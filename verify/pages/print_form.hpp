@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "verify/file.hpp"
-#include "verify/printed.hpp"
+#include "verify/file/file.hpp"
+#include "verify/pages/printed.hpp"
 
 namespace ridgecraft::verify {
 

@@ -9,10 +9,10 @@
 
 #include <pugixml.hpp>
 
+#include "verify/file/tolerance.hpp"
 #include "verify/pages/path_data.hpp"
 #include "verify/pages/print_form.hpp"
 #include "verify/pages/tolerance.hpp"
-#include "verify/tolerance.hpp"
 
 namespace ridgecraft::verify {
 namespace {

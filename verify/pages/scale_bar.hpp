@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "verify/printed.hpp"
+#include "verify/pages/printed.hpp"
 
 namespace ridgecraft::verify {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "verify/model_fold.hpp"
+#include "verify/file/tolerance.hpp"
 #include "verify/pages/tolerance.hpp"
-#include "verify/tolerance.hpp"
+#include "verify/relations/model_fold.hpp"
 
 namespace ridgecraft::verify {
 namespace {

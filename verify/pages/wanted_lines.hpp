@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "verify/checks.hpp"
 #include "verify/pages/line_set.hpp"
+#include "verify/relations/case.hpp"
 
 namespace ridgecraft::verify {
 

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Promise 7, in motion: do the pieces run through themselves while they are folded in their order?
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "verify/checks/checks.hpp"
+#include "verify/file/tolerance.hpp"
+#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/polygon.hpp"
+#include "verify/geometry/rigid_motion.hpp"
+#include "verify/relations/plates.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+using Pair = std::pair<Index, Index>;
+
+/// A part of a face, laid flat.
+struct FlatTriangle {
+  std::array<Vec2, 3> corners;
+  Index plate = 0;  ///< local number
+};
+
+/// The triangle less a seam along its sides; false where nothing is left.
+bool without_seam(const std::array<Vec2, 3>& t, double seam, std::array<Vec2, 3>& rest) {
+  const std::array<double, 3> opposite = {length(t[2] - t[1]), length(t[0] - t[2]), length(t[1] - t[0])};
+  const double around = opposite[0] + opposite[1] + opposite[2];
+  const double inradius = cross(t[1] - t[0], t[2] - t[0]) / around;
+  if (!(inradius > seam)) {
+    return false;
+  }
+  // Towards the middle of its inscribed circle all sides move alike.
+  const Vec2 middle = (opposite[0] * t[0] + opposite[1] * t[1] + opposite[2] * t[2]) / around;
+  for (std::size_t k = 0; k < 3; ++k) {
+    rest[k] = middle + (1.0 - seam / inradius) * (t[k] - middle);
+  }
+  return true;
+}
+
+/// Whether all corners of one triangle lie beside those of the other, seen along an axis.
+bool apart(Vec3 axis, const Corners& f, const Corners& g) {
+  const auto [f_low, f_high] = std::minmax({dot(axis, f[0]), dot(axis, f[1]), dot(axis, f[2])});
+  const auto [g_low, g_high] = std::minmax({dot(axis, g[0]), dot(axis, g[1]), dot(axis, g[2])});
+  return f_high < g_low || g_high < f_low;
+}
+
+/// By separating axes: normals, products of sides, normals of sides within a plane (Ericson: Real-time
+/// collision detection, 2005, section 5.2.1).
+bool meet(const Corners& f, const Corners& g) {
+  const auto side = [](const Corners& t, std::size_t k) { return t[(k + 1) % 3] - t[k]; };
+  const Vec3 f_normal = cross(side(f, 0), side(f, 1));
+  const Vec3 g_normal = cross(side(g, 0), side(g, 1));
+  if (apart(f_normal, f, g) || apart(g_normal, f, g)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (apart(cross(f_normal, side(f, i)), f, g) || apart(cross(g_normal, side(g, i)), f, g)) {
+      return false;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (apart(cross(side(f, i), side(g, k)), f, g)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// One piece: a tree of plates with hinges between them.
+class Folder {
+ public:
+  Folder(const Case& given, const Plates& plates, const std::vector<Crease>& creases,
+         const std::vector<Index>& faces)
+      : given_(given), file_(given.file), of_face_(plates.plate), creases_(creases) {
+    number_plates(faces);
+    cut_faces(faces);
+    hang_plates();
+    for (const Hinge& h : hinges_) {
+      hinged_.push_back(std::minmax(h.inner, h.outer));
+    }
+    std::sort(hinged_.begin(), hinged_.end());
+  }
+
+  /// A piece with a circle of plates can't be moved hinge by hinge.
+  [[nodiscard]] bool is_tree() const {
+    return hinges_.size() == creases_.size() && hinges_.size() + 1 == plates_;
+  }
+  [[nodiscard]] std::size_t size() const { return triangles_.size(); }
+
+  /// Whether faces meet at some stage of the steps; each crease is in one of them.
+  [[nodiscard]] bool runs_through_itself(const std::vector<std::vector<Index>>& creases_of_step) {
+    std::vector<double> share(creases_.size(), 1.0);
+    always_ = meetings(share, final_seam_mm);
+    std::fill(share.begin(), share.end(), 0.0);
+    const bool together = creases_of_step.size() == 1;
+    for (const std::vector<Index>& step : creases_of_step) {
+      for (const double now : together ? std::vector{0.25, 0.5, 0.75} : std::vector{0.5, 1.0}) {
+        given_.context.check();
+        for (const Index crease : step) {
+          share[crease] = now;
+        }
+        if (!meetings(share, fold_seam_mm).empty()) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  struct Hinge {
+    Index crease = 0, inner = 0, outer = 0;  ///< plates by local numbers
+    Vec2 start, along;                       ///< the latter of length 1
+    double angle = 0.0;                      ///< radians, about `along`
+  };
+
+  void number_plates(const std::vector<Index>& faces) {
+    for (const Index face : faces) {
+      known_.push_back(of_face_[face]);
+    }
+    std::sort(known_.begin(), known_.end());
+    known_.erase(std::unique(known_.begin(), known_.end()), known_.end());
+    plates_ = known_.size();
+  }
+  [[nodiscard]] Index local(Index plate) const {
+    return static_cast<Index>(std::lower_bound(known_.begin(), known_.end(), plate) - known_.begin());
+  }
+
+  void cut_faces(const std::vector<Index>& faces) {
+    for (const Index face : faces) {
+      for (const Polygon& part : convex_parts(file_.polygon(face), given_.context)) {
+        for (std::size_t k = 2; k < part.size(); ++k) {
+          triangles_.push_back({{part[0], part[k - 1], part[k]}, local(of_face_[face])});
+        }
+      }
+    }
+  }
+
+  /// From plate 0 over the creases, breadth first.
+  void hang_plates() {
+    std::vector<std::vector<Index>> at(plates_);
+    for (Index c = 0; c < creases_.size(); ++c) {
+      at[local(creases_[c].first)].push_back(c);
+      at[local(creases_[c].second)].push_back(c);
+    }
+    std::vector<bool> hung(plates_, false);
+    std::vector<Index> reached{0};
+    hung[0] = true;
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      for (const Index c : at[reached[i]]) {
+        const Index one = local(creases_[c].first);
+        const Index outer = one == reached[i] ? local(creases_[c].second) : one;
+        if (!hung[outer]) {
+          hung[outer] = true;
+          hinges_.push_back(hinge(c, reached[i], outer));
+          reached.push_back(outer);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Hinge hinge(Index c, Index inner, Index outer) const {
+    const Index edge = creases_[c].edges.front();
+    const auto sides = given_.relations.sides_of(edge);
+    // As the face of the inner plate has it.
+    const Index side = local(of_face_[file_.faces.face(sides[0])]) == inner ? sides[0] : sides[1];
+    const Vec2 start = file_.points[file_.faces.tail(side)];
+    const Vec2 along = file_.points[file_.faces.head(side)] - start;
+    return {c,
+            inner,
+            outer,
+            start,
+            along / length(along),
+            -file_.edges[edge].angle_deg * std::numbers::pi / 180.0};
+  }
+
+  /// Pairs of faces that meet when each crease is folded by its share; those that always do left out.
+  [[nodiscard]] std::vector<Pair> meetings(const std::vector<double>& share, double seam) const {
+    std::vector<Motion> motion(plates_);
+    for (const Hinge& h : hinges_) {
+      const Turn turn = Turn::about({h.along.x, h.along.y, 0.0}, share[h.crease] * h.angle);
+      const Vec3 fixed{h.start.x, h.start.y, 0.0};
+      const Motion fold{turn, fixed - turn(fixed)};
+      motion[h.outer] = {motion[h.inner].turn * fold.turn, motion[h.inner](fold.shift)};
+    }
+    std::vector<Corners> solid;
+    std::vector<Index> number;
+    std::vector<Box2> boxes;
+    for (Index i = 0; i < triangles_.size(); ++i) {
+      std::array<Vec2, 3> rest;
+      if (!without_seam(triangles_[i].corners, seam, rest)) {
+        continue;
+      }
+      Corners& corners = solid.emplace_back();
+      Box2& box = boxes.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = motion[triangles_[i].plate]({rest[k].x, rest[k].y, 0.0});
+        box.add({corners[k].x, corners[k].y});
+      }
+      // A face that stands upright has a box without area, which would meet nothing.
+      box.low = box.low - Vec2{seam, seam};
+      box.high = box.high + Vec2{seam, seam};
+      number.push_back(i);
+    }
+    return pairs_that_meet(solid, number, boxes);
+  }
+
+  [[nodiscard]] std::vector<Pair> pairs_that_meet(const std::vector<Corners>& solid,
+                                                  const std::vector<Index>& number,
+                                                  const std::vector<Box2>& boxes) const {
+    std::vector<Pair> found;
+    const BoxTree tree(boxes);
+    for (Index i = 0; i < solid.size(); ++i) {
+      tree.for_each_overlapping(boxes[i], [&](std::size_t k) {
+        if (k > i && counts(number[i], number[k]) && meet(solid[i], solid[k])) {
+          found.emplace_back(number[i], number[k]);
+        }
+      });
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  /// Plates that one crease joins can't run through each other, and what meets in the folded piece belongs to
+  /// a model that runs through itself.
+  [[nodiscard]] bool counts(Index i, Index k) const {
+    const auto plates = std::minmax(triangles_[i].plate, triangles_[k].plate);
+    return plates.first != plates.second && !std::binary_search(always_.begin(), always_.end(), Pair{i, k}) &&
+           !std::binary_search(hinged_.begin(), hinged_.end(), Pair(plates));
+  }
+
+  const Case& given_;
+  const File& file_;
+  const std::vector<Index>& of_face_;  ///< plate of each face of the file
+  const std::vector<Crease>& creases_;
+  std::vector<Index> known_;  ///< plates of the piece, ascending
+  std::size_t plates_ = 0;
+  std::vector<FlatTriangle> triangles_;
+  std::vector<Hinge> hinges_;  ///< inner ones before those beyond them
+  std::vector<Pair> hinged_;   ///< plates, ascending
+  std::vector<Pair> always_;   ///< triangles, ascending
+};
+
+/// Which creases each step folds. `step_of` has an entry per edge and is kept between pieces.
+std::vector<std::vector<Index>> creases_of_steps(const std::vector<std::vector<Index>>& steps,
+                                                 const std::vector<Crease>& creases,
+                                                 std::vector<Index>& step_of) {
+  for (Index step = 0; step < steps.size(); ++step) {
+    for (const Index edge : steps[step]) {
+      step_of[edge] = step;
+    }
+  }
+  std::vector<std::vector<Index>> result(steps.size());
+  for (Index c = 0; c < creases.size(); ++c) {
+    result[step_of[creases[c].edges.front()]].push_back(c);
+  }
+  return result;
+}
+
+/// This program folds in the way that the steps tell only where nothing is in the way; it goes from the tips
+/// inwards where nothing else works, too.
+bool has_to_work(const std::vector<std::vector<Index>>& creases_of_step, const std::vector<Crease>& creases) {
+  if (creases_of_step.size() == 1) {
+    return true;
+  }
+  std::vector<const Crease*> order;
+  for (const std::vector<Index>& step : creases_of_step) {
+    for (const Index c : step) {
+      order.push_back(&creases[c]);
+    }
+  }
+  return !order.empty() && way_of(order) == FoldWay::outwards;
+}
+
+}  // namespace
+
+void check_fold_motion(const Case& given, Findings& findings) {
+  const File& file = given.file;
+  const bool broken =
+      findings.has(Promise::lengths) || findings.has(Promise::joins) || findings.has(Promise::fold_order);
+  if (!file.fold_order || broken) {
+    return;
+  }
+  const Plates plates = find_plates(file, given.relations, still_fold_deg);
+  const auto creases = find_creases(file, given.relations, plates);
+  std::vector<std::vector<Index>> faces(file.pieces.size());
+  for (Index face = 0; face < file.faces.faces(); ++face) {
+    faces[file.face_piece[face]].push_back(face);
+  }
+  std::vector<Index> step_of(file.edges.size(), 0);
+  FoldingFigures& figures = findings.folding();
+  for (Index piece = 0; piece < file.pieces.size(); ++piece) {
+    const auto steps = creases_of_steps((*file.fold_order)[piece], creases[piece], step_of);
+    Folder folder(given, plates, creases[piece], faces[piece]);
+    if (!folder.is_tree() || folder.size() * steps.size() > most_fold_work) {
+      ++figures.not_tried;
+    } else if (!steps.empty() && folder.runs_through_itself(steps)) {
+      figures.with_care.push_back(file.pieces[piece].name);
+      if (file.is_ours() && has_to_work(steps, creases[piece])) {
+        findings.add(Promise::fold_order, {{"piece", piece}}, [&] {
+          return fmt::format("{} runs through itself when it is folded in its order",
+                             piece_name(file, piece));
+        });
+      }
+    }
+  }
+}
+
+}  // namespace ridgecraft::verify

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Promise 9: the second frame of the file is the surface of the model at its scale, as far as it wasn't
+// simplified.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "verify/checks/checks.hpp"
+#include "verify/file/tolerance.hpp"
+#include "verify/geometry/polygon.hpp"
+#include "verify/geometry/surface_tree.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+/// From the model to the nets' millimetres: it is scaled and shifted, never turned.
+struct Placing {
+  double scale = 1.0;
+  Vec3 shift;
+
+  [[nodiscard]] Vec3 operator()(Vec3 p) const { return scale * p + shift; }
+};
+
+Vec3 centre_of(const Box3& box) {
+  return 0.5 * box.low + 0.5 * box.high;
+}
+
+Box3 bounds_of(const std::vector<Triangle3>& triangles) {
+  Box3 box;
+  for (const Triangle3& t : triangles) {
+    std::for_each(t.begin(), t.end(), [&](Vec3 p) { box.add(p); });
+  }
+  return box;
+}
+
+double area_of(const std::vector<Triangle3>& triangles) {
+  double sum = 0.0;
+  for (const Triangle3& t : triangles) {
+    sum += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
+  }
+  return sum;
+}
+
+/// A plane polygon of the file as triangles: cut into convex parts in its own plane.
+void add_polygon(const Model& model, Index face, Vec3 normal, const Context& context,
+                 std::vector<Triangle3>& triangles) {
+  const std::span<const Index> corners = model.faces.vertices(face);
+  const Vec3 origin = model.points[corners[0]];
+  if (corners.size() == 3 || normal == Vec3{}) {
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      triangles.push_back({origin, model.points[corners[k - 1]], model.points[corners[k]]});
+    }
+    return;
+  }
+  const Vec3 any = std::abs(normal.x) < 0.5 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+  const Vec3 x = normalized(cross(any, normal));
+  const Vec3 y = cross(normal, x);
+  Polygon flat;
+  for (const Index v : corners) {
+    const Vec3 p = model.points[v] - origin;
+    flat.push_back({dot(p, x), dot(p, y)});
+  }
+  const auto back = [&](Vec2 p) { return origin + p.x * x + p.y * y; };
+  for (const Polygon& part : convex_parts(flat, context)) {
+    for (std::size_t k = 2; k < part.size(); ++k) {
+      triangles.push_back({back(part[0]), back(part[k - 1]), back(part[k])});
+    }
+  }
+}
+
+std::vector<Triangle3> triangles_of(const Case& given) {
+  const Model& model = given.file.model;
+  std::vector<Triangle3> triangles;
+  for (Index face = 0; face < model.faces.faces(); ++face) {
+    add_polygon(model, face, given.relations.normal[face], given.context, triangles);
+  }
+  return triangles;
+}
+
+std::vector<Triangle3> placed(const std::vector<Triangle3>& triangles, const Placing& place) {
+  std::vector<Triangle3> result;
+  result.reserve(triangles.size());
+  for (const Triangle3& t : triangles) {
+    result.push_back({place(t[0]), place(t[1]), place(t[2])});
+  }
+  return result;
+}
+
+/// Corners, and points between them about `spacing` apart, but not too many of one triangle.
+std::vector<Vec3> samples_of(const std::vector<Triangle3>& triangles, double spacing) {
+  std::vector<Vec3> samples;
+  for (const Triangle3& t : triangles) {
+    const double longest = std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
+    const auto steps = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1.0, most_sample_steps));
+    for (int i = 0; i <= steps; ++i) {
+      for (int k = 0; i + k <= steps; ++k) {
+        const double u = static_cast<double>(i) / steps;
+        const double v = static_cast<double>(k) / steps;
+        samples.push_back(t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]));
+      }
+    }
+    samples.push_back((t[0] + t[1] + t[2]) / 3.0);
+  }
+  return samples;
+}
+
+struct Farthest {
+  double distance = 0.0;
+  Vec3 at;
+};
+
+void look_farther(const std::vector<Vec3>& samples, const SurfaceTree& tree, const Context& context,
+                  Farthest& farthest) {
+  SurfaceTree::Place place;
+  for (const Vec3 p : samples) {
+    context.check();
+    place = tree.nearest(p, std::max(farthest.distance, same_point_mm), place);
+    const double distance = length(p - place.point);
+    if (distance > farthest.distance) {
+      farthest = {distance, p};
+    }
+  }
+}
+
+class ModelCheck {
+ public:
+  ModelCheck(const Case& given, const ModelSurface& surface, Findings& findings)
+      : given_(given),
+        file_(given.file),
+        findings_(findings),
+        units_per_point_unit_(surface.units_per_point_unit),
+        digest_(surface.digest),
+        nets_(triangles_of(given)) {
+    for (const auto& [a, b, c] : surface.faces) {
+      model_.push_back({surface.points[a], surface.points[b], surface.points[c]});
+    }
+    drop_specks(surface);
+  }
+
+  void run() {
+    ModelFigures& figures = findings_.model();
+    if (!digest_.empty() && !file_.digest.empty()) {
+      figures.same_file = digest_ == file_.digest;
+    }
+    const Box3 there = bounds_of(model_);
+    if (!(there.largest_extent() > 0.0)) {
+      findings_.add(Promise::model, {}, [] { return "the model has no extent to compare the nets with"; });
+      return;
+    }
+    Placing place = first_placing(there);
+    Farthest farthest = measure(place);
+    if (simplified() && farthest.distance > 0.0 && !known_scale_) {
+      const Placing better = refined(place);
+      if (const Farthest other = measure(better); other.distance < farthest.distance) {
+        farthest = other;
+        place = better;
+      }
+    }
+    figures.deviation_mm = farthest.distance;
+    figures.mm_per_unit = place.scale / units_per_point_unit_;
+    figures.allowed_mm = allowed();
+    tell(farthest, place);
+  }
+
+ private:
+  /// What the settings say about it; a file without settings is taken at its word.
+  [[nodiscard]] bool simplified() const { return allowed() != same_surface_share * file_.model.size; }
+
+  [[nodiscard]] std::optional<double> allowed() const {
+    const double same = same_surface_share * file_.model.size;
+    const Setting* const faces = file_.settings.find("faces");
+    if (faces == nullptr) {
+      return same;
+    }
+    if (const auto* word = std::get_if<std::string>(faces); word != nullptr) {
+      return *word == "auto" ? simplified_share * bounds_of(nets_).largest_extent() + same : same;
+    }
+    const double* const count = std::get_if<double>(faces);
+    return count != nullptr && *count < static_cast<double>(model_.size()) ? std::nullopt
+                                                                           : std::optional(same);
+  }
+
+  /// What the program leaves out where it simplifies by its own choice can't be missed.
+  void drop_specks(const ModelSurface& surface) {
+    const Setting* const faces = file_.settings.find("faces");
+    const auto* const word = faces == nullptr ? nullptr : std::get_if<std::string>(faces);
+    if (word == nullptr || *word != "auto") {
+      return;
+    }
+    DisjointSets sets(surface.points.size());
+    for (const auto& [a, b, c] : surface.faces) {
+      sets.join(a, b);
+      sets.join(b, c);
+    }
+    std::vector<Box3> boxes(surface.points.size());
+    for (const auto& face : surface.faces) {
+      for (const std::uint32_t v : face) {
+        boxes[sets.find(v)].add(surface.points[v]);
+      }
+    }
+    const double scale = bounds_of(nets_).largest_extent() / bounds_of(model_).largest_extent();
+    std::vector<Triangle3> kept;
+    for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+      if (scale * boxes[sets.find(surface.faces[f][0])].largest_extent() >= speck_mm) {
+        kept.push_back(model_[f]);
+      }
+    }
+    without_specks_ = std::move(kept);
+  }
+
+  Placing first_placing(const Box3& there) {
+    const Box3 here = bounds_of(nets_);
+    const double by_size = here.largest_extent() / there.largest_extent();
+    const std::optional<double> mm_per_unit = file_.settings.number("mm_per_unit");
+    known_scale_ = mm_per_unit.has_value();
+    const double scale = mm_per_unit ? *mm_per_unit * units_per_point_unit_ : by_size;
+    // At a stated scale the model's middle is the origin; else what the sizes say is all that is known.
+    const Vec3 middle = mm_per_unit ? Vec3{} : centre_of(here);
+    return {scale, middle - scale * centre_of(there)};
+  }
+
+  [[nodiscard]] Farthest measure(const Placing& place) const {
+    const double spacing = sample_share * bounds_of(nets_).largest_extent();
+    const std::vector<Triangle3> model = placed(model_, place);
+    Farthest farthest;
+    look_farther(samples_of(nets_, spacing), SurfaceTree(model), given_.context, farthest);
+    look_farther(samples_of(without_specks_.empty() ? model : placed(without_specks_, place), spacing),
+                 SurfaceTree(nets_), given_.context, farthest);
+    return farthest;
+  }
+
+  /// A simplified surface is brought to its size again, so its scale isn't quite the model's: the scale and
+  /// shift that lay the nets on the model with the least sum of squares, by nearest points (Besl and McKay
+  /// 1992, without turns).
+  [[nodiscard]] Placing refined(Placing place) const {
+    const std::vector<Vec3> samples = samples_of(nets_, fit_share * bounds_of(nets_).largest_extent());
+    const SurfaceTree model(model_);
+    for (int round = 0; round < fit_rounds; ++round) {
+      Vec3 mean_here, mean_there;
+      std::vector<Vec3> there;
+      SurfaceTree::Place nearest;
+      for (const Vec3 p : samples) {
+        given_.context.check();
+        nearest = model.nearest((p - place.shift) / place.scale, 0.0, nearest);
+        there.push_back(nearest.point);
+        mean_here += p / static_cast<double>(samples.size());
+        mean_there += there.back() / static_cast<double>(samples.size());
+      }
+      double both = 0.0;
+      double own = 0.0;
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        both += dot(samples[i] - mean_here, there[i] - mean_there);
+        own += dot(there[i] - mean_there, there[i] - mean_there);
+      }
+      if (!(own > 0.0 && both > 0.0)) {
+        break;
+      }
+      place.scale = both / own;
+      place.shift = mean_here - place.scale * mean_there;
+    }
+    return place;
+  }
+
+  void tell(const Farthest& farthest, const Placing& place) {
+    const std::optional<double> limit = allowed();
+    if (limit && farthest.distance > *limit) {
+      findings_.add(Promise::model, {}, [&] {
+        return fmt::format(
+            "the nets are not the model's: the two surfaces are {:.4g} mm apart at ({:.2f}, {:.2f}, {:.2f}), "
+            "and {:.4g} mm are allowed",
+            farthest.distance, farthest.at.x, farthest.at.y, farthest.at.z, *limit);
+      });
+    } else if (!simplified()) {
+      const double there = place.scale * place.scale * area_of(model_);
+      const double here = area_of(nets_);
+      if (std::abs(here - there) > area_tolerance_share * there) {
+        findings_.add(Promise::model, {}, [&] {
+          return fmt::format("the nets have {:.6g} mm² of the model, which has {:.6g} mm²", here, there);
+        });
+      }
+    }
+  }
+
+  const Case& given_;
+  const File& file_;
+  Findings& findings_;
+  double units_per_point_unit_;
+  std::string digest_;
+  std::vector<Triangle3> nets_;   ///< the second frame
+  std::vector<Triangle3> model_;  ///< in its own unit
+  std::vector<Triangle3> without_specks_;
+  bool known_scale_ = false;
+};
+
+}  // namespace
+
+void check_model(const Case& given, const ModelSurface& surface, Findings& findings) {
+  ModelCheck(given, surface, findings).run();
+}
+
+}  // namespace ridgecraft::verify

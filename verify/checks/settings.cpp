@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/checks/settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "verify/file/settings_form.hpp"
+#include "verify/file/tolerance.hpp"
+#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/polygon.hpp"
+#include "verify/relations/plates.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+/// The nets against settings that are known to be right by themselves.
+class Contradictions {
+ public:
+  explicit Contradictions(const Case& given)
+      : given_(given), file_(given.file), settings_(given.file.settings) {}
+
+  std::vector<std::string> find() {
+    check_size();
+    check_pages();
+    check_gaps();
+    check_tabs();
+    check_faces();
+    check_whole();
+    return std::move(faults_);
+  }
+
+ private:
+  template <typename... Args>
+  void add(fmt::format_string<Args...> text, Args&&... args) {
+    faults_.push_back(fmt::format(text, std::forward<Args>(args)...));
+  }
+
+  static bool differ(double a, double b) {
+    return std::abs(a - b) > setting_tolerance_share * std::max(std::abs(a), std::abs(b));
+  }
+
+  void check_size() {
+    const std::optional<double> asked = settings_.number("size_mm");
+    Box3 box;
+    for (Index side = 0; side < file_.model.faces.sides(); ++side) {
+      box.add(file_.model.points[file_.model.faces.tail(side)]);
+    }
+    const Vec3 size = box.size();
+    const double largest = std::max({size.x, size.y, size.z});
+    if (asked && differ(*asked, largest)) {
+      add("the settings ask for a size of {:.9g} mm, the model is {:.9g} mm large", *asked, largest);
+    }
+  }
+
+  void check_pages() {
+    const auto* const setting = settings_.find("paper_mm");
+    if (setting == nullptr) {
+      return;
+    }
+    const auto& paper = std::get<std::vector<double>>(*setting);
+    const double margin = settings_.number("margin_mm").value_or(0.0);
+    for (std::size_t p = 0; p < file_.pages.size(); ++p) {
+      const Page& page = file_.pages[p];
+      if (!page.bounded || differ(page.high.x - page.low.x, paper[0]) ||
+          differ(page.high.y - page.low.y, paper[1])) {
+        add("page {} isn't as large as the paper of the settings", p);
+      } else if (std::any_of(page.margins.begin(), page.margins.end(),
+                             [&](double m) { return differ(m, margin); })) {
+        add("the margins of page {} aren't those of the settings", p);
+      }
+    }
+  }
+
+  /// Pieces of one page are as far apart as the settings say.
+  void check_gaps() {
+    const double gap = settings_.number("gap_mm").value_or(0.0) - gap_tolerance_mm;
+    if (!(gap > 0.0)) {
+      return;
+    }
+    std::vector<PieceLine> lines = lines_of_pieces();
+    std::vector<Box2> boxes;
+    for (const PieceLine& line : lines) {
+      boxes.push_back(bounding_box(line.ends));
+    }
+    const BoxTree tree(boxes);
+    std::set<std::pair<Index, Index>> told;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      given_.context.check();
+      const Vec2 reach{gap, gap};
+      tree.for_each_overlapping({boxes[i].low - reach, boxes[i].high + reach}, [&](std::size_t k) {
+        const auto pair = std::minmax(lines[i].piece, lines[k].piece);
+        if (pair.first != pair.second && file_.pieces[pair.first].page == file_.pieces[pair.second].page &&
+            !told.contains(pair) && apart(lines[i].ends, lines[k].ends) < gap) {
+          told.insert(pair);
+        }
+      });
+    }
+    for (const auto& [one, other] : told) {
+      add("{} and {} are less than {:.6g} mm apart, which the settings ask for", piece_name(file_, one),
+          piece_name(file_, other), gap + gap_tolerance_mm);
+    }
+  }
+
+  struct PieceLine {
+    std::array<Vec2, 2> ends;
+    Index piece;
+  };
+  /// Cut edges and the sides of tabs.
+  [[nodiscard]] std::vector<PieceLine> lines_of_pieces() const {
+    const auto piece = [&](Index edge) {
+      return file_.face_piece[file_.faces.face(given_.relations.sides_of(edge).front())];
+    };
+    std::vector<PieceLine> lines;
+    for (Index e = 0; e < file_.edges.size(); ++e) {
+      if (file_.edges[e].assignment == Assignment::cut) {
+        const auto [a, b] = file_.edges[e].ends;
+        lines.push_back({{file_.points[a], file_.points[b]}, piece(e)});
+      }
+    }
+    for (const Tab& tab : file_.tabs) {
+      for (std::size_t k = 0; k < tab.polygon.size(); ++k) {
+        lines.push_back({{tab.polygon[k], tab.polygon[(k + 1) % tab.polygon.size()]}, piece(tab.edge)});
+      }
+    }
+    return lines;
+  }
+  /// Distance of two segments that don't cross.
+  static double apart(const std::array<Vec2, 2>& s, const std::array<Vec2, 2>& t) {
+    const auto from_point = [](Vec2 p, const std::array<Vec2, 2>& segment) {
+      const Vec2 along = segment[1] - segment[0];
+      const double square = dot(along, along);
+      const double share = square > 0.0 ? std::clamp(dot(p - segment[0], along) / square, 0.0, 1.0) : 0.0;
+      return length(p - (segment[0] + share * along));
+    };
+    return std::min({from_point(s[0], t), from_point(s[1], t), from_point(t[0], s), from_point(t[1], s)});
+  }
+
+  void check_tabs() {
+    if (!is_true(settings_, "tabs") && !file_.tabs.empty()) {
+      add("the settings ask for no tabs, and there are {}", file_.tabs.size());
+      return;
+    }
+    const double height = settings_.number("tab_height_mm").value_or(std::numeric_limits<double>::infinity());
+    for (Index t = 0; t < file_.tabs.size(); ++t) {
+      const std::vector<Vec2>& polygon = file_.tabs[t].polygon;
+      const Vec2 base = polygon[1] - polygon[0];
+      double highest = 0.0;
+      for (const Vec2 p : polygon) {
+        highest = std::max(highest, std::abs(cross(base, p - polygon[0])) / length(base));
+      }
+      if (highest > height + tab_base_tolerance_mm) {
+        add("{} is {:.6g} mm high, the settings allow {:.6g} mm", tab_name(file_, t), highest, height);
+      }
+    }
+  }
+
+  /// Flat regions of a piece can't be more than its plates: what lies in one region is folded by less.
+  void check_faces() {
+    const auto most = static_cast<Index>(std::min(settings_.number("max_faces").value_or(0.0), 4e9));
+    if (most == 0 || settings_.find("keep") != nullptr || settings_.find("from") != nullptr) {
+      return;
+    }
+    const Plates plates = find_plates(file_, given_.relations, flat_region_fold_deg);
+    std::vector<std::set<Index>> of_piece(file_.pieces.size());
+    for (Index face = 0; face < file_.faces.faces(); ++face) {
+      of_piece[file_.face_piece[face]].insert(plates.plate[face]);
+    }
+    for (Index piece = 0; piece < file_.pieces.size(); ++piece) {
+      if (of_piece[piece].size() > most) {
+        add("{} has {} flat faces, the settings allow {}", piece_name(file_, piece), of_piece[piece].size(),
+            most);
+      }
+    }
+  }
+
+  /// Without parts each component is one.
+  void check_whole() {
+    if (!is_true(settings_, "whole")) {
+      return;
+    }
+    const Model& model = file_.model;
+    for (Index side = 0; side < model.faces.sides(); ++side) {
+      const Index twin = model.twin[side];
+      if (twin != none &&
+          model.face_part[model.faces.face(side)] != model.face_part[model.faces.face(twin)]) {
+        add("the settings ask for whole components, and faces {} and {} of the model are of two parts",
+            model.faces.face(side), model.faces.face(twin));
+        return;
+      }
+    }
+  }
+
+  const Case& given_;
+  const File& file_;
+  const Settings& settings_;
+  std::vector<std::string> faults_;
+};
+
+}  // namespace
+
+std::vector<std::string> contradictions(const Case& given) {
+  return Contradictions(given).find();
+}
+
+}  // namespace ridgecraft::verify

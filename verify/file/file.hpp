@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a .fold file states, once its form is known to be right: plain values, all indices within range.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "verify/file/face_list.hpp"
+
+namespace ridgecraft::verify {
+
+enum class Assignment : char { cut = 'B', mountain = 'M', valley = 'V', flat = 'F' };
+
+struct Edge {
+  std::array<Index, 2> ends{};
+  Assignment assignment = Assignment::cut;
+  double angle_deg = 0.0;
+};
+
+/// A page without a size has no bounds.
+struct Page {
+  bool bounded = false;
+  Vec2 low, high;                      ///< the whole page
+  Vec2 printable_low, printable_high;  ///< page less margins
+  std::array<double, 4> margins{};     ///< left, bottom, right, top
+};
+
+struct Piece {
+  std::string name;
+  std::optional<std::int64_t> part;
+  std::vector<std::int64_t> parts;
+  Index page = 0;
+  std::int64_t holes = 0;
+  std::string reason;
+};
+
+struct Join {
+  std::int64_t number = 1;
+  std::array<Index, 2> edges{};
+  Index tab = none;
+  std::string why;  ///< there is no tab
+};
+
+struct Tab {
+  Index edge = 0;
+  std::vector<Index> edges;  ///< all that it grows from, `edge` among them
+  std::vector<Vec2> polygon;
+  std::vector<std::int64_t> numbers;  ///< of the joins that name it, as printed
+};
+
+/// One of the options that shaped the result; nothing for what no option can be.
+using Setting = std::variant<std::monostate, bool, double, std::string, std::vector<double>>;
+
+struct Settings {
+  std::vector<std::pair<std::string, Setting>> all;  ///< by name, ascending
+
+  /// Null where there is none.
+  [[nodiscard]] const Setting* find(std::string_view name) const;
+  /// Nothing where there is none, or one that is no number.
+  [[nodiscard]] std::optional<double> number(std::string_view name) const;
+};
+
+/// The words that a frame says about itself.
+struct FrameWords {
+  std::vector<std::string> classes, attributes;
+};
+
+/// The surface that was unfolded.
+struct Model {
+  FrameWords words;
+  std::vector<Vec3> points;
+  FaceList faces;
+  std::vector<Index> twin;  ///< per side: the side of the other face along it, or none at a border
+  std::vector<std::int64_t> face_part;
+  double size = 0.0;  ///< diagonal of the bounding box, mm
+};
+
+struct File {
+  std::string creator, title;
+  std::vector<std::string> file_classes;
+  FrameWords words;
+  std::size_t frames = 0;  ///< besides the nets
+  std::string digest;      ///< of the model's bytes, or empty
+  Settings settings;
+  std::vector<std::string> unknown_keys;  ///< under "ridgecraft:", in words; the first few
+  Model model;
+  std::vector<Vec2> points;
+  FaceList faces;
+  std::vector<Edge> edges;
+  std::vector<Index> side_edge;   ///< per side of a net face: its edge
+  std::vector<Index> face_model;  ///< per net face: the model face it is
+  std::vector<Index> face_piece;
+  std::vector<Piece> pieces;
+  std::vector<Page> pages;
+  std::vector<Join> joins;
+  std::vector<Tab> tabs;
+  /// Per piece the folds in the order in which they are made, those of one list together; nothing where the
+  /// file doesn't tell.
+  std::optional<std::vector<std::vector<std::vector<Index>>>> fold_order;
+
+  [[nodiscard]] std::vector<Vec2> polygon(Index face) const;
+  /// Whether this program says that it made the file; then all of our own keys have to be there.
+  [[nodiscard]] bool is_ours() const { return creator.starts_with("ridgecraft "); }
+};
+
+/// Why bytes are no file of the contract; thrown by the readers below and caught in verify().
+struct NotInForm {
+  std::string message;
+};
+
+/// Reads the bytes and checks the form: sections 1 to 3 of the contract, every key, type, length and index
+/// range, edges listed once, a manifold model. Throws NotInForm. O(n log n).
+[[nodiscard]] File read_file(std::string_view bytes);
+
+}  // namespace ridgecraft::verify

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/file/form_statements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace ridgecraft::verify {
+namespace {
+
+constexpr std::string_view the_file = "the file";
+constexpr std::string_view own_prefix = "ridgecraft:";
+/// More unknown keys than this aren't listed.
+constexpr std::size_t most_unknown = 20;
+
+Setting setting_of(const Json& value) {
+  if (value.is_boolean()) {
+    return value.get<bool>();
+  }
+  if (value.is_number()) {
+    return value.get<double>();
+  }
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  if (value.is_array() &&
+      std::all_of(value.begin(), value.end(), [](const Json& entry) { return entry.is_number(); })) {
+    return value.get<std::vector<double>>();
+  }
+  return std::monostate{};
+}
+
+void read_settings(const Json& json, File& file) {
+  const Json& settings = member(json, "ridgecraft:settings", the_file);
+  if (!settings.is_object()) {
+    refuse("\"ridgecraft:settings\" of the file is not an object");
+  }
+  for (const auto& [name, value] : settings.items()) {
+    file.settings.all.emplace_back(name, setting_of(value));
+  }
+}
+
+void read_digest(const Json& json, File& file) {
+  if (json.contains("ridgecraft:model_digest")) {
+    file.digest = text_member(json, "ridgecraft:model_digest", the_file);
+  }
+}
+
+std::vector<std::vector<Index>> read_steps(const Json& steps, std::size_t edges, const std::string& where) {
+  std::vector<std::vector<Index>> result;
+  if (!steps.is_array()) {
+    refuse("{} is not a list of steps", where);
+  }
+  for (const Json& step : steps) {
+    if (!step.is_array() || step.empty()) {
+      refuse("step {} of {} is not a list of edges", result.size(), where);
+    }
+    std::vector<Index>& folds = result.emplace_back();
+    for (const Json& edge : step) {
+      folds.push_back(index_below(edge, edges, {where, "edge"}));
+    }
+  }
+  return result;
+}
+
+void read_fold_order(const Json& json, File& file) {
+  const auto found = json.find("ridgecraft:fold_order");
+  if (found == json.end()) {
+    return;
+  }
+  if (!found->is_array() || found->size() != file.pieces.size()) {
+    refuse("\"ridgecraft:fold_order\" of the file is not a list with an entry for each piece");
+  }
+  file.fold_order.emplace();
+  for (const Json& steps : *found) {
+    const std::string where = fmt::format("the fold order of piece {}", file.fold_order->size());
+    file.fold_order->push_back(read_steps(steps, file.edges.size(), where));
+  }
+}
+
+class KeyWatch {
+ public:
+  explicit KeyWatch(std::vector<std::string>& unknown) : unknown_(unknown) {}
+
+  /// Notes the keys of the object that aren't known, of our namespace only where there are others, too.
+  void look(const Json& object, std::span<const std::string_view> known, std::string_view prefix,
+            const std::string& where) {
+    for (const auto& [key, value] : object.items()) {
+      if (key.starts_with(prefix) && std::find(known.begin(), known.end(), key) == known.end() &&
+          unknown_.size() < most_unknown) {
+        unknown_.push_back(fmt::format("{} of {}", quote(key), where));
+      }
+    }
+  }
+
+  void look_at_all(const Json& list, std::span<const std::string_view> known, const char* what) {
+    std::size_t number = 0;
+    for (const Json& object : list) {
+      look(object, known, "", fmt::format("{} {}", what, number++));
+    }
+  }
+
+ private:
+  std::vector<std::string>& unknown_;
+};
+
+void note_unknown_keys(const Json& json, File& file) {
+  constexpr std::array<std::string_view, 9> top = {
+      "ridgecraft:faces_model", "ridgecraft:faces_piece",  "ridgecraft:pieces",
+      "ridgecraft:fold_order",  "ridgecraft:pages",        "ridgecraft:joins",
+      "ridgecraft:tabs",        "ridgecraft:model_digest", "ridgecraft:settings"};
+  constexpr std::array<std::string_view, 1> model = {"ridgecraft:faces_part"};
+  constexpr std::array<std::string_view, 6> piece = {"name", "part", "parts", "page", "holes", "reason"};
+  constexpr std::array<std::string_view, 3> page = {"origin", "size", "margins"};
+  constexpr std::array<std::string_view, 4> join = {"number", "edges", "tab", "why"};
+  constexpr std::array<std::string_view, 4> tab = {"edge", "edges", "polygon", "joins"};
+  KeyWatch watch(file.unknown_keys);
+  watch.look(json, top, own_prefix, "the file");
+  watch.look(json.at("file_frames").at(0), model, own_prefix, "the model's frame");
+  watch.look_at_all(json.at("ridgecraft:pieces"), piece, "piece");
+  watch.look_at_all(json.at("ridgecraft:pages"), page, "page");
+  watch.look_at_all(json.at("ridgecraft:joins"), join, "join");
+  watch.look_at_all(json.at("ridgecraft:tabs"), tab, "tab");
+}
+
+}  // namespace
+
+const Setting* Settings::find(std::string_view name) const {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
+  return found == all.end() ? nullptr : &found->second;
+}
+
+std::optional<double> Settings::number(std::string_view name) const {
+  const Setting* const setting = find(name);
+  const double* const value = setting == nullptr ? nullptr : std::get_if<double>(setting);
+  return value == nullptr ? std::nullopt : std::optional(*value);
+}
+
+void read_statements(const Json& json, File& file) {
+  read_settings(json, file);
+  read_digest(json, file);
+  read_fold_order(json, file);
+  note_unknown_keys(json, file);
+}
+
+}  // namespace ridgecraft::verify

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/file/json_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "verify/file/tolerance.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+/// Looks on while the parser works: depth, and the keys of the objects that are open.
+class Watch {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, const Json& value) {
+    if (depth > max_json_depth) {
+      refuse("the file is not in the form of the contract: lists are nested deeper than {}", max_json_depth);
+    }
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Json::parse_event_t::object_start) {
+      keys_.resize(std::max(keys_.size(), level + 2));
+      keys_[level + 1].clear();
+    } else if (event == Json::parse_event_t::key) {
+      const auto& key = value.get_ref<const std::string&>();
+      if (!keys_[level].insert(key).second) {
+        refuse("the file has the key {} twice in one object", quote(key));
+      }
+    }
+    return true;
+  }
+
+ private:
+  std::vector<std::set<std::string>> keys_;
+};
+
+struct Place {
+  std::size_t line = 1, column = 1;
+};
+
+Place place_of(std::string_view bytes, std::size_t byte) {
+  const std::string_view before = bytes.substr(0, byte > 0 ? std::min(byte - 1, bytes.size()) : 0);
+  const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+  const std::size_t last = before.rfind('\n');
+  return {lines + 1, last == std::string_view::npos ? before.size() + 1 : before.size() - last};
+}
+
+}  // namespace
+
+Json parse_json(std::string_view bytes) {
+  if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    refuse("the file is empty");
+  }
+  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") {
+    refuse("the file begins with a byte order mark, which JSON doesn't allow");
+  }
+  try {
+    Watch watch;
+    return Json::parse(
+        bytes.begin(), bytes.end(),
+        [&watch](int depth, Json::parse_event_t event, Json& value) { return watch(depth, event, value); });
+  } catch (const Json::parse_error& error) {
+    const Place place = place_of(bytes, error.byte);
+    refuse("the file is not JSON: {} at line {}, column {}",
+           error.byte >= bytes.size() ? "it ends too early" : "it can't be read", place.line, place.column);
+  } catch (const Json::exception&) {
+    refuse("the file is not in the form of the contract: it has a number that is too large");
+  }
+}
+
+const Json& member(const Json& object, const char* key, std::string_view where) {
+  const auto found = object.find(key);
+  if (found == object.end()) {
+    refuse("{} has no \"{}\"", where, key);
+  }
+  return *found;
+}
+
+const Json& list_member(const Json& object, const char* key, std::string_view where) {
+  const Json& value = member(object, key, where);
+  if (!value.is_array()) {
+    refuse("\"{}\" of {} is not a list", key, where);
+  }
+  return value;
+}
+
+const std::string& text_member(const Json& object, const char* key, std::string_view where) {
+  const Json& value = member(object, key, where);
+  if (!value.is_string()) {
+    refuse("\"{}\" of {} is not a text", key, where);
+  }
+  return value.get_ref<const std::string&>();
+}
+
+std::string Spot::words() const {
+  return index == std::string_view::npos ? fmt::format("\"{}\" of {}", name, owner)
+                                         : fmt::format("{}[{}] of {}", name, index, owner);
+}
+
+std::int64_t whole(const Json& value, std::int64_t low, std::int64_t high, const Spot& spot) {
+  if (!value.is_number_integer()) {
+    refuse("{} is not a whole number", spot.words());
+  }
+  constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  const bool huge = value.is_number_unsigned() && value.get<std::uint64_t>() > largest;
+  if (huge || value.get<std::int64_t>() < low || value.get<std::int64_t>() > high) {
+    refuse("{} is {}, which is out of range", spot.words(), value.dump());
+  }
+  return value.get<std::int64_t>();
+}
+
+Index index_below(const Json& value, std::size_t count, const Spot& spot) {
+  return static_cast<Index>(whole(value, 0, static_cast<std::int64_t>(count) - 1, spot));
+}
+
+double number(const Json& value, double limit, const Spot& spot) {
+  if (!value.is_number()) {
+    refuse("{} is not a number", spot.words());
+  }
+  const auto result = value.get<double>();
+  if (!(std::abs(result) <= limit)) {
+    refuse("{} is {:g}, which is out of range", spot.words(), result);
+  }
+  return result;
+}
+
+void lengths(const Json& value, std::span<double> result, const Spot& spot) {
+  if (!value.is_array() || value.size() != result.size()) {
+    refuse("{} is not a list of {} numbers", spot.words(), result.size());
+  }
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    result[k] = number(value[k], max_coordinate_mm, spot);
+  }
+}
+
+std::string quote(std::string_view text) {
+  constexpr std::size_t longest = 48;
+  std::string result = "\"";
+  for (const char c : text.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7f ? '?' : c;
+  }
+  if (text.size() > longest) {
+    // Not in the middle of a character: its first byte goes with those that follow it.
+    while (result.size() > 1 && (static_cast<unsigned char>(result.back()) & 0xC0U) == 0x80U) {
+      result.pop_back();
+    }
+    if (result.size() > 1 && (static_cast<unsigned char>(result.back()) & 0x80U) != 0) {
+      result.pop_back();
+    }
+    result += "...";
+  }
+  return result + "\"";
+}
+
+}  // namespace ridgecraft::verify

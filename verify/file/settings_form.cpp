@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/file/settings_form.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "verify/file/json_text.hpp"
+#include "verify/file/tolerance.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+enum class Kind { yes_no, number, whole_number, sheet, hash, faces, piece_mode };
+
+/// Which jobs have the setting: those with pages, those without, both; or whoever asked for it.
+enum class Needed { always, with_pages, without_pages, never };
+
+struct Known {
+  std::string_view name;
+  Kind kind;
+  Needed needed;
+  double low = 0.0, high = 0.0;  ///< of numbers, both included
+};
+
+constexpr double any = std::numeric_limits<double>::infinity();
+/// The range of an option's values is that of the option.
+constexpr std::array<Known, 26> known_settings{{
+    {"seed", Kind::whole_number, Needed::always, 0.0, any},
+    {"faces", Kind::faces, Needed::always},
+    {"concavity", Kind::number, Needed::always, 0.001, 2.0},
+    {"tabs", Kind::yes_no, Needed::always},
+    {"tab_height_mm", Kind::number, Needed::always, 1.5, 50.0},
+    {"tab_angle_deg", Kind::number, Needed::always, 15.0 - 1e-6, 85.0 + 1e-6},
+    {"all_tabs", Kind::yes_no, Needed::never},
+    {"size_mm", Kind::number, Needed::never, 1.0, 100'000.0},
+    {"mm_per_unit", Kind::number, Needed::never, std::numeric_limits<double>::min(), any},
+    {"cuts", Kind::hash, Needed::never},
+    {"keep", Kind::hash, Needed::never},
+    {"from", Kind::hash, Needed::never},
+    {"paper_mm", Kind::sheet, Needed::with_pages},
+    {"margin_mm", Kind::number, Needed::with_pages, 0.0, max_coordinate_mm},
+    {"gap_mm", Kind::number, Needed::with_pages, 0.0, max_coordinate_mm},
+    {"pieces", Kind::piece_mode, Needed::with_pages},
+    {"max_faces", Kind::whole_number, Needed::with_pages, 0.0, any},
+    {"hide_folds_deg", Kind::number, Needed::with_pages, 0.0, 180.0},
+    {"weigh_cut", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_pieces", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_parts", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_compact", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_thin", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_small", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_panels", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"whole", Kind::yes_no, Needed::without_pages},
+}};
+
+bool is_whole(double value) {
+  return std::floor(value) == value;
+}
+
+bool number_fits(const Setting& value, double low, double high, bool whole) {
+  const double* const number = std::get_if<double>(&value);
+  return number != nullptr && *number >= low && *number <= high && (!whole || is_whole(*number));
+}
+
+bool word_is_one_of(const Setting& value, std::initializer_list<std::string_view> words) {
+  const std::string* const word = std::get_if<std::string>(&value);
+  return word != nullptr && std::find(words.begin(), words.end(), *word) != words.end();
+}
+
+bool fits(const Setting& value, const Known& known) {
+  switch (known.kind) {
+    case Kind::yes_no:
+      return std::holds_alternative<bool>(value);
+    case Kind::number:
+      return number_fits(value, known.low, known.high, false);
+    case Kind::whole_number:
+      return number_fits(value, known.low, known.high, true);
+    case Kind::sheet: {
+      const auto* const size = std::get_if<std::vector<double>>(&value);
+      return size != nullptr && size->size() == 2 && (*size)[0] > 0.0 && (*size)[1] > 0.0;
+    }
+    case Kind::hash: {
+      const std::string* const hash = std::get_if<std::string>(&value);
+      return hash != nullptr && is_hash(*hash);
+    }
+    case Kind::faces:
+      return word_is_one_of(value, {"auto", "keep"}) || number_fits(value, 4.0, any, true);
+    case Kind::piece_mode:
+      return word_is_one_of(value, {"few", "parts", "small"});
+  }
+  return false;
+}
+
+bool has(const Settings& settings, std::string_view name) {
+  return settings.find(name) != nullptr;
+}
+
+bool is_needed(const Known& known, bool with_pages) {
+  return known.needed == Needed::always ||
+         known.needed == (with_pages ? Needed::with_pages : Needed::without_pages);
+}
+
+/// Settings that exclude or need each other.
+void check_together(const Settings& settings, std::vector<std::string>& faults) {
+  if (has(settings, "size_mm") == has(settings, "mm_per_unit")) {
+    faults.emplace_back("the settings have to tell the size or the scale, and only one of them");
+  }
+  if (is_true(settings, "all_tabs") && !is_true(settings, "tabs")) {
+    faults.emplace_back("the settings ask for all tabs and for none");
+  }
+  const bool named_edges = has(settings, "cuts") || has(settings, "keep") || has(settings, "from");
+  const Setting* const faces = settings.find("faces");
+  if (named_edges && faces != nullptr && !word_is_one_of(*faces, {"keep"})) {
+    faults.emplace_back("the settings name edges of the model, but don't keep its faces");
+  }
+}
+
+}  // namespace
+
+bool is_true(const Settings& settings, std::string_view name) {
+  const Setting* const value = settings.find(name);
+  const bool* const answer = value == nullptr ? nullptr : std::get_if<bool>(value);
+  return answer != nullptr && *answer;
+}
+
+bool is_hash(std::string_view text) {
+  constexpr std::size_t fewest = 8;
+  constexpr std::size_t most = 64;
+  return text.size() >= fewest && text.size() <= most &&
+         text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+std::vector<std::string> faults_of_settings(const Settings& settings) {
+  std::vector<std::string> faults;
+  for (const auto& [name, value] : settings.all) {
+    const auto* const known = std::find_if(known_settings.begin(), known_settings.end(),
+                                           [&, name = name](const Known& k) { return k.name == name; });
+    if (known == known_settings.end()) {
+      faults.push_back(fmt::format("the settings have {}, which nobody knows", quote(name)));
+    } else if (!fits(value, *known)) {
+      faults.push_back(fmt::format("the setting \"{}\" has a value that no option takes", name));
+    }
+  }
+  const bool with_pages = !has(settings, "whole");
+  for (const Known& known : known_settings) {
+    if (is_needed(known, with_pages) != has(settings, known.name) && known.needed != Needed::never) {
+      faults.push_back(fmt::format("the settings {} \"{}\"",
+                                   has(settings, known.name) ? "can't have" : "lack", known.name));
+    }
+  }
+  check_together(settings, faults);
+  return faults;
+}
+
+}  // namespace ridgecraft::verify

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The settings of a file that this program made, by themselves: names, kinds and ranges of values, and which
+// of them go together.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verify/file/file.hpp"
+
+namespace ridgecraft::verify {
+
+/// A hash of bytes as hexadecimal digits.
+[[nodiscard]] bool is_hash(std::string_view text);
+
+/// Whether there is such a setting, and it says yes.
+[[nodiscard]] bool is_true(const Settings& settings, std::string_view name);
+
+/// What is wrong with them, a sentence each: unknown or missing ones, values that no option takes, values
+/// that contradict each other.
+[[nodiscard]] std::vector<std::string> faults_of_settings(const Settings& settings);
+
+}  // namespace ridgecraft::verify

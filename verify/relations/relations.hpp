@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the two frames of a file go together: which side of a net is which side of the model, and what its
+// folds join.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "verify/file/file.hpp"
+
+namespace ridgecraft::verify {
+
+/// What is wrong with an edge before it is even compared with the model.
+enum class EdgeFlaw : unsigned char {
+  sound,
+  many_faces,
+  same_direction,
+  cut_with_two_faces,
+  fold_with_one_face,
+  fold_between_pieces
+};
+
+struct Relations {
+  std::vector<bool> corners_match;  ///< per net face: as many corners as its model face
+  std::vector<Index> uses;          ///< per model face: how many net faces it is
+  std::vector<Index> net_face;      ///< per model face: its only net face with matching corners, or none
+  std::vector<Index> edge_first;    ///< per edge, and one more: where its sides begin in edge_sides
+  std::vector<Index> edge_sides;    ///< sides of net faces, sorted by edge
+  std::vector<EdgeFlaw> flaw;       ///< per edge
+  std::vector<Index> fold_twin;     ///< per side: the side across a sound fold, or none
+  std::vector<Vec3> normal;         ///< per model face: of its area; zero if it has none
+  std::vector<double> area;         ///< per model face, mm²
+
+  [[nodiscard]] std::span<const Index> sides_of(Index edge) const {
+    return std::span<const Index>(edge_sides)
+        .subspan(edge_first[edge], edge_first[edge + 1] - edge_first[edge]);
+  }
+};
+
+/// O(n).
+[[nodiscard]] Relations relate(const File& file);
+
+/// The page that a piece, face or tab lies on.
+[[nodiscard]] inline Index page_of_face(const File& file, Index face) {
+  return file.pieces[file.face_piece[face]].page;
+}
+/// A tab belongs to the face of its edge.
+[[nodiscard]] inline Index face_of_tab(const File& file, const Relations& relations, Index tab) {
+  return file.faces.face(relations.sides_of(file.tabs[tab].edge).front());
+}
+
+/// The side of the model that an edge of the nets is, or none where their corners don't correspond.
+[[nodiscard]] inline Index model_side_of(const File& file, const Relations& relations, Index edge) {
+  const Index side = relations.sides_of(edge).front();
+  const Index face = file.faces.face(side);
+  return relations.corners_match[face]
+             ? file.model.faces.first(file.face_model[face]) + (side - file.faces.first(face))
+             : none;
+}
+
+/// Names for messages: `face 12 (piece "A3")`, `piece "A3"`, `tab 7 (joins 3, 4)`.
+[[nodiscard]] std::string face_name(const File& file, Index face);
+[[nodiscard]] std::string piece_name(const File& file, Index piece);
+[[nodiscard]] std::string tab_name(const File& file, Index tab);
+[[nodiscard]] std::string edge_name(const File& file, const Relations& relations, Index edge);
+[[nodiscard]] std::string join_name(const File& file, Index join);
+
+}  // namespace ridgecraft::verify
