@@ -222,7 +222,7 @@ TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "
       }
       ++stuck;
       const auto freed_if = [&](bool allowed) {
-        unfold::ChangingNet changing(patch, net.folds, search.tolerance, seed);
+        unfold::ChangingNet changing(patch, net.folds, search.tolerance);
         const bool changed =
             unfold::fold_freely(changing, [&](unfold::ChangingNet&) { return allowed; }, seed, {});
         CHECK(changed == (changing.folds() != net.folds));

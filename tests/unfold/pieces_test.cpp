@@ -211,7 +211,7 @@ TEST_CASE("a piece that is tidied costs less and stays a clean net", "[pieces]")
       return unfold::cost_of_piece(patch, tree, 1, weights);
     };
     const auto tidied_if = [&](bool allowed) {
-      unfold::ChangingNet net(patch, straggly, search.tolerance, seed);
+      unfold::ChangingNet net(patch, straggly, search.tolerance);
       const bool changed =
           unfold::tidy_piece(net, [&](unfold::ChangingNet&) { return allowed; }, weights, seed, {});
       CHECK(changed == allowed);

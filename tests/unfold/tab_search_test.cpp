@@ -12,6 +12,9 @@
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/start_tree.hpp"
+#include "unfold/search/overlap_pairs.hpp"
+#include "unfold/search/rooted_net.hpp"
+#include "unfold/search/tree_search.hpp"
 #include "unfold/tabs/place/assignment.hpp"
 #include "unfold/tabs/trees/changing_net.hpp"
 #include "unfold/tabs/trees/tabs_of_tree.hpp"
@@ -23,6 +26,7 @@ using prepare::Panels;
 using unfold::ConvexShape;
 using unfold::Folds;
 using unfold::Patch;
+using unfold::RootedNet;
 using unfold::TabOptions;
 using unfold::TabState;
 using unfold::TreeSearch;
@@ -82,7 +86,7 @@ bool is_spanning_tree(const Patch& patch, const Folds& folds) {
 }
 
 /// All chosen tabs in the plane of the net.
-std::vector<std::vector<Vec2>> all_tabs(const Patch& patch, const TreeSearch& net, const TabState& state) {
+std::vector<std::vector<Vec2>> all_tabs(const Patch& patch, const RootedNet& net, const TabState& state) {
   std::vector<std::vector<Vec2>> tabs;
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     if (const unfold::TabCandidate* tab = state.tab_on(side)) {
@@ -106,7 +110,7 @@ std::vector<const unfold::TabCandidate*> sides_with_tabs(const Patch& patch, con
 }
 
 /// No tab lies on a face or on another tab, by brute force.
-void check_no_collision(const Patch& patch, const TreeSearch& net, const TabState& state) {
+void check_no_collision(const Patch& patch, const RootedNet& net, const TabState& state) {
   const auto tabs = all_tabs(patch, net, state);
   CHECK(tabs.size() == state.tabs());
   for (std::size_t i = 0; i < tabs.size(); ++i) {
@@ -158,8 +162,8 @@ TEST_CASE("a tree that may not be the best is walked over, but not taken", "[tab
 TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_search]") {
   const Example example(lumpy(7), 7);
   const Patch& patch = example.patch;
-  unfold::ChangingNet net(example.surface, example.panels, patch, example.folds, TabOptions(), tolerance, 1);
-  unfold::ChangingNet bare(patch, example.folds, tolerance, 1);
+  unfold::ChangingNet net(example.surface, example.panels, patch, example.folds, TabOptions(), tolerance);
+  unfold::ChangingNet bare(patch, example.folds, tolerance);
   CHECK(bare.tabs() == 0);
   unfold::TabWedges fresh(patch, net.tab_state().candidates(), net.tab_state().seams(),
                           TabOptions().clearance_mm);
@@ -222,7 +226,7 @@ TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_sear
   // Set afresh, the tabs depend on the tree alone.
   const Folds last = net.folds();
   net.set_tree(last);
-  unfold::ChangingNet other(example.surface, example.panels, patch, last, TabOptions(), tolerance, 2);
+  unfold::ChangingNet other(example.surface, example.panels, patch, last, TabOptions(), tolerance);
   CHECK(net.tabs() == other.tabs());
   net.set_tree(example.folds);
   net.set_tree(last);
@@ -233,7 +237,8 @@ TEST_CASE("tabs that are kept up to date collide with nothing, and changes can b
           "[tab_search]") {
   const Example example(lumpy(5), 5);
   const Patch& patch = example.patch;
-  TreeSearch net(patch, tolerance, 1);
+  RootedNet net(patch);
+  unfold::OverlapPairs pairs(net, tolerance);
   net.set_tree(example.folds);
   TabState state(example.surface, example.panels, patch, net, TabOptions());
   state.renew_all();
@@ -248,7 +253,7 @@ TEST_CASE("tabs that are kept up to date collide with nothing, and changes can b
     }
     const auto path = net.removable_between(side / 3, patch.twin[side] / 3);
     const std::uint32_t below = path[random.below(static_cast<std::uint32_t>(path.size()))];
-    if (!net.swap_is_clean(below, side)) {
+    if (!pairs.after_swap().is_clean(below, side)) {
       continue;
     }
     ++swaps;
@@ -256,7 +261,8 @@ TEST_CASE("tabs that are kept up to date collide with nothing, and changes can b
     const auto sides = sides_with_tabs(patch, state);
     const double worth = state.worth();
     state.swap(below, side);
-    CHECK(net.overlaps() == 0);
+    pairs.find_all();
+    CHECK(pairs.total() == 0);
     if (swaps % 10 == 0) {
       check_no_collision(patch, net, state);
     }

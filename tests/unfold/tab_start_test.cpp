@@ -10,12 +10,16 @@
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/start_tree.hpp"
+#include "unfold/search/overlap_pairs.hpp"
+#include "unfold/search/rooted_net.hpp"
+#include "unfold/search/tree_search.hpp"
 #include "unfold/tabs/place/targets.hpp"
 #include "unfold/tabs/trees/quick_search.hpp"
 
 using namespace ridgecraft;
 using unfold::Folds;
 using unfold::Patch;
+using unfold::RootedNet;
 using unfold::TabWedges;
 using unfold::TreeSearch;
 
@@ -90,7 +94,7 @@ TEST_CASE("what a swap changes is what counting afresh shows") {
     const Example example(seed, seed == 3 ? 20 : 0);
     TabWedges wedges = example.wedges();
     TabWedges fresh = example.wedges();
-    TreeSearch net(example.patch, tolerance, seed);
+    RootedNet net(example.patch);
     net.set_tree(example.folds);
     wedges.set_tree(example.folds);
     Random random(seed);
@@ -127,8 +131,11 @@ TEST_CASE("what a swap changes is what counting afresh shows") {
 
 TEST_CASE("the overlaps that a swap adds are counted as after the swap") {
   const Example example(4);
-  TreeSearch net(example.patch, tolerance, 4);
+  RootedNet net(example.patch);
   net.set_tree(example.folds);
+  unfold::OverlapPairs pairs(net, tolerance);
+  pairs.find_all();
+  unfold::OverlapPairs fresh(net, tolerance);
   Random random(5);
   int with_overlap = 0;
   for (int trial = 0; trial < 600; ++trial) {
@@ -138,13 +145,15 @@ TEST_CASE("the overlaps that a swap adds are counted as after the swap") {
     }
     const auto path = net.removable_between(side / 3, example.patch.twin[side] / 3);
     const std::uint32_t below = path[random.below(static_cast<std::uint32_t>(path.size()))];
-    const auto before = static_cast<std::int64_t>(net.overlaps());
-    const std::int64_t added = net.overlaps_added(below, side, 1'000'000);
+    const auto before = static_cast<std::int64_t>(pairs.total());
+    const std::int64_t added = pairs.added(below, side, 1'000'000);
     const std::int64_t limit = added + random.below(3) - 1;
-    CHECK((net.overlaps_added(below, side, limit) < limit) == (added < limit));
-    net.swap(below, side);
-    REQUIRE(static_cast<std::int64_t>(net.overlaps()) == before + added);
-    with_overlap += net.overlaps() > 0 ? 1 : 0;
+    CHECK((pairs.added(below, side, limit) < limit) == (added < limit));
+    pairs.swap(below, side);
+    REQUIRE(static_cast<std::int64_t>(pairs.total()) == before + added);
+    fresh.find_all();
+    REQUIRE(fresh.total() == pairs.total());
+    with_overlap += pairs.total() > 0 ? 1 : 0;
   }
   CHECK(with_overlap > 100);
 }
@@ -155,31 +164,33 @@ TEST_CASE("the quick search finds clean trees with more room for tabs") {
     TabWedges wedges = example.wedges();
     wedges.set_tree(example.folds);
     const double before = wedges.missing();
-    TreeSearch net(example.patch, tolerance, seed);
+    RootedNet net(example.patch);
     net.set_tree(example.folds);
-    const auto found = unfold::find_tab_start(example.patch, wedges, net, 100'000, {}, seed, Context());
+    const auto found =
+        unfold::find_tab_start(example.patch, wedges, net, tolerance, 100'000, {}, seed, Context());
     REQUIRE(found);
     CHECK(is_spanning_tree(example.patch, *found));
     CHECK(unfold::find_overlaps(unfold::lay_out(example.patch, *found), tolerance).empty());
     wedges.set_tree(*found);
     CHECK(wedges.missing() < 0.7 * before);
 
-    TreeSearch again(example.patch, tolerance, seed);
+    RootedNet again(example.patch);
     again.set_tree(example.folds);
-    CHECK(unfold::find_tab_start(example.patch, wedges, again, 100'000, {}, seed, Context()) == found);
+    CHECK(unfold::find_tab_start(example.patch, wedges, again, tolerance, 100'000, {}, seed, Context()) ==
+          found);
   }
 }
 
 TEST_CASE("trees that may not be are not found") {
   const Example example(8);
   TabWedges wedges = example.wedges();
-  TreeSearch net(example.patch, tolerance, 8);
+  RootedNet net(example.patch);
   net.set_tree(example.folds);
   int asked = 0;
   const auto none = [&](const Folds&) {
     ++asked;
     return false;
   };
-  CHECK_FALSE(unfold::find_tab_start(example.patch, wedges, net, 20'000, none, 8, Context()));
+  CHECK_FALSE(unfold::find_tab_start(example.patch, wedges, net, tolerance, 20'000, none, 8, Context()));
   CHECK(asked > 0);
 }

@@ -38,7 +38,9 @@ class PieceTree {
         piece_(sub_patch(patch, faces)),
         panels_(panel_count(piece_)),
         net_(surface, panels, piece_, sub_folds(patch, folds, faces), options.tabs,
-             net_tolerance(piece_.extent), random_.next()) {
+             net_tolerance(piece_.extent)) {
+    // The sequence is used from its second number on: nets that people have already come from there.
+    static_cast<void>(random_.next());
     fits_ = room_.holds(net_.hull(), panels_);
   }
 

@@ -8,7 +8,8 @@
 #include "base/random.hpp"
 #include "base/rectangle.hpp"
 #include "unfold/patch/branch.hpp"
-#include "unfold/search/tree_search.hpp"
+#include "unfold/search/rooted_net.hpp"
+#include "unfold/search/swap_overlaps.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -70,8 +71,11 @@ class FitSearch {
         room_(room),
         sheet_{room.sheet->width - 2.0 * room.strip, room.sheet->height - 2.0 * room.strip},
         random_(seed),
-        net_(patch, tolerance, random_.next()),
+        net_(patch),
+        after_swap_(net_, tolerance),
         branch_(patch) {
+    // The sequence is used from its second number on: nets that people have already come from there.
+    static_cast<void>(random_.next());
     net_.set_tree(folds);
   }
 
@@ -155,7 +159,7 @@ class FitSearch {
     const std::vector<std::uint32_t>& places = branch_.places();
     for (int i = 0; i < places_tried && !places.empty(); ++i) {
       const std::uint32_t side = places[random_.below(static_cast<std::uint32_t>(places.size()))];
-      if (!net_.swap_is_clean(below, side)) {
+      if (!after_swap_.is_clean(below, side)) {
         continue;
       }
       const Framed before = frame_;
@@ -178,7 +182,8 @@ class FitSearch {
   const Room& room_;
   Sheet sheet_;
   Random random_;
-  TreeSearch net_;
+  RootedNet net_;
+  SwapOverlaps after_swap_;
   std::vector<Vec2> hull_;
   Framed frame_;
   std::size_t panels_ = 2;  ///< several: the strip for tabs is kept free

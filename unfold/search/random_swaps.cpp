@@ -5,7 +5,7 @@
 
 namespace ridgecraft::unfold {
 
-std::optional<Swap> draw_swap_at(std::uint32_t cut, const Patch& patch, TreeSearch& net, Random& random) {
+std::optional<Swap> draw_swap_at(std::uint32_t cut, const Patch& patch, RootedNet& net, Random& random) {
   const std::vector<std::uint32_t>& path = net.removable_between(cut / 3, patch.twin[cut] / 3);
   if (path.empty()) {
     return std::nullopt;
@@ -13,7 +13,7 @@ std::optional<Swap> draw_swap_at(std::uint32_t cut, const Patch& patch, TreeSear
   return Swap{draw(path, random), cut};
 }
 
-std::optional<Swap> draw_swap_between(std::uint32_t f, std::uint32_t g, TreeSearch& net, Branch& branch,
+std::optional<Swap> draw_swap_between(std::uint32_t f, std::uint32_t g, RootedNet& net, Branch& branch,
                                       Random& random) {
   const std::vector<std::uint32_t>& path = net.removable_between(f, g);
   if (path.empty()) {

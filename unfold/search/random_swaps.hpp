@@ -9,7 +9,7 @@
 #include "base/context.hpp"
 #include "base/random.hpp"
 #include "unfold/patch/branch.hpp"
-#include "unfold/search/tree_search.hpp"
+#include "unfold/search/rooted_net.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -26,12 +26,12 @@ template <class T>
 }
 
 /// A cut comes in, and one of the folds that may leave for it goes. Nothing where none may.
-[[nodiscard]] std::optional<Swap> draw_swap_at(std::uint32_t cut, const Patch& patch, TreeSearch& net,
+[[nodiscard]] std::optional<Swap> draw_swap_at(std::uint32_t cut, const Patch& patch, RootedNet& net,
                                                Random& random);
 
 /// One of the folds on the way from one face to another goes, and one of the cuts across it comes in, so that
 /// they hang together by another way. Nothing where there is none. `branch` is space to work in.
-[[nodiscard]] std::optional<Swap> draw_swap_between(std::uint32_t f, std::uint32_t g, TreeSearch& net,
+[[nodiscard]] std::optional<Swap> draw_swap_between(std::uint32_t f, std::uint32_t g, RootedNet& net,
                                                     Branch& branch, Random& random);
 
 }  // namespace ridgecraft::unfold

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Choosing a move; tree_meetings.cpp tells what it would meet, tree_moves.cpp makes it.
 #include "unfold/search/tree_search.hpp"
 
 #include <algorithm>
@@ -40,50 +39,26 @@ struct TreeSearch::Chosen {
 };
 
 TreeSearch::TreeSearch(const Patch& patch, double tolerance, std::uint64_t seed)
-    : patch_(patch), n_(patch.size()), tolerance_(tolerance), random_(seed) {
-  order_.resize(n_);
-  at_.resize(n_);
-  size_.resize(n_);
-  up_.resize(n_);
-  place_.resize(n_);
-  flat_.resize(n_);
-  circle_.resize(n_);
-  own_circle_.reserve(n_);
-  own_edged_.reserve(n_);
-  for (const Triangle& t : patch.shape) {
-    own_circle_.push_back(smallest_circle(t[0], t[1], t[2]));
-    own_edged_.push_back(edged(t));
-  }
-  meets_.resize(n_);
-  bad_at_.assign(n_, nothing);
-  tabu_until_.assign(3 * std::size_t{n_}, 0);
-  path_pairs_.resize(n_);
-  path_pairs_valid_at_.assign(n_, 0);
-  moved_.resize(n_);
-  moved_in_.assign(n_, 0);
-}
+    : patch_(patch),
+      random_(seed),
+      net_(patch),
+      pairs_(net_, tolerance),
+      tabu_until_(3 * std::size_t{patch.size()}, 0),
+      path_pairs_(patch.size()),
+      path_pairs_valid_at_(patch.size(), 0) {}
 
 void TreeSearch::set_tree(const Folds& folds) {
-  folds_ = folds;
-  for (auto& list : meets_) {
-    list.clear();
-  }
-  bad_.clear();
-  std::fill(bad_at_.begin(), bad_at_.end(), nothing);
+  net_.set_tree(folds);
+  pairs_.find_all();
   std::fill(tabu_until_.begin(), tabu_until_.end(), 0U);
-  total_ = 0;
-  tree_.reset(n_);
-  traverse(0, nothing, 0, Rigid{});
-  renew(0, n_);
-  find_all_pairs();
-  best_total_ = total_;
-  best_folds_ = folds_;
+  best_total_ = pairs_.total();
+  best_folds_ = net_.folds();
   best_at_ = iteration_;
 }
 
 bool TreeSearch::run(const Budget& budget, const Context& context) {
   const std::uint64_t begin = iteration_;
-  while (total_ > 0) {
+  while (pairs_.total() > 0) {
     if (iteration_ - begin >= budget.iterations || iteration_ - best_at_ >= budget.idle) {
       return false;
     }
@@ -99,14 +74,16 @@ bool TreeSearch::run(const Budget& budget, const Context& context) {
 }
 
 bool TreeSearch::hopeless_after(std::uint64_t iterations) const {
-  return iterations >= std::max<std::uint64_t>(iterations_to_judge, 2 * n_) &&
-         static_cast<double>(best_total_) > hopeless_pairs_per_face * n_;
+  return iterations >= std::max<std::uint64_t>(iterations_to_judge, 2 * std::uint64_t{patch_.size()}) &&
+         static_cast<double>(best_total_) > hopeless_pairs_per_face * patch_.size();
 }
 
 void TreeSearch::step() {
   ++iteration_;
-  const std::uint32_t f = bad_[random_.below(static_cast<std::uint32_t>(bad_.size()))];
-  find_path(f, meets_[f][random_.below(static_cast<std::uint32_t>(meets_[f].size()))]);
+  const std::vector<std::uint32_t>& bad = pairs_.bad_faces();
+  const std::uint32_t f = bad[random_.below(static_cast<std::uint32_t>(bad.size()))];
+  const std::vector<std::uint32_t>& met = pairs_.met_by(f);
+  find_path(f, met[random_.below(static_cast<std::uint32_t>(met.size()))]);
   Chosen chosen;
   refused_.clear();
   local_stage(chosen);
@@ -118,28 +95,30 @@ void TreeSearch::step() {
     std::fill(tabu_until_.begin(), tabu_until_.end(), 0U);
     return;
   }
-  const std::uint32_t removed = up_[chosen.move.below];
+  const std::uint32_t removed = net_.side_above(chosen.move.below);
   tabu_until_[removed] = tabu_until_[patch_.twin[removed]] = iteration_ + tabu_tenure;
-  apply(chosen.move);
-  if (total_ < best_total_) {
-    best_total_ = total_;
-    best_folds_ = folds_;
+  pairs_.swap(chosen.move.below, chosen.move.side, chosen_pairs_);
+  if (pairs_.total() < best_total_) {
+    best_total_ = pairs_.total();
+    best_folds_ = net_.folds();
     best_at_ = iteration_;
   }
 }
 
-/// The folds on the tree path from f to g: only removing one of them changes how f and g lie to each other.
 void TreeSearch::find_path(std::uint32_t f, std::uint32_t g) {
   path_.clear();
-  const auto climb = [this](std::uint32_t from, std::uint32_t to) {
-    for (std::uint32_t v = from; !in_subtree(v, to); v = patch_.twin[up_[v]] / 3) {
-      if (patch_.frozen[up_[v]] == 0) {
-        path_.push_back({std::min(size_[v], n_ - size_[v]), v});
-      }
-    }
-  };
-  climb(f, g);
-  climb(g, f);
+  for (const std::uint32_t below : net_.removable_between(f, g)) {
+    path_.push_back({net_.smaller_half(below), below});
+  }
+}
+
+/// OverlapPairs::across, asked once in an iteration.
+std::uint32_t TreeSearch::pairs_across(std::uint32_t below) {
+  if (path_pairs_valid_at_[below] != iteration_) {
+    path_pairs_[below] = pairs_.across(below);
+    path_pairs_valid_at_[below] = iteration_;
+  }
+  return path_pairs_[below];
 }
 
 /// Evaluates a move and keeps it if it is the best so far; among equals each has the same chance.
@@ -147,13 +126,14 @@ void TreeSearch::consider(const Move& move, std::uint32_t old_pairs, bool ties, 
   std::int64_t limit = old_pairs + chosen.change + (ties ? 1 : 0);
   if (tabu_until_[move.side] > iteration_) {
     // Aspiration: a forbidden fold is allowed where it makes the best tree so far.
-    limit = std::min(limit,
-                     static_cast<std::int64_t>(old_pairs + best_total_) - static_cast<std::int64_t>(total_));
+    limit = std::min(limit, static_cast<std::int64_t>(old_pairs + best_total_) -
+                                static_cast<std::int64_t>(pairs_.total()));
   }
   if (limit <= 0) {
     return;
   }
-  const std::uint32_t added = new_pairs(move, static_cast<std::uint32_t>(limit));
+  SwapOverlaps& after = pairs_.after_swap();
+  const std::uint32_t added = after.count(move.below, move.side, static_cast<std::uint32_t>(limit));
   if (added >= limit) {
     if (!chosen.any() && tabu_until_[move.side] <= iteration_) {
       refused_.push_back({move, old_pairs});
@@ -163,10 +143,10 @@ void TreeSearch::consider(const Move& move, std::uint32_t old_pairs, bool ties, 
   const std::int64_t change = static_cast<std::int64_t>(added) - old_pairs;
   if (change < chosen.change) {
     chosen = {move, change, 1};
-    chosen_pairs_.swap(found_);
+    chosen_pairs_.swap(after.found());
   } else if (change == chosen.change && random_.below(++chosen.ties) == 0) {
     chosen.move = move;
-    chosen_pairs_.swap(found_);
+    chosen_pairs_.swap(after.found());
   }
 }
 
@@ -194,12 +174,12 @@ void TreeSearch::local_stage(Chosen& chosen) {
     std::pop_heap(path_.begin(), end, later);
     const std::uint32_t v = (end - 1)->below;
     const std::uint32_t old_pairs = pairs_across(v);
-    const std::uint32_t parent = patch_.twin[up_[v]] / 3;
+    const std::uint32_t parent = net_.parent(v);
     for (const std::uint32_t face : {v, parent}) {
       for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
         const std::uint32_t twin = patch_.twin[side];
-        if (twin == nothing || folds_[side] != 0 || patch_.frozen[side] != 0 ||
-            in_subtree(v, twin / 3) == (face == v)) {
+        if (twin == nothing || net_.folds()[side] != 0 || patch_.frozen[side] != 0 ||
+            net_.in_subtree(v, twin / 3) == (face == v)) {
           continue;
         }
         consider({v, face == v ? side : twin}, old_pairs, true, chosen);
@@ -214,13 +194,14 @@ void TreeSearch::local_stage(Chosen& chosen) {
 /// A random side of the smaller part that leads across the removed fold, as a side of the subtree; or
 /// nothing.
 std::uint32_t TreeSearch::draw_side(std::uint32_t below) {
-  const Span moved = moved_span(below);
+  const RootedNet::Span moved = net_.moved_span(below);
   for (int draw = 0; draw < draws_per_sample; ++draw) {
-    const std::uint32_t face = order_[wrap(moved.first + random_.below(moved.count))];
+    const std::uint32_t face = net_.face_in(moved, random_.below(moved.count));
     const std::uint32_t side = 3 * face + random_.below(3);
     const std::uint32_t twin = patch_.twin[side];
-    if (twin != nothing && folds_[side] == 0 && patch_.frozen[side] == 0 && !in_span(moved, twin / 3)) {
-      return moves_subtree(below) ? side : twin;
+    if (twin != nothing && net_.folds()[side] == 0 && patch_.frozen[side] == 0 &&
+        !net_.in_span(moved, twin / 3)) {
+      return net_.moves_subtree(below) ? side : twin;
     }
   }
   return nothing;

@@ -17,7 +17,7 @@ namespace ridgecraft::unfold {
 
 /// A join without a usable tab that could have one.
 struct TabGap {
-  /// A tab that is tried (tab_candidates.hpp).
+  /// A tab that is tried (candidates.hpp).
   struct Place {
     FaceId face;                     ///< it grows from
     std::vector<FaceId> in_the_way;  ///< faces of its piece that it would meet, or the tabs of

@@ -21,7 +21,7 @@ struct TabRoom {
 
 /// Gives every join a tab where one fits, and the reason where none does; replaces all tabs that were there.
 /// A tab keeps options.clearance_mm from every face and tab of its piece (less only within corner_zone_mm of
-/// a corner that they share, see tab_shapes.hpp) and lies, folded over, inside the flat region that it is
+/// a corner that they share, see shapes.hpp) and lies, folded over, inside the flat region that it is
 /// glued behind. It grows from the side with the smaller flat region, unless only the other one has room. In
 /// this order a tab is made lower, steeper, trimmed, moved to the other side, put on a part of the edge, made
 /// smaller than useful, left out. Deterministic, independent of how a piece lies in its plane up to rounding;
@@ -29,7 +29,7 @@ struct TabRoom {
 void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
                 Nets& nets, const Context& context, std::span<const std::optional<TabRoom>> rooms = {});
 
-/// Is a tab at least usable_height_mm (tab_shapes.hpp) high along at least half of its edge? O(1).
+/// Is a tab at least usable_height_mm (shapes.hpp) high along at least half of its edge? O(1).
 [[nodiscard]] bool is_usable(const mesh::Surface& surface, const Nets& nets, TabId tab,
                              const TabOptions& options);
 

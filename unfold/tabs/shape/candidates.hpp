@@ -54,7 +54,7 @@ template <std::size_t n, std::size_t m>
   return beyond_a_wall(a, b, gap) || beyond_a_wall(b, a, gap);
 }
 
-/// A tab in the frame of tab_shapes.hpp.
+/// A tab in the frame of shapes.hpp.
 struct TabCandidate {
   Walled<4> whole;
   Walled<4> upper;        ///< what keeps the clearance from things that share a corner of the base

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in a tab's way, and how a tab is cut back until it is clear. In the frame of tab_shapes.hpp.
+// What stands in a tab's way, and how a tab is cut back until it is clear. In the frame of shapes.hpp.
 #pragma once
 
 #include <cstdint>

@@ -10,13 +10,12 @@
 namespace ridgecraft::unfold {
 
 ChangingNet::ChangingNet(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                         const Folds& folds, const TabOptions& tabs, double tolerance, std::uint64_t seed)
-    : ChangingNet(surface, panels, patch, patch, folds, tabs, tolerance, seed) {}
+                         const Folds& folds, const TabOptions& tabs, double tolerance)
+    : ChangingNet(surface, panels, patch, patch, folds, tabs, tolerance) {}
 
 ChangingNet::ChangingNet(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                         const Patch& joined, const Folds& folds, const TabOptions& tabs, double tolerance,
-                         std::uint64_t seed)
-    : patch_(patch), joined_(joined), tolerance_(tolerance), net_(joined, tolerance, seed) {
+                         const Patch& joined, const Folds& folds, const TabOptions& tabs, double tolerance)
+    : patch_(patch), joined_(joined), tolerance_(tolerance), net_(joined), after_swap_(net_, tolerance) {
   net_.set_tree(folds);
   if (tabs.wanted) {
     state_.emplace(surface, panels, patch, net_, tabs);
@@ -26,8 +25,8 @@ ChangingNet::ChangingNet(const mesh::Surface& surface, const prepare::Panels& pa
   }
 }
 
-ChangingNet::ChangingNet(const Patch& patch, const Folds& folds, double tolerance, std::uint64_t seed)
-    : patch_(patch), joined_(patch), tolerance_(tolerance), net_(patch, tolerance, seed) {
+ChangingNet::ChangingNet(const Patch& patch, const Folds& folds, double tolerance)
+    : patch_(patch), joined_(patch), tolerance_(tolerance), net_(patch), after_swap_(net_, tolerance) {
   net_.set_tree(folds);
 }
 

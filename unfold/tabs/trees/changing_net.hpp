@@ -10,7 +10,8 @@
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/search/random_swaps.hpp"
-#include "unfold/search/tree_search.hpp"
+#include "unfold/search/rooted_net.hpp"
+#include "unfold/search/swap_overlaps.hpp"
 #include "unfold/tabs/trees/corner_room.hpp"
 #include "unfold/tabs/trees/tabs_of_tree.hpp"
 
@@ -22,14 +23,13 @@ class ChangingNet {
  public:
   /// Tabs are counted where `tabs` wants them; of overlap, deeper than `tolerance` (mm) counts.
   ChangingNet(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-              const Folds& folds, const TabOptions& tabs, double tolerance, std::uint64_t seed);
+              const Folds& folds, const TabOptions& tabs, double tolerance);
   /// The tree spans `joined`, tabs see the cuts of `patch`: pieces that are searched together
   /// (linked_patch.hpp).
   ChangingNet(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-              const Patch& joined, const Folds& folds, const TabOptions& tabs, double tolerance,
-              std::uint64_t seed);
+              const Patch& joined, const Folds& folds, const TabOptions& tabs, double tolerance);
   /// Without tabs.
-  ChangingNet(const Patch& patch, const Folds& folds, double tolerance, std::uint64_t seed);
+  ChangingNet(const Patch& patch, const Folds& folds, double tolerance);
   ChangingNet(const ChangingNet&) = delete;
   ChangingNet& operator=(const ChangingNet&) = delete;
   ~ChangingNet() = default;
@@ -39,7 +39,8 @@ class ChangingNet {
 
   [[nodiscard]] const Patch& patch() const { return patch_; }
   [[nodiscard]] const Folds& folds() const { return net_.folds(); }
-  [[nodiscard]] TreeSearch& tree() { return net_; }
+  [[nodiscard]] double tolerance() const { return tolerance_; }
+  [[nodiscard]] RootedNet& tree() { return net_; }
   /// Corners of the convex hull. O(n log n).
   [[nodiscard]] std::vector<Vec2> hull() const;
   /// Whether nothing overlaps, laid out afresh: a search counts by small steps, so only this may call a net
@@ -59,7 +60,7 @@ class ChangingNet {
   [[nodiscard]] TabWedges& wedges() { return *wedges_; }
 
   /// Would it make no new overlap?
-  [[nodiscard]] bool is_clean(const Swap& swap) { return net_.swap_is_clean(swap.below, swap.side); }
+  [[nodiscard]] bool is_clean(const Swap& swap) { return after_swap_.is_clean(swap.below, swap.side); }
   /// Makes a swap. Must be followed by keep() or take_back().
   void make(const Swap& swap);
   /// The same where tabs will be asked for in any case. Only with tabs.
@@ -73,7 +74,8 @@ class ChangingNet {
   const Patch& patch_;
   const Patch& joined_;
   double tolerance_;
-  TreeSearch net_;
+  RootedNet net_;
+  SwapOverlaps after_swap_;
   std::optional<TabState> state_;
   std::optional<TabWedges> wedges_;
   // The open swap, if there is one.

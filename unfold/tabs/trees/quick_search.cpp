@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/random.hpp"
+#include "unfold/search/overlap_pairs.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -30,9 +31,10 @@ constexpr double better_by = 1e-6;
 
 class Annealing {
  public:
-  Annealing(const Patch& patch, TabWedges& wedges, TreeSearch& net,
+  Annealing(const Patch& patch, TabWedges& wedges, RootedNet& net, double tolerance,
             const std::function<bool(const Folds&)>& allowed, std::uint64_t seed)
-      : patch_(patch), wedges_(wedges), net_(net), allowed_(allowed), random_(seed) {
+      : patch_(patch), wedges_(wedges), net_(net), pairs_(net, tolerance), allowed_(allowed), random_(seed) {
+    pairs_.find_all();
     wedges_.set_tree(net_.folds());
     for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
       const std::uint32_t twin = patch_.twin[side];
@@ -82,7 +84,7 @@ class Annealing {
       const std::uint32_t above = net_.side_above(below);
       const std::uint32_t fold = std::min(above, patch_.twin[above]);
       if (accepted(cut, fold, below)) {
-        net_.swap(below, cut);
+        pairs_.swap(below, cut);
         wedges_.keep();
         cuts_[at] = fold;
         remember();
@@ -98,11 +100,11 @@ class Annealing {
     const double change = wedges_.change(cut, fold);
     const double may_cost = -heat_ * std::log(1.0 - random_.unit());
     const auto limit = static_cast<std::int64_t>(std::floor((may_cost - change) / price_)) + 1;
-    return (limit > 0 || net_.overlaps() > 0) && net_.overlaps_added(below, cut, limit) < limit;
+    return (limit > 0 || pairs_.total() > 0) && pairs_.added(below, cut, limit) < limit;
   }
 
   void remember() {
-    if (net_.overlaps() == 0 && wedges_.missing() < least_ - better_by &&
+    if (pairs_.total() == 0 && wedges_.missing() < least_ - better_by &&
         (!allowed_ || allowed_(net_.folds()))) {
       least_ = wedges_.missing();
       best_ = net_.folds();
@@ -111,7 +113,8 @@ class Annealing {
 
   const Patch& patch_;
   TabWedges& wedges_;
-  TreeSearch& net_;
+  RootedNet& net_;
+  OverlapPairs pairs_;
   const std::function<bool(const Folds&)>& allowed_;
   Random random_;
   std::vector<std::uint32_t> cuts_;  ///< the smaller side of each
@@ -123,10 +126,10 @@ class Annealing {
 
 }  // namespace
 
-std::optional<Folds> find_tab_start(const Patch& patch, TabWedges& wedges, TreeSearch& net,
+std::optional<Folds> find_tab_start(const Patch& patch, TabWedges& wedges, RootedNet& net, double tolerance,
                                     std::uint64_t trials, const std::function<bool(const Folds&)>& allowed,
                                     std::uint64_t seed, const Context& context) {
-  return Annealing(patch, wedges, net, allowed, seed).run(trials, context);
+  return Annealing(patch, wedges, net, tolerance, allowed, seed).run(trials, context);
 }
 
 }  // namespace ridgecraft::unfold

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t smallest_piece = 4;
 /// Trials between two looks at the clock.
 constexpr std::uint64_t trials_per_look = 16;
-/// Trials of the quick search (tab_start.hpp) for each one of this.
+/// Trials of the quick search (quick_search.hpp) for each one of this.
 constexpr std::uint64_t quick_trials = 50;
 /// Folds of a path that are tested for a clean swap, at most.
 constexpr std::size_t folds_per_trial = 12;
@@ -81,8 +81,9 @@ class Search {
     const auto allowed = [this](const Folds& folds) {
       return (!search_.allowed || search_.allowed(folds)) && may_be_best();
     };
-    const std::optional<Folds> found = find_tab_start(
-        patch_, net_.wedges(), net_.tree(), quick_trials * search_.trials, allowed, random_.next(), context);
+    const std::optional<Folds> found =
+        find_tab_start(patch_, net_.wedges(), net_.tree(), net_.tolerance(), quick_trials * search_.trials,
+                       allowed, random_.next(), context);
     refused_ = 0;
     net_.set_tree(found ? *found : given);
     if (net_.tab_worth() <= worth) {
@@ -184,8 +185,10 @@ TabSearchResult search_tabs(const mesh::Surface& surface, const prepare::Panels&
                             const Folds& folds, const TabOptions& options, const TabSearch& search,
                             std::uint64_t seed, const Context& context) {
   Random random(seed);
+  // The sequence is used from its second number on: nets that people have already come from there.
+  static_cast<void>(random.next());
   if (search.links.empty()) {
-    ChangingNet net(surface, panels, patch, folds, options, search.tolerance, random.next());
+    ChangingNet net(surface, panels, patch, folds, options, search.tolerance);
     return search_tabs(net, search, random.next(), context);
   }
   const LinkedPatch linked = linked_patch(patch, search.links);
@@ -203,8 +206,7 @@ TabSearchResult search_tabs(const mesh::Surface& surface, const prepare::Panels&
   if (search.best_allowed) {
     within.best_allowed = [&](const Folds& tree) { return search.best_allowed(unlinked(tree)); };
   }
-  ChangingNet net(surface, panels, linked.apart, linked.joined, folds, options, search.tolerance,
-                  random.next());
+  ChangingNet net(surface, panels, linked.apart, linked.joined, folds, options, search.tolerance);
   TabSearchResult result = search_tabs(net, within, random.next(), context);
   result.folds = unlinked(result.folds);
   return result;

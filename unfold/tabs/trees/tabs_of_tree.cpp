@@ -31,7 +31,7 @@ Walled<n> moved(const Walled<n>& shape, const Frame& out, const Frame& in) {
 }  // namespace
 
 TabState::TabState(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                   TreeSearch& net, const TabOptions& options)
+                   RootedNet& net, const TabOptions& options)
     : patch_(patch),
       net_(net),
       options_(options),

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mesh/model/surface.hpp"
-#include "unfold/search/tree_search.hpp"
+#include "unfold/search/rooted_net.hpp"
 #include "unfold/tabs/place/sites.hpp"
 #include "unfold/tabs/place/targets.hpp"
 #include "unfold/tabs/shape/candidates.hpp"
@@ -24,18 +24,18 @@ namespace ridgecraft::unfold {
   return length > long_edge_mm ? 1.25 : 1.0;
 }
 
-/// Usable tabs on the cuts of a net, of few shapes (tab_candidates.hpp). Cuts to faces outside the patch
+/// Usable tabs on the cuts of a net, of few shapes (candidates.hpp). Cuts to faces outside the patch
 /// count where this side should give the tab. A simplification of place_tabs, which has the last word: shapes
 /// are as small as usable ones can be, corners are shared where they are one vertex of the surface and lie at
 /// one place, and tabs are counted, not weighed.
 class TabState {
  public:
-  TabState(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch, TreeSearch& net,
+  TabState(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch, RootedNet& net,
            const TabOptions& options);
 
   /// Chooses all tabs afresh, whatever was chosen before: they depend on the tree alone.
   void renew_all();
-  /// Makes the cut `side` a fold and the fold above `below`, which it crosses, a cut (TreeSearch::swap), and
+  /// Makes the cut `side` a fold and the fold above `below`, which it crosses, a cut (RootedNet::swap), and
   /// looks afresh at the tabs that this brings near other things or frees of them.
   void swap(std::uint32_t below, std::uint32_t side);
   /// Takes the last swap back, once: there must have been one since renew_all() or the last take_back().
@@ -109,7 +109,7 @@ class TabState {
                                 const std::vector<std::uint32_t>& others);
 
   const Patch& patch_;
-  TreeSearch& net_;
+  RootedNet& net_;
   TabOptions options_;
   double reach_ = 0.0;  ///< farther from its edge no tab gets, mm
   TabTargets targets_;

@@ -1,38 +1,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making a move of the tree search.
-#include <algorithm>
-
-#include "unfold/search/tree_search.hpp"
+#include "unfold/search/rooted_net.hpp"
 
 namespace ridgecraft::unfold {
 
-void TreeSearch::apply(const Move& move) {
-  drop_pairs_across(move.below);
-  const std::uint32_t removed = up_[move.below];
+RootedNet::RootedNet(const Patch& patch)
+    : patch_(patch),
+      n_(patch.size()),
+      order_(n_),
+      at_(n_),
+      size_(n_),
+      up_(n_),
+      place_(n_),
+      flat_(n_),
+      circle_(n_) {
+  own_circle_.reserve(n_);
+  own_edged_.reserve(n_);
+  for (const Triangle& t : patch.shape) {
+    own_circle_.push_back(smallest_circle(t[0], t[1], t[2]));
+    own_edged_.push_back(edged(t));
+  }
+}
+
+void RootedNet::set_tree(const Folds& folds) {
+  folds_ = folds;
+  tree_.reset(n_);
+  traverse(0, nothing, 0, Rigid{});
+  renew(0, n_);
+}
+
+const std::vector<std::uint32_t>& RootedNet::removable_between(std::uint32_t f, std::uint32_t g) {
+  removable_.clear();
+  const auto climb = [this](std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t v = from; !in_subtree(v, to); v = parent(v)) {
+      if (patch_.frozen[up_[v]] == 0) {
+        removable_.push_back(v);
+      }
+    }
+  };
+  climb(f, g);
+  climb(g, f);
+  return removable_;
+}
+
+/// The smaller half against the other: the subtree against the rest, or the rest against the subtree.
+Rigid RootedNet::motion(std::uint32_t below, std::uint32_t side) const {
+  const std::uint32_t within = inner(below, side);
+  const std::uint32_t moving = moves_subtree(below) ? within : patch_.twin[within];
+  const std::uint32_t twin = patch_.twin[moving];
+  return place_[twin / 3] * patch_.across[twin] * place_[moving / 3].inverse();
+}
+
+std::uint32_t RootedNet::swap(std::uint32_t below, std::uint32_t side) {
+  const std::uint32_t within = inner(below, side);
+  const std::uint32_t twin = patch_.twin[within];
+  const std::uint32_t removed = up_[below];
   folds_[removed] = folds_[patch_.twin[removed]] = 0;
-  folds_[move.side] = folds_[patch_.twin[move.side]] = 1;
-  if (moves_subtree(move.below)) {
-    hang_subtree(move);
-  } else {
-    hang_rest(move);
+  folds_[within] = folds_[twin] = 1;
+  if (moves_subtree(below)) {
+    hang_subtree(below, within);
+    return within / 3;
   }
-  for (const auto& [f, g] : chosen_pairs_) {
-    add_pair(f, g);
-  }
+  hang_rest(below, within);
+  return twin / 3;
 }
 
 /// Cuts the subtree's interval out of the cyclic order and puts it behind its new parent; what lies between
 /// closes up, on whichever way round is shorter.
-void TreeSearch::hang_subtree(const Move& move) {
-  const std::uint32_t v = move.below;
-  const std::uint32_t twin = patch_.twin[move.side];
+void RootedNet::hang_subtree(std::uint32_t v, std::uint32_t side) {
+  const std::uint32_t twin = patch_.twin[side];
   const std::uint32_t u = twin / 3;
-  const std::uint32_t old_parent = patch_.twin[up_[v]] / 3;
+  const std::uint32_t old_parent = parent(v);
   const std::uint32_t s = size_[v];
-  for (std::uint32_t q = old_parent; !in_subtree(q, u); q = patch_.twin[up_[q]] / 3) {
+  for (std::uint32_t q = old_parent; !in_subtree(q, u); q = parent(q)) {
     size_[q] -= s;
   }
-  for (std::uint32_t q = u; !in_subtree(q, old_parent); q = patch_.twin[up_[q]] / 3) {
+  for (std::uint32_t q = u; !in_subtree(q, old_parent); q = parent(q)) {
     size_[q] += s;
   }
   const std::uint32_t first = at_[v];
@@ -42,32 +84,31 @@ void TreeSearch::hang_subtree(const Move& move) {
   const Rigid placed = place_[u] * patch_.across[twin];
   if (until_u <= beyond_u) {
     shift_back(after, until_u, s);
-    traverse(move.side / 3, move.side, wrap(first + until_u), placed);
+    traverse(side / 3, side, wrap(first + until_u), placed);
     renew(first, s + until_u);
   } else {
     const std::uint32_t behind = wrap(at_[u] + 1);
     shift_forward(behind, beyond_u, s);
-    traverse(move.side / 3, move.side, behind, placed);
+    traverse(side / 3, side, behind, placed);
     renew(behind, s + beyond_u);
   }
 }
 
 /// The rest is the smaller side: the subtree stays where it is and becomes the root's, the rest hangs below
 /// it.
-void TreeSearch::hang_rest(const Move& move) {
-  const std::uint32_t v = move.below;
-  const std::uint32_t x = move.side / 3;
-  const std::uint32_t twin = patch_.twin[move.side];
+void RootedNet::hang_rest(std::uint32_t v, std::uint32_t side) {
+  const std::uint32_t x = side / 3;
+  const std::uint32_t twin = patch_.twin[side];
   const std::uint32_t s = size_[v];
   const std::uint32_t rest = n_ - s;
   const std::uint32_t until_x = steps(at_[v], at_[x]) + 1;
   const std::uint32_t beyond_x = s - until_x;
-  for (std::uint32_t q = x; q != v; q = patch_.twin[up_[q]] / 3) {
+  for (std::uint32_t q = x; q != v; q = parent(q)) {
     size_[q] += rest;
   }
   size_[v] = n_;
   up_[v] = nothing;
-  const Rigid placed = place_[x] * patch_.across[move.side];
+  const Rigid placed = place_[x] * patch_.across[side];
   if (until_x <= beyond_x) {
     const std::uint32_t first = wrap(at_[v] + s);
     shift_back(at_[v], until_x, rest);
@@ -81,7 +122,7 @@ void TreeSearch::hang_rest(const Move& move) {
   }
 }
 
-void TreeSearch::shift_back(std::uint32_t first, std::uint32_t count, std::uint32_t by) {
+void RootedNet::shift_back(std::uint32_t first, std::uint32_t count, std::uint32_t by) {
   std::uint32_t from = first;
   std::uint32_t to = first >= by ? first - by : first + n_ - by;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -92,7 +133,7 @@ void TreeSearch::shift_back(std::uint32_t first, std::uint32_t count, std::uint3
   }
 }
 
-void TreeSearch::shift_forward(std::uint32_t first, std::uint32_t count, std::uint32_t by) {
+void RootedNet::shift_forward(std::uint32_t first, std::uint32_t count, std::uint32_t by) {
   std::uint32_t from = wrap(first + count);
   std::uint32_t to = wrap(from + by);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -105,16 +146,15 @@ void TreeSearch::shift_forward(std::uint32_t first, std::uint32_t count, std::ui
 
 /// Numbers and places the faces that hang together at `start` without the fold `up`, in preorder from
 /// `position` on.
-void TreeSearch::traverse(std::uint32_t start, std::uint32_t up, std::uint32_t position,
-                          const Rigid& placed) {
+void RootedNet::traverse(std::uint32_t start, std::uint32_t up, std::uint32_t position, const Rigid& placed) {
   settle(start, placed);
   up_[start] = up;
-  sides_.assign(1, start);
+  open_.assign(1, start);
   std::uint32_t last = position;
   std::uint32_t count = 0;
-  while (!sides_.empty()) {
-    const std::uint32_t f = sides_.back();
-    sides_.pop_back();
+  while (!open_.empty()) {
+    const std::uint32_t f = open_.back();
+    open_.pop_back();
     last = wrap(position + count);
     ++count;
     order_[last] = f;
@@ -125,7 +165,7 @@ void TreeSearch::traverse(std::uint32_t start, std::uint32_t up, std::uint32_t p
         const std::uint32_t twin = patch_.twin[side];
         up_[twin / 3] = twin;
         settle(twin / 3, place_[f] * patch_.across[side]);
-        sides_.push_back(twin / 3);
+        open_.push_back(twin / 3);
       }
     }
   }
@@ -136,14 +176,14 @@ void TreeSearch::traverse(std::uint32_t start, std::uint32_t up, std::uint32_t p
   }
 }
 
-void TreeSearch::settle(std::uint32_t face, const Rigid& placed) {
+void RootedNet::settle(std::uint32_t face, const Rigid& placed) {
   place_[face] = placed;
   flat_[face] = moved(own_edged_[face], placed);
   circle_[face] = {placed(own_circle_[face].centre), own_circle_[face].radius};
 }
 
 /// Brings the circle tree up to date over a cyclic interval of positions.
-void TreeSearch::renew(std::uint32_t first, std::uint32_t count) {
+void RootedNet::renew(std::uint32_t first, std::uint32_t count) {
   const auto interval = [this](std::uint32_t low, std::uint32_t high) {
     for (std::uint32_t position = low; position < high; ++position) {
       tree_.set(position, circle_[order_[position]]);

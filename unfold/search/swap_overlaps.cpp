@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a move of the tree search would meet.
+#include "unfold/search/swap_overlaps.hpp"
+
 #include <algorithm>
 #include <bit>
 
-#include "unfold/search/tree_search.hpp"
-
 namespace ridgecraft::unfold {
-
-/// How the smaller side moves: the subtree against the rest, or the rest against the subtree.
-Rigid TreeSearch::motion(const Move& move) const {
-  const std::uint32_t side = moves_subtree(move.below) ? move.side : patch_.twin[move.side];
-  const std::uint32_t twin = patch_.twin[side];
-  return place_[twin / 3] * patch_.across[twin] * place_[side / 3].inverse();
-}
 
 namespace {
 
@@ -27,17 +19,21 @@ std::uint32_t bits_within(std::uint32_t block, std::uint32_t first, std::uint32_
 
 }  // namespace
 
-/// The question what a move would meet, asked of the circle tree twice at once: circles of the side that
+SwapOverlaps::SwapOverlaps(const RootedNet& net, double tolerance)
+    : net_(net), tolerance_(tolerance), moved_(net.size()), moved_in_(net.size(), 0) {}
+
+/// The question what a swap would meet, asked of the circle tree twice at once: circles of the side that
 /// moves, carried along, against those of the side that stays (Gottschalk, Lin, Manocha 1996, with circles
 /// for boxes since they needn't be turned).
-class TreeSearch::Descent {
+class SwapOverlaps::Descent {
  public:
-  Descent(TreeSearch& search, const Rigid& motion, const Span& moved, std::uint32_t limit)
-      : s_(search),
-        tree_(search.tree_),
+  Descent(SwapOverlaps& overlaps, const Rigid& motion, const RootedNet::Span& moved, std::uint32_t limit)
+      : s_(overlaps),
+        net_(overlaps.net_),
+        tree_(net_.circles()),
         motion_(motion),
         first_(moved.first),
-        last_(std::min(moved.first + moved.count, search.n_)),
+        last_(std::min(moved.first + moved.count, net_.size())),
         wrapped_(moved.first + moved.count - last_),
         leaf_(tree_.first_leaf()),
         height_(static_cast<std::uint32_t>(std::bit_width(leaf_))),
@@ -58,7 +54,7 @@ class TreeSearch::Descent {
   [[nodiscard]] bool all_moved(std::uint32_t node) const {
     const std::uint32_t shift = height_ - static_cast<std::uint32_t>(std::bit_width(node));
     const std::uint32_t low = ((node << shift) - leaf_) * size;
-    const std::uint32_t high = std::min(low + (size << shift), s_.n_);
+    const std::uint32_t high = std::min(low + (size << shift), net_.size());
     return (low >= first_ && high <= last_) || high <= wrapped_;
   }
 
@@ -133,7 +129,7 @@ class TreeSearch::Descent {
   void blocks(std::uint32_t a, std::uint32_t bits, std::uint32_t b) {
     const std::uint32_t stays = ~(bits_within(b, first_, last_) | bits_within(b, 0, wrapped_));
     const Circle& around_b = tree_[leaf_ + b];
-    for (std::uint32_t i = a * size; i < std::min(a * size + size, s_.n_); ++i) {
+    for (std::uint32_t i = a * size; i < std::min(a * size + size, net_.size()); ++i) {
       if (((bits >> (i - a * size)) & 1U) == 0) {
         continue;
       }
@@ -143,7 +139,7 @@ class TreeSearch::Descent {
         continue;
       }
       for (std::uint32_t met = tree_.meeting(b, circle) & stays; met != 0; met &= met - 1) {
-        test(s_.order_[i], s_.order_[b * size + static_cast<std::uint32_t>(std::countr_zero(met))]);
+        test(net_.face_at(i), net_.face_at(b * size + static_cast<std::uint32_t>(std::countr_zero(met))));
         if (count_ == limit_) {
           return;
         }
@@ -152,17 +148,18 @@ class TreeSearch::Descent {
   }
 
   void test(std::uint32_t f, std::uint32_t g) {
-    if (s_.moved_in_[f] != s_.evaluation_) {
-      s_.moved_in_[f] = s_.evaluation_;
-      s_.moved_[f] = moved(s_.flat_[f], motion_);
+    if (s_.moved_in_[f] != s_.question_) {
+      s_.moved_in_[f] = s_.question_;
+      s_.moved_[f] = moved(net_.edged_flat(f), motion_);
     }
-    if (overlap(s_.moved_[f], s_.flat_[g], s_.tolerance_)) {
+    if (overlap(s_.moved_[f], net_.edged_flat(g), s_.tolerance_)) {
       ++count_;
       s_.found_.emplace_back(f, g);
     }
   }
 
-  TreeSearch& s_;
+  SwapOverlaps& s_;
+  const RootedNet& net_;
   const CircleTree& tree_;
   const Rigid motion_;
   const std::uint32_t first_, last_, wrapped_;  ///< positions first .. last-1 and 0 .. wrapped-1 move
@@ -171,11 +168,10 @@ class TreeSearch::Descent {
   double part_radius_ = -1.0;
 };
 
-/// Pairs that the move would make, collected in found_ up to the limit.
-std::uint32_t TreeSearch::new_pairs(const Move& move, std::uint32_t limit) {
-  ++evaluation_;
+std::uint32_t SwapOverlaps::count(std::uint32_t below, std::uint32_t side, std::uint32_t limit) {
+  ++question_;
   found_.clear();
-  return Descent(*this, motion(move), moved_span(move.below), limit).run();
+  return Descent(*this, net_.motion(below, side), net_.moved_span(below), limit).run();
 }
 
 }  // namespace ridgecraft::unfold
