@@ -23,6 +23,8 @@ struct Context {
   StopToken stop;
   /// Emergency brake: searches end with the best they have when it has passed.
   std::optional<Deadline> deadline;
+  /// What makes a result complete (tabs, numbers on pages) may take so many seconds longer.
+  double grace_s = 0.0;
   /// Set for work that has nothing before its end (until_deadline): when it has passed, check() throws
   /// Error(out_of_time).
   std::optional<Deadline> give_up;
@@ -33,6 +35,7 @@ struct Context {
   /// up.
   void check() const;
   [[nodiscard]] bool out_of_time() const { return deadline && deadline->has_passed(); }
+  [[nodiscard]] bool out_of_grace() const { return deadline && deadline->seconds_left() <= -grace_s; }
   void report(std::string_view stage, double share) const {
     if (progress) {
       progress(stage, share);

@@ -104,6 +104,7 @@ class Session {
     context.progress = [this](std::string_view stage, double share) { progress_.show(stage, share); };
     if (options.time_limit_s) {
       context.deadline = Deadline::in(*options.time_limit_s);
+      context.grace_s = finishing_share * *options.time_limit_s;
     }
   }
   Session(const Session&) = delete;

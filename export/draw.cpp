@@ -40,7 +40,7 @@ IdVector<PieceId, std::vector<std::string>> body_notes(const mesh::Surface& surf
 }  // namespace
 
 std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
-                          const Style& style, DrawReport* report) {
+                          const Style& style, DrawReport* report, const Context& context) {
   DrawReport sum;
   sum.bodies = find_bodies(model, nets);
   const auto notes = body_notes(model.model.surface, nets, sum.bodies);
@@ -56,7 +56,8 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   }
   std::vector<Drawing> drawings;
   for (std::size_t i = 0; i < pages.count; ++i) {
-    place_texts(pieces[i], pages.paper.size, piece_box(pages.paper), style, sum);
+    context.check();
+    place_texts(pieces[i], pages.paper.size, piece_box(pages.paper), style, sum, context);
     indices.push_back(page_index(nets, pages, PageId(i), neighbours, pieces[i]));
     Drawing drawing;
     drawing.size = pages.paper.size;

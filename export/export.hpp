@@ -37,8 +37,10 @@ namespace ridgecraft::paper {
                                                             const Context& context);
 
 /// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, the index of what is
-/// glued to what, legend, scale bar.
+/// glued to what, legend, scale bar. When the context's deadline and grace have passed, numbers that have no
+/// place near their edge are left out, as if they had none at all. Throws Error(interrupted).
 [[nodiscard]] std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets,
-                                        const Pages& pages, const Style& style, DrawReport* report = nullptr);
+                                        const Pages& pages, const Style& style, DrawReport* report = nullptr,
+                                        const Context& context = {});
 
 }  // namespace ridgecraft::paper

@@ -78,7 +78,7 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
   made.share_saving_a_page =
       clock("hint", context, [&] { return paper::share_that_saves_a_page(made.nets, made.pages, context); });
   made.drawings = clock("draw", context, [&] {
-    return paper::draw(made.prepared, made.nets, made.pages, made.options.style, &made.drawn);
+    return paper::draw(made.prepared, made.nets, made.pages, made.options.style, &made.drawn, context);
   });
 }
 

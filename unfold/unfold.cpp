@@ -358,6 +358,9 @@ std::size_t blame_tabs(const Folds& split, Forest& forest) {
 SplitForTabs give_all_tabs(const mesh::Surface& surface, const prepare::Panels& panels,
                            const IdVector<FaceId, PartId>& part, const Plan& plan, const Options& options,
                            Forest& forest, const Context& context) {
+  if (context.out_of_time()) {
+    return {0, false};
+  }
   const NetsOf nets_of = [&](const Folds& folds) {
     Nets nets = assemble(surface, part, forest, folds);
     close_flat_cuts(surface, panels, plan.wishes, nets);

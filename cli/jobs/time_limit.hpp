@@ -9,6 +9,10 @@
 
 namespace ridgecraft::cli {
 
+/// What completes a result (tabs, numbers on pages) may go on for this share of the time limit beyond it: a
+/// model of ordinary size gets all of them.
+inline constexpr double finishing_share = 0.1;
+
 /// Runs stage(context that is given up at the deadline). Throws Error(out_of_time) with a sentence for users
 /// when the time is up before its end.
 template <class Stage>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "export/page/leader.hpp"
@@ -152,14 +153,14 @@ std::optional<Vec2> roomiest(const std::vector<Site>& sites, const std::vector<T
 }
 
 bool place_inside(PieceDrawing& piece, Obstacles& obstacles, const std::vector<Site>& sites, double smallest,
-                  bool with_notes) {
+                  bool with_notes, std::span<const double> directions = angles) {
   // Parallel to the page first, unless that would make the name small.
   for (const bool level : {true, false}) {
     for (const double height : heights) {
       if (height < smallest || (level && height < level_height)) {
         break;
       }
-      for (const double angle : angles) {
+      for (const double angle : directions) {
         if (level && angle != 0.0) {
           break;
         }
@@ -240,9 +241,12 @@ bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, c
 
 }  // namespace
 
-bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area) {
+bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, bool hurried) {
   const std::vector<Site> sites = sites_of(piece, obstacles);
   const bool has_notes = !piece.notes.empty();
+  if (hurried) {
+    return place_inside(piece, obstacles, sites, 0.0, has_notes, std::span(angles).first(1));
+  }
   if (place_inside(piece, obstacles, sites, readable_height, has_notes)) {
     return true;
   }

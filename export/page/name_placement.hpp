@@ -9,7 +9,9 @@ namespace ridgecraft::paper {
 
 /// Puts the name where it has the most room: inside the piece, as large as it can be, on the point of a grid
 /// around which the largest box is free (a pole of inaccessibility for the shape of the text). A piece too
-/// full for that gets its name beside it with a leader; false if there is no room for that either.
-[[nodiscard]] bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area);
+/// full for that gets its name beside it with a leader; false if there is no room for that either. `hurried`:
+/// inside and parallel to the page or nowhere.
+[[nodiscard]] bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area,
+                              bool hurried = false);
 
 }  // namespace ridgecraft::paper

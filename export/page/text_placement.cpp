@@ -277,7 +277,8 @@ bool ambiguous_upside_down(std::string_view number) {
 }
 
 void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& area, const Style& style,
-                 DrawReport& report) {
+                 DrawReport& report, const Context& context) {
+  const auto in_time = [&context] { return !context.out_of_grace(); };
   NumberPlacer placer(page_size, area, style);
   for (const PieceDrawing& piece : pieces) {
     add_lines(placer.obstacles(), piece);
@@ -293,15 +294,17 @@ void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& 
                            [](const Wanted& w) { return length(w.seam->edge.b - w.seam->edge.a); });
   wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_near(w); });
   for (PieceDrawing& piece : pieces) {
-    if (!place_name(piece, placer.obstacles(), area)) {
+    if (!place_name(piece, placer.obstacles(), area, !in_time())) {
       ++report.names_left_out;
     }
   }
-  wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_inside(w); });
+  wanted = without_place(wanted, [&](const Wanted& w) { return in_time() && placer.place_inside(w); });
   std::erase_if(wanted, [](const Wanted& w) { return w.on_tab; });
-  wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_with_leader(w, 1.0); });
+  wanted =
+      without_place(wanted, [&](const Wanted& w) { return in_time() && placer.place_with_leader(w, 1.0); });
   const std::size_t outside = wanted.size();
-  wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_with_leader(w, -1.0); });
+  wanted =
+      without_place(wanted, [&](const Wanted& w) { return in_time() && placer.place_with_leader(w, -1.0); });
   report.labels_outside += outside - wanted.size();
   for (const Wanted& w : wanted) {
     report.labels_left_out.push_back({w.piece->name, w.seam->number});

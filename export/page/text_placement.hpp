@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/context.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/pages.hpp"
 
@@ -13,9 +14,10 @@ namespace ridgecraft::paper {
 /// Adds its texts to each piece of one page: each join's number inside the piece at its edge and on its tab,
 /// and the piece's name in the widest free place. No text covers a line or another text, or reaches out of
 /// `area`. A number that finds no room at its edge moves further in, then gets a leader, at last a place
-/// beside the piece; then it is left out and counted.
+/// beside the piece; then it is left out and counted. Past the context's deadline and grace it is left out
+/// where it finds no room at its edge.
 void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& area, const Style& style,
-                 DrawReport& report);
+                 DrawReport& report, const Context& context);
 
 /// Whether a number can be read as another one upside down: 6 and 9, 68 and 89, 16 and 91.
 [[nodiscard]] bool ambiguous_upside_down(std::string_view number);

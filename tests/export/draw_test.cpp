@@ -94,6 +94,25 @@ std::vector<test::SamplePages> samples(double turn) {
   return all;
 }
 
+TEST_CASE("past the deadline and its grace, pages have the numbers that find room at once") {
+  const auto sample =
+      test::sample_pages(test::sphere(24, 14), 60.0, 4.0, test::all_edges(test::sphere(24, 14)), "Ball");
+  const auto numbers_left_out = [&](double grace_s) {
+    Context context;
+    context.deadline = Deadline::in(-1.0);
+    context.grace_s = grace_s;
+    paper::DrawReport report;
+    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {}, &report, context);
+    CHECK(pages.size() == sample.pages.count);
+    return report.labels_left_out.size();
+  };
+  paper::DrawReport unlimited;
+  static_cast<void>(paper::draw(sample.model, sample.nets, sample.pages, {}, &unlimited));
+  CHECK(numbers_left_out(3600.0) == unlimited.labels_left_out.size());
+  CHECK(numbers_left_out(0.0) > unlimited.labels_left_out.size());
+  CHECK(numbers_left_out(0.0) < sample.nets.joins.size());
+}
+
 TEST_CASE("texts keep clear of lines and of each other") {
   for (const double turn : {0.0, 0.7, 2.5}) {
     for (const auto& sample : samples(turn)) {

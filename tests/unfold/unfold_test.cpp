@@ -179,8 +179,20 @@ TEST_CASE("a deadline that has passed still gives clean nets", "[unfold]") {
   Context context;
   context.deadline = Deadline::in(0.0);
   const Options options = on_sheet(190, 277);
+  const auto joins_of = [&](const Nets& nets, unfold::NoTab reason) {
+    return std::count_if(nets.joins.begin(), nets.joins.end(),
+                         [&](const unfold::Join& join) { return join.no_tab == reason; });
+  };
   const Nets nets = unfold::unfold(s, test::no_panels(s), test::one_part(s), options, context);
   CHECK(faults_of(s, nets, options) == none);
+  CHECK(nets.tabs.empty());
+  CHECK(joins_of(nets, unfold::NoTab::time_up) == static_cast<std::ptrdiff_t>(nets.joins.size()));
+  // With a moment more everything is there that belongs to a finished net.
+  context.grace_s = 3600.0;
+  const Nets finished = unfold::unfold(s, test::no_panels(s), test::one_part(s), options, context);
+  CHECK(faults_of(s, finished, options) == none);
+  CHECK(finished.tabs.size() > finished.joins.size() / 2);
+  CHECK(joins_of(finished, unfold::NoTab::time_up) == 0);
 }
 
 TEST_CASE("shapes of many kinds unfold cleanly, whole and on a sheet", "[unfold]") {

@@ -63,6 +63,8 @@ std::string_view sentence(NoTab reason) {
       return "the piece with the tab would not fit the paper";
     case NoTab::not_wanted:
       return "tabs are switched off";
+    case NoTab::time_up:
+      return "the time given was up before a place for a tab was found";
   }
   return "";
 }

@@ -58,6 +58,7 @@ enum class NoTab {
   target_too_small,  ///< no tab fits inside the face that it would be glued behind
   beyond_sheet,      ///< the piece with this tab would not fit the sheet
   not_wanted,        ///< tabs are switched off
+  time_up,           ///< the time given was up before a place was found
 };
 /// A sentence for people: the contract's `why`.
 [[nodiscard]] std::string_view sentence(NoTab reason);

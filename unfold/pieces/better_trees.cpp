@@ -121,6 +121,10 @@ Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels, 
       [&](std::size_t i, const Context& own) {
         const std::uint64_t seed = ~context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1));
         std::sort(pieces[i].begin(), pieces[i].end());
+        if (own.out_of_grace()) {
+          trees[i] = sub_folds(patch, folds, pieces[i]);
+          return;
+        }
         trees[i] = PieceTree(surface, panels, patch, folds, pieces[i], options, room, seed, own).improved();
       },
       [&](std::size_t done) {

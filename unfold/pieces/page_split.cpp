@@ -196,6 +196,9 @@ void balance(const Patch& patch, const Folds& before, const Room& room, Folds& f
     for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
       if (before[side] != 0 && folds[side] == 0 && side < patch.twin[side]) {
         context.check();
+        if (context.out_of_grace()) {
+          return;
+        }
         moved = move_cut(patch, room, side, folds, scratch) || moved;
       }
     }
@@ -240,6 +243,9 @@ Folds split_to_fit(const Patch& patch, const Folds& folds, const Room& room, Ran
     Folds best;
     for (int attempt = 0; attempt < roots_tried; ++attempt) {
       context.check();
+      if (attempt > 0 && context.out_of_grace()) {
+        break;
+      }
       const std::uint32_t root = faces[random.below(static_cast<std::uint32_t>(faces.size()))];
       Folds trial = result;
       peel(patch, layout, rooted_tree(patch, folds, root, place), room, trial);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/pieces/tab_split.hpp"
 
+#include <limits>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -52,8 +53,12 @@ TabSplit split_for_tabs(const mesh::Surface& surface, const prepare::Panels& pan
   const TabGaps tab_gaps(surface, panels, patch, folds, options, context);
   const Layout before = lay_out(patch, folds);
   TabUnions rules{surface, panels, patch, room, options, tab_gaps, nets_of, before.piece, tolerance, false};
-  std::vector<TabSplit> tried(attempts);
+  // What there is no time to try is worse than anything.
+  std::vector<TabSplit> tried(attempts, {folds, std::numeric_limits<std::size_t>::max()});
   do_in_parallel(attempts, context, [&](std::size_t i, const Context& own) {
+    if (i > 0 && own.out_of_time()) {
+      return;
+    }
     Random random(seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
     const double blur = i == 0 ? 0.0 : blur_of_order;
     const TabSplit cut = cut_for_tabs(surface, patch, folds, tab_gaps, nets_of, blur, random, own);

@@ -112,26 +112,23 @@ class Assignment {
   std::vector<std::optional<ChosenTab>> solve(const Context& context) {
     const std::vector<std::uint32_t> order = most_constrained_first();
     for (const std::uint32_t join : order) {
-      check(context);
+      static_cast<void>(goes_on(context));
       chosen_[join] = best_free(join);
     }
     for (int pass = 0; pass < 3; ++pass) {
       bool changed = false;
       for (const std::uint32_t join : order) {
-        check(context);
-        changed = (!chosen_[join] && exchange(join)) || changed;
+        changed = (goes_on(context) && !chosen_[join] && exchange(join)) || changed;
       }
       for (const std::uint32_t join : order) {
-        check(context);
-        changed = improve(join) || changed;
+        changed = (goes_on(context) && improve(join)) || changed;
       }
       if (!changed) {
         break;
       }
     }
     for (const std::uint32_t join : order) {
-      if (!chosen_[join]) {
-        check(context);
+      if (!chosen_[join] && goes_on(context)) {
         chosen_[join] = best_low(join);
       }
     }
@@ -139,10 +136,13 @@ class Assignment {
   }
 
  private:
-  void check(const Context& context) {
+  /// Whether there is time for more than each join's first choice.
+  bool goes_on(const Context& context) {
     if (++steps_ % 256 == 0) {
       context.check();
+      time_up_ = context.out_of_grace();
     }
+    return !time_up_;
   }
 
   /// Cost of using the site instead of the preferred one.
@@ -350,6 +350,7 @@ class Assignment {
   Neighbors stacks_;                           // sites whose tabs may lie on each other behind one face
   std::vector<std::optional<ChosenTab>> chosen_;
   std::uint32_t steps_ = 0;
+  bool time_up_ = false;
 };
 
 }  // namespace

@@ -106,7 +106,9 @@ void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& pane
     }
   }
   const std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, options, context);
-  for (int round = 0; round < most_rounds && add_rooms(sheet, options, sites, nets, rooms); ++round) {
+  for (int round = 0;
+       round < most_rounds && !context.out_of_grace() && add_rooms(sheet, options, sites, nets, rooms);
+       ++round) {
     place_tabs(surface, panels, options, nets, context, rooms);
   }
   for (const JoinId j : had) {

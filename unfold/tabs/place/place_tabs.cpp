@@ -81,9 +81,12 @@ void add_walls(const TabRoom& room, const TabOptions& options, TabSite& site) {
 }
 
 /// Why neither side of a join has room.
-NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& options) {
+NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& options, bool time_up) {
   if (!long_enough(a.length, options)) {
     return NoTab::edge_too_short;
+  }
+  if (time_up) {
+    return NoTab::time_up;
   }
   for (const TabSite* site : {&a, &b}) {
     if (!low_tab_shape(site->length, target_outline(*site), options).outline.empty()) {
@@ -91,6 +94,13 @@ NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& opti
     }
   }
   return NoTab::target_too_small;
+}
+
+/// No tabs: there is no time to find places for them.
+void give_up(Nets& nets) {
+  for (Join& join : nets.joins) {
+    join.no_tab = NoTab::time_up;
+  }
 }
 
 /// Could neither side of a join have a usable tab, whatever the net?
@@ -111,7 +121,15 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
   if (!options.wanted) {
     return;
   }
+  if (context.out_of_grace()) {
+    give_up(nets);
+    return;
+  }
   std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, options, context);
+  if (context.out_of_grace()) {
+    give_up(nets);
+    return;
+  }
   for (TabSite& site : sites) {
     if (site.piece.value() < rooms.size() && rooms[site.piece.value()]) {
       add_walls(*rooms[site.piece.value()], options, site);
@@ -121,10 +139,11 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];
     const auto& tab = chosen[j.value()];
-    join.too_narrow = !(tab && tab->shape.usable) &&
+    const bool time_up = context.out_of_grace();
+    join.too_narrow = !(tab && tab->shape.usable) && !time_up &&
                       both_too_narrow(sites[2 * j.value()], sites[2 * j.value() + 1], options);
     if (!tab) {
-      join.no_tab = reason_for_none(sites[2 * j.value()], sites[2 * j.value() + 1], options);
+      join.no_tab = reason_for_none(sites[2 * j.value()], sites[2 * j.value() + 1], options, time_up);
       continue;
     }
     const TabSite& site = sites[tab->site];

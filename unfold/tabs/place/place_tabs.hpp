@@ -25,7 +25,9 @@ struct TabRoom {
 /// glued behind. It grows from the side with the smaller flat region, unless only the other one has room. In
 /// this order a tab is made lower, steeper, trimmed, moved to the other side, put on a part of the edge, made
 /// smaller than useful, left out. Deterministic, independent of how a piece lies in its plane up to rounding;
-/// about O(n log n). `rooms`, by piece, keeps tabs off the rest of its plane. Throws Error(interrupted).
+/// about O(n log n). `rooms`, by piece, keeps tabs off the rest of its plane. When the context's deadline and
+/// grace have passed, joins keep what they have by then: their first choice, or nothing (NoTab::time_up).
+/// Throws Error(interrupted).
 void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
                 Nets& nets, const Context& context, std::span<const std::optional<TabRoom>> rooms = {});
 
