@@ -197,7 +197,9 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
   }
   if (!job.compare.empty()) {
     result.comparison = clock("compare", context, [&] {
-      return compare_with(job.compare, result.model, result.segmentation, context);
+      return in_time(context, "the parts were compared with others", [&](const Context& strict) {
+        return compare_with(job.compare, result.model, result.segmentation, strict);
+      });
     });
   }
   clock("write", context, [&] {

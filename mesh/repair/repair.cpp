@@ -187,7 +187,7 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   model.repairs = std::move(report);
   note_borders(model);
   context.check();
-  model.repairs.add(RepairKind::self_intersections, count_self_intersections(model.surface));
+  model.repairs.add(RepairKind::self_intersections, count_self_intersections(model.surface, context));
   return model;
 }
 

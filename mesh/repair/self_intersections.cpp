@@ -15,6 +15,9 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
+/// Pairs of faces between two questions whether to stop: some milliseconds.
+constexpr std::size_t pairs_per_check = 1U << 14U;
+
 /// Points at one place have one number: corners of different vertices may lie there, as where an edge with
 /// more than two faces was cut open.
 using Places = std::array<std::uint32_t, 3>;
@@ -59,7 +62,7 @@ bool intersect(const Face& f, const Face& g) {
 
 }  // namespace
 
-std::size_t count_self_intersections(const Surface& surface) {
+std::size_t count_self_intersections(const Surface& surface, const Context& context) {
   if (surface.face_count() > most_faces_for_self_intersections) {
     return 0;
   }
@@ -95,7 +98,11 @@ std::size_t count_self_intersections(const Surface& surface) {
     faces.push_back(face);
   }
   std::size_t count = 0;
+  std::size_t pairs = 0;
   NearBoxes(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+    if (++pairs % pairs_per_check == 0) {
+      context.check();
+    }
     if (share_a_place(places[i], places[j])) {
       return;
     }

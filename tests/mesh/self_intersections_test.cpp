@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/error.hpp"
 #include "base/near_boxes.hpp"
 #include "base/random.hpp"
 
@@ -93,13 +94,31 @@ TEST_CASE("no pair of boxes is lost to single precision", "[mesh]") {
 }
 
 TEST_CASE("faces that run through each other are counted", "[mesh]") {
-  CHECK(count_self_intersections(two_tetrahedra({2.0, 0.0, 0.0})) == 0);
+  CHECK(count_self_intersections(two_tetrahedra({2.0, 0.0, 0.0}), {}) == 0);
   // Along the diagonal: the slanted face of the first one runs through the three others of the second.
-  CHECK(count_self_intersections(two_tetrahedra({0.2, 0.2, 0.2})) == 3);
+  CHECK(count_self_intersections(two_tetrahedra({0.2, 0.2, 0.2}), {}) == 3);
   // They touch at one corner only, which is a corner of both.
-  CHECK(count_self_intersections(two_tetrahedra({1.0, 0.0, 0.0})) == 0);
+  CHECK(count_self_intersections(two_tetrahedra({1.0, 0.0, 0.0}), {}) == 0);
   // A corner of one lies within a face of the other.
-  CHECK(count_self_intersections(two_tetrahedra({0.25, 0.25, 0.5})) > 0);
+  CHECK(count_self_intersections(two_tetrahedra({0.25, 0.25, 0.5}), {}) > 0);
+}
+
+TEST_CASE("counting faces that run through each other can be stopped", "[mesh]") {
+  // Large triangles anywhere: most pairs of them meet.
+  Random random(3);
+  std::vector<Vec3> points;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (std::uint32_t f = 0; f < 1000; ++f) {
+    for (int k = 0; k < 3; ++k) {
+      points.push_back({random.unit(), random.unit(), random.unit()});
+    }
+    faces.push_back({VertexId(3 * f), VertexId(3 * f + 1), VertexId(3 * f + 2)});
+  }
+  StopSource stop;
+  stop.request_stop();
+  Context context;
+  context.stop = stop.get_token();
+  CHECK_THROWS_AS(count_self_intersections(Surface(std::move(points), std::move(faces)), context), Error);
 }
 
 }  // namespace ridgecraft::mesh

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/near_boxes.hpp"
+
 namespace ridgecraft::unfold {
 namespace {
 
@@ -58,12 +60,16 @@ class Matcher {
 
   void mark(std::span<const Segment> segments, EdgeWish wish, EdgeWishes& wishes, SegmentCount& count) const {
     std::vector<double> covered(boxes_.size(), 0.0);
-    for (const Segment& segment : segments) {
-      context_.check();
+    const std::vector<std::vector<EdgeId>> edges = edges_near(segments);
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      if (i % 1024 == 0) {
+        context_.check();
+      }
+      const Segment& segment = segments[i];
       double open = 0.0;
       double flat = 0.0;
       const Box3 box = box_of(segment[0], segment[1], 0.0);
-      for (const EdgeId e : ids<EdgeId>(boxes_.size())) {
+      for (const EdgeId e : edges[i]) {
         if (!meet(box, boxes_[e.value()]) || !(surface_.length(e) > tolerance_)) {
           continue;
         }
@@ -82,6 +88,32 @@ class Matcher {
   }
 
  private:
+  /// The edges whose boxes a segment's touches, in their order; a few others are among them.
+  [[nodiscard]] std::vector<std::vector<EdgeId>> edges_near(std::span<const Segment> segments) const {
+    if (segments.empty()) {
+      return {};
+    }
+    std::vector<Box3> boxes = boxes_;
+    for (const Segment& segment : segments) {
+      boxes.push_back(box_of(segment[0], segment[1], 0.0));
+    }
+    std::vector<std::vector<EdgeId>> found(segments.size());
+    std::size_t pairs = 0;
+    NearBoxes(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+      if (++pairs % (1U << 16U) == 0) {
+        context_.check();
+      }
+      const auto [edge, segment] = std::minmax(i, j);
+      if (edge < boxes_.size() && segment >= boxes_.size()) {
+        found[segment - boxes_.size()].emplace_back(edge);
+      }
+    });
+    for (std::vector<EdgeId>& edges : found) {
+      std::sort(edges.begin(), edges.end());
+    }
+    return found;
+  }
+
   [[nodiscard]] bool is_flat(EdgeId e) const {
     const auto [c, d] = surface_.sides(e);
     return d.valid() && panels_.panel[mesh::face_of(c)] == panels_.panel[mesh::face_of(d)];

@@ -34,7 +34,7 @@ struct SegmentCount {
 
 /// Wishes for the edges on which segments lie: those of which half or more is covered by segments along them,
 /// so that points may have been added to an edge or taken from it since. What is to be cut and kept is cut.
-/// O(n m) quick tests for n edges and m segments.
+/// O((n + m) log (n + m)) for n edges and m segments, but for those that cross many.
 [[nodiscard]] EdgeWishes match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
                                         std::span<const Segment> cut, std::span<const Segment> keep,
                                         SegmentCount& cuts, SegmentCount& keeps, const Context& context);

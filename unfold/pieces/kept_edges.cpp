@@ -93,6 +93,9 @@ class Keeper {
     DisjointSets sets(panels_.count());
     for (const EdgeId e : edges) {
       context_.check();
+      if (context_.out_of_time()) {
+        return;
+      }
       const auto [c, d] = surface_.sides(e);
       const std::uint32_t a = sets.find(panel(c));
       const std::uint32_t b = sets.find(panel(d));
