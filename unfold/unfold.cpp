@@ -17,6 +17,7 @@
 #include "unfold/panel_parts.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
+#include "unfold/pieces/better_borders.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/fitting_panels.hpp"
@@ -390,6 +391,8 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
         merge_parts(forest.patch, part.items(), forest.folds, room_of(options), options.pieces.weights,
                     net_tolerance(forest.patch.extent), context.seed, searching);
   }
+  forest.folds =
+      better_borders(surface, plan.panels, forest.patch, forest.folds, options, room_of(options), searching);
   forest.folds =
       better_trees(surface, plan.panels, forest.patch, forest.folds, options, room_of(options), searching);
   if (options.tabs.wanted && context.out_of_time()) {

@@ -11,9 +11,12 @@ struct Term {
   std::string_view name;
   double Weights::*weight;
 };
-constexpr std::array terms{Term{"cut", &Weights::cut},      Term{"pieces", &Weights::pieces},
-                           Term{"parts", &Weights::parts},  Term{"compact", &Weights::compact},
-                           Term{"thin", &Weights::thin},    Term{"small", &Weights::small},
+constexpr std::array terms{Term{"seam", &Weights::seam},       Term{"bare", &Weights::bare},
+                           Term{"slits", &Weights::slits},     Term{"mirror", &Weights::mirror},
+                           Term{"open", &Weights::open},       Term{"compact", &Weights::compact},
+                           Term{"outline", &Weights::outline},
+                           Term{"thin", &Weights::thin},       Term{"pieces", &Weights::pieces},
+                           Term{"parts", &Weights::parts},     Term{"small", &Weights::small},
                            Term{"panels", &Weights::panels}};
 
 }  // namespace
@@ -36,7 +39,7 @@ PieceRules rules_of(PieceMode mode) {
   rules.merge = true;
   switch (mode) {
     case PieceMode::few:
-      rules.weights.pieces = 100.0;
+      rules.weights.pieces = 10000.0;
       rules.weights.parts = 0.0;
       rules.weights.panels = 0.0;
       break;
@@ -45,8 +48,8 @@ PieceRules rules_of(PieceMode mode) {
       break;
     case PieceMode::small:
       rules.max_panels = 24;
-      rules.weights.pieces = 3.0;
-      rules.weights.small = 8.0;
+      rules.weights.pieces = 300.0;
+      rules.weights.small = 800.0;
       break;
   }
   return rules;

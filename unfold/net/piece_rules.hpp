@@ -8,16 +8,21 @@
 
 namespace ridgecraft::unfold {
 
-/// What makes pieces easy to build, in the worth of one edge to be glued; each term is a name that users can
-/// weigh (unfold/patch/objective.hpp).
+/// What makes nets and pieces easy to build, in mm of seam that has to be glued: one energy, which all searches
+/// share. Each term has a name that users can weigh (energy/, patch/objective.hpp).
 struct Weights {
-  double cut = 1.0;      ///< each 100 mm of cut edges
-  double pieces = 6.0;   ///< each piece
-  double parts = 8.0;    ///< each part beyond the first that a piece has faces of
-  double compact = 4.0;  ///< each 100 cm2 of a piece's convex hull that are no paper
-  double thin = 0.5;     ///< necks: width of what hangs on one over its length, beyond three times
-  double small = 12.0;   ///< pieces less than 30 mm wide: by the share that is missing
-  double panels = 8.0;   ///< square of a piece's flat regions over 80
+  double seam = 1.0;      ///< each mm of seam
+  double bare = 1.5;      ///< each mm of seam without room for a tab that holds
+  double slits = 0.5;     ///< each mm of seam that opens by less than 20 degrees
+  double mirror = 1.0;    ///< each mm of seam whose mirror image is none
+  double open = 0.1;      ///< each mm of seam on a smooth place; less on ridges and in hollows
+  double compact = 4.0;   ///< each cm2 of a piece's convex hull that is no paper
+  double outline = 0.3;   ///< square of a piece's outline, over 1000 mm
+  double thin = 0.5;      ///< necks: width of what hangs on one beyond three times its own
+  double pieces = 600.0;  ///< each piece
+  double parts = 800.0;   ///< each part beyond the first that a piece has faces of
+  double small = 1200.0;  ///< pieces less than 30 mm wide: by the share that is missing
+  double panels = 800.0;  ///< square of a piece's flat regions over 80
 };
 
 /// How a user wants the pieces.

@@ -14,10 +14,6 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// Unit of the cut length, mm: about ten edges of a model for the hand.
-constexpr double cut_unit_mm = 100.0;
-/// Unit of the area that a piece wastes, mm2: a fifth of an A4 page.
-constexpr double hollow_unit_mm2 = 10000.0;
 /// A piece this wide is held without trouble, mm.
 constexpr double handy_mm = 30.0;
 /// A neck is thin when the branch behind it is this many times wider than it.
@@ -39,7 +35,7 @@ double thinness(const Patch& piece, const RootedTree& tree, const std::vector<do
   for (std::size_t i = 1; i < area.size(); ++i) {
     if (piece.frozen[tree.up[i]] == 0) {
       const double width = std::sqrt(std::min(area[i], area[0] - area[i]));
-      thin += std::max(0.0, width / std::max(piece.length[tree.up[i]], 1e-3 * width + 1e-9) - thin_ratio);
+      thin += std::max(0.0, width - thin_ratio * piece.length[tree.up[i]]);
     }
   }
   return thin;
@@ -57,7 +53,7 @@ double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights&
     // Each cut has two sides; those of another piece count there.
     outline += piece.twin[side] == nothing ? 0.5 * piece.length[side] : 0.0;
   }
-  return weights.pieces + weights.cut * outline / cut_unit_mm +
+  return weights.pieces + weights.seam * outline +
          weights.parts * static_cast<double>(parts - 1) +
          weights.small * std::max(0.0, 1.0 - std::sqrt(area_of(piece)) / handy_mm) +
          weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
@@ -83,8 +79,8 @@ double PieceCost::of(const Folds& tree, std::span<const Vec2> hull) {
   for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
     hull_area += 0.5 * cross(hull[i] - hull[0], hull[i + 1] - hull[0]);
   }
-  const double hollow = std::max(0.0, hull_area - whole_area_) / hollow_unit_mm2;
-  return least_ + weights_.cut * cut / cut_unit_mm + weights_.compact * hollow +
+  const double hollow = std::max(0.0, hull_area - whole_area_) / 100.0;
+  return least_ + weights_.seam * cut + weights_.compact * hollow +
          weights_.thin * thinness(piece_, rooted_tree(piece_, tree, 0, place_), area_);
 }
 

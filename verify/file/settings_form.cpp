@@ -30,7 +30,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 26> known_settings{{
+constexpr std::array<Known, 31> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"concavity", Kind::number, Needed::always, 0.001, 2.0},
@@ -49,9 +49,14 @@ constexpr std::array<Known, 26> known_settings{{
     {"pieces", Kind::piece_mode, Needed::with_pages},
     {"max_faces", Kind::whole_number, Needed::with_pages, 0.0, any},
     {"hide_folds_deg", Kind::number, Needed::with_pages, 0.0, 180.0},
-    {"weigh_cut", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_seam", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_bare", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_slits", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_mirror", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_open", Kind::number, Needed::with_pages, 0.0, 1e6},
     {"weigh_pieces", Kind::number, Needed::with_pages, 0.0, 1e6},
     {"weigh_parts", Kind::number, Needed::with_pages, 0.0, 1e6},
+    {"weigh_outline", Kind::number, Needed::with_pages, 0.0, 1e6},
     {"weigh_compact", Kind::number, Needed::with_pages, 0.0, 1e6},
     {"weigh_thin", Kind::number, Needed::with_pages, 0.0, 1e6},
     {"weigh_small", Kind::number, Needed::with_pages, 0.0, 1e6},

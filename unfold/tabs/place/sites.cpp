@@ -71,19 +71,40 @@ class SiteFinder {
   }
 
  private:
+  /// The outline of what lies behind the tab: the flat region at the edge and those that hang on it by folds so
+  /// slight that a tab bends with them.
   void add_target(TabSite& site, CornerId twin, const ConvexShape& widest) const {
-    const bool alone = regions_.outline[site.target_region].size() == 3;
-    if (alone && site.target.in(flat_corner(nets_, mesh::previous(twin))).y < least_target_mm) {
-      site.obstacles.push_back(no_target(site.length));
-      return;
-    }
-    for (const CornerId c : regions_.outline[site.target_region]) {
-      const ConvexShape edge{site.target.in(flat_corner(nets_, c)),
-                             site.target.in(flat_corner(nets_, mesh::next(c)))};
-      if (c != twin && meet(edge.box(), widest.box()) && !apart(widest, edge, 0.0)) {
-        site.obstacles.push_back({edge, Obstacle::Kind::target_edge});
+    struct Behind {
+      double bend;  // against the region at the edge, over all folds between
+      std::uint32_t region;
+    };
+    std::vector<Behind> behind{{0.0, site.target_region}};
+    std::vector<Obstacle> outline;
+    for (std::size_t i = 0; i < behind.size(); ++i) {
+      const auto [bend, region] = behind[i];
+      for (const CornerId c : regions_.outline[region]) {
+        const ConvexShape edge{site.target.in(flat_corner(nets_, c)),
+                               site.target.in(flat_corner(nets_, mesh::next(c)))};
+        if (c == twin || !meet(edge.box(), widest.box()) || apart(widest, edge, 0.0)) {
+          continue;
+        }
+        const EdgeId e = surface_.edge(c);
+        const double beyond = bend + std::abs(surface_.fold_angle(e));
+        if (nets_.use[e] != EdgeUse::fold || beyond > most_bend_of_tab) {
+          outline.push_back({edge, Obstacle::Kind::target_edge});
+          continue;
+        }
+        const std::uint32_t next = regions_.region[surface_.neighbor(c)];
+        if (std::none_of(behind.begin(), behind.end(), [&](const Behind& b) { return b.region == next; })) {
+          behind.push_back({beyond, next});
+        }
       }
     }
+    const bool alone = behind.size() == 1 && regions_.outline[site.target_region].size() == 3;
+    if (alone && site.target.in(flat_corner(nets_, mesh::previous(twin))).y < least_target_mm) {
+      outline.assign(1, no_target(site.length));
+    }
+    site.obstacles.insert(site.obstacles.end(), outline.begin(), outline.end());
   }
 
   void add_faces(TabSite& site, const ConvexShape& widest) const {

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/tabs/place/targets.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "base/box_grid.hpp"
 #include "unfold/tabs/place/sites.hpp"
 
 namespace ridgecraft::unfold {
 
 namespace {
+
+/// More folds behind one tab are hardly ever all there.
+constexpr std::size_t most_folds_behind = 4;
 
 class TargetFinder {
  public:
@@ -47,6 +54,59 @@ class TargetFinder {
     return result;
   }
 
+  /// What lies behind a tab on c, of the patch, as long as it is bent by no more than a tab follows.
+  struct Chain {
+    std::vector<Obstacle> outline;      ///< in the frame of tab shapes
+    std::vector<std::uint32_t> across;  ///< sides of the patch that lie inside it, one of each
+  };
+  Chain chain(const Patch& patch, std::uint32_t side) const {
+    Chain result;
+    const std::uint32_t first = patch.twin[side];
+    const ConvexShape widest = widest_tab(patch.length[side], options_);
+    if (first == nothing || widest.empty()) {
+      return result;
+    }
+    struct Behind {
+      std::uint32_t face;
+      Rigid place;
+      double bend;
+    };
+    // The face behind lies over the base, which runs from the start of its side to its end.
+    const Triangle& t = patch.shape[first / 3];
+    const Vec2 from = t[first % 3];
+    const Vec2 along = (t[(first % 3 + 1) % 3] - from) / patch.length[side];
+    const Rigid placed = Rigid{along.x, along.y, from}.inverse();
+    std::vector<Behind> behind{{first / 3, placed, 0.0}};
+    for (std::size_t i = 0; i < behind.size(); ++i) {
+      const auto [face, place, bend] = behind[i];
+      for (std::uint32_t s = 3 * face; s < 3 * face + 3; ++s) {
+        if (s == first) {
+          continue;
+        }
+        const ConvexShape edge{place(patch.shape[face][s % 3]), place(patch.shape[face][(s % 3 + 1) % 3])};
+        if (!meet(edge.box(), widest.box()) || apart(widest, edge, 0.0)) {
+          continue;
+        }
+        const std::uint32_t twin = patch.twin[s];
+        const bool frozen = twin != nothing && patch.frozen[s] != 0;
+        const double beyond = bend + (frozen ? 0.0 : std::abs(patch.fold_angle[s]));
+        if (twin == nothing || beyond > most_bend_of_tab) {
+          result.outline.push_back({edge, Obstacle::Kind::target_edge});
+          continue;
+        }
+        if (!frozen) {
+          result.across.push_back(std::min(s, twin));
+        }
+        if (std::none_of(behind.begin(), behind.end(), [&](const Behind& b) { return b.face == twin / 3; })) {
+          behind.push_back({twin / 3, place * patch.across[s], beyond});
+        }
+      }
+    }
+    std::sort(result.across.begin(), result.across.end());
+    result.across.erase(std::unique(result.across.begin(), result.across.end()), result.across.end());
+    return result;
+  }
+
   ConvexShape largest(CornerId c, const std::vector<Obstacle>& outline) const {
     const double size = surface_.length(surface_.edge(c));
     return largest_tab({0.0, size, size}, outline, options_, TabNeed::usable);
@@ -80,6 +140,7 @@ TabTargets find_tab_targets(const mesh::Surface& surface, const prepare::Panels&
   const std::size_t sides = patch.twin.size();
   targets.outline.resize(sides);
   targets.largest.resize(sides);
+  targets.across.resize(sides);
   targets.seam.assign(sides, 0);
   for (std::uint32_t side = 0; side < sides; ++side) {
     const CornerId c = mesh::corner(patch.face[side / 3], side % 3);
@@ -88,6 +149,16 @@ TabTargets find_tab_targets(const mesh::Surface& surface, const prepare::Panels&
     }
     targets.outline[side] = finder.outline(c);
     targets.largest[side] = finder.largest(c, targets.outline[side]);
+    if (targets.largest[side].empty() && options.inside_target) {
+      TargetFinder::Chain chain = finder.chain(patch, side);
+      if (!chain.across.empty() && chain.across.size() <= most_folds_behind) {
+        targets.largest[side] = finder.largest(c, chain.outline);
+        if (!targets.largest[side].empty()) {
+          targets.outline[side] = std::move(chain.outline);
+          targets.across[side] = std::move(chain.across);
+        }
+      }
+    }
     if (patch.twin[side] != nothing || targets.largest[side].empty()) {
       continue;
     }

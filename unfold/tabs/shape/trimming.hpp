@@ -31,6 +31,9 @@ struct Obstacle {
 /// Of a face or a tab that shares the base's corner at (0, 0), at (length, 0), or neither.
 [[nodiscard]] Obstacle::Kind kind_sharing(bool left, bool right);
 
+/// How far the faces that one tab is glued behind may be bent against each other in all, radians (20 degrees): a
+/// strip of card follows them.
+inline constexpr double most_bend_of_tab = 0.3490658503988659;
 /// A target lower than this has no inside to be glued behind, mm: its outline can't be told from the base.
 inline constexpr double least_target_mm = 1e-5;
 /// Stands for the outline of such a target over an edge of this length: nothing fits under it.

@@ -37,6 +37,7 @@ TabState::TabState(const mesh::Surface& surface, const prepare::Panels& panels, 
       options_(options),
       targets_(find_tab_targets(surface, panels, patch, options)),
       candidates_(patch.twin.size()),
+      behind_(patch.twin.size()),
       around_(patch.twin.size()),
       free_(patch.twin.size()),
       chosen_(patch.twin.size()),
@@ -55,6 +56,9 @@ TabState::TabState(const mesh::Surface& surface, const prepare::Panels& panels, 
         box.add(p);
         reach_ = std::max(reach_, length(p - Vec2{std::clamp(p.x, 0.0, patch.length[side]), 0.0}));
       }
+    }
+    for (const std::uint32_t fold : targets_.across[side]) {
+      behind_[join_of(fold)].push_back(side);
     }
     if (!candidates_[side].empty()) {
       around_[side] = {0.5 * (box.low + box.high), 0.5 * length(box.size())};
@@ -81,10 +85,17 @@ bool TabState::shares(std::uint32_t vertex, Vec2 place, std::uint32_t face) cons
   return false;
 }
 
+/// Are all folds there behind which the tabs of a side lie?
+bool TabState::has_folds_behind(std::uint32_t side) const {
+  const std::vector<std::uint32_t>& across = targets_.across[side];
+  return std::all_of(across.begin(), across.end(),
+                     [this](std::uint32_t fold) { return net_.folds()[fold] != 0; });
+}
+
 /// The candidates on a side that are clear of all faces.
 TabState::Mask TabState::free_among_faces(std::uint32_t side) {
   const std::vector<TabCandidate>& tabs = candidates_[side];
-  if (!is_cut(side) || tabs.empty()) {
+  if (!is_cut(side) || tabs.empty() || !has_folds_behind(side)) {
     return 0;
   }
   const Frame own = frame(side);
@@ -200,6 +211,9 @@ void TabState::swap(std::uint32_t below, std::uint32_t side) {
   const std::uint32_t moved = net_.swap(below, side);
   for (const std::uint32_t s : {side, patch_.twin[side], removed, patch_.twin[removed]}) {
     mark(s);
+    for (const std::uint32_t other : behind_[join_of(s)]) {
+      mark(other);
+    }
   }
   mark_near(moved, true);
   undo_.below = moved;

@@ -17,12 +17,8 @@
 
 namespace ridgecraft::unfold {
 
-/// How much a usable tab is missed on an edge of this length, mm: a long edge gapes without one.
-[[nodiscard]] constexpr double tab_worth(double length) {
-  constexpr double long_edge_mm = 8.0;
-  // Whole multiples of 1/4: sums stay exact.
-  return length > long_edge_mm ? 1.25 : 1.0;
-}
+/// How much a usable tab is missed on an edge of this length: by its length, mm.
+[[nodiscard]] constexpr double tab_worth(double length) { return length; }
 
 /// Usable tabs on the cuts of a net, of few shapes (candidates.hpp). Cuts to faces outside the patch
 /// count where this side should give the tab. A simplification of place_tabs, which has the last word: shapes
@@ -67,6 +63,8 @@ class TabState {
 
   /// Per side: the tabs that it may have.
   [[nodiscard]] const std::vector<std::vector<TabCandidate>>& candidates() const { return candidates_; }
+  /// Per side: folds that its tabs need behind them (TabTargets::across).
+  [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& across() const { return targets_.across; }
   /// Per side: 1 where it leads out of the patch and should give the tab.
   [[nodiscard]] const std::vector<std::uint8_t>& seams() const { return targets_.seam; }
 
@@ -95,6 +93,7 @@ class TabState {
   [[nodiscard]] Circle circle(std::uint32_t side) const;
   [[nodiscard]] bool shares(std::uint32_t vertex, Vec2 place, std::uint32_t face) const;
   [[nodiscard]] Mask free_among_faces(std::uint32_t side);
+  [[nodiscard]] bool has_folds_behind(std::uint32_t side) const;
   void mark_near(std::uint32_t below, bool pairs);
   void mark(std::uint32_t side);
   void mark_beside(std::uint32_t face, std::uint32_t other);
@@ -115,6 +114,7 @@ class TabState {
   TabTargets targets_;
   std::vector<std::uint32_t> vertex_;                  ///< of the surface, at the start of each side
   std::vector<std::vector<TabCandidate>> candidates_;  ///< per side
+  std::vector<std::vector<std::uint32_t>> behind_;     ///< per join: sides whose tabs need it to be a fold
   std::vector<Circle> around_;                         ///< per side, all of them, in the side's frame
   LoggedValues<Mask> free_;                            ///< per side: candidates clear of all faces
   LoggedValues<Choice> chosen_;                        ///< per join (its smaller side)

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/energy/cut_costs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace ridgecraft::unfold {
+
+namespace {
+
+constexpr float full_turn = 6.2831853F;
+/// Share of its length that a cut counts as bare where a tab may grow from one side only: something farther
+/// off may take it.
+constexpr double share_without_choice = 0.2;
+/// A cut that opens by less is a slit: 20 degrees. Up to half as much again it is one in part.
+constexpr float slit_angle = 0.34906585F;
+constexpr float no_slit_angle = 1.5F * slit_angle;
+/// How sharp a crease is must be to hide a seam wholly: 90 degrees.
+constexpr double sharp = 1.5707963267948966;
+/// A seam in a hollow shows less than one on a ridge: as a ridge that is sharper by a third.
+constexpr double hollow_gain = 0.4;
+
+std::uint32_t next_side(std::uint32_t side) {
+  return side % 3 == 2 ? side - 2 : side + 1;
+}
+std::uint32_t previous_side(std::uint32_t side) {
+  return side % 3 == 0 ? side + 2 : side - 1;
+}
+
+/// The angle at the origin that a tab takes together with the clearance from a ray on its left side; `seen`
+/// brings an end of the base to the origin. A tab that shares the corner keeps the clearance farther up only.
+template <class Seen>
+float angle_needed(const TabCandidate& tab, bool at_corner, Seen seen, double clearance) {
+  double most = 0.0;
+  const auto add = [&](const Walled<4>& shape, double distance) {
+    for (const Vec2 corner : shape.corner) {
+      const Vec2 p = seen(corner);
+      const double r = length(p);
+      if (r > 0.0) {
+        most = std::max(most, std::atan2(p.y, p.x) + std::asin(std::min(1.0, distance / r)));
+      }
+    }
+  };
+  add(tab.whole, at_corner ? 0.0 : clearance);
+  if (at_corner) {
+    add(tab.upper, clearance);
+  }
+  return static_cast<float>(most);
+}
+
+/// How far a seam here is in the open: 1 on a smooth place, 0 along a right-angled ridge, less in a hollow.
+double openness(double fold_angle) {
+  const double crease = std::min(1.0, std::abs(fold_angle) / sharp);
+  return 1.0 - crease - (fold_angle > 0.0 ? hollow_gain * crease : 0.0);
+}
+
+}  // namespace
+
+CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& weights)
+    : patch_(patch),
+      weights_(weights),
+      with_tabs_(!facts.candidates.empty()),
+      mirror_(facts.mirror),
+      across_(facts.across),
+      behind_(patch.twin.size()),
+      cut_(patch.twin.size(), 0),
+      seam_(patch.twin.size(), 0),
+      corner_angle_(patch.twin.size()),
+      price_(patch.twin.size()),
+      needed_(patch.twin.size()),
+      cost_(patch.twin.size()) {
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    const Triangle& t = patch.shape[side / 3];
+    const std::uint32_t k = side % 3;
+    const Vec2 a = t[(k + 1) % 3] - t[k];
+    const Vec2 b = t[(k + 2) % 3] - t[k];
+    corner_angle_[side] = static_cast<float>(std::atan2(cross(a, b), dot(a, b)));
+    price_[side] =
+        patch.length[side] * (weights.seam + weights.open * openness(patch.fold_angle[side]));
+    if (!with_tabs_) {
+      continue;
+    }
+    seam_[side] = facts.seam[side];
+    for (const std::uint32_t fold : across_[side]) {
+      std::vector<std::uint32_t>& others = behind_[join_of(fold)];
+      if (others.size() < most_behind) {
+        others.push_back(join_of(side));
+      }
+    }
+    Angles& needed = needed_[side];
+    for (const TabCandidate& tab : facts.candidates[side]) {
+      needed.left[needed.count] = angle_needed(
+          tab, tab.at_left, [](Vec2 p) { return p; }, facts.clearance_mm);
+      needed.right[needed.count] = angle_needed(
+          tab, tab.at_right,
+          [&](Vec2 p) {
+            return Vec2{patch.length[side] - p.x, p.y};
+          },
+          facts.clearance_mm);
+      ++needed.count;
+    }
+  }
+}
+
+void CutCosts::set_cut(std::uint32_t side, std::uint8_t cut) {
+  cut_[side] = cut;
+  if (patch_.twin[side] != nothing) {
+    cut_[patch_.twin[side]] = cut;
+  }
+}
+
+void CutCosts::set_tree(const Folds& folds) {
+  for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+    cut_[side] = patch_.twin[side] == nothing || (folds[side] == 0 && patch_.frozen[side] == 0) ? 1 : 0;
+  }
+  total_ = 0.0;
+  bare_ = 0.0;
+  for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+    if (join_of(side) != side) {
+      continue;
+    }
+    cost_[side] = {};
+    if (cut_[side] != 0) {
+      cost_[side] = cost_of(side);
+      total_ += cost_[side].mm;
+      bare_ += cost_[side].bare;
+      total_ += unevenness(side);
+    }
+  }
+}
+
+/// What it costs that the edge's mirror image is no cut where it is one; half of it where both are asked.
+double CutCosts::unevenness(std::uint32_t side) const {
+  return is_uneven(side) ? weights_.mirror * patch_.length[side] : 0.0;
+}
+
+CutCosts::Ends CutCosts::ends_of(std::uint32_t side) const {
+  Ends ends;
+  float paper = 0.0F;
+  std::uint32_t at = side;
+  do {
+    at = next_side(cut_[at] != 0 ? at : patch_.twin[at]);
+    paper += corner_angle_[at];
+  } while (cut_[at] == 0);
+  ends.left = full_turn - paper;
+  ends.slit_left = at == patch_.twin[side];
+  paper = corner_angle_[side];
+  for (at = previous_side(side); cut_[at] == 0; at = previous_side(patch_.twin[at])) {
+    paper += corner_angle_[patch_.twin[at]];
+  }
+  ends.right = full_turn - paper;
+  ends.slit_right = at == patch_.twin[side];
+  return ends;
+}
+
+bool CutCosts::has_room(std::uint32_t side, const Ends& ends) const {
+  const Angles& needed = needed_[side];
+  if (needed.count == 0 || std::any_of(across_[side].begin(), across_[side].end(),
+                                       [this](std::uint32_t fold) { return cut_[fold] != 0; })) {
+    return false;
+  }
+  for (std::uint32_t i = 0; i < needed.count; ++i) {
+    if (needed.left[i] <= ends.left && needed.right[i] <= ends.right) {
+      return true;
+    }
+  }
+  return false;
+}
+
+CutCosts::Cost CutCosts::cost_of(std::uint32_t join) const {
+  const std::uint32_t twin = patch_.twin[join];
+  const double length = patch_.length[join];
+  if (twin == nothing) {
+    const bool lacks = seam_[join] != 0 && !has_room(join, ends_of(join));
+    const double bare = lacks ? weights_.bare * length : 0.0;
+    return {bare, bare, lacks};
+  }
+  const Ends ends = ends_of(join);
+  Cost cost{price_[join], 0.0, false};
+  if (with_tabs_) {
+    const int sides = (has_room(join, ends) ? 1 : 0) + (has_room(twin, ends_of(twin)) ? 1 : 0);
+    cost.lacks = sides == 0;
+    cost.bare = weights_.bare * length * (sides == 0 ? 1.0 : sides == 1 ? share_without_choice : 0.0);
+    cost.mm += cost.bare;
+  }
+  const auto slit = [](bool meets, float angle) {
+    return meets ? std::clamp((no_slit_angle - angle) / (no_slit_angle - slit_angle), 0.0F, 1.0F) : 0.0F;
+  };
+  const float most = std::max(slit(ends.slit_left, ends.left), slit(ends.slit_right, ends.right));
+  cost.mm += weights_.slits * length * static_cast<double>(most);
+  return cost;
+}
+
+/// Notes a cut that is to be rated anew.
+void CutCosts::note(std::uint32_t side) {
+  const std::uint32_t join = join_of(side);
+  for (std::size_t i = 0; i < changes_; ++i) {
+    if (changed_[i] == join) {
+      return;
+    }
+  }
+  RIDGECRAFT_ASSERT(changes_ < most_changed);
+  changed_[changes_++] = join;
+}
+
+/// Notes the cuts that meet this one on the outline.
+void CutCosts::note_neighbours(std::uint32_t side) {
+  for (const std::uint32_t s : {side, patch_.twin[side]}) {
+    std::uint32_t at = next_side(s);
+    while (cut_[at] == 0) {
+      at = next_side(patch_.twin[at]);
+    }
+    note(at);
+    at = previous_side(s);
+    while (cut_[at] == 0) {
+      at = previous_side(patch_.twin[at]);
+    }
+    note(at);
+  }
+}
+
+/// Notes the cuts whose tabs need this edge to be a fold.
+void CutCosts::note_behind(std::uint32_t join) {
+  for (const std::uint32_t other : behind_[join]) {
+    if (cut_[other] != 0) {
+      note(other);
+    }
+  }
+}
+
+double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
+  changes_ = 0;
+  changed_cut_ = join_of(cut);
+  changed_fold_ = join_of(fold);
+  note(cut);
+  note_neighbours(cut);
+  const bool both_are_a_pair = !mirror_.empty() && mirror_[changed_cut_] != nothing &&
+                               join_of(mirror_[changed_cut_]) == changed_fold_;
+  sum_ = both_are_a_pair ? 0.0 : -unevenness(changed_cut_) - unevenness(changed_fold_);
+  set_cut(cut, 0);
+  set_cut(fold, 1);
+  sum_ += both_are_a_pair ? 0.0 : unevenness(changed_cut_) + unevenness(changed_fold_);
+  note(fold);
+  note_neighbours(fold);
+  note_behind(changed_cut_);
+  note_behind(changed_fold_);
+  bare_sum_ = 0.0;
+  for (std::size_t i = 0; i < changes_; ++i) {
+    const std::uint32_t join = changed_[i];
+    const Cost old = join == changed_fold_ ? Cost{} : cost_[join];
+    new_cost_[i] = join == changed_cut_ ? Cost{} : cost_of(join);
+    sum_ += new_cost_[i].mm - old.mm;
+    bare_sum_ += new_cost_[i].bare - old.bare;
+  }
+  return sum_;
+}
+
+void CutCosts::keep() {
+  for (std::size_t i = 0; i < changes_; ++i) {
+    cost_[changed_[i]] = new_cost_[i];
+  }
+  total_ += sum_;
+  bare_ += bare_sum_;
+}
+
+void CutCosts::drop() {
+  set_cut(changed_cut_, 1);
+  set_cut(changed_fold_, 0);
+}
+
+}  // namespace ridgecraft::unfold

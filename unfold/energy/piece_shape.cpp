@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/energy/piece_shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Cosines and sines of the directions k * 22.5 degrees, k = 0 .. 7; those of 8 .. 15 are opposite.
+constexpr std::array<float, 8> cosines{1.0F, 0.92387953F, 0.70710678F, 0.38268343F,
+                                       0.0F, -0.38268343F, -0.70710678F, -0.92387953F};
+constexpr std::array<float, 8> sines{0.0F, 0.38268343F, 0.70710678F, 0.92387953F,
+                                     1.0F, 0.92387953F, 0.70710678F, 0.38268343F};
+/// A neck is thin when the branch behind it is this many times wider than it.
+constexpr double thin_ratio = 3.0;
+/// Unit of a piece's hollows, mm2.
+constexpr double hollow_unit_mm2 = 100.0;
+/// Unit of the square of a piece's outline, mm.
+constexpr double outline_unit_mm = 1000.0;
+/// What a millimetre beyond the sheet costs, mm: more than any seam would save by it.
+constexpr double overhang_price = 20.0;
+
+/// Area of the polygon around a convex set with these reaches in 16 directions, from that set's own.
+double area_within(const std::array<float, 16>& reach) {
+  constexpr double cosine = 0.92387953251128674;
+  constexpr double sine = 0.38268343236508978;
+  double twice = 0.0;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const auto h = static_cast<double>(reach[i]);
+    const auto beside = static_cast<double>(reach[(i + 1) % 16] + reach[(i + 15) % 16]);
+    const double side = (beside - 2.0 * cosine * h) / sine;
+    twice += h * side;
+  }
+  return 0.5 * twice;
+}
+
+}  // namespace
+
+PieceShape::PieceShape(const Patch& patch, const Room& room, const Weights& weights)
+    : patch_(patch), room_(room), weights_(weights) {
+  area_.reserve(patch.size());
+  for (const Triangle& t : patch.shape) {
+    area_.push_back(area_of(t));
+  }
+}
+
+void PieceShape::collect(const Folds& folds, std::uint32_t root) {
+  faces_.assign(1, root);
+  parent_.assign(1, 0);
+  up_.assign(1, nothing);
+  panels_ = 1;
+  outline_ = 0.0;
+  for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+    const std::uint32_t f = faces_[i];
+    for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+      const std::uint32_t twin = patch_.twin[side];
+      if (folds[side] != 0 && twin != nothing && side != up_[i]) {
+        faces_.push_back(twin / 3);
+        parent_.push_back(i);
+        up_.push_back(twin);
+        panels_ += patch_.frozen[side] == 0 ? 1U : 0U;
+      }
+      outline_ += folds[side] == 0 && patch_.frozen[side] == 0 ? patch_.length[side] : 0.0;
+    }
+  }
+  behind_.resize(faces_.size());
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    behind_[i] = area_[faces_[i]];
+  }
+  for (std::size_t i = faces_.size(); i-- > 1;) {
+    behind_[parent_[i]] += behind_[i];
+  }
+}
+
+double PieceShape::necks() const {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < faces_.size(); ++i) {
+    const double fold = patch_.length[up_[i]];
+    const double area = std::min(behind_[i], behind_[0] - behind_[i]);
+    const double thin = thin_ratio * fold;
+    if (area > thin * thin && patch_.frozen[up_[i]] == 0) {
+      sum += std::sqrt(area) - thin;
+    }
+  }
+  return sum;
+}
+
+/// By how much the piece is larger than the sheet at the best of eight turns, mm.
+double PieceShape::overhang(const std::array<float, 2 * directions>& reach) const {
+  const double width = room_.sheet->width - 2.0 * room_.strip;
+  const double height = room_.sheet->height - 2.0 * room_.strip;
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const std::size_t k = (i + 4) % (2 * directions);
+    const auto across = static_cast<double>(reach[i] + reach[i + directions]);
+    const auto along = static_cast<double>(reach[k] + reach[(k + directions) % (2 * directions)]);
+    least = std::min(least, std::max(0.0, across - width) + std::max(0.0, along - height));
+  }
+  return least;
+}
+
+PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds, std::uint32_t root,
+                                        const RootedNet::Span* moved, const Rigid& motion) {
+  collect(folds, root);
+  // Seen from a corner of the root's, so that floats are enough.
+  const bool root_moves = moved != nullptr && net.in_span(*moved, root);
+  const Vec2 origin = root_moves ? motion(net.flat(root)[0]) : net.flat(root)[0];
+  std::array<float, directions> high;
+  std::array<float, directions> low;
+  high.fill(0.0F);
+  low.fill(0.0F);
+  for (const std::uint32_t f : faces_) {
+    const bool moves = moved != nullptr && net.in_span(*moved, f);
+    for (const Vec2 corner : net.flat(f)) {
+      const Vec2 p = (moves ? motion(corner) : corner) - origin;
+      const auto x = static_cast<float>(p.x);
+      const auto y = static_cast<float>(p.y);
+      for (std::size_t d = 0; d < directions; ++d) {
+        const float at = x * cosines[d] + y * sines[d];
+        high[d] = at > high[d] ? at : high[d];
+        low[d] = at < low[d] ? at : low[d];
+      }
+    }
+  }
+  std::array<float, 2 * directions> reach;
+  for (std::size_t d = 0; d < directions; ++d) {
+    reach[d] = high[d];
+    reach[d + directions] = -low[d];
+  }
+  Measure result;
+  result.panels = panels_;
+  const double paper = behind_[0];
+  result.cost = weights_.compact * std::max(0.0, area_within(reach) - paper) / hollow_unit_mm2 +
+                weights_.outline * outline_ * outline_ / outline_unit_mm + weights_.thin * necks();
+  if (room_.sheet) {
+    const double over = overhang(reach);
+    result.surely_fits = over <= 0.0;
+    result.cost += overhang_price * over;
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::unfold

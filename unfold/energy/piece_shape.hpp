@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the shape of a piece costs: the hollows of its outline, its necks, what hangs over the sheet.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/motion.hpp"
+#include "unfold/net/piece_rules.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/room.hpp"
+#include "unfold/search/rooted_net.hpp"
+
+namespace ridgecraft::unfold {
+
+/// Measures the pieces of a forest one by one. Costs in mm:
+/// - hollows: the area of the convex hull that is no paper (Weights::compact). The hull is taken as the polygon of 16 sides around the piece: up to a few percent
+///   too large, in O(n) without sorting;
+/// - outline: its square, so that ragged pieces cost more than several calm ones (Weights::outline);
+/// - necks: of each fold, by how much the branch behind it (the root of the smaller side's area) is wider than
+///   three times the fold (Weights::thin);
+/// - what the piece hangs over the sheet, at the best of eight turns.
+class PieceShape {
+ public:
+  struct Measure {
+    double cost = 0.0;             ///< mm
+    std::size_t panels = 1;        ///< flat regions in it
+    bool surely_fits = true;       ///< at one of eight turns it lies on the sheet
+  };
+
+  /// The patch must outlive this.
+  PieceShape(const Patch& patch, const Room& room, const Weights& weights);
+
+  /// The piece that hangs together at `root` by folds of `folds`; `net` has its faces in the plane, those of
+  /// `moved` (if given) before they are moved by `motion`. O(its faces).
+  [[nodiscard]] Measure measure(const RootedNet& net, const Folds& folds, std::uint32_t root,
+                                const RootedNet::Span* moved, const Rigid& motion);
+
+  /// Faces of the piece that was measured last, `root` first.
+  [[nodiscard]] const std::vector<std::uint32_t>& faces() const { return faces_; }
+
+ private:
+  static constexpr std::size_t directions = 8;
+
+  void collect(const Folds& folds, std::uint32_t root);
+  [[nodiscard]] double necks() const;
+  [[nodiscard]] double overhang(const std::array<float, 2 * directions>& reach) const;
+
+  const Patch& patch_;
+  const Room& room_;
+  Weights weights_;
+  std::vector<double> area_;  ///< per face
+  // The piece that was measured last.
+  std::vector<std::uint32_t> faces_;   ///< parents before children
+  std::vector<std::uint32_t> parent_;  ///< place in faces_
+  std::vector<std::uint32_t> up_;      ///< side to the parent
+  std::vector<double> behind_;         ///< area of each face with all that hangs on it
+  std::size_t panels_ = 1;
+  double outline_ = 0.0;
+};
+
+}  // namespace ridgecraft::unfold

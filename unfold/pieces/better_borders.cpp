@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/better_borders.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
+#include "base/random.hpp"
+#include "unfold/energy/anneal.hpp"
+#include "unfold/net/tolerance.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/linked_patch.hpp"
+#include "unfold/patch/sub_patch.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Faces beyond these bring the search no more trials.
+constexpr double most_faces = 2000.0;
+
+double setting(const char* name, double otherwise) {
+  const char* text = std::getenv(name);
+  return text ? std::atof(text) : otherwise;
+}
+
+/// Pieces that are searched together, and the sides that link them.
+struct Group {
+  std::vector<std::uint32_t> faces;  ///< ascending
+  std::vector<std::uint32_t> links;  ///< sides of the whole patch, one of each
+};
+
+/// Pieces that meet, longest borders first, as long as no group has more links than one may.
+std::vector<Group> groups_of(const Patch& patch, const Layout& layout) {
+  std::vector<std::uint32_t> sides;
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    const std::uint32_t twin = patch.twin[side];
+    if (twin != nothing && side < twin && layout.piece[side / 3] != layout.piece[twin / 3] &&
+        patch.frozen[side] == 0) {
+      sides.push_back(side);
+    }
+  }
+  std::stable_sort(sides.begin(), sides.end(), [&](std::uint32_t s, std::uint32_t t) {
+    return patch.length[s] > patch.length[t];
+  });
+  DisjointSets sets(layout.faces.size());
+  std::vector<std::size_t> links(layout.faces.size(), 0);  // of each set, at its first
+  std::vector<std::uint32_t> chosen;
+  const std::size_t most = static_cast<std::size_t>(setting("LINKS", LinkedPatch::most_links));
+  for (const std::uint32_t side : sides) {
+    const std::uint32_t a = sets.find(layout.piece[side / 3]);
+    const std::uint32_t b = sets.find(layout.piece[patch.twin[side] / 3]);
+    if (a == b || links[a] + links[b] + 1 > most) {
+      continue;
+    }
+    const std::size_t all = links[a] + links[b] + 1;
+    static_cast<void>(sets.join(a, b));
+    links[sets.find(a)] = all;
+    chosen.push_back(side);
+  }
+  std::vector<Group> groups(layout.faces.size());
+  for (std::uint32_t f = 0; f < patch.size(); ++f) {
+    groups[sets.find(layout.piece[f])].faces.push_back(f);
+  }
+  for (const std::uint32_t side : chosen) {
+    groups[sets.find(layout.piece[side / 3])].links.push_back(side);
+  }
+  std::erase_if(groups, [](const Group& group) { return group.faces.empty(); });
+  return groups;
+}
+
+/// The trees of one group with less energy, as folds of its sub-patch.
+Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& whole,
+               const Folds& folds, const Group& group, const Options& options, const Room& room,
+               std::uint64_t seed, const Context& context) {
+  const Patch patch = sub_patch(whole, group.faces);
+  Folds tree = sub_folds(whole, folds, group.faces);
+  std::vector<std::uint32_t> links;
+  for (const std::uint32_t side : group.links) {
+    const auto at = std::lower_bound(group.faces.begin(), group.faces.end(), side / 3);
+    links.push_back(3 * static_cast<std::uint32_t>(at - group.faces.begin()) + side % 3);
+  }
+  const LinkedPatch linked = linked_patch(patch, links);
+  for (const std::uint32_t side : links) {
+    set_fold(patch, tree, side, true);
+  }
+  ChangingNet net(surface, panels, linked.apart, linked.joined, tree, options.tabs, net_tolerance(patch.extent));
+  CutFacts facts;
+  if (net.has_tabs()) {
+    facts = {net.tab_state().candidates(), net.tab_state().across(), net.tab_state().seams(), options.tabs.clearance_mm, {}};
+  }
+  Annealing rules;
+  const double faces = std::min(most_faces, static_cast<double>(patch.size()));
+  rules.quick_trials = static_cast<std::uint64_t>(setting("TPF", 400) * faces);
+  rules.exact_trials = static_cast<std::uint64_t>(setting("TPE", 10) * faces);
+  rules.first_heat = setting("H0", 20);
+  rules.middle_heat = setting("H1", 0.5);
+  rules.exact_heat = setting("H2", 2);
+  anneal(net, facts, room, options.pieces.weights, rules, seed, context);
+  tree = net.folds();
+  for (const std::uint32_t side : links) {
+    set_fold(patch, tree, side, false);
+  }
+  return tree;
+}
+
+}  // namespace
+
+Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
+                     const Folds& folds, const Options& options, const Room& room, const Context& context) {
+  const std::vector<Group> groups = groups_of(patch, lay_out(patch, folds));
+  std::vector<Folds> trees(groups.size());
+  do_in_parallel(
+      groups.size(), context,
+      [&](std::size_t i, const Context& own) {
+        const std::uint64_t seed = ~context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1));
+        trees[i] = searched(surface, panels, patch, folds, groups[i], options, room, seed, own);
+      },
+      [&](std::size_t done) {
+        context.report("unfold", 0.8 + 0.1 * static_cast<double>(done) / static_cast<double>(groups.size()));
+      });
+  Folds result = folds;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    put_back(patch, groups[i].faces, trees[i], result);
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::unfold

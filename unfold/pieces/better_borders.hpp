@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Neighbouring pieces are searched together for nets of least energy: their trees, and the borders between
+// them.
+#pragma once
+
+#include "base/context.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/room.hpp"
+
+namespace ridgecraft::unfold {
+
+/// Brings a clean forest to less energy (energy/anneal.hpp), groups of pieces that meet by groups. Pieces may
+/// hand faces to each other; their number stays, they stay clean and fit the room if they did. The patch is the
+/// whole surface. Deterministic for one seed but for the deadline; one group is one task.
+[[nodiscard]] Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels,
+                                   const Patch& patch, const Folds& folds, const Options& options,
+                                   const Room& room, const Context& context);
+
+}  // namespace ridgecraft::unfold
