@@ -28,6 +28,8 @@ constexpr double last_price = 200.0;
 /// the heat: its shape may make up for it.
 constexpr double least_slack = 4.0;
 constexpr double slack_of_heat = 2.0;
+/// Paths for each trial of the exact half, at most: most find no clean swap that is worth it.
+constexpr std::uint64_t paths_per_trial = 10;
 /// The same where tabs are looked at exactly: angles may be wrong by as much, mm.
 constexpr double exact_slack = 15.0;
 /// Less than this is rounding, mm.
@@ -49,16 +51,148 @@ double between(double first, double last, std::uint64_t trial, std::uint64_t tri
   return first * std::pow(last / first, static_cast<double>(trial) / static_cast<double>(trials));
 }
 
+/// A net that is walked through: how a swap is made, and what it then costs, is up to those that derive from it.
+class Walk {
+ public:
+  Walk(ChangingNet& net, NetEnergy& energy, std::uint64_t seed)
+      : patch_(net.patch()),
+        net_(net),
+        energy_(energy),
+        cuts_(cuts_of(patch_, net.folds())),
+        place_(patch_.twin.size(), nothing),
+        random_(seed) {
+    for (std::uint32_t i = 0; i < cuts_.size(); ++i) {
+      place_[cuts_[i]] = i;
+    }
+  }
+  Walk(const Walk&) = delete;
+  Walk& operator=(const Walk&) = delete;
+  virtual ~Walk() = default;
+
+ protected:
+  /// Makes a swap that costs no more than `most`, mm, and says what it costs; nothing, and no change, where it
+  /// costs more or can't be made.
+  virtual std::optional<double> make(const Swap& swap, double most) = 0;
+  /// Makes the swap that takes the last one back.
+  virtual void unmake(const Swap& back) = 0;
+  [[nodiscard]] virtual bool lacks_tab(std::uint32_t cut) = 0;
+
+  [[nodiscard]] bool done() const { return cuts_.empty(); }
+
+  /// Tries to make a cut a fold, until a swap is accepted.
+  bool step(double heat, std::uint64_t& trials) {
+    const std::uint32_t cut = cuts_[draw_cut()];
+    // As sides: a step that is taken back may leave the tree hung from another root.
+    path_.clear();
+    for (const std::uint32_t below : net_.tree().removable_between(cut / 3, patch_.twin[cut] / 3)) {
+      path_.push_back(net_.tree().side_above(below));
+    }
+    const auto length = static_cast<std::uint32_t>(path_.size());
+    ++trials;
+    for (int i = 0; i < folds_per_path && length > 0; ++i, ++trials) {
+      const Swap swap = *swap_of(path_[random_.below(length)], cut);
+      const double may_cost = -heat * std::log(1.0 - random_.unit());
+      const std::optional<Swap> mirrored = mirror_image(swap);
+      if (mirrored ? make_both(swap, *mirrored, may_cost) : make_one(swap, may_cost)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Patch& patch_;
+  ChangingNet& net_;
+  NetEnergy& energy_;
+
+ private:
+  std::uint32_t draw_cut() {
+    const auto count = static_cast<std::uint32_t>(cuts_.size());
+    std::uint32_t at = random_.below(count);
+    if (random_.unit() < chosen_share) {
+      for (int draw = 0;
+           draw < draws && !lacks_tab(cuts_[at]) && !energy_.cut_costs().is_uneven(cuts_[at]); ++draw) {
+        at = random_.below(count);
+      }
+    }
+    return at;
+  }
+
+  [[nodiscard]] std::uint32_t join_of(std::uint32_t side) const {
+    return std::min(side, patch_.twin[side]);
+  }
+
+  void exchange(std::uint32_t cut, std::uint32_t fold) {
+    const std::uint32_t at = place_[join_of(cut)];
+    place_[join_of(cut)] = nothing;
+    cuts_[at] = join_of(fold);
+    place_[join_of(fold)] = at;
+  }
+
+  bool make_one(const Swap& swap, double may_cost) {
+    const std::uint32_t fold = net_.tree().side_above(swap.below);
+    if (!make(swap, may_cost)) {
+      return false;
+    }
+    exchange(swap.side, fold);
+    return true;
+  }
+
+  /// The mirror image of a swap, named as before that is made (its `below` is one of two faces still): where both
+  /// edges have one that is what they are, but not each other.
+  [[nodiscard]] std::optional<Swap> mirror_image(const Swap& swap) const {
+    const CutCosts& costs = energy_.cut_costs();
+    const std::uint32_t fold = net_.tree().side_above(swap.below);
+    const std::uint32_t cut_image = costs.mirror_of(swap.side);
+    const std::uint32_t fold_image = costs.mirror_of(fold);
+    if (cut_image == nothing || fold_image == nothing || !costs.is_cut(cut_image) || costs.is_cut(fold_image) ||
+        patch_.frozen[fold_image] != 0 || join_of(cut_image) == join_of(swap.side) ||
+        join_of(fold_image) == join_of(fold)) {
+      return std::nullopt;
+    }
+    return Swap{fold_image, cut_image};
+  }
+
+  /// Of a fold and a cut the swap, if it may be made now.
+  [[nodiscard]] std::optional<Swap> swap_of(std::uint32_t fold, std::uint32_t cut) const {
+    const RootedNet& tree = net_.tree();
+    const std::uint32_t f = fold / 3;
+    const std::uint32_t g = patch_.twin[fold] / 3;
+    const std::uint32_t below = tree.side_above(f) == fold ? f : g;
+    const bool here = tree.in_subtree(below, cut / 3);
+    const bool there = tree.in_subtree(below, patch_.twin[cut] / 3);
+    return here == there ? std::nullopt : std::optional<Swap>({below, cut});
+  }
+
+  bool make_both(const Swap& swap, const Swap& image, double may_cost) {
+    // Alone it costs what makes the net uneven; that is won back by its image.
+    const std::uint32_t fold = net_.tree().side_above(swap.below);
+    const double uneven = energy_.cut_costs().mirror_price(swap.side) + energy_.cut_costs().mirror_price(fold);
+    const std::optional<double> first = make(swap, uneven + std::max(0.0, may_cost) + least_slack);
+    if (!first) {
+      return false;
+    }
+    const std::optional<Swap> second = swap_of(image.below, image.side);
+    if (!second || !make(*second, may_cost - *first)) {
+      const std::optional<Swap> back = swap_of(join_of(swap.side), join_of(fold));
+      unmake(*back);
+      return false;
+    }
+    exchange(swap.side, fold);
+    exchange(image.side, image.below);
+    return true;
+  }
+
+  std::vector<std::uint32_t> cuts_;   ///< the smaller side of each
+  std::vector<std::uint32_t> place_;  ///< in cuts_, per smaller side
+  std::vector<std::uint32_t> path_;   ///< space to work in
+  Random random_;
+};
+
 /// The quick half: tabs are told by angles, overlaps have a price.
-class QuickWalk {
+class QuickWalk : public Walk {
  public:
   QuickWalk(ChangingNet& net, NetEnergy& energy, std::uint64_t seed)
-      : patch_(net.patch()),
-        net_(net.tree()),
-        pairs_(net_, net.tolerance()),
-        energy_(energy),
-        cuts_(cuts_of(patch_, net_.folds())),
-        random_(seed) {
+      : Walk(net, energy, seed), pairs_(net.tree(), net.tolerance()) {
     pairs_.find_all();
     if (pairs_.total() == 0) {
       least_ = energy_.total();
@@ -67,7 +201,7 @@ class QuickWalk {
 
   std::optional<Folds> run(const Annealing& rules, const Context& context) {
     std::uint64_t paths = 0;
-    for (std::uint64_t trial = 0; trial < rules.quick_trials && !cuts_.empty();) {
+    for (std::uint64_t trial = 0; trial < rules.quick_trials && !done();) {
       if (paths++ % paths_per_look == 0) {
         context.check();
         if (context.out_of_time()) {
@@ -76,57 +210,38 @@ class QuickWalk {
       }
       heat_ = between(rules.first_heat, rules.middle_heat, trial, rules.quick_trials);
       price_ = between(first_price, last_price, trial, rules.quick_trials);
-      trial += try_path(draw_cut());
+      if (step(heat_, trial)) {
+        remember();
+      }
     }
     return std::move(best_);
   }
 
  private:
-  std::uint32_t draw_cut() {
-    const auto count = static_cast<std::uint32_t>(cuts_.size());
-    std::uint32_t at = random_.below(count);
-    if (random_.unit() < chosen_share) {
-      const CutCosts& costs = energy_.cut_costs();
-      for (int draw = 0; draw < draws && !costs.lacks_tab(cuts_[at]) && !costs.is_uneven(cuts_[at]); ++draw) {
-        at = random_.below(count);
-      }
-    }
-    return at;
-  }
-
-  /// Tries to make a cut a fold, until a swap is accepted; the number of trials.
-  std::uint64_t try_path(std::uint32_t at) {
-    const std::uint32_t cut = cuts_[at];
-    const auto& path = net_.removable_between(cut / 3, patch_.twin[cut] / 3);
-    const auto length = static_cast<std::uint32_t>(path.size());
-    std::uint64_t trials = 1;
-    for (int i = 0; i < folds_per_path && length > 0; ++i, ++trials) {
-      const Swap swap{path[random_.below(length)], cut};
-      const std::uint32_t above = net_.side_above(swap.below);
-      if (try_swap(swap)) {
-        cuts_[at] = std::min(above, patch_.twin[above]);
-        remember();
-        break;
-      }
-    }
-    return trials;
-  }
-
-  bool try_swap(const Swap& swap) {
-    const double may_cost = -heat_ * std::log(1.0 - random_.unit());
-    const std::optional<double> change = energy_.rate(swap, may_cost + least_slack + slack_of_heat * heat_);
+  std::optional<double> make(const Swap& swap, double most) override {
+    const std::optional<double> change = energy_.rate(swap, most + least_slack + slack_of_heat * heat_);
     if (!change) {
-      return false;
+      return std::nullopt;
     }
-    const auto limit = static_cast<std::int64_t>(std::floor((may_cost - *change) / price_)) + 1;
-    if ((limit <= 0 && pairs_.total() == 0) || pairs_.added(swap.below, swap.side, limit) >= limit) {
+    const auto limit = static_cast<std::int64_t>(std::floor((most - *change) / price_)) + 1;
+    const std::int64_t added =
+        limit <= 0 && pairs_.total() == 0 ? limit : pairs_.added(swap.below, swap.side, limit);
+    if (added >= limit) {
       energy_.drop();
-      return false;
+      return std::nullopt;
     }
     pairs_.swap(swap.below, swap.side);
     energy_.keep();
-    return true;
+    return *change + price_ * static_cast<double>(added);
   }
+
+  void unmake(const Swap& back) override {
+    static_cast<void>(energy_.rate(back, HUGE_VAL));
+    pairs_.swap(back.below, back.side);
+    energy_.keep();
+  }
+
+  [[nodiscard]] bool lacks_tab(std::uint32_t cut) override { return energy_.cut_costs().lacks_tab(cut); }
 
   void remember() {
     if (pairs_.total() == 0 && energy_.total() < least_ - better_by && energy_.all_fit()) {
@@ -135,12 +250,7 @@ class QuickWalk {
     }
   }
 
-  const Patch& patch_;
-  RootedNet& net_;
   OverlapPairs pairs_;
-  NetEnergy& energy_;
-  std::vector<std::uint32_t> cuts_;
-  Random random_;
   double heat_ = 0.0;
   double price_ = 0.0;
   double least_ = HUGE_VAL;
@@ -148,29 +258,26 @@ class QuickWalk {
 };
 
 /// The exact half: tabs as they are, no overlap.
-class ExactWalk {
+class ExactWalk : public Walk {
  public:
   ExactWalk(ChangingNet& net, NetEnergy& energy, double bare, std::uint64_t seed)
-      : patch_(net.patch()),
-        net_(net),
-        energy_(energy),
-        bare_(bare),
-        cuts_(cuts_of(patch_, net.folds())),
-        random_(seed) {
+      : Walk(net, energy, seed), bare_(bare) {
     least_ = total();
     best_ = net_.folds();
   }
 
   Folds run(const Annealing& rules, const Context& context) {
-    for (std::uint64_t trial = 0; trial < rules.exact_trials && !cuts_.empty(); ++trial) {
-      if (trial % paths_per_look == 0) {
+    std::uint64_t paths = 0;
+    made_ = 0;
+    while (made_ < rules.exact_trials && paths < paths_per_trial * rules.exact_trials && !done()) {
+      if (paths++ % paths_per_look == 0) {
         context.check();
         if (context.out_of_time()) {
           break;
         }
       }
-      heat_ = between(rules.exact_heat, rules.last_heat, trial, rules.exact_trials);
-      if (try_path(draw_cut())) {
+      std::uint64_t trials = 0;
+      if (step(between(rules.exact_heat, rules.last_heat, made_, rules.exact_trials), trials)) {
         remember();
       }
     }
@@ -180,50 +287,37 @@ class ExactWalk {
  private:
   [[nodiscard]] double total() { return energy_.total_without_bare() - bare_ * net_.tab_worth(); }
 
-  std::uint32_t draw_cut() {
-    const auto count = static_cast<std::uint32_t>(cuts_.size());
-    std::uint32_t at = random_.below(count);
-    if (random_.unit() < chosen_share) {
-      for (int draw = 0; draw < draws && net_.tab_state().has_tab(cuts_[at]) &&
-                         !energy_.cut_costs().is_uneven(cuts_[at]);
-           ++draw) {
-        at = random_.below(count);
-      }
+  std::optional<double> make(const Swap& swap, double most) override {
+    const std::optional<double> change = energy_.rate(swap, most + exact_slack);
+    if (!change) {
+      return std::nullopt;
     }
-    return at;
+    if (*change > most + exact_slack || !net_.is_clean(swap)) {
+      energy_.drop();
+      return std::nullopt;
+    }
+    ++made_;
+    const double before = net_.tab_worth();
+    net_.make_with_tabs(swap);
+    const double exact = *change - energy_.rated_bare() - bare_ * (net_.tab_worth() - before);
+    if (exact > most) {
+      net_.take_back();
+      energy_.drop();
+      return std::nullopt;
+    }
+    net_.keep();
+    energy_.keep();
+    return exact;
   }
 
-  bool try_path(std::uint32_t at) {
-    const std::uint32_t cut = cuts_[at];
-    const auto& path = net_.tree().removable_between(cut / 3, patch_.twin[cut] / 3);
-    const auto length = static_cast<std::uint32_t>(path.size());
-    for (int i = 0; i < folds_per_path && length > 0; ++i) {
-      const Swap swap{path[random_.below(length)], cut};
-      const double may_cost = -heat_ * std::log(1.0 - random_.unit());
-      const std::optional<double> change = energy_.rate(swap, may_cost + exact_slack);
-      if (!change) {
-        continue;
-      }
-      if (*change > may_cost + exact_slack || !net_.is_clean(swap)) {
-        energy_.drop();
-        continue;
-      }
-      const std::uint32_t above = net_.tree().side_above(swap.below);
-      const double before = net_.tab_worth();
-      net_.make_with_tabs(swap);
-      const double exact = *change - energy_.rated_bare() - bare_ * (net_.tab_worth() - before);
-      if (exact > may_cost) {
-        net_.take_back();
-        energy_.drop();
-        return false;
-      }
-      net_.keep();
-      energy_.keep();
-      cuts_[at] = std::min(above, patch_.twin[above]);
-      return true;
-    }
-    return false;
+  void unmake(const Swap& back) override {
+    static_cast<void>(energy_.rate(back, HUGE_VAL));
+    net_.make_with_tabs(back);
+    net_.keep();
+    energy_.keep();
   }
+
+  [[nodiscard]] bool lacks_tab(std::uint32_t cut) override { return !net_.tab_state().has_tab(cut); }
 
   void remember() {
     if (total() < least_ - better_by && energy_.all_fit()) {
@@ -232,13 +326,8 @@ class ExactWalk {
     }
   }
 
-  const Patch& patch_;
-  ChangingNet& net_;
-  NetEnergy& energy_;
   double bare_;
-  std::vector<std::uint32_t> cuts_;
-  Random random_;
-  double heat_ = 0.0;
+  std::uint64_t made_ = 0;  ///< swaps that were looked at with their tabs
   double least_ = HUGE_VAL;
   Folds best_;
 };

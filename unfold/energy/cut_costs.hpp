@@ -57,6 +57,16 @@ class CutCosts {
   [[nodiscard]] double change(std::uint32_t cut, std::uint32_t fold);
   /// How much of the last change() is due to room for tabs.
   [[nodiscard]] double change_of_bare() const { return bare_sum_; }
+  /// How much of it is due to mirror images.
+  [[nodiscard]] double change_of_mirror() const { return mirror_sum_; }
+  /// What it costs, mm, that an edge is a cut and its mirror image isn't, or the other way round.
+  [[nodiscard]] double mirror_price(std::uint32_t side) const {
+    return mirror_of(side) == nothing ? 0.0 : weights_.mirror * patch_.length[side];
+  }
+  /// The mirror image of an edge, by a side; nothing where it has none.
+  [[nodiscard]] std::uint32_t mirror_of(std::uint32_t side) const {
+    return mirror_.empty() ? nothing : mirror_[side];
+  }
   void keep();
   void drop();
 
@@ -118,6 +128,7 @@ class CutCosts {
   std::size_t changes_ = 0;
   double sum_ = 0.0;
   double bare_sum_ = 0.0;
+  double mirror_sum_ = 0.0;
 };
 
 }  // namespace ridgecraft::unfold

@@ -15,7 +15,7 @@ struct LinkedPatch {
   Patch joined;  ///< links are folds that stay: what a search of one tree works on
 
   /// More links would lay pieces too far off for the search to be quick.
-  static constexpr std::size_t most_links = 8;
+  static constexpr std::size_t most_links = 16;
 };
 
 /// `links`: one side of each, at most LinkedPatch::most_links. A swap of a cut and a fold in the joined patch

@@ -72,6 +72,78 @@ std::vector<Group> groups_of(const Patch& patch, const Layout& layout) {
   return groups;
 }
 
+/// Temporary: edges by mirror image.
+std::vector<std::uint32_t> mirror_sides(const mesh::Surface& surface, const Patch& patch) {
+  std::vector<std::uint32_t> result(patch.twin.size(), nothing);
+  std::vector<Vec3> v;
+  for (const VertexId i : ids<VertexId>(surface.vertex_count())) {
+    v.push_back(surface.point(i));
+  }
+  Vec3 low = v[0];
+  Vec3 high = v[0];
+  for (const Vec3 p : v) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Vec3 c = 0.5 * (low + high);
+  const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  double best = 0.9;
+  Vec3 axis{};
+  for (const Vec3 n : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    std::size_t hits = 0;
+    for (const Vec3 p : v) {
+      const Vec3 q = p - 2.0 * dot(p - c, n) * n;
+      double least = HUGE_VAL;
+      for (const Vec3 r : v) {
+        least = std::min(least, length(q - r));
+      }
+      hits += least < 0.02 * size ? 1 : 0;
+    }
+    const double share = static_cast<double>(hits) / static_cast<double>(v.size());
+    if (share >= best) {
+      best = share + 1e-9;
+      axis = n;
+    }
+  }
+  if (length(axis) == 0.0) {
+    return result;
+  }
+  struct E {
+    std::uint32_t side;
+    Vec3 a, b;
+  };
+  std::vector<E> edges;
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    const std::uint32_t twin = patch.twin[side];
+    if (twin != nothing && side < twin && patch.frozen[side] == 0) {
+      const CornerId k = mesh::corner(patch.face[side / 3], side % 3);
+      edges.push_back({side, surface.point(surface.vertex(k)), surface.point(surface.vertex(mesh::next(k)))});
+    }
+  }
+  const auto mirrored = [&](Vec3 p) { return p - 2.0 * dot(p - c, axis) * axis; };
+  std::vector<std::uint32_t> nearest(edges.size(), nothing);
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    const Vec3 a = mirrored(edges[i].a);
+    const Vec3 b = mirrored(edges[i].b);
+    double least = 0.03 * size;
+    for (std::uint32_t j = 0; j < edges.size(); ++j) {
+      const double d = std::min(length(a - edges[j].a) + length(b - edges[j].b),
+                                length(a - edges[j].b) + length(b - edges[j].a));
+      if (d < least) {
+        least = d;
+        nearest[i] = j;
+      }
+    }
+  }
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    if (nearest[i] != nothing && nearest[i] != i && nearest[nearest[i]] == i) {
+      result[edges[i].side] = edges[nearest[i]].side;
+      result[patch.twin[edges[i].side]] = edges[nearest[i]].side;
+    }
+  }
+  return result;
+}
+
 /// The trees of one group with less energy, as folds of its sub-patch.
 Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& whole,
                const Folds& folds, const Group& group, const Options& options, const Room& room,
@@ -92,6 +164,8 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
   if (net.has_tabs()) {
     facts = {net.tab_state().candidates(), net.tab_state().across(), net.tab_state().seams(), options.tabs.clearance_mm, {}};
   }
+  const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart);
+  facts.mirror = mirror;
   Annealing rules;
   const double faces = std::min(most_faces, static_cast<double>(patch.size()));
   rules.quick_trials = static_cast<std::uint64_t>(setting("TPF", 400) * faces);

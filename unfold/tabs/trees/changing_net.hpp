@@ -41,6 +41,7 @@ class ChangingNet {
   [[nodiscard]] const Folds& folds() const { return net_.folds(); }
   [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] RootedNet& tree() { return net_; }
+  [[nodiscard]] const RootedNet& tree() const { return net_; }
   /// Corners of the convex hull. O(n log n).
   [[nodiscard]] std::vector<Vec2> hull() const;
   /// Whether nothing overlaps, laid out afresh: a search counts by small steps, so only this may call a net
