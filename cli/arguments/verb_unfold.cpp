@@ -9,7 +9,7 @@ namespace ridgecraft::cli {
 namespace {
 
 /// Trials for tabs where they are what was asked for: 1 to 2 s for 500 faces.
-constexpr double patient_trials_per_face = 60.0;
+constexpr double patient_trials_per_face = 4000.0;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   job.options.paper = std::nullopt;
   bool whole = false;
   job.options.tabs.wanted = false;
-  job.options.tabs.trials_per_face = patient_trials_per_face;
+  job.options.nets.trials_per_face = patient_trials_per_face;
   CommonTexts common;
   std::string concavity;
   SizeTexts size;

@@ -32,6 +32,16 @@ constexpr double slack_of_heat = 2.0;
 constexpr std::uint64_t paths_per_trial = 10;
 /// The same where tabs are looked at exactly: angles may be wrong by as much, mm.
 constexpr double exact_slack = 15.0;
+/// A swap that costs d, mm, is taken with probability exp(-d / heat). Heats at the beginning and the end of the
+/// quick half and of the exact one, mm.
+constexpr double first_heat = 20.0;
+constexpr double middle_heat = 0.5;
+constexpr double exact_heat = 2.0;
+constexpr double last_heat = 0.3;
+/// Nets of so many faces get all trials for each; larger ones fewer.
+constexpr double ordinary_faces = 250.0;
+/// Trials of the quick half for each one of the exact half.
+constexpr double quick_for_exact = 80.0;
 /// Less than this is rounding, mm.
 constexpr double better_by = 1e-6;
 
@@ -208,7 +218,7 @@ class QuickWalk : public Walk {
           break;
         }
       }
-      heat_ = between(rules.first_heat, rules.middle_heat, trial, rules.quick_trials);
+      heat_ = between(first_heat, middle_heat, trial, rules.quick_trials);
       price_ = between(first_price, last_price, trial, rules.quick_trials);
       if (step(heat_, trial)) {
         remember();
@@ -277,7 +287,7 @@ class ExactWalk : public Walk {
         }
       }
       std::uint64_t trials = 0;
-      if (step(between(rules.exact_heat, rules.last_heat, made_, rules.exact_trials), trials)) {
+      if (step(between(exact_heat, last_heat, made_, rules.exact_trials), trials)) {
         remember();
       }
     }
@@ -285,7 +295,7 @@ class ExactWalk : public Walk {
   }
 
  private:
-  [[nodiscard]] double total() { return energy_.total_without_bare() - bare_ * net_.tab_worth(); }
+  [[nodiscard]] double total() { return energy_.total_without_bare() - bare_ * net_.held_mm(); }
 
   std::optional<double> make(const Swap& swap, double most) override {
     const std::optional<double> change = energy_.rate(swap, most + exact_slack);
@@ -297,9 +307,9 @@ class ExactWalk : public Walk {
       return std::nullopt;
     }
     ++made_;
-    const double before = net_.tab_worth();
+    const double before = net_.held_mm();
     net_.make_with_tabs(swap);
-    const double exact = *change - energy_.rated_bare() - bare_ * (net_.tab_worth() - before);
+    const double exact = *change - energy_.rated_bare() - bare_ * (net_.held_mm() - before);
     if (exact > most) {
       net_.take_back();
       energy_.drop();
@@ -333,6 +343,21 @@ class ExactWalk : public Walk {
 };
 
 }  // namespace
+
+Annealing annealing_for(double trials_per_face, std::uint32_t faces) {
+  const double trials =
+      trials_per_face * std::min<double>(faces, std::sqrt(ordinary_faces * static_cast<double>(faces)));
+  return {static_cast<std::uint64_t>(trials), static_cast<std::uint64_t>(trials / quick_for_exact)};
+}
+
+CutFacts cut_facts(const ChangingNet& net, const TabOptions& options) {
+  CutFacts facts;
+  if (net.has_tabs()) {
+    const TabState& tabs = net.tab_state();
+    facts = {tabs.candidates(), tabs.across(), tabs.seams(), options.clearance_mm, {}};
+  }
+  return facts;
+}
 
 void anneal(ChangingNet& net, const CutFacts& facts, const Room& room, const Weights& weights,
             const Annealing& rules, std::uint64_t seed, const Context& context) {

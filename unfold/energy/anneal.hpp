@@ -14,14 +14,16 @@ namespace ridgecraft::unfold {
 struct Annealing {
   /// Swaps that are tried with tabs told by angles, overlaps allowed on the way.
   std::uint64_t quick_trials = 0;
-  /// Swaps that are tried afterwards with the tabs as they are, none with a new overlap.
+  /// Swaps that are looked at afterwards with the tabs as they are, none with a new overlap.
   std::uint64_t exact_trials = 0;
-  /// A swap that costs d, mm, is taken with probability exp(-d / heat).
-  double first_heat = 20.0;
-  double middle_heat = 0.5;  ///< where the quick search ends
-  double exact_heat = 2.0;   ///< where the exact one begins
-  double last_heat = 0.3;
 };
+
+/// The trials for a net of so many faces of which each is worth `trials_per_face` (Options): fewer for each
+/// where there are many, so that time grows with the root of the faces only.
+[[nodiscard]] Annealing annealing_for(double trials_per_face, std::uint32_t faces);
+
+/// What a net knows of its sides, without mirror images. It must outlive the result.
+[[nodiscard]] CutFacts cut_facts(const ChangingNet& net, const TabOptions& options);
 
 /// Brings the net to a tree of less energy (NetEnergy) by simulated annealing over swaps of a cut and a fold.
 /// All its trees stay clean and fit the room if it does. Deterministic for one seed but for the deadline.

@@ -24,8 +24,6 @@ struct TabOptions {
   double clearance_mm = 0.2;                   ///< distance kept from everything but the tab's own edge
   /// Must a tab lie inside the flat region that it is glued behind? Without that it may show beyond it.
   bool inside_target = true;
-  /// How long trees with room for more tabs are searched for, in trials per face; 0: not at all.
-  double trials_per_face = 10.0;
   /// May pieces be split until every edge that is wide enough has a usable tab (pieces/tab_split.hpp)?
   bool split_pieces = false;
 };
@@ -41,6 +39,9 @@ struct Options {
   TabOptions tabs;
   PanelCuts panel_cuts = PanelCuts::only_if_too_large;
   PieceRules pieces;
+  /// How long nets of less energy are searched for: swaps that are tried for each face, fewer where there are
+  /// many (energy/effort.hpp); 0: none.
+  double trials_per_face = 800.0;
   /// Per edge of the surface, or empty. Cuts are always made but inside flat regions; what is to be kept is a
   /// fold unless that would close a loop, overlap or fit no sheet (kept_edges.hpp); a note counts what
   /// couldn't be.

@@ -2,7 +2,6 @@
 #include "unfold/pieces/better_borders.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -18,14 +17,6 @@
 
 namespace ridgecraft::unfold {
 namespace {
-
-/// Faces beyond these bring the search no more trials.
-constexpr double most_faces = 2000.0;
-
-double setting(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
 
 /// Pieces that are searched together, and the sides that link them.
 struct Group {
@@ -49,11 +40,10 @@ std::vector<Group> groups_of(const Patch& patch, const Layout& layout) {
   DisjointSets sets(layout.faces.size());
   std::vector<std::size_t> links(layout.faces.size(), 0);  // of each set, at its first
   std::vector<std::uint32_t> chosen;
-  const std::size_t most = static_cast<std::size_t>(setting("LINKS", LinkedPatch::most_links));
   for (const std::uint32_t side : sides) {
     const std::uint32_t a = sets.find(layout.piece[side / 3]);
     const std::uint32_t b = sets.find(layout.piece[patch.twin[side] / 3]);
-    if (a == b || links[a] + links[b] + 1 > most) {
+    if (a == b || links[a] + links[b] + 1 > LinkedPatch::most_links) {
       continue;
     }
     const std::size_t all = links[a] + links[b] + 1;
@@ -160,19 +150,10 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
     set_fold(patch, tree, side, true);
   }
   ChangingNet net(surface, panels, linked.apart, linked.joined, tree, options.tabs, net_tolerance(patch.extent));
-  CutFacts facts;
-  if (net.has_tabs()) {
-    facts = {net.tab_state().candidates(), net.tab_state().across(), net.tab_state().seams(), options.tabs.clearance_mm, {}};
-  }
+  CutFacts facts = cut_facts(net, options.tabs);
   const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart);
   facts.mirror = mirror;
-  Annealing rules;
-  const double faces = std::min(most_faces, static_cast<double>(patch.size()));
-  rules.quick_trials = static_cast<std::uint64_t>(setting("TPF", 400) * faces);
-  rules.exact_trials = static_cast<std::uint64_t>(setting("TPE", 10) * faces);
-  rules.first_heat = setting("H0", 20);
-  rules.middle_heat = setting("H1", 0.5);
-  rules.exact_heat = setting("H2", 2);
+  const Annealing rules = annealing_for(options.trials_per_face, patch.size());
   anneal(net, facts, room, options.pieces.weights, rules, seed, context);
   tree = net.folds();
   for (const std::uint32_t side : links) {

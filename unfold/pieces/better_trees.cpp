@@ -7,24 +7,17 @@
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "unfold/folding/free_folding.hpp"
-#include <cstdlib>
 #include "unfold/net/tolerance.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
-#include "unfold/pieces/tidy_piece.hpp"
-#include "unfold/tabs/trees/tab_search.hpp"
+#include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// What a piece that folds freely may cost more, in edges to be glued, as the objective has it
-/// (piece_rules.hpp).
-constexpr double worth_of_free_folding = 200.0;
-/// Trials for each face that win back tabs which free folding cost: some ask how the changed tree folds.
-constexpr std::uint64_t trials_per_face = 4;
-/// Faces beyond these bring the search for tabs no more trials.
-constexpr double most_faces = 2000.0;
+/// What a piece that folds freely may cost more, mm of seam (piece_rules.hpp).
+constexpr double worth_of_free_folding_mm = 60.0;
 
 /// One piece and its tree.
 class PieceTree {
@@ -46,65 +39,19 @@ class PieceTree {
   }
 
   Folds improved() {
-    static const bool old = std::getenv("OLD") != nullptr;
-    if (!old) {
-      return net_.folds();
-    }
-    if (options_.tabs.wanted) {
-      TabSearch search;
-      search.trials = static_cast<std::uint64_t>(options_.tabs.trials_per_face *
-                                                 std::min(most_faces, static_cast<double>(piece_.size())));
-      search.allowed = [this](const Folds&) { return fits(); };
-      improve_tabs(net_, search, random_.next(), context_);
-    }
-    const std::uint32_t tabs = net_.tabs();
-    let_fold_freely();
-    if (net_.tabs() < tabs) {
-      win_tabs_back();
-    }
-    tidy();
+    PieceCost cost(piece_, one_part, options_.pieces.weights);
+    const double bare = options_.tabs.wanted ? options_.pieces.weights.bare : 0.0;
+    const double limit = cost.of(net_.folds(), net_.hull()) - bare * net_.held_mm() + worth_of_free_folding_mm;
+    const auto allowed = [&](ChangingNet& net) {
+      const std::vector<Vec2> hull = net.hull();
+      return (!fits_ || room_.holds(hull, panels_)) &&
+             cost.of(net.folds(), hull) - bare * net.held_mm() <= limit;
+    };
+    fold_freely(net_, allowed, random_.next(), context_);
     return net_.folds();
   }
 
  private:
-  /// A piece that fits the room still has to.
-  [[nodiscard]] bool fits() const { return !fits_ || room_.holds(net_.hull(), panels_); }
-
-  void let_fold_freely() {
-    PieceCost cost(piece_, one_part, options_.pieces.weights);
-    // A tab is an edge that is easily glued.
-    const double limit = cost.of(net_.folds(), net_.hull()) - net_.tabs() + worth_of_free_folding;
-    const std::uint32_t most_tabs = net_.tabs() + most_tabs_won;
-    const auto allowed = [&](ChangingNet& net) {
-      const std::vector<Vec2> hull = net.hull();
-      const double shape = cost.of(net.folds(), hull);
-      return shape - most_tabs <= limit && (!fits_ || room_.holds(hull, panels_)) &&
-             shape - net.tabs() <= limit;
-    };
-    fold_freely(net_, allowed, random_.next(), context_);
-  }
-
-  /// Tabs that free folding cost.
-  void win_tabs_back() {
-    TabSearch search;
-    search.trials = trials_per_face * piece_.size();
-    search.allowed = [this](const Folds&) { return fits(); };
-    search.best_allowed = [this](const Folds& tree) { return folds_freely(piece_, tree, context_); };
-    improve_tabs(net_, search, random_.next(), context_);
-  }
-
-  /// What folds freely still does then.
-  void tidy() {
-    const bool free = folds_freely(piece_, net_.folds(), context_);
-    const auto allowed = [&](ChangingNet& net) {
-      return fits() && (!free || folds_freely(piece_, net.folds(), context_));
-    };
-    tidy_piece(net_, allowed, options_.pieces.weights, random_.next(), context_);
-  }
-
-  /// No swap wins more tabs.
-  static constexpr std::uint32_t most_tabs_won = 3;
-
   const Options& options_;
   const Room& room_;
   const Context& context_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When it is settled which faces make a piece, its tree is chosen once more: for tabs, and so that it folds
-// freely.
+// When it is settled which faces make a piece, its tree is chosen once more, so that it folds freely.
 #pragma once
 
 #include "base/context.hpp"
@@ -12,12 +11,10 @@
 
 namespace ridgecraft::unfold {
 
-/// Changes the tree of each piece of a clean forest so that more of its cuts have room for a usable tab
-/// (tab_search.hpp, where tabs are wanted); then so that it doesn't run through itself while it is folded
-/// (free_folding.hpp), where that costs no more than a few edges to be glued; then for its shape
-/// (tidy_piece.hpp), where that costs neither. The pieces keep their faces, stay free of overlap and fit the
-/// room if they did. The patch is the whole surface. Deterministic for one seed but for the deadline; one
-/// piece is one task.
+/// Changes the tree of each piece of a clean forest so that it doesn't run through itself while it is folded
+/// (free_folding.hpp), where that costs little (energy/net_energy.hpp). The pieces keep their faces, stay free of
+/// overlap and fit the room if they did. The patch is the whole surface. Deterministic for one seed but for the
+/// deadline; one piece is one task.
 [[nodiscard]] Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels,
                                  const Patch& patch, const Folds& folds, const Options& options,
                                  const Room& room, const Context& context);

@@ -9,25 +9,28 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "unfold/energy/anneal.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
+#include "unfold/patch/linked_patch.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/piece_borders.hpp"
 #include "unfold/search/one_piece.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
-#include "unfold/tabs/trees/tab_search.hpp"
+#include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
 /// Cuts between two pieces that are tried as a fold, the longest first.
 constexpr std::size_t cuts_tried = 8;
-/// Of each search for tabs, for each face; faces beyond these bring no more.
-constexpr double trials_per_face = 20.0;
-constexpr double most_faces = 1000.0;
+/// Of each search for tabs, for each face.
+constexpr double trials_per_face = 1000.0;
 /// Of all searches together, for each face of the surface.
-constexpr double trials_in_all = 100.0;
+constexpr double trials_in_all = 5000.0;
+/// A tab more is worth nearly any shape here: weight of bare seam.
+constexpr double worth_of_any_tab = 20.0;
 
 using Faces = std::vector<std::uint32_t>;
 
@@ -163,12 +166,7 @@ class Uniter {
 
   /// Searches for tabs from a clean forest of one piece or two; the cut that links two stays one.
   bool search(const Pieces& given, Folds start) {
-    TabSearch tabs;
-    tabs.tolerance = rules_.tolerance;
-    tabs.allowed = [&](const Folds& changed) { return all_fit(given.patch, changed, rules_.room); };
-    const auto faces = static_cast<double>(given.faces.size());
-    tabs.trials = static_cast<std::uint64_t>(trials_per_face * std::min(most_faces, faces));
-    trials_left_ -= static_cast<double>(tabs.trials);
+    std::vector<std::uint32_t> links;
     if (const auto cuts = cuts_between(given.patch, start); !cuts.empty()) {
       const auto link = std::find_if(cuts.begin(), cuts.end(), [&](std::uint32_t side) {
         return rules_.tab_gaps.able(edge_of(given, side));
@@ -177,11 +175,21 @@ class Uniter {
         return false;
       }
       set_fold(given.patch, start, *link, true);
-      tabs.links.push_back(*link);
+      links.push_back(*link);
     }
-    const TabSearchResult found = search_tabs(rules_.surface, rules_.panels, given.patch, start,
-                                              rules_.options, tabs, random_.next(), context_);
-    return is_good(given.patch, found.folds) && take(given, found.folds);
+    const Annealing rules = annealing_for(trials_per_face, given.patch.size());
+    trials_left_ -= static_cast<double>(rules.quick_trials);
+    const LinkedPatch linked = linked_patch(given.patch, links);
+    ChangingNet net(rules_.surface, rules_.panels, linked.apart, linked.joined, start, rules_.options,
+                    rules_.tolerance);
+    Weights weights;
+    weights.bare = worth_of_any_tab;
+    anneal(net, cut_facts(net, rules_.options), rules_.room, weights, rules, random_.next(), context_);
+    Folds found = net.folds();
+    for (const std::uint32_t side : links) {
+      set_fold(given.patch, found, side, false);
+    }
+    return is_good(given.patch, found) && take(given, found);
   }
 
   [[nodiscard]] EdgeId edge_of(const Pieces& given, std::uint32_t side) const {

@@ -20,8 +20,6 @@ ChangingNet::ChangingNet(const mesh::Surface& surface, const prepare::Panels& pa
   if (tabs.wanted) {
     state_.emplace(surface, panels, patch, net_, tabs);
     state_->renew_all();
-    wedges_.emplace(patch, state_->candidates(), state_->seams(), tabs.clearance_mm);
-    wedges_->set_tree(folds);
   }
 }
 
@@ -35,7 +33,6 @@ void ChangingNet::set_tree(const Folds& folds) {
   counted_ = true;
   if (state_) {
     state_->renew_all();
-    wedges_->set_tree(folds);
   }
 }
 
@@ -57,30 +54,20 @@ std::uint32_t ChangingNet::tabs() {
   return state_ ? state_->tabs() : 0;
 }
 
-double ChangingNet::tab_worth() {
+double ChangingNet::held_mm() {
   count_tabs();
-  return state_ ? state_->worth() : 0.0;
-}
-
-double ChangingNet::room_lost(const Swap& swap) {
-  if (!wedges_) {
-    return 0.0;
-  }
-  const double change = wedges_->change(swap.side, net_.side_above(swap.below));
-  wedges_->drop();
-  return change;
+  return state_ ? state_->held_mm() : 0.0;
 }
 
 void ChangingNet::make(const Swap& swap) {
   folded_ = swap.side;
-  cut_ = net_.side_above(swap.below);
-  back_ = {net_.swap(swap.below, swap.side), cut_};
+  const std::uint32_t cut = net_.side_above(swap.below);
+  back_ = {net_.swap(swap.below, swap.side), cut};
   counted_ = false;
 }
 
 void ChangingNet::make_with_tabs(const Swap& swap) {
   folded_ = swap.side;
-  cut_ = net_.side_above(swap.below);
   state_->swap(swap.below, swap.side);
   counted_ = true;
 }
@@ -96,10 +83,6 @@ void ChangingNet::count_tabs() {
 
 void ChangingNet::keep() {
   count_tabs();
-  if (wedges_) {
-    static_cast<void>(wedges_->change(folded_, cut_));
-    wedges_->keep();
-  }
   counted_ = true;
 }
 

@@ -12,7 +12,6 @@
 #include "unfold/search/random_swaps.hpp"
 #include "unfold/search/rooted_net.hpp"
 #include "unfold/search/swap_overlaps.hpp"
-#include "unfold/tabs/trees/corner_room.hpp"
 #include "unfold/tabs/trees/tabs_of_tree.hpp"
 
 namespace ridgecraft::unfold {
@@ -51,14 +50,10 @@ class ChangingNet {
   [[nodiscard]] bool has_tabs() const { return state_.has_value(); }
   /// Cuts with a usable tab (TabState); 0 where tabs aren't counted.
   [[nodiscard]] std::uint32_t tabs();
-  /// The same weighed (TabState::worth).
-  [[nodiscard]] double tab_worth();
-  /// What a swap does to the worth of tabs without room, told by angles alone (TabWedges). O(1).
-  [[nodiscard]] double room_lost(const Swap& swap);
+  /// Seam that they hold, mm.
+  [[nodiscard]] double held_mm();
   /// Only with tabs, and while no swap is open.
   [[nodiscard]] const TabState& tab_state() const { return *state_; }
-  /// Only with tabs. Whoever changes the tree along with it sets it afresh afterwards (set_tree).
-  [[nodiscard]] TabWedges& wedges() { return *wedges_; }
 
   /// Would it make no new overlap?
   [[nodiscard]] bool is_clean(const Swap& swap) { return after_swap_.is_clean(swap.below, swap.side); }
@@ -78,12 +73,10 @@ class ChangingNet {
   RootedNet net_;
   SwapOverlaps after_swap_;
   std::optional<TabState> state_;
-  std::optional<TabWedges> wedges_;
   // The open swap, if there is one.
   bool counted_ = true;       ///< the tabs know of it
   Swap back_;                 ///< takes it back, as long as they don't
-  std::uint32_t folded_ = 0;  ///< a side of the new fold ...
-  std::uint32_t cut_ = 0;     ///< ... and of the new cut
+  std::uint32_t folded_ = 0;  ///< a side of the new fold
 };
 
 }  // namespace ridgecraft::unfold

@@ -134,8 +134,7 @@ void TabState::choose(std::uint32_t join, const Choice& choice) {
   const bool has = choice.side != nothing;
   if (had != has) {
     count_.tabs += has ? 1U : static_cast<std::uint32_t>(-1);
-    const double worth = tab_worth(patch_.length[join]);
-    count_.worth += has ? worth : -worth;
+    count_.held_mm += has ? patch_.length[join] : -patch_.length[join];
   }
   chosen_.set(join, choice);
 }

@@ -17,9 +17,6 @@
 
 namespace ridgecraft::unfold {
 
-/// How much a usable tab is missed on an edge of this length: by its length, mm.
-[[nodiscard]] constexpr double tab_worth(double length) { return length; }
-
 /// Usable tabs on the cuts of a net, of few shapes (candidates.hpp). Cuts to faces outside the patch
 /// count where this side should give the tab. A simplification of place_tabs, which has the last word: shapes
 /// are as small as usable ones can be, corners are shared where they are one vertex of the surface and lie at
@@ -39,8 +36,8 @@ class TabState {
 
   /// Cuts with a usable tab.
   [[nodiscard]] std::uint32_t tabs() const { return count_.tabs; }
-  /// The same weighed by how much each one is missed: what a search makes as great as it can.
-  [[nodiscard]] double worth() const { return count_.worth; }
+  /// Their length, mm: what a search makes as great as it can.
+  [[nodiscard]] double held_mm() const { return count_.held_mm; }
   [[nodiscard]] bool is_cut(std::uint32_t side) const {
     return patch_.twin[side] == nothing ? targets_.seam[side] != 0
                                         : patch_.frozen[side] == 0 && net_.folds()[side] == 0;
@@ -76,7 +73,7 @@ class TabState {
   };
   struct Count {
     std::uint32_t tabs = 0;
-    double worth = 0.0;
+    double held_mm = 0.0;
   };
   /// What the last swap has to know to be taken back, beside the logs.
   struct Undo {
