@@ -62,7 +62,7 @@ bench::TabRow run(const std::string& faces, const std::vector<Example>& examples
                   const std::string& phase, const Settings& settings) {
   unfold::Options options;
   options.panel_cuts = unfold::PanelCuts::before_pieces;
-  options.trials_per_face = phase == "off" ? 0.0 : settings.effort;
+  options.pieces.trials_per_face = phase == "off" ? 0.0 : settings.effort;
   options.tabs.split_pieces = phase == "split";
   options.tabs.inside_target = strict;
   options.tabs.clearance_mm = strict ? options.tabs.clearance_mm : -bench::weak_overlap_mm;

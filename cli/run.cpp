@@ -341,8 +341,7 @@ ExitCode do_job(const VerifyJob& job) {
         }
         return verify::verify(bytes, {.folding = true}, strict, against);
       });
-  const ExitCode told = session.finish(
-      {}, [&] { return summary(job, report); }, [&] { return verify::to_json(report) + "\n"; });
+  const ExitCode told = session.finish({}, summary(job.file, report));
   return report.sound() ? told : ExitCode::faults_found;
 }
 

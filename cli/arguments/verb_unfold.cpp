@@ -22,7 +22,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   job.options.paper = std::nullopt;
   bool whole = false;
   job.options.tabs.wanted = false;
-  job.options.nets.trials_per_face = patient_trials_per_face;
+  job.options.pieces.trials_per_face = patient_trials_per_face;
   CommonTexts common;
   std::string concavity;
   SizeTexts size;

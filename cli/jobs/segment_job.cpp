@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "base/version.hpp"
+#include "cli/files/hierarchy_file.hpp"
 #include "cli/files/label_files.hpp"
 #include "cli/files/model_input.hpp"
 #include "cli/files/part_files.hpp"
@@ -113,35 +113,6 @@ void add_files(const SegmentJob& job, const std::string& labels, SegmentResult& 
     pending.add(job.labels, labels);
     result.files.push_back(job.labels);
   }
-}
-
-/// The file of --hierarchy: part of each polygon, and joinings.
-std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& hierarchy) {
-  nlohmann::ordered_json json;
-  json["by"] = program_and_version();
-  json["model"] = model.name;
-  json[std::string(paper::mark_key)] = model.digest;
-  json["leaves"] = hierarchy.leaves;
-  json["leaf_concavity"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < hierarchy.leaves; ++i) {
-    json["leaf_concavity"].push_back(hierarchy.nodes[i].concavity);
-  }
-  json["joinings"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < hierarchy.joinings.size(); ++i) {
-    const segment::Joining& joining = hierarchy.joinings[i];
-    json["joinings"].push_back({{"node", hierarchy.leaves + i},
-                                {"of", {joining.first, joining.second}},
-                                {"concavity", joining.concavity}});
-  }
-  json["leaf_of_polygon"] = nlohmann::ordered_json::array();
-  for (const std::uint32_t label : polygon_labels(model, hierarchy.parts(hierarchy.leaves))) {
-    if (label == no_part) {
-      json["leaf_of_polygon"].push_back(-1);
-    } else {
-      json["leaf_of_polygon"].push_back(label);
-    }
-  }
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 /// The files that say from which model they were made.

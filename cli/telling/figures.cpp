@@ -55,7 +55,7 @@ void Summary::add(std::string_view key, Value value, std::string_view unit) {
 
 void Summary::add(std::string_view key, Value value, Line line, std::string_view label, std::string sentence,
                   std::string_view unit) {
-  RIDGECRAFT_ASSERT(unit.empty() || key.ends_with("_" + std::string(unit)));
+  RIDGECRAFT_ASSERT(unit.empty() || key.ends_with(fmt::format("_{}", unit)));
   figures_.push_back({key, std::move(value), unit, line, label, std::move(sentence)});
 }
 
@@ -89,7 +89,11 @@ void Summary::add_notes(const std::vector<std::string>& notes) {
 
 void Summary::add_files(const std::vector<std::string>& files, bool silent) {
   add("files", list_of(files));
-  files_ = silent && files.empty() ? std::string() : written_text(files);
+  end_ += silent && files.empty() ? std::string() : written_text(files);
+}
+
+void Summary::end_with(const std::string& line) {
+  end_ += line + "\n";
 }
 
 std::string Summary::text() const {
@@ -105,7 +109,7 @@ std::string Summary::text() const {
   for (const Figure* const figure : lines) {
     text += fmt::format("  {:<11} {}\n", figure->label, figure->sentence);
   }
-  return text + files_;
+  return text + end_;
 }
 
 std::string Summary::json() const {

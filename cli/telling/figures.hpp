@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/telling/value.hpp"
+#include "cli/files/value.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/model/repair_report.hpp"
 
@@ -15,6 +15,7 @@ namespace ridgecraft::cli {
 
 /// The lines of a summary in the order in which a person reads them.
 enum class Line {
+  lengths,
   size,
   simplified,
   nets,
@@ -60,6 +61,8 @@ class Summary {
   void add_notes(const std::vector<std::string>& notes);
   /// `silent`: nothing is said where nothing was written.
   void add_files(const std::vector<std::string>& files, bool silent = false);
+  /// A line at the end, behind all others and without a label, for people alone.
+  void end_with(const std::string& line);
 
   /// Lines for a person.
   [[nodiscard]] std::string text() const;
@@ -69,7 +72,7 @@ class Summary {
  private:
   std::string title_;
   std::vector<Figure> figures_;
-  std::string files_;  ///< lines about what was written, at the end
+  std::string end_;  ///< lines about what was written, or found
 };
 
 }  // namespace ridgecraft::cli

@@ -24,8 +24,8 @@ namespace ridgecraft::cli {
 /// hulls, cage, shell and deform; `model` is the file as the user named it.
 [[nodiscard]] Summary summary(const std::string& model, const SolidResult& result);
 
-/// verify FILE; its JSON is verify::to_json().
-[[nodiscard]] std::string summary(const VerifyJob& job, const verify::Report& report);
+/// verify; `file` as the user named it.
+[[nodiscard]] Summary summary(const std::string& file, const verify::Report& report);
 
 /// ridgecraft formats
 [[nodiscard]] std::string formats_text();

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ridgecraft verify tells.
+// What ridgecraft verify tells; the keys are those of docs/json.md, in its order.
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/sentence.hpp"
@@ -9,60 +14,170 @@
 namespace ridgecraft::cli {
 namespace {
 
-/// What was looked at besides the nets themselves.
-std::string beside_nets_text(const verify::Report& report) {
-  std::string text;
-  if (report.folding && !report.folding->with_care.empty()) {
-    text += fmt::format("  with care   {} to be folded with care: {}\n",
-                        counted(report.folding->with_care.size(), "piece"),
-                        listed(report.folding->with_care, "and"));
+std::string plural(const std::string& name) {
+  return name == "vertex" ? "vertices" : name + "s";
+}
+
+/// An index stands under its name; several of one kind are a list under the plural.
+Value value_of(const verify::Fault& fault) {
+  Value value(Value::Object{{"promise", static_cast<int>(fault.promise)}, {"message", fault.message}});
+  std::map<std::string, Value::List> by_name;
+  for (const auto& [name, index] : fault.indices) {
+    by_name[name].emplace_back(index);
   }
-  if (report.model) {
-    const verify::ModelFigures& m = *report.model;
-    text += fmt::format("  model       at most {:.3g} mm apart{}, at {:.6g} mm per unit{}\n", m.deviation_mm,
-                        m.allowed_mm ? fmt::format(" ({:.3g} mm allowed)", *m.allowed_mm) : "", m.mm_per_unit,
-                        m.same_file.value_or(true) ? "" : "; the file isn't the one that the nets name");
+  for (auto& [name, list] : by_name) {
+    if (list.size() == 1) {
+      value.set(name, std::move(list.front()));
+    } else {
+      value.set(plural(name), std::move(list));
+    }
   }
-  if (report.printed) {
-    const verify::PrintedFigures& p = *report.printed;
-    text += fmt::format(
-        "  printed     {}, lines at most {:.3g} mm beside their places{}\n", counted(p.pages, "page"),
-        p.max_error_mm,
-        p.pages_not_given == 0 ? "" : fmt::format("; {} not given", counted(p.pages_not_given, "page")));
+  return value;
+}
+
+/// Figures of the nets: for a file that isn't in their form, the keys alone.
+class NetsTold {
+ public:
+  NetsTold(const std::optional<verify::Figures>& figures, Summary& summary)
+      : figures_(figures), summary_(summary) {}
+
+  void operator()(std::string_view key, auto verify::Figures::*figure, std::string_view unit = {}) {
+    summary_.add(key, value(figure), unit);
   }
-  return text;
+  /// `sentence` is asked for where there are figures.
+  template <class Sentence>
+  void operator()(std::string_view key, auto verify::Figures::*figure, Line line, std::string_view label,
+                  const Sentence& sentence, std::string_view unit = {}) {
+    summary_.add(key, value(figure), line, label, figures_ ? sentence(*figures_) : std::string(), unit);
+  }
+
+ private:
+  Value value(auto verify::Figures::*figure) const { return figures_ ? Value((*figures_).*figure) : Value(); }
+
+  const std::optional<verify::Figures>& figures_;
+  Summary& summary_;
+};
+
+void add_figures(const std::optional<verify::Figures>& figures, Summary& summary) {
+  using F = verify::Figures;
+  NetsTold add(figures, summary);
+  add("faces", &F::faces);
+  add("pieces", &F::pieces);
+  add("pages", &F::pages);
+  add("overlaps", &F::overlaps, Line::nets, "overlaps", [](const F& f) {
+    return fmt::format("{} of faces, {} of tabs, deepest {:.3g} mm", f.overlaps, f.tab_overlaps,
+                       f.max_penetration_mm);
+  });
+  add("tab_overlaps", &F::tab_overlaps);
+  add(
+      "max_length_error_mm", &F::max_length_error_mm, Line::lengths, "lengths",
+      [](const F& f) { return fmt::format("largest error {:.3g} mm", f.max_length_error_mm); }, "mm");
+  add("max_penetration_mm", &F::max_penetration_mm, "mm");
+  add("missing_faces", &F::missing_faces, Line::nets, "coverage",
+      [](const F& f) { return fmt::format("{} missing, {} double", f.missing_faces, f.double_faces); });
+  add("double_faces", &F::double_faces);
+  add("outside_page", &F::outside_page, Line::nets, "pages",
+      [](const F& f) { return fmt::format("{} outside", f.outside_page); });
+  add("bad_joins", &F::bad_joins, Line::nets, "joins", [](const F& f) {
+    return fmt::format("{}, {} bad, {} without tab, {}", f.joins, f.bad_joins, f.joins_without_tab,
+                       counted(f.tabs, "tab"));
+  });
+  add("joins", &F::joins);
+  add("joins_without_tab", &F::joins_without_tab);
+  add(
+      "max_fold_error_deg", &F::max_fold_error_deg, Line::nets, "refolding",
+      [](const F& f) {
+        return fmt::format("largest error {:.3g} mm, folds {:.3g} degrees", f.max_refold_error_mm,
+                           f.max_fold_error_deg);
+      },
+      "deg");
+  add("max_refold_error_mm", &F::max_refold_error_mm, "mm");
+  add(
+      "cut_mm", &F::cut_mm, Line::nets, "lines",
+      [](const F& f) { return fmt::format("{} to cut, {} to fold", metres(f.cut_mm), metres(f.fold_mm)); },
+      "mm");
+  add("fold_mm", &F::fold_mm, "mm");
+  add("tabs", &F::tabs);
+}
+
+void add_folding(const verify::FoldingFigures& folding, Summary& summary) {
+  summary.add("pieces_to_fold_with_care", list_of(folding.with_care), Line::nets, "with care",
+              folding.with_care.empty()
+                  ? ""
+                  : fmt::format("{} to be folded with care: {}", counted(folding.with_care.size(), "piece"),
+                                listed(folding.with_care, "and")));
+  summary.add("pieces_not_folded", folding.not_tried);
+}
+
+void add_model(const verify::ModelFigures& m, Summary& summary) {
+  Value value(Value::Object{{"deviation_mm", m.deviation_mm},
+                            {"allowed_mm", m.allowed_mm},
+                            {"mm_per_unit", m.mm_per_unit},
+                            {"same_file", m.same_file}});
+  summary.add(
+      "against_model", std::move(value), Line::nets, "model",
+      fmt::format("at most {:.3g} mm apart{}, at {:.6g} mm per unit{}", m.deviation_mm,
+                  m.allowed_mm ? fmt::format(" ({:.3g} mm allowed)", *m.allowed_mm) : "", m.mm_per_unit,
+                  m.same_file.value_or(true) ? "" : "; the file isn't the one that the nets name"));
+}
+
+void add_printed(const verify::PrintedFigures& p, Summary& summary) {
+  Value value(Value::Object{{"pages", p.pages},
+                            {"pages_not_given", p.pages_not_given},
+                            {"faulty", p.faulty},
+                            {"max_error_mm", p.max_error_mm}});
+  summary.add(
+      "printed", std::move(value), Line::nets, "printed",
+      fmt::format(
+          "{}, lines at most {:.3g} mm beside their places{}", counted(p.pages, "page"), p.max_error_mm,
+          p.pages_not_given == 0 ? "" : fmt::format("; {} not given", counted(p.pages_not_given, "page"))));
+}
+
+void add_faults(const verify::Report& report, Summary& summary) {
+  Value faults(Value::List{});
+  for (const verify::Fault& fault : report.faults) {
+    faults.add(value_of(fault));
+    summary.end_with(fmt::format("fault of promise {}: {}", static_cast<int>(fault.promise), fault.message));
+  }
+  summary.add("faults", std::move(faults));
+  Value not_listed;
+  for (std::size_t promise = 0; promise < verify::promise_count; ++promise) {
+    if (report.faults_not_listed[promise] > 0) {
+      not_listed.set(std::to_string(promise), report.faults_not_listed[promise]);
+    }
+  }
+  if (!std::holds_alternative<std::monostate>(not_listed.held())) {
+    summary.add("faults_not_listed", std::move(not_listed));
+  }
+  if (report.sound()) {
+    summary.end_with("no faults");
+  }
+}
+
+std::string title_of(const std::string& file, const std::optional<verify::Figures>& figures) {
+  if (!figures) {
+    return fmt::format("{}: not in the form of nets, so nothing else was checked", file);
+  }
+  return fmt::format("{}: {}, {}, {}", file, counted(figures->faces, "face"),
+                     counted(figures->pieces, "piece"), counted(figures->pages, "page"));
 }
 
 }  // namespace
 
-std::string summary(const VerifyJob& job, const verify::Report& report) {
-  std::string text;
-  if (report.figures) {
-    const verify::Figures& f = *report.figures;
-    text += fmt::format("{}: {}, {}, {}\n", job.file, counted(f.faces, "face"), counted(f.pieces, "piece"),
-                        counted(f.pages, "page"));
-    text += fmt::format("  lengths     largest error {:.3g} mm\n", f.max_length_error_mm);
-    text += fmt::format("  overlaps    {} of faces, {} of tabs, deepest {:.3g} mm\n", f.overlaps,
-                        f.tab_overlaps, f.max_penetration_mm);
-    text += fmt::format("  coverage    {} missing, {} double\n", f.missing_faces, f.double_faces);
-    text += fmt::format("  pages       {} outside\n", f.outside_page);
-    text += fmt::format("  joins       {}, {} bad, {} without tab, {}\n", f.joins, f.bad_joins,
-                        f.joins_without_tab, counted(f.tabs, "tab"));
-    text += fmt::format("  refolding   largest error {:.3g} mm, folds {:.3g} degrees\n",
-                        f.max_refold_error_mm, f.max_fold_error_deg);
-    text += fmt::format("  lines       {} to cut, {} to fold\n", metres(f.cut_mm), metres(f.fold_mm));
-    text += beside_nets_text(report);
+Summary summary(const std::string& file, const verify::Report& report) {
+  Summary summary(title_of(file, report.figures));
+  add_figures(report.figures, summary);
+  if (report.folding) {
+    add_folding(*report.folding, summary);
   }
-  if (!report.figures) {
-    text += fmt::format("{}: not in the form of nets, so nothing else was checked\n", job.file);
+  if (report.model) {
+    add_model(*report.model, summary);
   }
-  for (const verify::Fault& fault : report.faults) {
-    text += fmt::format("fault of promise {}: {}\n", static_cast<int>(fault.promise), fault.message);
+  if (report.printed) {
+    add_printed(*report.printed, summary);
   }
-  if (report.sound()) {
-    text += "no faults\n";
-  }
-  return text;
+  add_faults(report, summary);
+  return summary;
 }
 
 }  // namespace ridgecraft::cli

@@ -27,6 +27,30 @@ constexpr double neighbour_gap = 5.0;
 constexpr double side_inset = 2.0;
 constexpr double foot_inset = 1.5;
 
+// On pages wide enough: the legend and the scale bar stand in one row over the title. All mm, over the
+// bottom.
+constexpr double wide_bar = 50.0;           ///< the scale bar in that row: the longest of bar_lengths
+constexpr double shortest_wide_line = 7.5;  ///< shorter samples of lines would show too few of their dashes
+constexpr double title_lift = 0.7;          ///< of the title's foot
+constexpr double upper_lift = 1.2;          ///< of the row over it, less a row_gap: the title is a bit taller
+constexpr double rule_lift = 4.2;           ///< of the rule, over the upper row's foot: clear of its letters
+
+// On narrow pages: three rows, closer together, without a rule.
+constexpr double low_row = 0.5;   ///< foot of the title, mm
+constexpr double row_step = 3.7;  ///< baseline to baseline, mm
+
+constexpr double word_gap = 1.5;         ///< between a sample of the legend and its word, mm
+constexpr double tab_sample = 5.0;       ///< length of the legend's tab, mm: short, as tabs are
+constexpr double half_tab_height = 1.2;  ///< of that tab, mm: about as high as letters
+constexpr double tab_slope = 1.4;        ///< by which its sides lean inwards, mm: the usual shape of tabs
+
+constexpr int tick_step = 10;         ///< of the scale bar, mm: a finger's breadth, as on rulers
+constexpr double end_tick = 1.3;      ///< how far ticks reach up and down at the bar's ends, mm ...
+constexpr double inner_tick = 0.7;    ///< ... and between them, so that the ends are seen
+constexpr double bar_word_gap = 1.8;  ///< between the bar and its length in words, mm
+/// What the page number and the hint may take of a row, so that most of it is left for the title.
+constexpr double most_of_row = 0.5;
+
 struct LegendItem {
   bool LineKinds::*used;
   Layer layer;  ///< mark for lines, whose fold decides how they look
@@ -67,16 +91,16 @@ class FurnitureMaker {
   }
 
   Group make() {
-    const double upper = bottom_ + 1.2 + row_gap;
-    const double room = width() - neighbour_gap - bar_width(50.0);
+    const double upper = bottom_ + upper_lift + row_gap;
+    const double room = width() - neighbour_gap - bar_width(wide_bar);
     const auto fits = [&](const LegendSize& size) {
-      return size.sample >= 7.5 && legend_width(size, items_anywhere_) <= room;
+      return size.sample >= shortest_wide_line && legend_width(size, items_anywhere_) <= room;
     };
     if (const auto size = std::ranges::find_if(legend_sizes, fits); size != legend_sizes.end()) {
       legend(left_, upper, *size, items_);
-      bar(right_ - bar_width(50.0), upper, 50.0);
-      title_row(bottom_ + 0.7, true);
-      rule(upper + 4.2);
+      bar(right_ - bar_width(wide_bar), upper, wide_bar);
+      title_row(bottom_ + title_lift, true);
+      rule(upper + rule_lift);
     } else {
       three_rows();
     }
@@ -118,13 +142,13 @@ class FurnitureMaker {
     const std::string page_words = "page " + page_;
     double room = width();
     const double page_width = text_width(page_words, text_height);
-    if (page_width < 0.5 * room) {
+    if (page_width < most_of_row * room) {
       text(page_words, {right_ - page_width, y}, text_height);
       room -= page_width + neighbour_gap;
     }
     constexpr std::string_view hint_words = "print at 100 %, not fitted to the page";
     const double hint_width = text_width(hint_words, text_height);
-    if (hint && hint_width < 0.5 * room) {
+    if (hint && hint_width < most_of_row * room) {
       // Under the scale bar's left end on a wide page: what it is about.
       text(hint_words, {right_ - page_width - neighbour_gap - hint_width, y}, text_height);
       room -= hint_width + neighbour_gap;
@@ -152,13 +176,13 @@ class FurnitureMaker {
   }
 
   static double sample_width(const LegendSize& size, const LegendItem& item) {
-    return item.layer == Layer::tab_fill ? 5.0 : size.sample;
+    return item.layer == Layer::tab_fill ? tab_sample : size.sample;
   }
   static std::string_view word(const LegendSize& size, const LegendItem& item) {
     return size.full ? item.word : item.short_word;
   }
   static double item_width(const LegendSize& size, const LegendItem& item) {
-    return sample_width(size, item) + 1.5 + text_width(word(size, item), text_height);
+    return sample_width(size, item) + word_gap + text_width(word(size, item), text_height);
   }
   static double legend_width(const LegendSize& size, const std::vector<LegendItem>& items) {
     double total = -size.gap;
@@ -172,10 +196,10 @@ class FurnitureMaker {
     for (const LegendItem& item : items) {
       const double sample = sample_width(size, item);
       if (item.layer == Layer::tab_fill) {
-        const std::vector<Vec2> tab{{x, middle - 1.2},
-                                    {x + sample, middle - 1.2},
-                                    {x + sample - 1.4, middle + 1.2},
-                                    {x + 1.4, middle + 1.2}};
+        const std::vector<Vec2> tab{{x, middle - half_tab_height},
+                                    {x + sample, middle - half_tab_height},
+                                    {x + sample - tab_slope, middle + half_tab_height},
+                                    {x + tab_slope, middle + half_tab_height}};
         group_.areas.push_back({Layer::mark, tab});
         group_.lines.push_back({Layer::mark, tab, true, Fold::none});
       } else if (item.layer == Layer::mark) {
@@ -183,22 +207,24 @@ class FurnitureMaker {
       } else {
         sample_line({x, middle}, {x + sample, middle}, item.layer);
       }
-      text(word(size, item), {x + sample + 1.5, y}, text_height);
+      text(word(size, item), {x + sample + word_gap, y}, text_height);
       x += item_width(size, item) + size.gap;
     }
   }
 
   static std::string bar_word(double size) { return std::to_string(static_cast<int>(size)) + " mm"; }
-  static double bar_width(double size) { return size + 1.8 + text_width(bar_word(size), text_height); }
+  static double bar_width(double size) {
+    return size + bar_word_gap + text_width(bar_word(size), text_height);
+  }
   /// A bar with a tick each ten millimetres, and taller ones at its ends; its length is exact.
   void bar(double x, double y, double size) {
     const double middle = y + 0.5 * text_height;
     line({x, middle}, {x + size, middle});
-    for (int i = 0; 10 * i <= static_cast<int>(size); ++i) {
-      const double reach = i == 0 || 10 * i == static_cast<int>(size) ? 1.3 : 0.7;
-      line({x + 10.0 * i, middle - reach}, {x + 10.0 * i, middle + reach});
+    for (int at = 0; at <= static_cast<int>(size); at += tick_step) {
+      const double reach = at == 0 || at == static_cast<int>(size) ? end_tick : inner_tick;
+      line({x + at, middle - reach}, {x + at, middle + reach});
     }
-    text(bar_word(size), {x + size + 1.8, y}, text_height);
+    text(bar_word(size), {x + size + bar_word_gap, y}, text_height);
   }
 
   /// The longest bar that fits; where the room behind it begins.
@@ -223,9 +249,7 @@ class FurnitureMaker {
   }
 
   void three_rows() {
-    constexpr double low_row = 0.5;
-    constexpr double step = 3.7;
-    double upper = bottom_ + low_row + 2.0 * step;
+    double upper = bottom_ + low_row + 2.0 * row_step;
     const LegendSize* size = std::ranges::find_if(
         legend_sizes, [&](const LegendSize& s) { return legend_width(s, items_anywhere_) <= width(); });
     const bool whole = size != legend_sizes.end();
@@ -236,7 +260,7 @@ class FurnitureMaker {
       used -= item_width(*size, items_[--count]) + size->gap;
     }
     const std::span<const LegendItem> items(items_);
-    legend(left_, bottom_ + low_row + step, *size, items.first(count));
+    legend(left_, bottom_ + low_row + row_step, *size, items.first(count));
     double free_from = bar_row(upper);
     // What the legend's row has no room for stands behind the bar.
     for (; count < items_.size() && free_from + item_width(*size, items_[count]) <= right_; ++count) {

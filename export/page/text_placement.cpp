@@ -53,11 +53,27 @@ struct Frame {
   double angle;
 };
 
+/// Places along an edge, shares of its length from its middle: there first, then to both sides in turn.
 constexpr std::array<double, 7> along_shares{0.0, 0.12, -0.12, 0.25, -0.25, 0.37, -0.37};
+/// How far inside of its edge a number still stands by it, mm, beyond the least distance.
 constexpr std::array<double, 3> near_offsets{0.0, 0.5, 1.1};
+constexpr double first_offset = 1.8;     ///< where numbers further inside begin, mm: beyond the near ones
+constexpr double offset_step = 0.7;      ///< mm: half the height of a small number, so none is stepped over
 constexpr double deepest_offset = 9.0;   ///< a number further inside than this needs a leader, mm
 constexpr double longest_leader = 16.0;  ///< mm, from the edge to the number's centre
+constexpr double shortest_leader = 2.2;  ///< mm, likewise: the line must be seen beside the number
+constexpr double leader_step = 1.3;      ///< mm, from one length that is tried to the next
 constexpr std::size_t leader_turns = 7;  ///< directions that a leader may take
+constexpr double leader_turn = 0.3;      ///< between neighbouring ones, radians: 52 degrees to both sides
+constexpr double leader_gap = 0.35;      ///< between a leader's end and its number's box, mm
+/// Numbers keep this share of their height from lines, and at least so many mm: closer, a pen's line runs
+/// into them.
+constexpr double clearance_share = 0.17;
+constexpr double least_clearance = 0.32;
+/// More from the edge itself, mm: scissors follow it.
+constexpr double edge_clearance = 0.12;
+/// Heights of letters that are tried, the largest first.
+constexpr int height_steps = 4;
 
 class NumberPlacer {
  public:
@@ -104,7 +120,7 @@ class NumberPlacer {
   /// Along the edge, further inside the same panel.
   bool place_inside(const Wanted& wanted) {
     for (const double height : heights_) {
-      for (double offset = 1.8; offset < deepest_offset; offset += 0.7) {
+      for (double offset = first_offset; offset < deepest_offset; offset += offset_step) {
         if (place_along(wanted, height, offset, false) || place_along(wanted, height, offset, true)) {
           return true;
         }
@@ -122,10 +138,10 @@ class NumberPlacer {
     const Vec2 start = side < 0.0 && !tab.empty() ? 0.5 * (tab[2] + tab.back()) : frame.middle;
     for (const double height : {heights_[1], heights_.back()}) {
       std::array<bool, leader_turns> blocked{};
-      for (double reach = 2.2; reach < longest_leader; reach += 1.3) {
+      for (double reach = shortest_leader; reach < longest_leader; reach += leader_step) {
         for (std::size_t i = 0; i < leader_turns; ++i) {
           // Straight ahead first, then to both sides in turn.
-          const double turn = (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>((i + 1) / 2) * 0.3;
+          const double turn = (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>((i + 1) / 2) * leader_turn;
           Text text = number(*wanted.seam, height, frame.angle);
           text.centre = start + reach * (std::cos(turn) * out + std::sin(turn) * frame.along);
           if (blocked[i]) {
@@ -142,7 +158,7 @@ class NumberPlacer {
     return false;
   }
 
-  static double clearance(double height) { return std::max(0.32, 0.17 * height); }
+  static double clearance(double height) { return std::max(least_clearance, clearance_share * height); }
 
   bool put(PieceDrawing& piece, const Text& text) {
     if (!on_area(box_of(text)) || !obstacles_.is_free(text, clearance(text.height))) {
@@ -156,9 +172,8 @@ class NumberPlacer {
  private:
   static std::vector<double> steps(double largest, double smallest) {
     std::vector<double> heights;
-    constexpr int count = 4;
-    for (int i = 0; i < count; ++i) {
-      heights.push_back(largest + (smallest - largest) * i / (count - 1));
+    for (int i = 0; i < height_steps; ++i) {
+      heights.push_back(largest + (smallest - largest) * i / (height_steps - 1));
     }
     return heights;
   }
@@ -209,7 +224,7 @@ class NumberPlacer {
       }
       last = shift;
       const Vec2 foot = frame.middle + shift * frame.along;
-      const Vec2 centre = foot + (half + clearance(height) + 0.12 + offset) * frame.inward;
+      const Vec2 centre = foot + (half + clearance(height) + edge_clearance + offset) * frame.inward;
       text.centre = centre - at_origin.centre;
       if (obstacles_.is_free(Segment2{foot + off_the_edge_mm * frame.inward, centre}, true) &&
           put(*wanted.piece, text)) {
@@ -221,7 +236,7 @@ class NumberPlacer {
 
   /// From the edge to the nearest point of the text's box.
   static Segment2 leader_to(const Text& text, Vec2 edge, Vec2 out) {
-    const TurnedBox box = box_of(text).grown(0.35);
+    const TurnedBox box = box_of(text).grown(leader_gap);
     const Vec2 up = perpendicular(box.along);
     const Vec2 from_centre = edge - box.centre;
     return {edge + off_the_edge_mm * out,

@@ -8,21 +8,20 @@
 namespace ridgecraft::mesh {
 namespace {
 
-/// A box with more faces is divided further.
-constexpr std::size_t leaf_size = 4;
 /// Samples along a side, so that one huge face doesn't take all the time.
 constexpr double most_steps = 64;
 
-double square(double x) {
-  return x * x;
+Vec3 centre_of(const Surface& surface, FaceId f) {
+  const auto [a, b, c] = surface.vertices(f);
+  return (surface.point(a) + surface.point(b) + surface.point(c)) / 3.0;
 }
 
-double squared_distance(const Box3& box, Vec3 p) {
-  const auto outside = [](double low, double x, double high) {
-    return x < low ? low - x : x > high ? x - high : 0.0;
-  };
-  return square(outside(box.low.x, p.x, box.high.x)) + square(outside(box.low.y, p.y, box.high.y)) +
-         square(outside(box.low.z, p.z, box.high.z));
+Box3 box_of(const Surface& surface, FaceId f) {
+  Box3 box;
+  for (const VertexId v : surface.vertices(f)) {
+    box.add(surface.point(v));
+  }
+  return box;
 }
 
 /// Rows across the longest side, from it to the corner opposite.
@@ -84,83 +83,28 @@ double squared_distance(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
   return sum > 0.0 ? squared(a + vb / sum * ab + vc / sum * ac) : squared(a);
 }
 
-SurfaceTree::SurfaceTree(const Surface& surface, double spacing) : surface_(surface) {
+SurfaceTree::SurfaceTree(const Surface& surface, double spacing)
+    : surface_(surface),
+      tree_(
+          surface.face_count(), [&](std::uint32_t f) { return box_of(surface, FaceId(f)); },
+          [&](std::uint32_t f) { return centre_of(surface, FaceId(f)); }) {
   samples_.assign(surface.points().begin(), surface.points().end());
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const auto [va, vb, vc] = surface.vertices(f);
-    const Vec3 a = surface.point(va);
-    const Vec3 b = surface.point(vb);
-    const Vec3 c = surface.point(vc);
-    centres_.push_back((a + b + c) / 3.0);
-    order_.push_back(f.value());
-    add_samples(a, b, c, spacing, samples_);
-    samples_.push_back(centres_.back());
+    const auto [a, b, c] = surface.vertices(f);
+    add_samples(surface.point(a), surface.point(b), surface.point(c), spacing, samples_);
+    samples_.push_back(centre_of(surface, f));
   }
-  if (!order_.empty()) {
-    nodes_.reserve(2 * order_.size() / leaf_size + 2);
-    build(0, order_.size());
-  }
-}
-
-std::uint32_t SurfaceTree::build(std::size_t first, std::size_t last) {
-  const auto number = static_cast<std::uint32_t>(nodes_.size());
-  Node node;
-  Box3 centres;
-  for (std::size_t i = first; i < last; ++i) {
-    for (const VertexId v : surface_.vertices(FaceId(order_[i]))) {
-      node.box.add(surface_.point(v));
-    }
-    centres.add(centres_[order_[i]]);
-  }
-  nodes_.push_back(node);
-  if (last - first <= leaf_size) {
-    nodes_[number].first = static_cast<std::uint32_t>(first);
-    nodes_[number].count = static_cast<std::uint32_t>(last - first);
-    return number;
-  }
-  const Vec3 size = centres.size();
-  const auto key = [&](std::uint32_t f) {
-    const Vec3 p = centres_[f];
-    return size.x >= size.y && size.x >= size.z ? p.x : size.y >= size.z ? p.y : p.z;
-  };
-  const std::size_t middle = (first + last) / 2;
-  std::nth_element(order_.begin() + static_cast<std::ptrdiff_t>(first),
-                   order_.begin() + static_cast<std::ptrdiff_t>(middle),
-                   order_.begin() + static_cast<std::ptrdiff_t>(last), [&](std::uint32_t f, std::uint32_t g) {
-                     return key(f) != key(g) ? key(f) < key(g) : f < g;
-                   });
-  build(first, middle);
-  const std::uint32_t second = build(middle, last);
-  nodes_[number].first = second;
-  return number;
 }
 
 double SurfaceTree::distance(Vec3 p, double enough) const {
-  double best = INFINITY;
   const double stop = enough * enough;
-  // Depth of the tree is below 40: faces are halved.
-  std::array<std::uint32_t, 64> stack{};
-  std::size_t size = 0;
-  stack[size++] = 0;
-  while (size > 0 && best > stop) {
-    const std::uint32_t number = stack[--size];
-    const Node& node = nodes_[number];
-    if (squared_distance(node.box, p) >= best) {
-      continue;
-    }
-    if (node.count > 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-        const auto [a, b, c] = surface_.vertices(FaceId(order_[i]));
-        best = std::min(best, squared_distance(surface_.point(a), surface_.point(b), surface_.point(c), p));
-      }
-      continue;
-    }
-    const std::uint32_t one = number + 1;
-    const std::uint32_t two = node.first;
-    const bool one_first = squared_distance(nodes_[one].box, p) <= squared_distance(nodes_[two].box, p);
-    stack[size++] = one_first ? two : one;
-    stack[size++] = one_first ? one : two;
-  }
+  const double best = tree_.nearest_first(
+      p, double{INFINITY},
+      [stop](double found, std::uint32_t, double distance) { return found > stop && distance < found; },
+      [&](double& found, std::uint32_t i) {
+        const auto [a, b, c] = surface_.vertices(FaceId(tree_.order()[i]));
+        found = std::min(found, squared_distance(surface_.point(a), surface_.point(b), surface_.point(c), p));
+      });
   return std::sqrt(best);
 }
 

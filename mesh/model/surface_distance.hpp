@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/box_tree.hpp"
 #include "base/context.hpp"
 #include "mesh/model/surface.hpp"
 
@@ -26,17 +27,8 @@ class SurfaceTree {
   [[nodiscard]] const std::vector<Vec3>& samples() const { return samples_; }
 
  private:
-  struct Node {
-    Box3 box;
-    std::uint32_t first = 0;  ///< leaf: into order_; inner node: its second child (the first one follows it)
-    std::uint32_t count = 0;  ///< faces of a leaf; 0 for an inner node
-  };
-  std::uint32_t build(std::size_t first, std::size_t last);
-
   const Surface& surface_;
-  std::vector<Vec3> centres_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  BoxTree<Box3> tree_;  ///< of its faces
   std::vector<Vec3> samples_;
 };
 

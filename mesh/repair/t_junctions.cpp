@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/point_tree.hpp"
+#include "mesh/repair/border_points.hpp"
 #include "mesh/repair/weld.hpp"
 
 namespace ridgecraft::mesh {
@@ -60,7 +60,7 @@ class Pass {
     if (border_.empty()) {
       return 0;
     }
-    const PointTree tree(list_.points, points_, reach_);
+    const BorderPoints near(list_.points, points_, reach_);
     std::vector<bool> divided(list_.triangles.size(), false);
     std::size_t count = 0;
     for (std::size_t i = 0; i < border_.size(); ++i) {
@@ -68,7 +68,7 @@ class Pass {
         context.check();
       }
       if (!divided[border_[i].triangle]) {
-        const std::vector<std::uint32_t> on = points_on(border_[i], tree);
+        const std::vector<std::uint32_t> on = points_on(border_[i], near);
         if (closes_seam(border_[i], on)) {
           divided[border_[i].triangle] = true;
           divide(border_[i], on);
@@ -81,7 +81,7 @@ class Pass {
 
  private:
   /// Border points strictly between the ends, in order from corner `side` on.
-  [[nodiscard]] std::vector<std::uint32_t> points_on(const EdgeUse& use, const PointTree& tree) const {
+  [[nodiscard]] std::vector<std::uint32_t> points_on(const EdgeUse& use, const BorderPoints& near) const {
     const Triangle& t = list_.triangles[use.triangle];
     const Vec3 a = list_.points[t.points[use.side]];
     const Vec3 b = list_.points[t.points[(use.side + 1U) % 3]];
@@ -91,14 +91,16 @@ class Pass {
     }
     const Vec3 along = (b - a) / size;
     std::vector<std::pair<double, std::uint32_t>> found;
-    tree.search(
-        a,
-        [&](const Box3& box, double reach) {
+    near.tree.search(
+        [&](std::uint32_t node) {
           // Twice the reach: computed distances may be a little too small.
-          const Vec3 wider{2.0 * reach, 2.0 * reach, 2.0 * reach};
+          const double reach = 2.0 * near.reach[node];
+          const Box3& box = near.tree.box(node);
+          const Vec3 wider{reach, reach, reach};
           return meets(a, along, size, {box.low - wider, box.high + wider});
         },
-        [&](std::uint32_t p) {
+        [&](std::uint32_t place) {
+          const std::uint32_t p = near.points[place];
           const double t_along = dot(list_.points[p] - a, along);
           if (std::find(t.points.begin(), t.points.end(), p) == t.points.end() && t_along > distance_ &&
               t_along < size - distance_ && length(list_.points[p] - a - t_along * along) <= reach_[p]) {

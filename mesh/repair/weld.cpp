@@ -9,8 +9,8 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/edge_order.hpp"
-#include "base/point_tree.hpp"
 #include "base/same_place.hpp"
+#include "mesh/repair/border_points.hpp"
 
 namespace ridgecraft::mesh {
 
@@ -101,7 +101,7 @@ struct Pairs {
 
 /// Each point with its nearest companions within reach of both.
 Pairs near_pairs(const PolygonList& list, const Border& border, const Context& context) {
-  const PointTree tree(list.points, border.points, border.reach);
+  const BorderPoints others(list.points, border.points, border.reach);
   Pairs pairs;
   std::vector<Pair> nearest;  // a heap, the farthest on top
   for (std::size_t i = 0; i < border.points.size(); ++i) {
@@ -111,14 +111,14 @@ Pairs near_pairs(const PolygonList& list, const Border& border, const Context& c
     const std::uint32_t p = border.points[i];
     const Vec3 at = list.points[p];
     nearest.clear();
-    double within = border.reach[p];
-    tree.search(
-        at,
-        [&](const Box3& box, double reach) {
-          const double most = std::min(within, reach);
-          return PointTree::squared_distance(at, box) <= rounding * most * most;
+    others.tree.nearest_first(
+        at, border.reach[p],
+        [&](double within, std::uint32_t node, double distance) {
+          const double most = std::min(within, others.reach[node]);
+          return distance <= rounding * most * most;
         },
-        [&](std::uint32_t q) {
+        [&](double& within, std::uint32_t place) {
+          const std::uint32_t q = others.points[place];
           const double apart = length(list.points[q] - at);
           if (q == p || apart > std::min(border.reach[p], border.reach[q])) {
             return;

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/telling/summary.hpp"
 #include "support/temporary_folder.hpp"
 #include "verify/cube_file.hpp"
 
@@ -109,7 +110,8 @@ TEST_CASE("every case of the independent checker is judged as it says", "[verify
   REQUIRE(run_python((folder / "ask.py").string() + " " + checkers.string() + " " + folder.path().string()));
   const Json reports = Json::parse(test::read_bytes(folder / "reports.json"));
   for (const auto& [name, theirs] : reports.items()) {
-    const Json ours = Json::parse(verify::to_json(verify::verify(test::read_bytes(folder / name), {}, {})));
+    const Json ours =
+        Json::parse(cli::summary(name, verify::verify(test::read_bytes(folder / name), {}, {})).json());
     compare_figures(name, ours, theirs, clean.contains(name));
   }
 }

@@ -4,6 +4,7 @@
 
 #include "base/context.hpp"
 #include "base/random.hpp"
+#include "cli/telling/summary.hpp"
 #include "verify/cube_file.hpp"
 
 using namespace ridgecraft;
@@ -17,7 +18,7 @@ void check_refused(std::string_view bytes) {
   CHECK(report.faults[0].promise == verify::Promise::form);
   CHECK_FALSE(report.faults[0].message.empty());
   CHECK_FALSE(report.figures.has_value());
-  const Json json = Json::parse(verify::to_json(report));
+  const Json json = Json::parse(cli::summary("nets.fold", report).json());
   CHECK(json.at("faces").is_null());
   CHECK(json.at("cut_mm").is_null());
 }
@@ -118,6 +119,6 @@ TEST_CASE("damaged bytes never do harm", "[verify]") {
     // Nothing but a form fault goes without figures, and it goes alone.
     const bool form = !report.figures.has_value();
     CHECK(form == (report.faults.size() == 1 && report.faults[0].promise == verify::Promise::form));
-    CHECK_FALSE(Json::parse(verify::to_json(report)).empty());
+    CHECK_FALSE(Json::parse(cli::summary("nets.fold", report).json()).empty());
   }
 }

@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/box_finder.hpp"
 #include "verify/geometry/rigid_motion.hpp"
 
 using namespace ridgecraft;
@@ -175,7 +175,7 @@ TEST_CASE("the box tree finds what a look at all boxes finds", "[verify]") {
       box.add(low);
       box.add(low + Vec2{std::floor(5.0 * random.unit()), 15.0 * random.unit() * random.unit()});
     }
-    const verify::BoxTree tree(boxes);
+    const verify::BoxFinder tree(boxes);
     for (const Box2& box : boxes) {
       std::vector<std::size_t> found;
       tree.for_each_overlapping(box, [&found](std::size_t i) { found.push_back(i); });

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
+#include "cli/telling/summary.hpp"
 #include "verify/cube_file.hpp"
 
 using namespace ridgecraft;
@@ -117,7 +118,7 @@ TEST_CASE("promise 2: overlap", "[verify]") {
     CHECK(report.figures->overlaps == 4950);
     CHECK(report.faults.size() == 10);
     CHECK(report.faults_not_listed[2] == 4940);
-    CHECK(Json::parse(verify::to_json(report)).at("faults_not_listed") == Json{{"2", 4940}});
+    CHECK(Json::parse(cli::summary("nets.fold", report).json()).at("faults_not_listed") == Json{{"2", 4940}});
   }
   SECTION("a field of thousands of faces side by side is clean") {
     std::vector<std::vector<Vec2>> field;
@@ -254,7 +255,7 @@ TEST_CASE("messages name the piece, and faults carry their indices", "[verify]")
   const verify::Report report = verify_json(json);
   REQUIRE(report.faults.size() == 1);
   CHECK(report.faults[0].message == "piece \"left ?[31m\"ear\"\" has 0 holes and states 3");
-  const Json written = Json::parse(verify::to_json(report));
+  const Json written = Json::parse(cli::summary("nets.fold", report).json());
   CHECK(written.at("faults").at(0).at("piece") == 0);
   CHECK(written.at("faults").at(0).at("promise") == 5);
 }

@@ -39,9 +39,6 @@ struct Options {
   TabOptions tabs;
   PanelCuts panel_cuts = PanelCuts::only_if_too_large;
   PieceRules pieces;
-  /// How long nets of less energy are searched for: swaps that are tried for each face, fewer where there are
-  /// many (energy/effort.hpp); 0: none.
-  double trials_per_face = 800.0;
   /// Per edge of the surface, or empty. Cuts are always made but inside flat regions; what is to be kept is a
   /// fold unless that would close a loop, overlap or fit no sheet (kept_edges.hpp); a note counts what
   /// couldn't be.

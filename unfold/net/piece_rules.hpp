@@ -40,6 +40,9 @@ struct PieceRules {
   PieceMode mode = PieceMode::parts;  ///< that these are the rules of, or began as
   Weights weights;
   std::size_t max_panels = 0;  ///< flat regions that one piece may have; 0: any number
+  /// How long nets of less energy are searched for: swaps that are tried for each face, fewer where there are
+  /// many (energy/anneal.hpp); 0: none.
+  double trials_per_face = 800.0;
   bool merge = false;          ///< join neighbouring pieces, of several parts too, where that costs less
 };
 [[nodiscard]] PieceRules rules_of(PieceMode mode);

@@ -153,7 +153,7 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
   CutFacts facts = cut_facts(net, options.tabs);
   const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart);
   facts.mirror = mirror;
-  const Annealing rules = annealing_for(options.trials_per_face, patch.size());
+  const Annealing rules = annealing_for(options.pieces.trials_per_face, patch.size());
   anneal(net, facts, room, options.pieces.weights, rules, seed, context);
   tree = net.folds();
   for (const std::uint32_t side : links) {

@@ -24,11 +24,11 @@ class PieceTree {
  public:
   PieceTree(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
             const Folds& folds, const std::vector<std::uint32_t>& faces, const Options& options,
-            const Room& room, std::uint64_t seed, const Context& context)
+            const Room& room, Random random, const Context& context)
       : options_(options),
         room_(room),
         context_(context),
-        random_(seed),
+        random_(random),
         piece_(sub_patch(patch, faces)),
         panels_(panel_count(piece_)),
         net_(surface, panels, piece_, sub_folds(patch, folds, faces), options.tabs,
@@ -71,13 +71,14 @@ Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels, 
   do_in_parallel(
       pieces.size(), context,
       [&](std::size_t i, const Context& own) {
-        const std::uint64_t seed = ~context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1));
+        // Parts were unfolded with the streams of the seed itself.
+        const Random random = Random::stream(~context.seed, i);
         std::sort(pieces[i].begin(), pieces[i].end());
         if (own.out_of_grace()) {
           trees[i] = sub_folds(patch, folds, pieces[i]);
           return;
         }
-        trees[i] = PieceTree(surface, panels, patch, folds, pieces[i], options, room, seed, own).improved();
+        trees[i] = PieceTree(surface, panels, patch, folds, pieces[i], options, room, random, own).improved();
       },
       [&](std::size_t done) {
         context.report("unfold", 0.8 + 0.2 * static_cast<double>(done) / static_cast<double>(pieces.size()));

@@ -59,7 +59,7 @@ TabSplit split_for_tabs(const mesh::Surface& surface, const prepare::Panels& pan
     if (i > 0 && own.out_of_time()) {
       return;
     }
-    Random random(seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
+    Random random = Random::stream(seed, i);
     const double blur = i == 0 ? 0.0 : blur_of_order;
     const TabSplit cut = cut_for_tabs(surface, patch, folds, tab_gaps, nets_of, blur, random, own);
     tried[i] = unite_with_tabs(rules, cut.folds, cut.missing, random.next(), own);

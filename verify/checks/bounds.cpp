@@ -6,7 +6,7 @@
 
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/box_finder.hpp"
 #include "verify/geometry/polygon.hpp"
 
 namespace ridgecraft::verify {
@@ -37,7 +37,7 @@ void check_pages_apart(const File& file, Findings& findings) {
       boxes.push_back({page.low, page.high - slack});
     }
   }
-  const BoxTree tree(boxes);
+  const BoxFinder tree(boxes);
   std::size_t found = 0;
   for (std::size_t a = 0; a < boxes.size() && found < max_page_overlaps; ++a) {
     std::vector<std::size_t> others;

@@ -10,7 +10,7 @@
 
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/box_finder.hpp"
 #include "verify/geometry/polygon.hpp"
 #include "verify/geometry/rigid_motion.hpp"
 #include "verify/relations/plates.hpp"
@@ -215,7 +215,7 @@ class Folder {
                                                   const std::vector<Index>& number,
                                                   const std::vector<Box2>& boxes) const {
     std::vector<Pair> found;
-    const BoxTree tree(boxes);
+    const BoxFinder tree(boxes);
     for (Index i = 0; i < solid.size(); ++i) {
       tree.for_each_overlapping(boxes[i], [&](std::size_t k) {
         if (k > i && counts(number[i], number[k]) && meet(solid[i], solid[k])) {

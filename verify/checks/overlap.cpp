@@ -8,7 +8,7 @@
 
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/box_finder.hpp"
 #include "verify/geometry/polygon.hpp"
 
 namespace ridgecraft::verify {
@@ -70,7 +70,7 @@ class PageSearch {
   }
 
   std::vector<Index> numbers_;
-  BoxTree tree_;
+  BoxFinder tree_;
 };
 
 std::map<Index, PageSearch> search_by_page(const Parts& parts) {

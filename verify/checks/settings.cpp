@@ -13,7 +13,7 @@
 
 #include "verify/file/settings_form.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/box_finder.hpp"
 #include "verify/geometry/polygon.hpp"
 #include "verify/relations/plates.hpp"
 
@@ -89,7 +89,7 @@ class Contradictions {
     for (const PieceLine& line : lines) {
       boxes.push_back(bounding_box(line.ends));
     }
-    const BoxTree tree(boxes);
+    const BoxFinder tree(boxes);
     std::set<std::pair<Index, Index>> told;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       given_.context.check();

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/box_finder.hpp"
 
 namespace ridgecraft::verify {
 namespace {
@@ -96,7 +96,7 @@ bool is_simple(std::span<const Vec2> polygon, const Context& context) {
     boxes[i].add(b);
     boxes[i] = {boxes[i].low - margin, boxes[i].high + margin};
   }
-  const BoxTree tree(boxes);
+  const BoxFinder tree(boxes);
   bool simple = true;
   for (std::size_t i = 0; i < n && simple; ++i) {
     context.check();

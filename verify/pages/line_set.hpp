@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
-#include "verify/geometry/box_tree.hpp"
+#include "verify/geometry/box_finder.hpp"
 
 namespace ridgecraft::verify {
 
@@ -44,7 +44,7 @@ class LineSet {
 
  private:
   std::vector<Segment> lines_;
-  BoxTree tree_;
+  BoxFinder tree_;
 };
 
 }  // namespace ridgecraft::verify

@@ -83,9 +83,4 @@ struct Options {
   bool folding = false;           ///< move every piece through its fold order: takes as long as all the rest
 };
 
-/// One JSON object with the keys of the contract's section 5. A fault has its indices by name ("face": 3),
-/// several of one kind as a list ("faces": [3, 8]). "faults_not_listed" is there only when the list stopped
-/// early.
-[[nodiscard]] std::string to_json(const Report& report);
-
 }  // namespace ridgecraft::verify

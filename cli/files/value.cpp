@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/telling/value.hpp"
+#include "cli/files/value.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/all_tabs.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "unfold/net/tolerance.hpp"
+#include "unfold/nets_of_folds.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/pieces/closing.hpp"
+#include "unfold/pieces/tab_split.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/unfold.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// The pieces that were split off others, but for the largest of each, are there for tabs.
+void blame_tabs(const Patch& patch, const Layout& before, const Layout& after, Causes& causes) {
+  std::vector<std::uint32_t> largest(before.faces.size(), nothing);
+  for (std::uint32_t piece = 0; piece < after.faces.size(); ++piece) {
+    std::uint32_t& other = largest[before.piece[after.faces[piece].front()]];
+    if (other == nothing || area_of(patch, after.faces[piece]) > area_of(patch, after.faces[other])) {
+      other = piece;
+    }
+  }
+  for (std::uint32_t f = 0; f < patch.size(); ++f) {
+    if (largest[before.piece[f]] != after.piece[f]) {
+      causes[f] = PieceReason::tabs;
+    }
+  }
+}
+
+std::string counted(std::size_t number, const char* one, const char* more) {
+  return std::to_string(number) + (number == 1 ? one : more);
+}
+
+}  // namespace
+
+bool wants_all_tabs(const Options& options) {
+  return options.tabs.wanted && options.tabs.split_pieces;
+}
+
+AllTabs give_all_tabs(const Asked& asked, const Plan& plan, const Patch& patch, const Folds& folds,
+                      const Causes& causes, const Context& context) {
+  if (context.out_of_time()) {
+    return {folds, causes, 0, false};
+  }
+  // Nets as they will be returned: tabs go by the flat regions of the model.
+  const NetsOf nets_of = [&](const Folds& tried) {
+    Nets nets = nets_of_folds(asked.surface, asked.part, patch, tried, causes);
+    close_flat_cuts(asked.surface, asked.panels, plan.possible_wishes, nets);
+    replace_tabs(asked.surface, asked.panels, asked.options, nets, context);
+    return nets;
+  };
+  TabSplit split = split_for_tabs(asked.surface, asked.panels, patch, folds, plan.room, asked.options.tabs,
+                                  nets_of, net_tolerance(patch.extent), context.seed, context);
+  const Layout before = lay_out(patch, folds);
+  const Layout after = lay_out(patch, split.folds);
+  AllTabs result{std::move(split.folds), causes, after.faces.size() - before.faces.size(),
+                 !context.out_of_time()};
+  blame_tabs(patch, before, after, result.causes);
+  return result;
+}
+
+void note_all_tabs(const Asked& asked, const AllTabs& split, Nets& nets) {
+  const auto narrow = static_cast<std::size_t>(
+      std::count_if(nets.joins.begin(), nets.joins.end(), [](const Join& join) { return join.too_narrow; }));
+  const std::size_t usable = tabs_usable(asked.surface, nets, asked.options.tabs);
+  std::vector<std::string> facts;
+  facts.push_back((split.split_pieces == 0 ? std::string("no piece had to be")
+                                           : counted(split.split_pieces, " piece was", " pieces were")) +
+                  " split off for tabs");
+  if (narrow > 0) {
+    facts.push_back(counted(narrow, " edge is too short, or the faces behind it",
+                            " edges are too short, or the faces behind them") +
+                    " too narrow, for a tab that holds");
+  }
+  if (nets.joins.size() > usable + narrow) {
+    facts.push_back(counted(nets.joins.size() - usable - narrow, " edge has", " edges have") +
+                    (split.in_time ? " no room for a tab even so" : " no room for a tab yet"));
+  }
+  if (!split.in_time) {
+    facts.emplace_back("the time given was up before all ways to split were tried");
+  }
+  std::string note = std::move(facts.front());
+  for (std::size_t i = 1; i < facts.size(); ++i) {
+    note += "; " + facts[i];
+  }
+  nets.notes.push_back(std::move(note));
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/unfolded_parts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/random.hpp"
+#include "unfold/net/tolerance.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/pieces/patch_nets.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// How far unfolding has come when all parts are: the rest is merging and better trees.
+constexpr double share_of_parts = 0.7;
+
+/// One connected patch of one group.
+struct Task {
+  PartId part;                             ///< of its first face
+  PieceReason reason = PieceReason::part;  ///< why it isn't one with others of its group
+  std::vector<FaceId> faces;
+};
+
+std::vector<Task> make_tasks(const Asked& asked, const Plan& plan) {
+  std::uint32_t groups = 0;
+  for (const PartId g : plan.group) {
+    groups = std::max(groups, g.value() + 1);
+  }
+  IdVector<PartId, std::vector<FaceId>> faces(groups);
+  for (const FaceId f : ids<FaceId>(asked.surface.face_count())) {
+    faces[plan.group[f]].push_back(f);
+  }
+  const EdgeWishes& wishes = plan.possible_wishes;
+  std::vector<Task> tasks;
+  for (const PartId g : ids<PartId>(groups)) {
+    const bool one_without_wishes = !wishes.empty() && connected(asked.surface, faces[g]).size() == 1;
+    const PieceReason beside_first = one_without_wishes ? PieceReason::request : PieceReason::component;
+    PieceReason reason = PieceReason::part;
+    for (auto& patch : connected(asked.surface, faces[g], wishes.items())) {
+      tasks.push_back({asked.part[patch.front()], reason, std::move(patch)});
+      reason = beside_first;
+    }
+  }
+  return tasks;
+}
+
+/// What a task came to: written to the faces of the surface that are its own.
+void put_back(const Task& task, const Patch& patch, const PatchNets& nets, UnfoldedParts& result) {
+  const Layout layout = lay_out(patch, nets.folds);
+  for (std::uint32_t f = 0; f < patch.size(); ++f) {
+    const std::uint32_t face = task.faces[f].value();
+    const PieceReason reason = nets.reason[layout.piece[f]];
+    result.causes[face] = reason == PieceReason::part ? task.reason : reason;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      result.folds[3 * face + k] = nets.folds[3 * f + k];
+    }
+  }
+}
+
+}  // namespace
+
+Patch whole_patch(const Asked& asked, const Plan& plan) {
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(asked.surface.face_count())) {
+    faces.push_back(f);
+  }
+  return make_patch(asked.surface, plan.whole, faces, plan.possible_wishes.items());
+}
+
+UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& context) {
+  const std::vector<Task> tasks = make_tasks(asked, plan);
+  UnfoldedParts result{
+      Folds(asked.surface.corner_count(), 0), Causes(asked.surface.face_count(), PieceReason::part), {}};
+  std::vector<std::vector<std::string>> notes(tasks.size());
+  do_in_parallel(
+      tasks.size(), context,
+      [&](std::size_t i, const Context& own) {
+        const Patch patch =
+            make_patch(asked.surface, plan.whole, tasks[i].faces, plan.possible_wishes.items());
+        const std::uint64_t seed = Random::stream(context.seed, i).next();
+        PatchNets nets =
+            unfold_patch(patch, plan.room, asked.options.panel_cuts, net_tolerance(patch.extent), seed, own);
+        put_back(tasks[i], patch, nets, result);
+        notes[i] = std::move(nets.notes);
+      },
+      [&](std::size_t done) {
+        context.report("unfold",
+                       share_of_parts * static_cast<double>(done) / static_cast<double>(tasks.size()));
+      });
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    for (const std::string& note : notes[t]) {
+      result.notes.push_back("part " + std::to_string(tasks[t].part.value()) + ": " + note);
+    }
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::unfold
