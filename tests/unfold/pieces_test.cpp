@@ -19,7 +19,6 @@
 #include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/page_split.hpp"
-#include "unfold/pieces/tidy_piece.hpp"
 #include "unfold/search/fit_search.hpp"
 #include "unfold/search/net_search.hpp"
 #include "unfold/search/one_piece.hpp"
@@ -193,39 +192,6 @@ TEST_CASE("few pieces are never more than the parts' pieces, and those never mor
   CHECK(told);
 }
 
-TEST_CASE("a piece that is tidied costs less and stays a clean net", "[pieces]") {
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const mesh::Surface s = bumpy_ball(10, 7, 60.0, seed);
-    std::vector<FaceId> all;
-    for (const FaceId f : ids<FaceId>(s.face_count())) {
-      all.push_back(f);
-    }
-    const unfold::Patch patch = unfold::make_patch(s, test::flat_panels(s), all);
-    unfold::NetSearch search;
-    search.start = unfold::StartTree::depth_first;
-    search.tolerance = 1e-7 * patch.extent;
-    search.iterations = 5000;
-    const unfold::Folds straggly = unfold::find_net(patch, search, seed, {}).folds;
-    const unfold::Weights weights;
-    const auto cost = [&](const unfold::Folds& tree) {
-      return unfold::cost_of_piece(patch, tree, 1, weights);
-    };
-    const auto tidied_if = [&](bool allowed) {
-      unfold::ChangingNet net(patch, straggly, search.tolerance);
-      const bool changed =
-          unfold::tidy_piece(net, [&](unfold::ChangingNet&) { return allowed; }, weights, seed, {});
-      CHECK(changed == allowed);
-      return net.folds();
-    };
-    const unfold::Folds tidy = tidied_if(true);
-    CHECK(cost(tidy) < cost(straggly) - 1.0);
-    CHECK(unfold::cost_of(patch, tidy).pieces == 1);
-    CHECK(unfold::find_overlaps(unfold::lay_out(patch, tidy), search.tolerance).empty());
-    CHECK(tidied_if(true) == tidy);
-    CHECK(tidied_if(false) == straggly);
-  }
-}
-
 TEST_CASE("turning, renumbering, mirroring and scaling keep pieces clean and complete", "[pieces]") {
   const mesh::Surface s = staircase();
   for (const mesh::Surface& other : {turned_and_renumbered(s), mirrored(s), scaled(s, 0.01)}) {
@@ -357,7 +323,7 @@ TEST_CASE("each term of the objective has a name, and costs what it says", "[pie
     CHECK(unfold::least_cost_of_piece(cube, 3, one) <= unfold::cost_of_piece(cube, tree, 3, one));
     return unfold::cost_of_piece(cube, tree, 3, one);
   };
-  CHECK(only("cut") == Approx(0.7));  // seven edges of 10 mm
+  CHECK(only("seam") == Approx(70.0));  // seven edges of 10 mm
   CHECK(only("pieces") == Approx(1.0));
   CHECK(only("parts") == Approx(2.0));
   CHECK(only("small") == Approx(1.0 - std::sqrt(600.0) / 30.0));

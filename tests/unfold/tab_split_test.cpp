@@ -20,7 +20,7 @@
 #include "unfold/search/tree_search.hpp"
 #include "unfold/tabs/place/missing_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
-#include "unfold/tabs/trees/tab_search.hpp"
+#include "unfold/tabs/shape/trimming.hpp"
 #include "unfold/tree_nets.hpp"
 
 using namespace ridgecraft;
@@ -125,6 +125,16 @@ double width_behind(const Surface& s, CornerId side) {
   return height > 3.0 ? edge * (1.0 - 3.0 / height) : 0.0;
 }
 
+/// Does the face behind a side go on beyond a fold so slight that a tab bends with it?
+bool bends_slightly(const Surface& s, const Nets& nets, CornerId side) {
+  const CornerId twin = s.twin(side);
+  const auto slight = [&](CornerId c) {
+    const EdgeId e = s.edge(c);
+    return nets.use[e] == unfold::EdgeUse::fold && std::abs(s.fold_angle(e)) <= unfold::most_bend_of_tab;
+  };
+  return slight(mesh::next(twin)) || slight(mesh::previous(twin));
+}
+
 /// The fewest pieces in which a surface of few edges has no join without a tab that could have one, by trying
 /// all spanning forests.
 std::size_t fewest_pieces(const Surface& s) {
@@ -209,7 +219,7 @@ TEST_CASE("an edge is called too narrow where the faces behind it are", "[tabs]"
       const auto [a, b] = s.sides(join.edge);
       const double width = std::max(width_behind(s, a), width_behind(s, b));
       const double edge = s.length(join.edge);
-      if (width < 0.5 * edge - 1e-6) {
+      if (width < 0.5 * edge - 1e-6 && !bends_slightly(s, nets, a) && !bends_slightly(s, nets, b)) {
         CHECK(join.too_narrow);
         ++told;
       } else if (width > std::max(0.5 * edge, 2.0) + 1e-6) {
@@ -421,42 +431,4 @@ TEST_CASE("what has all its tabs isn't split", "[tabs]") {
   const Nets nets = unfold::unfold(cube, test::flat_panels(cube), test::one_part(cube), options, {});
   CHECK(nets.pieces.size() == 1);
   CHECK(nets.tabs.size() == 7);
-}
-
-TEST_CASE("pieces that are searched together stay as many and clean", "[tabs]") {
-  const Surface s = dented(test::scaled(test::sphere(12, 6), 20.0), 0.3, 9);
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    faces.push_back(f);
-  }
-  const unfold::Patch patch = unfold::make_patch(s, test::no_panels(s), faces);
-  constexpr double tolerance = 1e-5;
-  Random random(3);
-  unfold::TreeSearch net(patch, tolerance, 3);
-  net.set_tree(unfold::start_tree(patch, unfold::StartTree::short_cuts, random));
-  REQUIRE(net.run({20000, 20000}, Context()));
-  unfold::TabSearch search;
-  search.tolerance = tolerance;
-  search.trials = 20 * patch.size();
-  std::uint32_t tabs_of_one = 0;
-  for (std::size_t links = 0; links <= 3; ++links) {
-    const unfold::TabSearchResult found =
-        unfold::search_tabs(s, test::no_panels(s), patch, net.folds(), {}, search, 5, Context());
-    const unfold::Layout layout = unfold::lay_out(patch, found.folds);
-    CHECK(layout.faces.size() == links + 1);
-    CHECK(unfold::find_overlaps(layout, tolerance).empty());
-    for (const std::uint32_t side : search.links) {
-      CHECK(found.folds[side] == 0);
-      CHECK(layout.piece[side / 3] != layout.piece[patch.twin[side] / 3]);
-    }
-    tabs_of_one = links == 0 ? found.tabs : tabs_of_one;
-    CHECK(found.tabs >= tabs_of_one);
-    // One link more, anywhere.
-    for (std::uint32_t side = 0; side < patch.twin.size() && search.links.size() == links; ++side) {
-      const bool used = std::find(search.links.begin(), search.links.end(), side) != search.links.end();
-      if (net.folds()[side] != 0 && side < patch.twin[side] && !used && side > 100 * links) {
-        search.links.push_back(side);
-      }
-    }
-  }
 }

@@ -36,7 +36,7 @@ constexpr double exact_slack = 15.0;
 /// quick half and of the exact one, mm.
 constexpr double first_heat = 20.0;
 constexpr double middle_heat = 0.5;
-constexpr double exact_heat = 2.0;
+constexpr double exact_heat = 1.0;
 constexpr double last_heat = 0.3;
 /// Nets of so many faces get all trials for each; larger ones fewer.
 constexpr double ordinary_faces = 250.0;

@@ -84,10 +84,7 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
     }
     seam_[side] = facts.seam[side];
     for (const std::uint32_t fold : across_[side]) {
-      std::vector<std::uint32_t>& others = behind_[join_of(fold)];
-      if (others.size() < most_behind) {
-        others.push_back(join_of(side));
-      }
+      behind_[join_of(fold)].push_back(join_of(side));
     }
     Angles& needed = needed_[side];
     for (const TabCandidate& tab : facts.candidates[side]) {
@@ -133,7 +130,7 @@ void CutCosts::set_tree(const Folds& folds) {
 
 /// What it costs that the edge's mirror image is no cut where it is one; half of it where both are asked.
 double CutCosts::unevenness(std::uint32_t side) const {
-  return is_uneven(side) ? weights_.mirror * patch_.length[side] : 0.0;
+  return is_uneven(side) ? mirror_price(side) : 0.0;
 }
 
 CutCosts::Ends CutCosts::ends_of(std::uint32_t side) const {
@@ -196,13 +193,9 @@ CutCosts::Cost CutCosts::cost_of(std::uint32_t join) const {
 /// Notes a cut that is to be rated anew.
 void CutCosts::note(std::uint32_t side) {
   const std::uint32_t join = join_of(side);
-  for (std::size_t i = 0; i < changes_; ++i) {
-    if (changed_[i] == join) {
-      return;
-    }
+  if (std::find(changed_.begin(), changed_.end(), join) == changed_.end()) {
+    changed_.push_back(join);
   }
-  RIDGECRAFT_ASSERT(changes_ < most_changed);
-  changed_[changes_++] = join;
 }
 
 /// Notes the cuts that meet this one on the outline.
@@ -231,7 +224,7 @@ void CutCosts::note_behind(std::uint32_t join) {
 }
 
 double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
-  changes_ = 0;
+  changed_.clear();
   changed_cut_ = join_of(cut);
   changed_fold_ = join_of(fold);
   note(cut);
@@ -248,7 +241,8 @@ double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
   note_behind(changed_cut_);
   note_behind(changed_fold_);
   bare_sum_ = 0.0;
-  for (std::size_t i = 0; i < changes_; ++i) {
+  new_cost_.resize(changed_.size());
+  for (std::size_t i = 0; i < changed_.size(); ++i) {
     const std::uint32_t join = changed_[i];
     const Cost old = join == changed_fold_ ? Cost{} : cost_[join];
     new_cost_[i] = join == changed_cut_ ? Cost{} : cost_of(join);
@@ -259,7 +253,7 @@ double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
 }
 
 void CutCosts::keep() {
-  for (std::size_t i = 0; i < changes_; ++i) {
+  for (std::size_t i = 0; i < changed_.size(); ++i) {
     cost_[changed_[i]] = new_cost_[i];
   }
   total_ += sum_;

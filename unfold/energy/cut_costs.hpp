@@ -61,7 +61,8 @@ class CutCosts {
   [[nodiscard]] double change_of_mirror() const { return mirror_sum_; }
   /// What it costs, mm, that an edge is a cut and its mirror image isn't, or the other way round.
   [[nodiscard]] double mirror_price(std::uint32_t side) const {
-    return mirror_of(side) == nothing ? 0.0 : weights_.mirror * patch_.length[side];
+    const std::uint32_t image = mirror_of(side);
+    return image == nothing ? 0.0 : 0.5 * weights_.mirror * (patch_.length[side] + patch_.length[image]);
   }
   /// The mirror image of an edge, by a side; nothing where it has none.
   [[nodiscard]] std::uint32_t mirror_of(std::uint32_t side) const {
@@ -71,9 +72,6 @@ class CutCosts {
   void drop();
 
  private:
-  /// Two edges, each with four neighbours on the outline and a few that need it behind their tabs.
-  static constexpr std::size_t most_behind = 6;
-  static constexpr std::size_t most_changed = 10 + 2 * most_behind;
   struct Angles {
     std::array<float, most_candidates> left{};
     std::array<float, most_candidates> right{};
@@ -123,9 +121,8 @@ class CutCosts {
   // The swap that was rated last.
   std::uint32_t changed_cut_ = nothing;
   std::uint32_t changed_fold_ = nothing;
-  std::array<std::uint32_t, most_changed> changed_{};
-  std::array<Cost, most_changed> new_cost_{};
-  std::size_t changes_ = 0;
+  std::vector<std::uint32_t> changed_;  ///< two edges, their neighbours on the outline, tabs that lie behind them
+  std::vector<Cost> new_cost_;
   double sum_ = 0.0;
   double bare_sum_ = 0.0;
   double mirror_sum_ = 0.0;

@@ -36,6 +36,34 @@ double area_within(const std::array<float, 16>& reach) {
   return 0.5 * twice;
 }
 
+/// The turn that lays the longer principal axis of these points along x: of a strip the polygon around it is the
+/// strip then, wherever it points.
+Turn along_axes(const std::vector<Vec2>& points) {
+  Vec2 mean;
+  for (const Vec2 p : points) {
+    mean += p;
+  }
+  mean = mean / static_cast<double>(points.size());
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  for (const Vec2 p : points) {
+    const Vec2 d = p - mean;
+    xx += d.x * d.x;
+    xy += d.x * d.y;
+    yy += d.y * d.y;
+  }
+  // Half of the angle of (xx - yy, 2 xy), without trigonometry.
+  const Vec2 twice{xx - yy, 2.0 * xy};
+  const double size = length(twice);
+  if (!(size > 0.0)) {
+    return {};
+  }
+  const double cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + twice.x / size)));
+  const double sine = std::sqrt(std::max(0.0, 0.5 * (1.0 - twice.x / size)));
+  return {cosine, twice.y < 0.0 ? sine : -sine};
+}
+
 }  // namespace
 
 PieceShape::PieceShape(const Patch& patch, const Room& room, const Weights& weights)
@@ -111,17 +139,22 @@ PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds
   std::array<float, directions> low;
   high.fill(0.0F);
   low.fill(0.0F);
+  points_.clear();
   for (const std::uint32_t f : faces_) {
     const bool moves = moved != nullptr && net.in_span(*moved, f);
     for (const Vec2 corner : net.flat(f)) {
-      const Vec2 p = (moves ? motion(corner) : corner) - origin;
-      const auto x = static_cast<float>(p.x);
-      const auto y = static_cast<float>(p.y);
-      for (std::size_t d = 0; d < directions; ++d) {
-        const float at = x * cosines[d] + y * sines[d];
-        high[d] = at > high[d] ? at : high[d];
-        low[d] = at < low[d] ? at : low[d];
-      }
+      points_.push_back((moves ? motion(corner) : corner) - origin);
+    }
+  }
+  const Turn upright = along_axes(points_);
+  for (const Vec2 point : points_) {
+    const Vec2 p = upright(point);
+    const auto x = static_cast<float>(p.x);
+    const auto y = static_cast<float>(p.y);
+    for (std::size_t d = 0; d < directions; ++d) {
+      const float at = x * cosines[d] + y * sines[d];
+      high[d] = at > high[d] ? at : high[d];
+      low[d] = at < low[d] ? at : low[d];
     }
   }
   std::array<float, 2 * directions> reach;

@@ -16,8 +16,8 @@
 namespace ridgecraft::unfold {
 
 /// Measures the pieces of a forest one by one. Costs in mm:
-/// - hollows: the area of the convex hull that is no paper (Weights::compact). The hull is taken as the polygon of 16 sides around the piece: up to a few percent
-///   too large, in O(n) without sorting;
+/// - hollows: the area of the convex hull that is no paper (Weights::compact). The hull is taken as the polygon of 16 sides
+///   around the piece, one of them along its longer axis: a few percent too large, in O(n) without sorting;
 /// - outline: its square, so that ragged pieces cost more than several calm ones (Weights::outline);
 /// - necks: of each fold, by how much the branch behind it (the root of the smaller side's area) is wider than
 ///   three times the fold (Weights::thin);
@@ -59,6 +59,7 @@ class PieceShape {
   std::vector<double> behind_;         ///< area of each face with all that hangs on it
   std::size_t panels_ = 1;
   double outline_ = 0.0;
+  std::vector<Vec2> points_;  ///< corners of its faces
 };
 
 }  // namespace ridgecraft::unfold

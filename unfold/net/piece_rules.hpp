@@ -12,9 +12,9 @@ namespace ridgecraft::unfold {
 /// share. Each term has a name that users can weigh (energy/, patch/objective.hpp).
 struct Weights {
   double seam = 1.0;      ///< each mm of seam
-  double bare = 1.5;      ///< each mm of seam without room for a tab that holds
-  double slits = 0.5;     ///< each mm of seam that opens by less than 20 degrees
-  double mirror = 1.0;    ///< each mm of seam whose mirror image is none
+  double bare = 2.0;      ///< each mm of seam without room for a tab that holds
+  double slits = 2.0;     ///< each mm of seam that opens by less than 20 degrees
+  double mirror = 1.5;    ///< each mm of seam whose mirror image is none
   double open = 0.1;      ///< each mm of seam on a smooth place; less on ridges and in hollows
   double compact = 4.0;   ///< each cm2 of a piece's convex hull that is no paper
   double outline = 0.3;   ///< square of a piece's outline, over 1000 mm

@@ -88,6 +88,9 @@ class SiteFinder {
         if (c == twin || !meet(edge.box(), widest.box()) || apart(widest, edge, 0.0)) {
           continue;
         }
+        if (i == 0) {
+          site.region_outline.push_back({edge, Obstacle::Kind::target_edge});
+        }
         const EdgeId e = surface_.edge(c);
         const double beyond = bend + std::abs(surface_.fold_angle(e));
         if (nets_.use[e] != EdgeUse::fold || beyond > most_bend_of_tab) {
@@ -103,6 +106,7 @@ class SiteFinder {
     const bool alone = behind.size() == 1 && regions_.outline[site.target_region].size() == 3;
     if (alone && site.target.in(flat_corner(nets_, mesh::previous(twin))).y < least_target_mm) {
       outline.assign(1, no_target(site.length));
+      site.region_outline = outline;
     }
     site.obstacles.insert(site.obstacles.end(), outline.begin(), outline.end());
   }
@@ -168,7 +172,7 @@ std::vector<Obstacle> target_outline(const TabSite& site) {
 
 bool target_allows_usable(const TabSite& site, const TabOptions& options) {
   const ConvexShape largest =
-      largest_tab({0.0, site.length, site.length}, target_outline(site), options, TabNeed::usable);
+      largest_tab({0.0, site.length, site.length}, site.region_outline, options, TabNeed::usable);
   return !tab_shapes(largest, site.length, options).empty();
 }
 

@@ -41,12 +41,13 @@ struct TabSite {
   double area = 0.0;                    ///< of the flat region that the tab grows from, mm^2
   std::array<std::uint32_t, 2> ends{};  ///< net vertices at (0, 0) and (length, 0)
   std::vector<Obstacle> obstacles;      ///< in the frame of tab shapes
+  std::vector<Obstacle> region_outline;  ///< of the target region alone, near the edge; frame of tab shapes
 };
 
 /// Of a site's obstacles the outline of its target.
 [[nodiscard]] std::vector<Obstacle> target_outline(const TabSite& site);
 
-/// Is the target wide enough for a usable tab, if nothing else stood in its way? Where one over the whole
+/// Is the flat region behind wide enough for a usable tab, whatever is a fold and if nothing else stood in its way? Where one over the whole
 /// edge doesn't fit, none on a part of it does.
 [[nodiscard]] bool target_allows_usable(const TabSite& site, const TabOptions& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The quick half of the search for tabs.
+// What cuts cost, told by the angles of the outline, against counting afresh.
 #include <numeric>
 
 #include <catch2/catch.hpp>
@@ -14,13 +14,13 @@
 #include "unfold/search/rooted_net.hpp"
 #include "unfold/search/tree_search.hpp"
 #include "unfold/tabs/place/targets.hpp"
-#include "unfold/tabs/trees/quick_search.hpp"
+#include "unfold/energy/cut_costs.hpp"
 
 using namespace ridgecraft;
 using unfold::Folds;
 using unfold::Patch;
 using unfold::RootedNet;
-using unfold::TabWedges;
+using unfold::CutCosts;
 using unfold::TreeSearch;
 
 namespace {
@@ -62,41 +62,50 @@ struct Example {
     REQUIRE(net.run({20000, 20000}, Context()));
     folds = net.folds();
   }
-  [[nodiscard]] TabWedges wedges() const { return {patch, candidates, targets.seam, clearance}; }
+  /// Every edge is the mirror image of another, at random.
+  void pair_edges(std::uint64_t seed) {
+    mirror.assign(patch.twin.size(), unfold::nothing);
+    Random random(seed);
+    std::uint32_t open = unfold::nothing;
+    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+      if (patch.twin[side] == unfold::nothing || patch.twin[side] < side || random.below(4) == 0) {
+        continue;
+      }
+      if (open != unfold::nothing) {
+        for (const auto& [a, b] : {std::pair(open, side), std::pair(side, open)}) {
+          mirror[a] = mirror[patch.twin[a]] = b;
+        }
+        open = unfold::nothing;
+      } else {
+        open = side;
+      }
+    }
+  }
+  [[nodiscard]] CutCosts costs(const unfold::Weights& weights) const {
+    return {patch, {candidates, targets.across, targets.seam, clearance, mirror}, weights};
+  }
 
   mesh::Surface surface;
   prepare::Panels panels;
   Patch patch;
   unfold::TabTargets targets;
   std::vector<std::vector<unfold::TabCandidate>> candidates;
+  std::vector<std::uint32_t> mirror;
   Folds folds;
 };
 
-bool is_spanning_tree(const Patch& patch, const Folds& folds) {
-  DisjointSets sets(patch.size());
-  std::uint32_t joined = 0;
-  for (std::uint32_t side = 0; side < folds.size(); ++side) {
-    if (folds[side] != 0 && side < patch.twin[side]) {
-      if (!sets.join(side / 3, patch.twin[side] / 3)) {
-        return false;
-      }
-      ++joined;
-    }
-  }
-  return joined + 1 == patch.size();
-}
-
 }  // namespace
 
-TEST_CASE("what a swap changes is what counting afresh shows") {
+TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     // The last one is open: it has seams.
-    const Example example(seed, seed == 3 ? 20 : 0);
-    TabWedges wedges = example.wedges();
-    TabWedges fresh = example.wedges();
+    Example example(seed, seed == 3 ? 20 : 0);
+    example.pair_edges(seed);
+    CutCosts costs = example.costs({});
+    CutCosts fresh = example.costs({});
     RootedNet net(example.patch);
     net.set_tree(example.folds);
-    wedges.set_tree(example.folds);
+    costs.set_tree(example.folds);
     Random random(seed);
     int kept = 0;
     for (int trial = 0; trial < 3000; ++trial) {
@@ -106,26 +115,54 @@ TEST_CASE("what a swap changes is what counting afresh shows") {
       }
       const auto path = net.removable_between(side / 3, example.patch.twin[side] / 3);
       const std::uint32_t below = path[random.below(static_cast<std::uint32_t>(path.size()))];
-      const double before = wedges.missing();
-      const double change = wedges.change(side, net.side_above(below));
+      const double before = costs.total();
+      const double change = costs.change(side, net.side_above(below));
       if (random.unit() < 0.5) {
-        wedges.drop();
-        REQUIRE(wedges.missing() == before);
+        costs.drop();
+        REQUIRE(costs.total() == before);
         continue;
       }
+      const double bare = costs.total_without_bare() + change - costs.change_of_bare();
       net.swap(below, side);
-      wedges.keep();
+      costs.keep();
       fresh.set_tree(net.folds());
-      REQUIRE(wedges.missing() == Approx(before + change).margin(1e-9));
-      REQUIRE(wedges.missing() == Approx(fresh.missing()).margin(1e-9));
+      REQUIRE(costs.total() == Approx(before + change).margin(1e-6));
+      REQUIRE(costs.total() == Approx(fresh.total()).margin(1e-6));
+      REQUIRE(costs.total_without_bare() == Approx(bare).margin(1e-6));
+      REQUIRE(costs.total_without_bare() == Approx(fresh.total_without_bare()).margin(1e-6));
       for (std::uint32_t cut = 0; cut < example.patch.twin.size(); ++cut) {
         if (net.folds()[cut] == 0) {
-          REQUIRE(wedges.missing_on(cut) == fresh.missing_on(cut));
+          REQUIRE(costs.lacks_tab(cut) == fresh.lacks_tab(cut));
+          REQUIRE(costs.is_uneven(cut) == fresh.is_uneven(cut));
         }
       }
       ++kept;
     }
     CHECK(kept > 200);
+  }
+}
+
+TEST_CASE("without other weights cuts cost their length, and each weight costs something", "[energy]") {
+  Example example(4);
+  example.pair_edges(4);
+  unfold::Weights alone{};
+  alone.bare = alone.slits = alone.mirror = alone.open = 0.0;
+  double length = 0.0;
+  for (std::uint32_t side = 0; side < example.patch.twin.size(); ++side) {
+    length += example.folds[side] == 0 && side < example.patch.twin[side] ? example.patch.length[side] : 0.0;
+  }
+  const auto total = [&](const unfold::Weights& weights) {
+    CutCosts costs = example.costs(weights);
+    costs.set_tree(example.folds);
+    return costs.total();
+  };
+  CHECK(total(alone) == Approx(length));
+  for (double unfold::Weights::*weight :
+       {&unfold::Weights::bare, &unfold::Weights::slits, &unfold::Weights::mirror, &unfold::Weights::open}) {
+    unfold::Weights more = alone;
+    more.*weight = 1.0;
+    CHECK(total(more) > length + 1.0);
+    CHECK(total(more) <= 2.0 * length);
   }
 }
 
@@ -156,41 +193,4 @@ TEST_CASE("the overlaps that a swap adds are counted as after the swap") {
     with_overlap += pairs.total() > 0 ? 1 : 0;
   }
   CHECK(with_overlap > 100);
-}
-
-TEST_CASE("the quick search finds clean trees with more room for tabs") {
-  for (const std::uint64_t seed : {6U, 7U}) {
-    const Example example(seed);
-    TabWedges wedges = example.wedges();
-    wedges.set_tree(example.folds);
-    const double before = wedges.missing();
-    RootedNet net(example.patch);
-    net.set_tree(example.folds);
-    const auto found =
-        unfold::find_tab_start(example.patch, wedges, net, tolerance, 100'000, {}, seed, Context());
-    REQUIRE(found);
-    CHECK(is_spanning_tree(example.patch, *found));
-    CHECK(unfold::find_overlaps(unfold::lay_out(example.patch, *found), tolerance).empty());
-    wedges.set_tree(*found);
-    CHECK(wedges.missing() < 0.7 * before);
-
-    RootedNet again(example.patch);
-    again.set_tree(example.folds);
-    CHECK(unfold::find_tab_start(example.patch, wedges, again, tolerance, 100'000, {}, seed, Context()) ==
-          found);
-  }
-}
-
-TEST_CASE("trees that may not be are not found") {
-  const Example example(8);
-  TabWedges wedges = example.wedges();
-  RootedNet net(example.patch);
-  net.set_tree(example.folds);
-  int asked = 0;
-  const auto none = [&](const Folds&) {
-    ++asked;
-    return false;
-  };
-  CHECK_FALSE(unfold::find_tab_start(example.patch, wedges, net, tolerance, 20'000, none, 8, Context()));
-  CHECK(asked > 0);
 }

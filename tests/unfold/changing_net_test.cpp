@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/tabs/trees/tab_search.hpp"
-
+// A net and its tabs while its tree changes.
 #include <cmath>
 #include <numeric>
 
@@ -125,51 +124,14 @@ void check_no_collision(const Patch& patch, const RootedNet& net, const TabState
 
 }  // namespace
 
-TEST_CASE("the search for tabs gains tabs and keeps a clean spanning tree", "[tab_search]") {
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const Example example(lumpy(seed), seed);
-    const unfold::TabSearch search{tolerance, 300, {}, {}};
-    const auto run = [&] {
-      return unfold::search_tabs(example.surface, example.panels, example.patch, example.folds, TabOptions(),
-                                 search, seed, Context());
-    };
-    const unfold::TabSearchResult found = run();
-    CHECK(is_spanning_tree(example.patch, found.folds));
-    CHECK(unfold::find_overlaps(unfold::lay_out(example.patch, found.folds), tolerance).empty());
-    CHECK(found.cuts == example.patch.size() / 2 + 1);
-    CHECK(found.tabs > found.tabs_before);
-    CHECK(run().folds == found.folds);
-  }
-}
-
-TEST_CASE("trees that aren't allowed aren't taken", "[tab_search]") {
-  const Example example(lumpy(4), 4);
-  const unfold::TabSearch search{tolerance, 100, [](const Folds&) { return false; }, {}};
-  CHECK(unfold::search_tabs(example.surface, example.panels, example.patch, example.folds, TabOptions(),
-                            search, 1, Context())
-            .folds == example.folds);
-}
-
-TEST_CASE("a tree that may not be the best is walked over, but not taken", "[tab_search]") {
-  const Example example(lumpy(4), 4);
-  unfold::TabSearch search{tolerance, 100, {}, {}};
-  search.best_allowed = [&](const Folds& folds) { return folds == example.folds; };
-  CHECK(unfold::search_tabs(example.surface, example.panels, example.patch, example.folds, TabOptions(),
-                            search, 1, Context())
-            .folds == example.folds);
-}
-
 TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_search]") {
   const Example example(lumpy(7), 7);
   const Patch& patch = example.patch;
   unfold::ChangingNet net(example.surface, example.panels, patch, example.folds, TabOptions(), tolerance);
   unfold::ChangingNet bare(patch, example.folds, tolerance);
   CHECK(bare.tabs() == 0);
-  unfold::TabWedges fresh(patch, net.tab_state().candidates(), net.tab_state().seams(),
-                          TabOptions().clearance_mm);
   Random random(8);
   int kept = 0;
-  int hopeless = 0;
   for (int trial = 0; trial < 1000 && kept < 40; ++trial) {
     const std::uint32_t side = random.below(static_cast<std::uint32_t>(patch.twin.size()));
     if (!net.tab_state().is_cut(side)) {
@@ -182,8 +144,6 @@ TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_sear
     }
     const Folds before = net.folds();
     const std::uint32_t tabs = net.tabs();
-    const double lost = net.room_lost(*swap);
-    CHECK(net.folds() == before);
     if (random.below(3) == 0) {
       net.make_with_tabs(*swap);
     } else {
@@ -191,10 +151,7 @@ TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_sear
     }
     CHECK(is_spanning_tree(patch, net.folds()));
     CHECK(net.folds() != before);
-    const bool ask = random.below(2) == 0;
-    if (ask && lost > 1.5) {
-      hopeless += net.tabs() >= tabs ? 1 : 0;
-    } else if (ask) {
+    if (random.below(2) == 0) {
       static_cast<void>(net.tabs());
     }
     if (random.below(3) == 0) {
@@ -207,8 +164,6 @@ TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_sear
     ++kept;
     CHECK(net.is_clean());
     check_no_collision(patch, net.tree(), net.tab_state());
-    fresh.set_tree(net.folds());
-    CHECK(net.wedges().missing() == fresh.missing());
     bare.set_tree(net.folds());
     double area = 0.0;
     const auto hull = net.hull();
@@ -222,7 +177,6 @@ TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_sear
     CHECK(std::abs(area) < 1e-6);
   }
   CHECK(kept == 40);
-  CHECK(hopeless == 0);
   // Set afresh, the tabs depend on the tree alone.
   const Folds last = net.folds();
   net.set_tree(last);
@@ -259,7 +213,7 @@ TEST_CASE("tabs that are kept up to date collide with nothing, and changes can b
     ++swaps;
     const auto before = all_tabs(patch, net, state);
     const auto sides = sides_with_tabs(patch, state);
-    const double worth = state.worth();
+    const double held = state.held_mm();
     state.swap(below, side);
     pairs.find_all();
     CHECK(pairs.total() == 0);
@@ -269,7 +223,7 @@ TEST_CASE("tabs that are kept up to date collide with nothing, and changes can b
     if (swaps % 3 == 0) {
       state.take_back();
       CHECK(sides_with_tabs(patch, state) == sides);
-      CHECK(state.worth() == worth);
+      CHECK(state.held_mm() == Approx(held));
       const auto after = all_tabs(patch, net, state);
       REQUIRE(after.size() == before.size());
       // The other part may have moved instead, so shapes are compared by their sides.
