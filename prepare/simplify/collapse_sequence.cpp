@@ -48,7 +48,15 @@ struct Rim {
 /// Which vertices stay on planes, as collapses go on, and what that means for errors and places.
 class Bound {
  public:
-  explicit Bound(const PointRules& points) : points_(&points), plane_(points.plane) {}
+  Bound(const PointRules& points, const std::vector<Vec3>& places, double short_edge)
+      : points_(&points), plane_(points.plane), fixed_(points.plane.size(), false) {
+    for (const PointRules::Crossing& c : points.crossings) {
+      const MirrorPlane& plane = points.planes[points.plane[c.point]];
+      const double across =
+          std::abs(plane.height(places[c.end])) + std::abs(plane.height(places[c.image_of_end]));
+      fixed_[c.point] = across > short_edge;
+    }
+  }
 
   [[nodiscard]] bool is(EditMesh::VertexHandle v) const { return number(v) != PointRules::none; }
   /// The plane of either vertex; no edge joins vertices of two planes.
@@ -92,6 +100,20 @@ class Bound {
     return q0 + q1 + mirrored(at, is(profile.v0()) ? q1 : q0);
   }
 
+  /// Does the mirror image lie across this side?
+  [[nodiscard]] bool is_seam(const EditMesh& mesh, EditMesh::HalfedgeHandle h) const {
+    return mesh.is_boundary(mesh.edge_handle(h)) && is(mesh.from_vertex_handle(h)) &&
+           is(mesh.to_vertex_handle(h));
+  }
+
+  /// Whether a collapse would spoil the symmetric whole.
+  template <class Profile>
+  [[nodiscard]] bool forbids(const Profile& profile) const {
+    return fixed_[static_cast<std::size_t>(profile.v0().idx())] ||
+           fixed_[static_cast<std::size_t>(profile.v1().idx())] || closes_on_plane(profile);
+  }
+
+ private:
   /// Would the new vertex lie on a plane together with a neighbour that it isn't joined to by a border edge?
   /// The edge between them would be one with its mirror image.
   template <class Profile>
@@ -122,18 +144,12 @@ class Bound {
     return false;
   }
 
-  /// Does the mirror image lie across this side?
-  [[nodiscard]] bool is_seam(const EditMesh& mesh, EditMesh::HalfedgeHandle h) const {
-    return mesh.is_boundary(mesh.edge_handle(h)) && is(mesh.from_vertex_handle(h)) &&
-           is(mesh.to_vertex_handle(h));
-  }
-
- private:
   [[nodiscard]] std::uint32_t number(EditMesh::VertexHandle v) const {
     return plane_[static_cast<std::size_t>(v.idx())];
   }
   const PointRules* points_;
   std::vector<std::uint32_t> plane_;
+  std::vector<bool> fixed_;
 };
 
 double shape(Vec3 a, Vec3 b, Vec3 c, double doubled) {
@@ -224,8 +240,7 @@ class GuardedPlacement {
     const Vec3 place{p.x(), p.y(), p.z()};
     const EditMesh& mesh = profile.surface_mesh();
     std::vector<Rim> rim;
-    return !bound_->closes_on_plane(profile) &&
-           harmless(mesh, *bound_, profile.v0(), profile.v1(), place, rim) &&
+    return !bound_->forbids(profile) && harmless(mesh, *bound_, profile.v0(), profile.v1(), place, rim) &&
            (rules_.field == nullptr || near_original(mesh, profile.v0(), profile.v1(), place, rim));
   }
 
@@ -489,12 +504,13 @@ std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const Poi
   for (const auto& face : loose.faces) {
     all += points.copies[face[0]];
   }
+  all -= 2 * points.crossings.size();
   if (all <= faces) {
     return collapses;
   }
   EditMesh mesh = edit_mesh(loose);
   const Policies policies(mesh);
-  Bound bound(points);
+  Bound bound(points, loose.points, rules.short_edge);
   std::vector<double> drift(loose.points.size(), 0.0);
   const StopAt stop{&collapses, faces};
   Watch watch(context);
@@ -515,6 +531,18 @@ std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const Poi
   return collapses;
 }
 
+std::vector<std::uint32_t> points_after(std::size_t count, std::span<const Collapse> collapses) {
+  std::vector<std::uint32_t> now(count);
+  for (std::uint32_t v = 0; v < now.size(); ++v) {
+    now[v] = v;
+  }
+  // A vertex that stayed may be gone later: from the last collapse back, each points to where it ended.
+  for (std::size_t i = collapses.size(); i-- > 0;) {
+    now[collapses[i].gone] = now[collapses[i].stays];
+  }
+  return now;
+}
+
 std::vector<std::uint32_t> planes_after(const PointRules& points, std::span<const Collapse> collapses) {
   std::vector<std::uint32_t> plane = points.plane;
   for (const Collapse& c : collapses) {
@@ -528,19 +556,11 @@ std::vector<std::uint32_t> planes_after(const PointRules& points, std::span<cons
 mesh::LooseFaces replay(const mesh::LooseFaces& loose, std::span<const Collapse> collapses) {
   mesh::LooseFaces result;
   result.points = loose.points;
-  std::vector<std::uint32_t> now(loose.points.size());
+  const std::vector<std::uint32_t> now = points_after(loose.points.size(), collapses);
   std::vector<bool> moved(loose.points.size(), false);
-  for (std::uint32_t v = 0; v < now.size(); ++v) {
-    now[v] = v;
-  }
   for (const Collapse& c : collapses) {
-    now[c.gone] = c.stays;
     result.points[c.stays] = c.place;
     moved[c.gone] = moved[c.stays] = true;
-  }
-  // A vertex that stayed may be gone later: from the last collapse back, each points to where it ended.
-  for (std::size_t i = collapses.size(); i-- > 0;) {
-    now[collapses[i].gone] = now[collapses[i].stays];
   }
   for (std::size_t f = 0; f < loose.faces.size(); ++f) {
     const auto& [a, b, c] = loose.faces[f];

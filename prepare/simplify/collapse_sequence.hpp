@@ -30,6 +30,14 @@ struct PointRules {
   /// edges between two such points are no border of the whole.
   std::vector<std::uint32_t> plane;
   std::vector<std::uint32_t> copies;  ///< of each point: faces in the whole for each of its faces
+  /// A point that the cut made on an edge, and that no collapse has touched: it goes along with the ends of
+  /// the edge, so that flat and straight places across the plane stay so.
+  struct Crossing {
+    std::uint32_t point = 0;
+    std::uint32_t end = 0;           ///< of the edge, on the side that is kept
+    std::uint32_t image_of_end = 0;  ///< the other end's mirror image
+  };
+  std::vector<Crossing> crossings;
 };
 
 /// What guides and limits the collapses besides the quadric error.
@@ -52,6 +60,9 @@ struct CollapseRules {
 [[nodiscard]] std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const PointRules& points,
                                                       std::size_t faces, const CollapseRules& rules,
                                                       const Context& context);
+
+/// What became of each of `count` points: itself, or the point that it is part of now.
+[[nodiscard]] std::vector<std::uint32_t> points_after(std::size_t count, std::span<const Collapse> collapses);
 
 /// The plane of each point after some collapses.
 [[nodiscard]] std::vector<std::uint32_t> planes_after(const PointRules& points,

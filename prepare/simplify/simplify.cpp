@@ -240,7 +240,7 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   const auto far =
       static_cast<std::size_t>(coarse * faces_of_short_edges(model.surface, options.short_edge_mm));
   if (start.face_count() > far) {
-    const Sequence first(start, all, far, {}, context);
+    const Sequence first(start, all, far, {options.short_edge_mm}, context);
     mesh::Model coarser = first.after(first.all());
     if (greatest_distance(mesh::SurfaceTree(coarser.surface, spacing), original, largest_mm, context) <=
         largest_mm) {
@@ -279,7 +279,8 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const mesh::Surface before = model.surface;
   const mesh::LooseFaces all = mesh::take_apart(model);
-  const Sequence sequence(symmetric_share(model, symmetric_within), all, options.faces, {}, context);
+  const Sequence sequence(symmetric_share(model, symmetric_within), all, options.faces,
+                          {options.short_edge_mm}, context);
   take_over(model, sequence.after(sequence.all()));
   report.deviation_mm = greatest_distance(mesh::SurfaceTree(model.surface, spacing),
                                           mesh::SurfaceTree(before, spacing), INFINITY, context);

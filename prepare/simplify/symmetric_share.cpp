@@ -6,9 +6,11 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "mesh/model/surface_distance.hpp"
+#include "prepare/simplify/take_out.hpp"
 #include "prepare/symmetry/mirrors.hpp"
 
 namespace ridgecraft::prepare {
@@ -118,8 +120,18 @@ class Halver {
       const Vec3 a = surface_.point(surface_.vertex(c));
       const Vec3 b = surface_.point(surface_.vertex(mesh::next(c)));
       own = add_point(plane_.foot(a + plane_.height(a) / (plane_.height(a) - plane_.height(b)) * (b - a)), 2);
+      follow(own, surface_.vertex(c), surface_.vertex(mesh::next(c)));
     }
     return own;
+  }
+
+  void follow(std::uint32_t point, VertexId a, VertexId b) {
+    const VertexId end = side(a) > 0 ? a : b;
+    const VertexId image = mirror_.maps.vertex[side(a) > 0 ? b : a];
+    if (image.valid() && side(image) > 0) {
+      const std::uint32_t kept = vertex(end);
+      share_.points.crossings.push_back({point, kept, vertex(image)});
+    }
   }
 
   struct Sides {
@@ -281,15 +293,62 @@ std::size_t SymmetricShare::face_count() const {
   for (const auto& face : faces.faces) {
     count += points.copies[face[0]];
   }
-  return count;
+  return count - 2 * points.crossings.size();
 }
 
 SymmetricShare collapsed(const SymmetricShare& share, std::span<const Collapse> collapses) {
   SymmetricShare result = share;
   result.points.plane = planes_after(share.points, collapses);
   result.faces = replay(share.faces, collapses);
+  const std::vector<std::uint32_t> now = points_after(share.faces.points.size(), collapses);
+  std::vector<bool> touched(now.size(), false);
+  for (const Collapse& c : collapses) {
+    touched[c.gone] = touched[c.stays] = true;
+  }
+  std::erase_if(result.points.crossings, [&](PointRules::Crossing& c) {
+    c.end = now[c.end];
+    c.image_of_end = now[c.image_of_end];
+    return touched[c.point] || result.points.plane[c.end] != none ||
+           result.points.plane[c.image_of_end] != none;
+  });
+  for (const PointRules::Crossing& c : result.points.crossings) {
+    const MirrorPlane& plane = share.points.planes[0];
+    const Vec3 a = result.faces.points[c.end];
+    const Vec3 b = result.faces.points[c.image_of_end];
+    const double sum = plane.height(a) + plane.height(b);
+    if (sum > 0.0 || sum < 0.0) {
+      result.faces.points[c.point] = plane.foot(a + plane.height(a) / sum * (plane.image(b) - a));
+    }
+  }
   return result;
 }
+
+namespace {
+
+/// The same faces without the points of the cut that nothing needs. Points that went along to one place
+/// become one first.
+mesh::LooseFaces without_crossings(const SymmetricShare& share, const mesh::LooseFaces& faces) {
+  std::vector<PointRules::Crossing> crossings = share.points.crossings;
+  std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.end, a.image_of_end, a.point) < std::tie(b.end, b.image_of_end, b.point);
+  });
+  std::vector<Between> points;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    for (std::size_t k = i + 1; k < crossings.size() && crossings[k].end == crossings[i].end &&
+                                crossings[k].image_of_end == crossings[i].image_of_end;
+         ++k) {
+      points.push_back({crossings[i].point, crossings[k].point});
+    }
+  }
+  for (const PointRules::Crossing& c : crossings) {
+    points.push_back({c.point, c.end});
+  }
+  mesh::LooseFaces result = faces;
+  take_out(result, points);
+  return result;
+}
+
+}  // namespace
 
 mesh::LooseFaces whole(const SymmetricShare& share, const mesh::LooseFaces& model) {
   if (!share.symmetric()) {
@@ -328,6 +387,12 @@ mesh::LooseFaces whole(const SymmetricShare& share, const mesh::LooseFaces& mode
       const SymmetricShare::Origin& origin = share.origins[share.faces.material[f]];
       const auto& [t, u, v] = origin.image_texture;
       add(f, {image[a], image[c], image[b]}, origin.image, {t, v, u});
+    }
+  }
+  if (!share.points.crossings.empty()) {
+    mesh::LooseFaces smaller = without_crossings(share, result);
+    if (mesh::is_surface(smaller)) {
+      return smaller;
     }
   }
   return result;

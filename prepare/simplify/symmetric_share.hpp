@@ -33,7 +33,7 @@ struct SymmetricShare {
   double deviation = 0.0;
 
   [[nodiscard]] bool symmetric() const { return !points.planes.empty(); }
-  /// Of the whole.
+  /// Of the whole, about: as if all points of the cut were gone.
   [[nodiscard]] std::size_t face_count() const;
 };
 
@@ -46,7 +46,8 @@ struct SymmetricShare {
 [[nodiscard]] SymmetricShare collapsed(const SymmetricShare& share, std::span<const Collapse> collapses);
 
 /// All faces that a share stands for, with the model's own materials and polygons. What lies on one side of a
-/// plane has its mirror image, with mirrored coordinates exactly, on the other. O(n).
+/// plane has its mirror image, with mirrored coordinates exactly, on the other. Points of the cut are gone
+/// where the faces across it are flat. O(n log n).
 [[nodiscard]] mesh::LooseFaces whole(const SymmetricShare& share, const mesh::LooseFaces& model);
 
 }  // namespace ridgecraft::prepare

@@ -24,8 +24,8 @@ constexpr std::size_t most_fitted = 4000;
 constexpr double first_reach = 0.04;
 /// ... and each fit halves what it looks at.
 constexpr int fits = 4;
-/// A component of a normal below this is the rounding of a sum; such normals are axes.
-constexpr double axis_rounding = 1e-9;
+/// A component of a normal below this is the rounding of a file with six digits; such normals are axes.
+constexpr double axis_rounding = 2e-6;
 /// Two exact planes whose normals and places (as shares of the extent) differ by less are one ...
 constexpr double same_plane = 1e-4;
 /// ... and so are two others: each is what was found of the same one.

@@ -22,8 +22,8 @@ namespace ridgecraft::prepare {
 
 /// How far a symmetric surface may be off, as shares of its largest extent.
 struct SymmetryTolerance {
-  /// Numbers of a file have six digits or 24 bits: what was made symmetric is so to this.
-  double exact = 1e-6;
+  /// Numbers of a file have six digits or 24 bits: what was made symmetric is so to a few units of the last.
+  double exact = 5e-6;
   /// What was modelled by hand or scanned; hardly seen at 150 mm.
   double near = 5e-3;
 };
