@@ -21,6 +21,7 @@ namespace {
 namespace sms = CGAL::Surface_mesh_simplification;
 using Policies = sms::GarlandHeckbert_plane_policies<EditMesh, EditKernel>;
 using Place = EditKernel::Point_3;
+using Quadric = Policies::Mat_4;
 
 /// A face may turn by at most this much in one collapse.
 const double turn_cosine = std::cos(75.0 * std::numbers::pi / 180.0);
@@ -41,6 +42,114 @@ struct Rim {
   Vec3 old_normal;
   Vec3 new_normal;
   Vec3 outer_normal;  ///< of the face across the side that stays; zero where there is none
+  bool at_plane;      ///< its mirror image lies across one of its sides
+};
+
+/// Which vertices stay on planes, as collapses go on, and what that means for errors and places.
+class Bound {
+ public:
+  Bound(const PointRules& points, const std::vector<Vec3>& places, double short_edge)
+      : points_(&points), plane_(points.plane), fixed_(points.plane.size(), false) {
+    for (const PointRules::Crossing& c : points.crossings) {
+      const MirrorPlane& plane = points.planes[points.plane[c.point]];
+      const double across =
+          std::abs(plane.height(places[c.end])) + std::abs(plane.height(places[c.image_of_end]));
+      fixed_[c.point] = across > short_edge;
+    }
+  }
+
+  [[nodiscard]] bool is(EditMesh::VertexHandle v) const { return number(v) != PointRules::none; }
+  /// The plane of either vertex; no edge joins vertices of two planes.
+  [[nodiscard]] const MirrorPlane* plane(EditMesh::VertexHandle v0, EditMesh::VertexHandle v1) const {
+    const std::uint32_t found = is(v0) ? number(v0) : number(v1);
+    return found == PointRules::none ? nullptr : &points_->planes[found];
+  }
+  void join(EditMesh::VertexHandle gone, EditMesh::VertexHandle stays) {
+    if (is(gone)) {
+      plane_[static_cast<std::size_t>(stays.idx())] = number(gone);
+    }
+  }
+  [[nodiscard]] std::uint32_t copies(EditMesh::VertexHandle v) const {
+    return points_->copies[static_cast<std::size_t>(v.idx())];
+  }
+
+  /// Where the plane asks a point to be.
+  [[nodiscard]] static Place place(const MirrorPlane* plane, const Place& p) {
+    if (plane == nullptr) {
+      return p;
+    }
+    const Vec3 foot = plane->foot({p.x(), p.y(), p.z()});
+    return {foot.x, foot.y, foot.z};
+  }
+  [[nodiscard]] static Quadric mirrored(const MirrorPlane& plane, const Quadric& q) {
+    const Eigen::Vector4d n(plane.normal.x, plane.normal.y, plane.normal.z, 0.0);
+    const Eigen::Vector4d at(plane.normal.x, plane.normal.y, plane.normal.z, -plane.offset);
+    const Eigen::Matrix4d image = Eigen::Matrix4d::Identity() - 2.0 * n * at.transpose();
+    return image.transpose() * q * image;
+  }
+  /// Error of what a collapse makes of two vertices (and of their mirror images, where those become the same
+  /// vertex). Those on a plane have the whole's quadrics.
+  template <class Profile>
+  [[nodiscard]] Quadric quadric(const Policies& policies, const Profile& profile) const {
+    const Quadric q0 = get(policies.vcm(), profile.v0());
+    const Quadric q1 = get(policies.vcm(), profile.v1());
+    if (is(profile.v0()) == is(profile.v1())) {
+      return q0 + q1;
+    }
+    const MirrorPlane& at = *plane(profile.v0(), profile.v1());
+    return q0 + q1 + mirrored(at, is(profile.v0()) ? q1 : q0);
+  }
+
+  /// Does the mirror image lie across this side?
+  [[nodiscard]] bool is_seam(const EditMesh& mesh, EditMesh::HalfedgeHandle h) const {
+    return mesh.is_boundary(mesh.edge_handle(h)) && is(mesh.from_vertex_handle(h)) &&
+           is(mesh.to_vertex_handle(h));
+  }
+
+  /// Whether a collapse would spoil the symmetric whole.
+  template <class Profile>
+  [[nodiscard]] bool forbids(const Profile& profile) const {
+    return fixed_[static_cast<std::size_t>(profile.v0().idx())] ||
+           fixed_[static_cast<std::size_t>(profile.v1().idx())] || closes_on_plane(profile);
+  }
+
+ private:
+  /// Would the new vertex lie on a plane together with a neighbour that it isn't joined to by a border edge?
+  /// The edge between them would be one with its mirror image.
+  template <class Profile>
+  [[nodiscard]] bool closes_on_plane(const Profile& profile) const {
+    const EditMesh& mesh = profile.surface_mesh();
+    const auto v0 = profile.v0();
+    const auto v1 = profile.v1();
+    if (is(v0) == is(v1)) {
+      return is(v0) && !mesh.is_boundary(mesh.edge_handle(profile.v0_v1()));
+    }
+    const auto on = is(v0) ? v0 : v1;
+    const auto off = is(v0) ? v1 : v0;
+    for (const auto h : mesh.voh_range(off)) {
+      const auto w = mesh.to_vertex_handle(h);
+      if (w == on || !is(w)) {
+        continue;
+      }
+      const auto joined = mesh.find_halfedge(on, w);
+      if (!joined.is_valid() || !mesh.is_boundary(mesh.edge_handle(joined))) {
+        return true;
+      }
+      // A face that would lie in the plane.
+      const auto next = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
+      if (!mesh.is_boundary(h) && next != on && is(next)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::uint32_t number(EditMesh::VertexHandle v) const {
+    return plane_[static_cast<std::size_t>(v.idx())];
+  }
+  const PointRules* points_;
+  std::vector<std::uint32_t> plane_;
+  std::vector<bool> fixed_;
 };
 
 double shape(Vec3 a, Vec3 b, Vec3 c, double doubled) {
@@ -59,20 +168,25 @@ bool has_quadrics(const Policy& policy, const Profile& profile) {
 /// flat.
 class NearPlacement {
  public:
-  explicit NearPlacement(const Policies& policies) : policies_(&policies) {}
+  NearPlacement(const Policies& policies, const Bound& bound) : policies_(&policies), bound_(&bound) {}
   template <class Profile>
   boost::optional<Place> operator()(const Profile& profile) const {
-    const Place middle = CGAL::midpoint(profile.p0(), profile.p1());
+    const MirrorPlane* plane = bound_->plane(profile.v0(), profile.v1());
+    const Place middle = Bound::place(plane, CGAL::midpoint(profile.p0(), profile.p1()));
     if (!has_quadrics(policies_->get_placement(), profile)) {
       return middle;
     }
-    const auto best = policies_->get_placement()(profile);
+    const auto homogeneous = [](const Place& p) { return Policies::point_to_homogenous_column(p); };
+    const auto best = policies_->construct_optimum(bound_->quadric(*policies_, profile),
+                                                   homogeneous(profile.p0()), homogeneous(profile.p1()));
+    const Place place = Bound::place(plane, Place(best(0) / best(3), best(1) / best(3), best(2) / best(3)));
     const double reach = CGAL::squared_distance(profile.p0(), profile.p1());
-    return best && CGAL::squared_distance(*best, middle) <= reach ? *best : middle;
+    return CGAL::squared_distance(place, middle) <= reach ? place : middle;
   }
 
  private:
   const Policies* policies_;
+  const Bound* bound_;
 };
 
 /// Asks now and then whether to stop: when costs are collected, and while no edge may be collapsed.
@@ -94,18 +208,20 @@ class Watch {
 class GuardedPlacement {
  public:
   /// `drift` is per vertex a bound of how far the original surface around it is from the present one.
-  GuardedPlacement(const Policies& policies, const CollapseRules& rules, const std::vector<double>& drift,
-                   Watch& watch)
-      : near_(policies), rules_(rules), drift_(&drift), watch_(&watch) {}
+  GuardedPlacement(const Policies& policies, const Bound& bound, const CollapseRules& rules,
+                   const std::vector<double>& drift, Watch& watch)
+      : near_(policies, bound), bound_(&bound), rules_(rules), drift_(&drift), watch_(&watch) {}
 
   /// As a placement: the best place, or another one on the edge where that would spoil something.
   template <class Profile>
   boost::optional<Place> operator()(const Profile& profile) const {
     const Place best = *near_(profile);
+    const MirrorPlane* plane = bound_->plane(profile.v0(), profile.v1());
     for (const Place& place :
          {best, CGAL::midpoint(profile.p0(), profile.p1()), profile.p0(), profile.p1()}) {
-      if (fits(profile, place)) {
-        return place;
+      const Place allowed = Bound::place(plane, place);
+      if (fits(profile, allowed)) {
+        return allowed;
       }
     }
     return boost::none;
@@ -124,7 +240,7 @@ class GuardedPlacement {
     const Vec3 place{p.x(), p.y(), p.z()};
     const EditMesh& mesh = profile.surface_mesh();
     std::vector<Rim> rim;
-    return harmless(mesh, profile.v0(), profile.v1(), place, rim) &&
+    return !bound_->forbids(profile) && harmless(mesh, *bound_, profile.v0(), profile.v1(), place, rim) &&
            (rules_.field == nullptr || near_original(mesh, profile.v0(), profile.v1(), place, rim));
   }
 
@@ -159,8 +275,9 @@ class GuardedPlacement {
   }
 
   /// Fills `rim` with the faces that stay and tells whether none of them is spoiled.
-  static bool harmless(const EditMesh& mesh, EditMesh::VertexHandle v0, EditMesh::VertexHandle v1, Vec3 place,
-                       std::vector<Rim>& rim) {
+  static bool harmless(const EditMesh& mesh, const Bound& bound, EditMesh::VertexHandle v0,
+                       EditMesh::VertexHandle v1, Vec3 place, std::vector<Rim>& rim) {
+    const MirrorPlane* plane = bound.plane(v0, v1);
     double worst_old = 1.0;
     double worst_new = 1.0;
     for (const auto v : {v0, v1}) {
@@ -180,15 +297,20 @@ class GuardedPlacement {
         }
         const Vec3 new_doubled = cross(a - place, b - place);
         worst_new = std::min(worst_new, shape(place, a, b, length(new_doubled)));
-        Rim face{mesh.from_vertex_handle(side), mesh.to_vertex_handle(side), normalized(old_doubled),
-                 normalized(new_doubled), outer_normal(mesh, side, v0, v1)};
+        Rim face{mesh.from_vertex_handle(side),
+                 mesh.to_vertex_handle(side),
+                 normalized(old_doubled),
+                 normalized(new_doubled),
+                 outer_normal(mesh, side, v0, v1),
+                 plane != nullptr && (bound.is_seam(mesh, h) || bound.is_seam(mesh, side) ||
+                                      bound.is_seam(mesh, mesh.next_halfedge_handle(side)))};
         if (dot(face.old_normal, face.new_normal) < turn_cosine && face.old_normal != Vec3{}) {
           return false;
         }
         rim.push_back(face);
       }
     }
-    return (worst_new >= thin || worst_new >= worst_old) && !folds(rim);
+    return (worst_new >= thin || worst_new >= worst_old) && !folds(rim, plane);
   }
 
  private:
@@ -208,10 +330,14 @@ class GuardedPlacement {
   }
 
   /// Would an edge of the new faces be folded back further than allowed and than the worst was before?
-  static bool folds(const std::vector<Rim>& rim) {
+  static bool folds(const std::vector<Rim>& rim, const MirrorPlane* plane) {
     double before = 1.0;
     double after = 1.0;
     for (const Rim& f : rim) {
+      if (f.at_plane) {
+        before = std::min(before, with_image(*plane, f.old_normal));
+        after = std::min(after, with_image(*plane, f.new_normal));
+      }
       if (f.outer_normal != Vec3{}) {
         before = std::min(before, dot(f.old_normal, f.outer_normal));
         after = std::min(after, dot(f.new_normal, f.outer_normal));
@@ -226,7 +352,14 @@ class GuardedPlacement {
     return after < fold_cosine && after < before;
   }
 
+  /// Cosine between a normal and its mirror image.
+  static double with_image(const MirrorPlane& plane, Vec3 normal) {
+    const double across = dot(plane.normal, normal);
+    return dot(normal, normal) - 2.0 * across * across;
+  }
+
   NearPlacement near_;
+  const Bound* bound_;
   CollapseRules rules_;
   const std::vector<double>* drift_;
   Watch* watch_;
@@ -240,14 +373,20 @@ class WeightedCost {
   template <class Map, class Traits>
   void initialize(const EditMesh& mesh, const Map& map, const Traits& traits) const {
     policies_->initialize(mesh, map, traits);
+    for (const auto v : mesh.vertices()) {
+      if (const MirrorPlane* plane = bound_->plane(v, v)) {
+        put(policies_->vcm(), v, whole_quadric(mesh, map, traits, v, *plane));
+      }
+    }
   }
   template <class Profile>
   void update_after_collapse(const Profile& profile, EditMesh::VertexHandle v) const {
-    policies_->update_after_collapse(profile, v);
+    put(policies_->vcm(), v, bound_->quadric(*policies_, profile));
+    bound_->join(profile.v0() == v ? profile.v1() : profile.v0(), v);
   }
 
-  WeightedCost(const Policies& policies, const CollapseRules& rules, Watch& watch)
-      : policies_(&policies), rules_(rules), watch_(&watch) {}
+  WeightedCost(const Policies& policies, Bound& bound, const CollapseRules& rules, Watch& watch)
+      : policies_(&policies), bound_(&bound), rules_(rules), watch_(&watch) {}
 
   template <class Profile>
   boost::optional<EditKernel::FT> operator()(const Profile& profile,
@@ -256,20 +395,45 @@ class WeightedCost {
     if (place && !has_quadrics(policies_->get_cost(), profile)) {
       return 0.0;  // nothing is lost with faces that small
     }
-    const auto cost = policies_->get_cost()(profile, place);
-    if (!cost || rules_.power == 0.0) {
+    if (!place) {
+      return boost::none;
+    }
+    const auto p = Policies::point_to_homogenous_column(*place);
+    const double cost = (p.transpose() * bound_->quadric(*policies_, profile) * p)(0, 0);
+    if (rules_.power == 0.0) {
       return cost;
     }
     const double squared = CGAL::squared_distance(profile.p0(), profile.p1());
     const double ratio = std::max(squared / (rules_.short_edge * rules_.short_edge), 1e-4);
     // In flat regions all errors are nothing but rounding: there the length alone decides.
-    return (std::max(*cost, 0.0) + flat_error * squared) * std::pow(ratio, 0.5 * rules_.power);
+    return (std::max(cost, 0.0) + flat_error * squared) * std::pow(ratio, 0.5 * rules_.power);
   }
 
  private:
   /// Error of an edge that is as good as none, as a share of its squared length.
   static constexpr double flat_error = 1e-6;
+
+  /// As CGAL's initialize makes it of the whole surface: of faces and border edges, and their mirror images.
+  template <class Map, class Traits>
+  Quadric whole_quadric(const EditMesh& mesh, const Map& map, const Traits& traits, EditMesh::VertexHandle v,
+                        const MirrorPlane& plane) const {
+    constexpr double discontinuity = 100.0;  // CGAL's own default
+    Quadric sum = Quadric::Zero();
+    for (const auto f : mesh.vf_range(v)) {
+      sum += policies_->construct_quadric(f, mesh, map, traits);
+    }
+    for (const auto h : mesh.voh_range(v)) {
+      if (mesh.is_boundary(mesh.edge_handle(h)) && !bound_->is_seam(mesh, h)) {
+        const auto inner =
+            mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : EditMesh::HalfedgeHandle(h);
+        sum += discontinuity * policies_->construct_quadric(inner, mesh, map, traits);
+      }
+    }
+    return sum + Bound::mirrored(plane, sum);
+  }
+
   const Policies* policies_;
+  Bound* bound_;
   CollapseRules rules_;
   Watch* watch_;
 };
@@ -277,19 +441,25 @@ class WeightedCost {
 /// Writes the collapses down as they happen. CGAL copies visitors.
 class Recorder : public sms::Edge_collapse_visitor_base<EditMesh> {
  public:
-  Recorder(std::vector<Collapse>& collapses, std::vector<double>& drift, std::size_t faces,
-           const Context& context)
-      : collapses_(&collapses), drift_(&drift), faces_(faces), all_(faces), context_(&context) {}
+  Recorder(std::vector<Collapse>& collapses, const Bound& bound, std::vector<double>& drift,
+           std::size_t faces, const Context& context)
+      : collapses_(&collapses),
+        bound_(&bound),
+        drift_(&drift),
+        faces_(faces),
+        all_(faces),
+        context_(&context) {}
 
   void OnCollapsing(const Profile& profile, const boost::optional<Place>& place) {
     if (place) {
       const Vec3 p{place->x(), place->y(), place->z()};
       std::vector<Rim> rim;
-      GuardedPlacement::harmless(profile.surface_mesh(), profile.v0(), profile.v1(), p, rim);
+      GuardedPlacement::harmless(profile.surface_mesh(), *bound_, profile.v0(), profile.v1(), p, rim);
       new_drift_ =
           GuardedPlacement::drift_after(profile.surface_mesh(), profile.v0(), profile.v1(), p, rim, *drift_);
     }
     removed_ = (profile.left_face_exists() ? 1U : 0U) + (profile.right_face_exists() ? 1U : 0U);
+    removed_ *= bound_->copies(profile.v0());
   }
   void OnCollapsed(const Profile& profile, const EditMesh::VertexHandle& v) {
     faces_ -= removed_;
@@ -306,6 +476,7 @@ class Recorder : public sms::Edge_collapse_visitor_base<EditMesh> {
 
  private:
   std::vector<Collapse>* collapses_;
+  const Bound* bound_;
   std::vector<double>* drift_;
   double new_drift_ = 0.0;
   std::size_t faces_;
@@ -325,48 +496,71 @@ struct StopAt {
 
 }  // namespace
 
-std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, std::size_t faces,
-                                        const CollapseRules& rules, const Context& context) {
+std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const PointRules& points,
+                                        std::size_t faces, const CollapseRules& rules,
+                                        const Context& context) {
   std::vector<Collapse> collapses;
-  if (loose.faces.size() <= faces) {
+  std::size_t all = 0;
+  for (const auto& face : loose.faces) {
+    all += points.copies[face[0]];
+  }
+  all -= 2 * points.crossings.size();
+  if (all <= faces) {
     return collapses;
   }
   EditMesh mesh = edit_mesh(loose);
   const Policies policies(mesh);
+  Bound bound(points, loose.points, rules.short_edge);
   std::vector<double> drift(loose.points.size(), 0.0);
   const StopAt stop{&collapses, faces};
   Watch watch(context);
-  const WeightedCost cost(policies, rules, watch);
-  const GuardedPlacement guard(policies, rules, drift, watch);
-  const Recorder recorder(collapses, drift, loose.faces.size(), context);
+  const WeightedCost cost(policies, bound, rules, watch);
+  const GuardedPlacement guard(policies, bound, rules, drift, watch);
+  const Recorder recorder(collapses, bound, drift, all, context);
   namespace parameters = CGAL::parameters;
   if (rules.field != nullptr) {
     sms::edge_collapse(mesh, stop, parameters::get_cost(cost).get_placement(guard).visitor(recorder));
   } else {
     // Far from any limit it's enough, and much faster, to look at a collapse only when its turn has come.
-    sms::edge_collapse(
-        mesh, stop,
-        parameters::get_cost(cost).get_placement(NearPlacement(policies)).filter(guard).visitor(recorder));
+    sms::edge_collapse(mesh, stop,
+                       parameters::get_cost(cost)
+                           .get_placement(NearPlacement(policies, bound))
+                           .filter(guard)
+                           .visitor(recorder));
   }
   return collapses;
+}
+
+std::vector<std::uint32_t> points_after(std::size_t count, std::span<const Collapse> collapses) {
+  std::vector<std::uint32_t> now(count);
+  for (std::uint32_t v = 0; v < now.size(); ++v) {
+    now[v] = v;
+  }
+  // A vertex that stayed may be gone later: from the last collapse back, each points to where it ended.
+  for (std::size_t i = collapses.size(); i-- > 0;) {
+    now[collapses[i].gone] = now[collapses[i].stays];
+  }
+  return now;
+}
+
+std::vector<std::uint32_t> planes_after(const PointRules& points, std::span<const Collapse> collapses) {
+  std::vector<std::uint32_t> plane = points.plane;
+  for (const Collapse& c : collapses) {
+    if (plane[c.gone] != PointRules::none) {
+      plane[c.stays] = plane[c.gone];
+    }
+  }
+  return plane;
 }
 
 mesh::LooseFaces replay(const mesh::LooseFaces& loose, std::span<const Collapse> collapses) {
   mesh::LooseFaces result;
   result.points = loose.points;
-  std::vector<std::uint32_t> now(loose.points.size());
+  const std::vector<std::uint32_t> now = points_after(loose.points.size(), collapses);
   std::vector<bool> moved(loose.points.size(), false);
-  for (std::uint32_t v = 0; v < now.size(); ++v) {
-    now[v] = v;
-  }
   for (const Collapse& c : collapses) {
-    now[c.gone] = c.stays;
     result.points[c.stays] = c.place;
     moved[c.gone] = moved[c.stays] = true;
-  }
-  // A vertex that stayed may be gone later: from the last collapse back, each points to where it ended.
-  for (std::size_t i = collapses.size(); i-- > 0;) {
-    now[collapses[i].gone] = now[collapses[i].stays];
   }
   for (std::size_t f = 0; f < loose.faces.size(); ++f) {
     const auto& [a, b, c] = loose.faces[f];

@@ -12,6 +12,7 @@
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/simplify/collapse_sequence.hpp"
+#include "prepare/simplify/symmetric_share.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -29,6 +30,8 @@ constexpr double bound = 0.9;
 /// A component that is smaller than this share of the short edge in every direction vanishes when the model
 /// is too fine: it could neither be cut nor held.
 constexpr double speck = 0.5;
+/// A model that is off its mirror image by no more than this share of its extent becomes symmetric.
+constexpr double symmetric_within = 0.003;
 
 /// Drops components that are specks unless all are; returns how many.
 std::size_t drop_specks(mesh::Model& model, double smallest_mm) {
@@ -65,37 +68,41 @@ double faces_of_short_edges(const mesh::Surface& surface, double short_edge_mm) 
 /// One sequence of collapses and the model after any number of them.
 class Sequence {
  public:
-  Sequence(mesh::LooseFaces start, std::size_t faces, const CollapseRules& rules, const Context& context)
-      : loose_(std::move(start)),
+  /// `model` must outlive it.
+  Sequence(SymmetricShare start, const mesh::LooseFaces& model, std::size_t faces, const CollapseRules& rules,
+           const Context& context)
+      : start_(std::move(start)),
+        model_(model),
         context_(context),
-        collapses_(collapse_sequence(loose_, faces, rules, context)) {}
+        collapses_(collapse_sequence(start_.faces, start_.points, faces, rules, context)) {}
 
   [[nodiscard]] std::size_t all() const { return collapses_.size(); }
   [[nodiscard]] std::size_t faces_after(std::size_t count) const {
-    return count == 0 ? loose_.faces.size() : collapses_[count - 1].faces;
+    return count == 0 ? start_.face_count() : collapses_[count - 1].faces;
   }
   /// Fewest collapses that leave at most so many faces; all() where that can't be reached.
   [[nodiscard]] std::size_t count_for(std::size_t faces) const {
-    if (loose_.faces.size() <= faces) {
+    if (start_.face_count() <= faces) {
       return 0;
     }
     const auto found = std::partition_point(collapses_.begin(), collapses_.end(),
                                             [&](const Collapse& c) { return c.faces > faces; });
     return std::min(static_cast<std::size_t>(found - collapses_.begin()) + 1, collapses_.size());
   }
-  [[nodiscard]] mesh::LooseFaces faces(std::size_t count) const {
-    return replay(loose_, std::span(collapses_).first(count));
+  [[nodiscard]] SymmetricShare share(std::size_t count) const {
+    return collapsed(start_, std::span(collapses_).first(count));
   }
   /// With its panels remeshed.
   [[nodiscard]] mesh::Model after(std::size_t count) const {
     mesh::Model result;
-    mesh::put_together(result, faces(count));
+    mesh::put_together(result, whole(share(count), model_));
     remesh_panels(result, context_);
     return result;
   }
 
  private:
-  mesh::LooseFaces loose_;
+  SymmetricShare start_;
+  const mesh::LooseFaces& model_;
   const Context& context_;
   std::vector<Collapse> collapses_;
 };
@@ -227,23 +234,24 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
   const mesh::SurfaceTree original(model.surface, spacing);
-  mesh::LooseFaces start = mesh::take_apart(model);
+  const mesh::LooseFaces all = mesh::take_apart(model);
+  SymmetricShare start = symmetric_share(model, symmetric_within);
   // Far from the aim the surface hardly moves: there the plain error is good and fast.
   const auto far =
       static_cast<std::size_t>(coarse * faces_of_short_edges(model.surface, options.short_edge_mm));
-  if (start.faces.size() > far) {
-    const Sequence first(start, far, {}, context);
+  if (start.face_count() > far) {
+    const Sequence first(start, all, far, {options.short_edge_mm}, context);
     mesh::Model coarser = first.after(first.all());
     if (greatest_distance(mesh::SurfaceTree(coarser.surface, spacing), original, largest_mm, context) <=
         largest_mm) {
-      start = first.faces(first.all());
+      start = first.share(first.all());
     }
   }
   mesh::NearField field(original, bound * largest_mm);
   std::optional<Candidate> best;
   for (const double power : powers) {
     const CollapseRules rules{options.short_edge_mm, power, &field, bound * largest_mm};
-    const Sequence sequence(start, fewest_faces, rules, context);
+    const Sequence sequence(start, all, fewest_faces, rules, context);
     if (sequence.all() > 0) {
       Candidate candidate = Search(sequence, original, options, spacing, largest_mm, context).best();
       if (!best || better(candidate, *best)) {
@@ -270,7 +278,9 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
                        const Context& context) {
   const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const mesh::Surface before = model.surface;
-  const Sequence sequence(mesh::take_apart(model), options.faces, {}, context);
+  const mesh::LooseFaces all = mesh::take_apart(model);
+  const Sequence sequence(symmetric_share(model, symmetric_within), all, options.faces,
+                          {options.short_edge_mm}, context);
   take_over(model, sequence.after(sequence.all()));
   report.deviation_mm = greatest_distance(mesh::SurfaceTree(model.surface, spacing),
                                           mesh::SurfaceTree(before, spacing), INFINITY, context);

@@ -15,6 +15,14 @@ using prepare::SimplifyOptions;
 
 namespace {
 
+/// Points of which each stands for itself.
+prepare::PointRules free_points(const mesh::LooseFaces& loose) {
+  prepare::PointRules points;
+  points.plane.assign(loose.points.size(), prepare::PointRules::none);
+  points.copies.assign(loose.points.size(), 1);
+  return points;
+}
+
 constexpr prepare::PanelRoom page{{190.0, 270.0}};
 
 Prepared prepared(const mesh::Surface& surface, const SimplifyOptions& options = {},
@@ -106,7 +114,8 @@ TEST_CASE("positions stay doubles on the way through CGAL and OpenMesh", "[simpl
   const mesh::Surface fine = test::sphere(40, 20);
   const mesh::Model model = test::repaired(test::soup_of(fine));
   const mesh::LooseFaces loose = mesh::take_apart(model);
-  const std::vector<prepare::Collapse> collapses = prepare::collapse_sequence(loose, 200, {}, {});
+  const std::vector<prepare::Collapse> collapses =
+      prepare::collapse_sequence(loose, free_points(loose), 200, {}, {});
   REQUIRE(collapses.size() > 100);
   std::array<int, 3> doubles{};
   for (const prepare::Collapse& c : collapses) {
@@ -123,7 +132,8 @@ TEST_CASE("positions stay doubles on the way through CGAL and OpenMesh", "[simpl
 TEST_CASE("a sequence can be stopped anywhere", "[simplify]") {
   const mesh::Model model = test::repaired(test::soup_of(test::revolve(ring, 30)));
   const mesh::LooseFaces loose = mesh::take_apart(model);
-  const std::vector<prepare::Collapse> collapses = prepare::collapse_sequence(loose, 0, {}, {});
+  const std::vector<prepare::Collapse> collapses =
+      prepare::collapse_sequence(loose, free_points(loose), 0, {}, {});
   REQUIRE(collapses.size() > 100);
   for (std::size_t count = 0; count <= collapses.size(); count += 10) {
     const mesh::LooseFaces faces = prepare::replay(loose, std::span(collapses).first(count));

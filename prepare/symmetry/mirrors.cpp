@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepare/symmetry/mirrors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+
+#include "base/point_tree.hpp"
+#include "base/same_place.hpp"
+#include "mesh/model/surface_distance.hpp"
+
+namespace ridgecraft::prepare {
+namespace {
+
+/// Corners that a candidate is tried with at first.
+constexpr std::size_t first_tried = 64;
+/// Corners that a plane is fitted to.
+constexpr std::size_t most_fitted = 4000;
+/// A candidate may be off by this share of the extent before it is fitted ...
+constexpr double first_reach = 0.04;
+/// ... and each fit halves what it looks at.
+constexpr int fits = 4;
+/// A component of a normal below this is the rounding of a file with six digits; such normals are axes.
+constexpr double axis_rounding = 2e-6;
+/// Two exact planes whose normals and places (as shares of the extent) differ by less are one ...
+constexpr double same_plane = 1e-4;
+/// ... and so are two others: each is what was found of the same one.
+constexpr double same_near_plane = 0.02;
+/// Corners at one distance from the centre that are tried as images of each other.
+constexpr std::size_t most_images = 64;
+/// A plane may hold the whole surface within so many times the near tolerance: then it mirrors nothing.
+constexpr double flat = 2.0;
+
+constexpr std::uint32_t none = 0xffffffffU;
+
+Vec3 column(const Eigen::Matrix3d& m, int i) {
+  return {m(0, i), m(1, i), m(2, i)};
+}
+
+Eigen::Matrix3d outer(Vec3 a, Vec3 b) {
+  return Eigen::Vector3d(a.x, a.y, a.z) * Eigen::RowVector3d(b.x, b.y, b.z);
+}
+
+/// Ascending eigenvalues.
+std::array<Vec3, 3> axes(const Eigen::Matrix3d& m) {
+  const Eigen::Matrix3d v = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m).eigenvectors();
+  return {column(v, 0), column(v, 1), column(v, 2)};
+}
+
+/// With the sign that MirrorPlane asks for, and axes without rounding.
+MirrorPlane plane_through(Vec3 normal, Vec3 point) {
+  std::array<double, 3> n{normal.x, normal.y, normal.z};
+  for (double& c : n) {
+    c = std::abs(c) < axis_rounding ? 0.0 : c;
+  }
+  normal = normalized(Vec3{n[0], n[1], n[2]});
+  const double sign = normal.x != 0.0 ? normal.x : normal.y != 0.0 ? normal.y : normal.z;
+  normal = sign < 0.0 ? -normal : normal;
+  // Without negative zeros: they would be written into files.
+  normal = normal + Vec3{};
+  return {normal, dot(normal, point)};
+}
+
+/// Where the area of a surface lies: it doesn't depend on how the surface is divided into triangles.
+struct Frame {
+  Vec3 centre;
+  std::array<Vec3, 3> axes;
+};
+
+Frame area_frame(const mesh::Surface& surface) {
+  Frame frame;
+  double area = 0.0;
+  const Vec3 origin = 0.5 * (surface.bounds().low + surface.bounds().high);
+  Vec3 sum;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const auto [a, b, c] = surface.vertices(f);
+    sum += surface.area(f) / 3.0 * (surface.point(a) + surface.point(b) + surface.point(c) - 3.0 * origin);
+    area += surface.area(f);
+  }
+  frame.centre = area > 0.0 ? origin + sum / area : origin;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const auto [v, w, u] = surface.vertices(f);
+    const std::array<Vec3, 3> p{surface.point(v) - frame.centre, surface.point(w) - frame.centre,
+                                surface.point(u) - frame.centre};
+    // The integral of x x^T over a triangle: area / 12 times the sum over corners and over their sum.
+    const Vec3 all = p[0] + p[1] + p[2];
+    spread += surface.area(f) / 12.0 *
+              (outer(p[0], p[0]) + outer(p[1], p[1]) + outer(p[2], p[2]) + outer(all, all));
+  }
+  frame.axes = axes(spread);
+  return frame;
+}
+
+/// Drops partners whose partner is another one.
+template <class I>
+void keep_pairs(IdVector<I, I>& partner) {
+  for (const I i : ids<I>(partner.size())) {
+    if (partner[i].valid() && partner[partner[i]] != i) {
+      partner[i] = I();
+    }
+  }
+}
+
+void keep_pairs(Correspondence& maps) {
+  keep_pairs(maps.vertex);
+  keep_pairs(maps.edge);
+  keep_pairs(maps.face);
+}
+
+class MirrorSearch {
+ public:
+  MirrorSearch(const mesh::Surface& surface, std::size_t most, const SymmetryTolerance& tolerance)
+      : surface_(surface),
+        most_(most),
+        extent_(surface.bounds().largest_extent()),
+        exact_(tolerance.exact * extent_),
+        near_(tolerance.near * extent_),
+        points_(surface.points().begin(), surface.points().end()),
+        places_(places(points_)),
+        tree_(points_, places_, std::vector<double>(points_.size(), 0.0)) {}
+
+  std::vector<Mirror> run() {
+    const Frame frame = area_frame(surface_);
+    const Vec3 middle = 0.5 * (surface_.bounds().low + surface_.bounds().high);
+    for (const Vec3 axis :
+         {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, frame.axes[0], frame.axes[1], frame.axes[2]}) {
+      try_plane(plane_through(axis, frame.centre));
+      try_plane(plane_through(axis, middle));
+    }
+    try_images(frame.centre);
+    std::stable_sort(found_.begin(), found_.end(), [](const Mirror& a, const Mirror& b) {
+      return a.exact != b.exact ? a.exact : !a.exact && a.deviation < b.deviation;
+    });
+    return std::move(found_);
+  }
+
+ private:
+  static std::vector<std::uint32_t> places(const std::vector<Vec3>& points) {
+    const std::vector<std::uint32_t> first = first_at_place(points);
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t v = 0; v < first.size(); ++v) {
+      if (first[v] == v) {
+        result.push_back(v);
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::uint32_t nearest(Vec3 p, double radius) const {
+    double least = radius * radius;
+    std::uint32_t best = none;
+    tree_.search(
+        p, [&](const Box3& box, double) { return PointTree::squared_distance(p, box) <= least; },
+        [&](std::uint32_t i) {
+          const Vec3 d = points_[i] - p;
+          if (dot(d, d) <= least) {
+            least = dot(d, d);
+            best = i;
+          }
+        });
+    return best;
+  }
+
+  /// Distance of a point from the surface where it is more than `enough`.
+  [[nodiscard]] double distance(Vec3 p, double enough) {
+    if (nearest(p, enough) != none) {
+      return 0.0;
+    }
+    if (!faces_) {
+      faces_.emplace(surface_, INFINITY);
+    }
+    return faces_->distance(p, enough);
+  }
+
+  [[nodiscard]] bool known(const MirrorPlane& plane, double closeness) const {
+    return std::any_of(found_.begin(), found_.end(), [&](const Mirror& m) {
+      const double way = dot(m.plane.normal, plane.normal) < 0.0 ? -1.0 : 1.0;
+      return length(m.plane.normal - way * plane.normal) < closeness &&
+             std::abs(m.plane.offset - way * plane.offset) < closeness * extent_;
+    });
+  }
+
+  /// Do the images of some corners, spread over all, lie within `reach` of the surface?
+  [[nodiscard]] bool worth_fitting(const MirrorPlane& plane, double reach) {
+    const std::size_t step = std::max<std::size_t>(1, places_.size() / first_tried);
+    for (std::size_t i = 0; i < places_.size(); i += step) {
+      if (distance(plane.image(points_[places_[i]]), reach) > reach) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Least squares over corners and the corners nearest to their images; of the same surface mirrored at the
+  /// best plane sum |q - image(p)|^2 is least, and its normal is the eigenvector of the least eigenvalue of
+  /// sum (p q^T + q p^T) about the means.
+  [[nodiscard]] std::optional<MirrorPlane> fitted(const MirrorPlane& plane, double reach, std::size_t step) {
+    Vec3 sum_p;
+    Vec3 sum_q;
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    std::size_t tried = 0;
+    for (std::size_t i = 0; i < places_.size(); i += step) {
+      const Vec3 p = points_[places_[i]];
+      const std::uint32_t q = nearest(plane.image(p), reach);
+      ++tried;
+      if (q != none) {
+        pairs.push_back({places_[i], q});
+        sum_p += p;
+        sum_q += points_[q];
+      }
+    }
+    if (2 * pairs.size() < tried || pairs.size() < 3) {
+      return std::nullopt;
+    }
+    const double count = static_cast<double>(pairs.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const auto& [p, q] : pairs) {
+      spread += outer(points_[p] - sum_p / count, points_[q] - sum_q / count);
+    }
+    const Vec3 normal = axes(spread + spread.transpose().eval())[0];
+    // Few corners, or such in one line, say nothing about some directions.
+    if (std::abs(dot(normal, plane.normal)) < 1.0 - first_reach) {
+      return std::nullopt;
+    }
+    return plane_through(normal, (sum_p + sum_q) / (2.0 * count));
+  }
+
+  void try_plane(MirrorPlane plane) {
+    if (found_.size() >= most_ || known(plane, same_plane) || !worth_fitting(plane, first_reach * extent_)) {
+      return;
+    }
+    const std::size_t step = std::max<std::size_t>(1, places_.size() / most_fitted);
+    // An exact plane needs no fit, and one could only lose digits of it.
+    if (!worth_fitting(plane, exact_)) {
+      double reach = first_reach * extent_;
+      for (int i = 0; i < fits; ++i, reach *= 0.5) {
+        plane = fitted(plane, reach, step).value_or(plane);
+      }
+      plane = fitted(plane, 4.0 * exact_, 1).value_or(plane);
+    }
+    if (worth_fitting(plane, near_)) {
+      accept(plane);
+    }
+  }
+
+  void accept(const MirrorPlane& plane) {
+    double highest = 0.0;
+    for (const std::uint32_t v : places_) {
+      highest = std::max(highest, std::abs(plane.height(points_[v])));
+    }
+    if (highest <= flat * near_) {
+      return;
+    }
+    Mirror mirror;
+    mirror.plane = plane;
+    mirror.exact = true;
+    for (const std::uint32_t v : places_) {
+      const Vec3 image = plane.image(points_[v]);
+      const std::uint32_t partner = nearest(image, exact_);
+      if (partner != none) {
+        mirror.deviation = std::max(mirror.deviation, length(points_[partner] - image));
+        continue;
+      }
+      mirror.exact = false;
+      if (!faces_) {
+        faces_.emplace(surface_, INFINITY);
+      }
+      mirror.deviation = std::max(mirror.deviation, faces_->distance(image, exact_));
+      if (mirror.deviation > near_) {
+        return;
+      }
+    }
+    if (known(plane, mirror.exact ? same_plane : same_near_plane)) {
+      return;
+    }
+    mirror.maps = correspond(surface_, surface_, mirroring(plane), mirror.exact ? exact_ : near_);
+    keep_pairs(mirror.maps);
+    if (mirror.maps.whole || middles_have_images(plane)) {
+      found_.push_back(std::move(mirror));
+    }
+  }
+
+  /// Corners alone don't see that a face is missing on one side, or bent the other way.
+  [[nodiscard]] bool middles_have_images(const MirrorPlane& plane) {
+    for (const FaceId f : ids<FaceId>(surface_.face_count())) {
+      const auto [a, b, c] = surface_.vertices(f);
+      const Vec3 middle = (surface_.point(a) + surface_.point(b) + surface_.point(c)) / 3.0;
+      for (const VertexId v : {a, b, c}) {
+        // Off the middle: where a square is divided the other way, that lies on the side of a triangle.
+        if (distance(plane.image(0.5 * (middle + surface_.point(v))), near_) > near_) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// Every exact plane holds the centre and maps corners at one distance from it onto each other. The fewest
+  /// corners at one distance give the fewest planes: between one of them and each other one; and through it,
+  /// then between a second corner and those as far as that one, or through both.
+  void try_images(Vec3 centre) {
+    const std::vector<std::vector<std::uint32_t>> shells = shells_about(centre);
+    if (shells.empty()) {
+      return;
+    }
+    const std::uint32_t v = shells[0][0];
+    try_images_of(v, shells[0], centre);
+    const Vec3 axis = normalized(points_[v] - centre);
+    for (const auto& shell : shells) {
+      const auto off = std::find_if(shell.begin(), shell.end(), [&](std::uint32_t u) {
+        return length(cross(points_[u] - centre, axis)) > first_reach * extent_;
+      });
+      if (off != shell.end()) {
+        try_plane(plane_through(normalized(cross(points_[*off] - centre, axis)), centre));
+        for (std::size_t i = 0; i < shell.size(); ++i) {
+          const Vec3 between = points_[shell[i]] - points_[*off];
+          if (shell[i] != *off && std::abs(dot(between, axis)) <= 10.0 * exact_) {
+            try_plane(plane_through(normalized(between), centre));
+          }
+        }
+        return;
+      }
+    }
+  }
+
+  void try_images_of(std::uint32_t v, const std::vector<std::uint32_t>& shell, Vec3 centre) {
+    for (const std::uint32_t w : shell) {
+      if (w != v) {
+        try_plane(plane_through(normalized(points_[w] - points_[v]), centre));
+      }
+    }
+  }
+
+  /// Corners at the same distance from the centre, the smallest shells first; not those in the centre, and
+  /// not shells of more than most_images.
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> shells_about(Vec3 centre) const {
+    std::vector<std::pair<double, std::uint32_t>> far;
+    for (const std::uint32_t v : places_) {
+      const double d = length(points_[v] - centre);
+      if (d > first_reach * extent_) {
+        far.emplace_back(d, v);
+      }
+    }
+    std::sort(far.begin(), far.end());
+    std::vector<std::vector<std::uint32_t>> shells;
+    for (std::size_t i = 0; i < far.size(); ++i) {
+      if (i == 0 || far[i].first - far[i - 1].first > exact_) {
+        shells.emplace_back();
+      }
+      shells.back().push_back(far[i].second);
+    }
+    std::erase_if(shells, [](const auto& shell) { return shell.size() > most_images; });
+    std::stable_sort(shells.begin(), shells.end(),
+                     [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    return shells;
+  }
+
+  const mesh::Surface& surface_;
+  std::size_t most_;
+  double extent_;
+  double exact_;
+  double near_;
+  std::vector<Vec3> points_;
+  std::vector<std::uint32_t> places_;
+  PointTree tree_;
+  std::optional<mesh::SurfaceTree> faces_;  ///< made when first needed
+  std::vector<Mirror> found_;
+};
+
+}  // namespace
+
+std::vector<Mirror> find_mirrors(const mesh::Surface& surface, std::size_t most,
+                                 const SymmetryTolerance& tolerance) {
+  if (surface.face_count() == 0 || most == 0) {
+    return {};
+  }
+  return MirrorSearch(surface, most, tolerance).run();
+}
+
+IdVector<EdgeId, EdgeId> mirror_edges(const mesh::Surface& surface, const MirrorPlane& plane,
+                                      double tolerance) {
+  const double radius = tolerance * surface.bounds().largest_extent();
+  IdVector<EdgeId, EdgeId> partner = match_edges(surface, surface, mirroring(plane), radius);
+  keep_pairs(partner);
+  return partner;
+}
+
+}  // namespace ridgecraft::prepare

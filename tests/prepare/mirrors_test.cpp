@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mirror planes are found wherever a surface lies, and maps say what lies on what.
+#include "prepare/symmetry/mirrors.hpp"
+
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "base/random.hpp"
+#include "prepare/panels/remesh_panels.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "support/concave_shapes.hpp"
+#include "support/shapes.hpp"
+#include "support/soups.hpp"
+
+using namespace ridgecraft;
+using prepare::find_mirrors;
+using prepare::Mirror;
+using prepare::MirrorPlane;
+
+namespace {
+
+/// Some turn and shift without a meaning, and a scale.
+Vec3 moved(Vec3 p) {
+  Motion m = turn_about({0.3, -0.2}, {0.6, 0.8}, 0.7);
+  m.rows = {m.rows[2], m.rows[0], m.rows[1]};
+  return 37.0 * m(p) + Vec3{5, -90, 12};
+}
+
+/// The half at x > 0 and its mirror image.
+mesh::Surface doubled(const mesh::Surface& surface) {
+  mesh::Soup soup;
+  const auto add = [&](std::array<Vec3, 3> corners) {
+    for (const Vec3 p : corners) {
+      soup.corner_point.push_back(static_cast<std::uint32_t>(soup.points.size()));
+      soup.points.push_back(p);
+    }
+    soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corner_point.size()));
+  };
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    std::array<Vec3, 3> p;
+    for (unsigned k = 0; k < 3; ++k) {
+      p[k] = surface.point(surface.vertex(mesh::corner(f, k)));
+      p[k].x = std::abs(p[k].x) < 1e-9 ? 0.0 : p[k].x;
+    }
+    if (p[0].x + p[1].x + p[2].x > 0.0) {
+      add(p);
+      add({Vec3{-p[0].x, p[0].y, p[0].z}, Vec3{-p[2].x, p[2].y, p[2].z}, Vec3{-p[1].x, p[1].y, p[1].z}});
+    }
+  }
+  return test::repaired(std::move(soup)).surface;
+}
+
+/// A body without any symmetry but that of x.
+mesh::Surface one_plane(int steps = 24) {
+  return test::mapped(doubled(test::sphere(steps, 14)), [](Vec3 p) {
+    return Vec3{p.x * (1.0 + 0.3 * p.z), 1.7 * p.y + 0.3 * p.z * p.z, p.z + 0.2 * p.y * p.y};
+  });
+}
+
+/// The same with its far side of x pushed in a little.
+mesh::Surface no_plane(double depth) {
+  return test::mapped(one_plane(), [&](Vec3 p) { return Vec3{p.x > 0.8 ? p.x - depth : p.x, p.y, p.z}; });
+}
+
+void check_maps(const mesh::Surface& s, const Mirror& m, double tolerance) {
+  REQUIRE(m.maps.whole);
+  for (const VertexId v : ids<VertexId>(s.vertex_count())) {
+    const VertexId w = m.maps.vertex[v];
+    REQUIRE(w.valid());
+    CHECK(m.maps.vertex[w] == v);
+    CHECK(length(s.point(w) - m.plane.image(s.point(v))) <= tolerance);
+  }
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    std::set<VertexId> images;
+    std::set<VertexId> partners;
+    for (const VertexId v : s.vertices(f)) {
+      images.insert(m.maps.vertex[v]);
+    }
+    for (const VertexId v : s.vertices(m.maps.face[f])) {
+      partners.insert(v);
+    }
+    CHECK(images == partners);
+  }
+  for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
+    const EdgeId partner = m.maps.edge[e];
+    REQUIRE(partner.valid());
+    CHECK(m.maps.edge[partner] == e);
+    CHECK(s.length(partner) == Approx(s.length(e)).margin(2.0 * tolerance));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a body with one mirror plane has that one, however it is turned, scaled and numbered",
+          "[symmetry]") {
+  const mesh::Surface plain = one_plane();
+  const std::vector<Mirror> found = find_mirrors(plain);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].exact);
+  CHECK(found[0].plane.normal == Vec3{1, 0, 0});
+  check_maps(plain, found[0], 1e-9);
+  const mesh::Surface other = test::mapped(test::shuffled(plain, 7), moved);
+  const std::vector<Mirror> again = find_mirrors(other);
+  REQUIRE(again.size() == 1);
+  CHECK(again[0].exact);
+  const Vec3 at = moved({0, 0, 0});
+  const Vec3 normal = normalized(moved({1, 0, 0}) - at);
+  CHECK(std::abs(dot(normal, again[0].plane.normal)) == Approx(1.0).margin(1e-9));
+  CHECK(again[0].plane.height(at) == Approx(0.0).margin(1e-6));
+  check_maps(other, again[0], 1e-6);
+}
+
+TEST_CASE("a dent on one side is no mirror plane, a shallow one is told", "[symmetry]") {
+  CHECK(find_mirrors(no_plane(0.1)).empty());
+  const std::vector<Mirror> found = find_mirrors(no_plane(0.005));
+  REQUIRE(found.size() == 1);
+  CHECK_FALSE(found[0].exact);
+  CHECK(found[0].deviation > 0.001);
+  CHECK(found[0].deviation < 0.0055);
+  // Vertices that lie on themselves nearly are connected as before.
+  check_maps(no_plane(0.005), found[0], 0.006);
+}
+
+TEST_CASE("a missing face on one side is seen although all corners have partners", "[symmetry]") {
+  const mesh::Surface whole = one_plane(12);
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(whole.face_count())) {
+    const auto [a, b, c] = whole.vertices(f);
+    const double side = whole.point(a).x + whole.point(b).x + whole.point(c).x;
+    if (faces.size() != f.value() || side < 2.0) {
+      faces.push_back(f);
+    }
+  }
+  REQUIRE(faces.size() == whole.face_count() - 1);
+  const prepare::PartOf open = prepare::part_of(whole, faces);
+  CHECK(open.surface.vertex_count() == whole.vertex_count());
+  CHECK(find_mirrors(open.surface).empty());
+}
+
+TEST_CASE("boxes, cubes and turned bodies have all their planes", "[symmetry]") {
+  CHECK(find_mirrors(test::cube()).size() == 9);
+  const mesh::Surface box = test::mapped(test::cube(), [](Vec3 p) { return Vec3{p.x, 2 * p.y, 3 * p.z}; });
+  CHECK(find_mirrors(box).size() == 3);
+  CHECK(find_mirrors(test::mapped(test::cube(), moved)).size() == 9);
+  CHECK(find_mirrors(test::tetrahedron()).size() == 6);
+  const std::vector<Vec2> cone{{0, -1}, {1, -1}, {0, 2}};
+  CHECK(find_mirrors(test::revolve(cone, 7)).size() == 7);
+  CHECK(find_mirrors(test::mapped(test::revolve(cone, 12), moved)).size() == 12);
+  CHECK(find_mirrors(test::revolve(cone, 7), 2).size() == 2);
+  for (const Mirror& m : find_mirrors(test::mapped(test::cube(), moved))) {
+    CHECK(m.exact);
+  }
+}
+
+TEST_CASE("a plate isn't mirrored at its own plane, nor a mirrored helix at any", "[symmetry]") {
+  std::vector<Vec3> points{{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {0, 2, 0}};
+  const mesh::Surface sheet(
+      points, {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(0), VertexId(2), VertexId(3)}});
+  const std::vector<Mirror> found = find_mirrors(sheet);
+  CHECK(found.size() == 2);
+  for (const Mirror& m : found) {
+    CHECK(m.plane.normal.z == 0.0);
+  }
+  const mesh::Surface twisted = test::mapped(test::voxels({{0, 0, 0}, {0, 0, 1}, {0, 0, 2}}, 3), [](Vec3 p) {
+    const double a = 0.4 * p.z;
+    const Vec2 q{p.x - 0.5, 1.5 * (p.y - 0.5)};
+    return Vec3{std::cos(a) * q.x - std::sin(a) * q.y, std::sin(a) * q.x + std::cos(a) * q.y, p.z};
+  });
+  CHECK(find_mirrors(twisted).empty());
+}
+
+TEST_CASE("edges between flat regions find their partners however the regions are triangulated",
+          "[symmetry]") {
+  mesh::Model model = test::repaired(test::soup_of(test::mapped(
+      test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 1}, {1, 1, 0}, {1, 2, 0}}, 3), moved)));
+  prepare::remesh_panels(model, {});
+  const mesh::Surface& s = model.surface;
+  const prepare::Panels panels = prepare::find_panels(s);
+  const std::vector<Mirror> found = find_mirrors(s);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].exact);
+  const IdVector<EdgeId, EdgeId> partner = prepare::mirror_edges(s, found[0].plane);
+  std::size_t own = 0;
+  for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
+    const auto [c, d] = s.sides(e);
+    if (panels.panel[mesh::face_of(c)] != panels.panel[mesh::face_of(d)]) {
+      REQUIRE(partner[e].valid());
+      CHECK(partner[partner[e]] == e);
+      CHECK(partner[e] == found[0].maps.edge[e]);
+      CHECK(s.fold_angle(partner[e]) == Approx(s.fold_angle(e)).margin(1e-6));
+      own += partner[e] == e ? 1U : 0U;
+    }
+  }
+  CHECK(own > 0);
+}
+
+TEST_CASE("vertices at one place are told apart by their faces", "[symmetry]") {
+  // Two bodies of one plane each that touch in corners on the common plane: their vertices there aren't one.
+  const mesh::Surface upper = test::mapped(test::cube(), [](Vec3 p) {
+    return Vec3{p.x - 0.5, p.y, p.z + p.y};
+  });
+  const mesh::Surface lower = test::mapped(test::cube(), [](Vec3 p) {
+    return Vec3{p.x - 0.5, p.y, p.z + p.y - 1.0};
+  });
+  const mesh::Surface both = test::together({upper, lower});
+  const std::vector<Mirror> found = find_mirrors(both);
+  REQUIRE_FALSE(found.empty());
+  const auto across = std::find_if(found.begin(), found.end(), [](const Mirror& m) {
+    return m.plane.normal == Vec3{1, 0, 0};
+  });
+  REQUIRE(across != found.end());
+  for (const FaceId f : ids<FaceId>(both.face_count())) {
+    if (across->maps.face[f].valid()) {
+      CHECK(both.component(across->maps.face[f]) == both.component(f));
+    }
+  }
+}
+
+TEST_CASE("a scan that is symmetric only nearly has its plane and pairs of edges where they are near",
+          "[symmetry]") {
+  Random random(3);
+  const mesh::Surface scan = test::mapped(one_plane(40), [&](Vec3 p) {
+    const auto noise = [&] { return 0.004 * (random.unit() - 0.5); };
+    return p + Vec3{noise(), noise(), noise()};
+  });
+  const mesh::Surface turned = test::mapped(test::shuffled(scan, 5), moved);
+  const std::vector<Mirror> found = find_mirrors(turned);
+  REQUIRE(found.size() == 1);
+  CHECK_FALSE(found[0].exact);
+  const Vec3 normal = normalized(moved({1, 0, 0}) - moved({0, 0, 0}));
+  CHECK(std::abs(dot(normal, found[0].plane.normal)) > 0.99999);
+  CHECK(found[0].maps.whole);
+}
+
+TEST_CASE("some faces become a surface that knows where it came from", "[symmetry]") {
+  const mesh::Surface two = test::together({test::cube(), test::mapped(test::cube(), [](Vec3 p) {
+                                              return p + Vec3{3, 0, 0};
+                                            })});
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(two.face_count())) {
+    if (two.component(f) == ComponentId(1)) {
+      faces.push_back(f);
+    }
+  }
+  const prepare::PartOf part = prepare::part_of(two, faces);
+  test::check_invariants(part.surface);
+  CHECK(part.surface.face_count() == 12);
+  CHECK(part.surface.vertex_count() == 8);
+  for (const VertexId v : ids<VertexId>(part.surface.vertex_count())) {
+    CHECK(part.surface.point(v) == two.point(part.vertex[v]));
+  }
+  for (const EdgeId e : ids<EdgeId>(part.surface.edge_count())) {
+    CHECK(part.surface.length(e) == two.length(part.edge[e]));
+  }
+}
