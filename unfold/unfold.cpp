@@ -21,6 +21,7 @@
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/fitting_panels.hpp"
 #include "unfold/pieces/kept_edges.hpp"
+#include "unfold/pieces/linear_split.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/pieces/patch_nets.hpp"
 #include "unfold/pieces/tab_split.hpp"
@@ -334,8 +335,9 @@ void insist_on_no_overlap(const Nets& nets) {
   }
 }
 
-/// The pieces that were split off others, but for the largest of each, are there for tabs. Their number.
-std::size_t blame_tabs(const Folds& split, Forest& forest) {
+/// The pieces that were split off others, but for the largest of each, are there for this reason. Their
+/// number.
+std::size_t blame(PieceReason reason, const Folds& split, Forest& forest) {
   const Layout before = lay_out(forest.patch, forest.folds);
   const Layout after = lay_out(forest.patch, split);
   std::vector<std::uint32_t> largest(before.faces.size(), nothing);
@@ -348,7 +350,7 @@ std::size_t blame_tabs(const Folds& split, Forest& forest) {
   }
   for (std::uint32_t f = 0; f < forest.patch.size(); ++f) {
     if (largest[before.piece[f]] != after.piece[f]) {
-      forest.cause[f] = PieceReason::tabs;
+      forest.cause[f] = reason;
     }
   }
   return after.faces.size() - before.faces.size();
@@ -369,9 +371,33 @@ SplitForTabs give_all_tabs(const mesh::Surface& surface, const prepare::Panels& 
   };
   TabSplit split = split_for_tabs(surface, panels, forest.patch, forest.folds, room_of(options), options.tabs,
                                   nets_of, net_tolerance(forest.patch.extent), context.seed, context);
-  const std::size_t pieces = blame_tabs(split.folds, forest);
+  const std::size_t pieces = blame(PieceReason::tabs, split.folds, forest);
   forest.folds = std::move(split.folds);
   return {pieces, !context.out_of_time()};
+}
+
+/// Pieces are split until each folds up with all creases together. That is noted.
+void make_fold_together(const Options& options, Forest& forest, const Context& context) {
+  const LinearSplit split = split_to_fold_together(forest.patch, forest.folds, room_of(options),
+                                                   net_tolerance(forest.patch.extent), context.seed, context);
+  const std::size_t pieces = blame(PieceReason::folding, split.folds, forest);
+  forest.folds = split.folds;
+  forest.notes.push_back((pieces == 0   ? std::string("no piece had to be")
+                          : pieces == 1 ? std::string("1 piece was")
+                                        : std::to_string(pieces) + " pieces were") +
+                         " split off so that all fold up with all creases together");
+}
+
+/// What --fold-linear asks for and the finished nets don't have.
+void note_not_linear(Nets& nets) {
+  const auto others = std::count_if(nets.pieces.begin(), nets.pieces.end(), [](const Piece& piece) {
+    return piece.folding.way != FoldWay::together;
+  });
+  if (others > 0) {
+    nets.notes.push_back(std::to_string(others) + (others == 1 ? " piece doesn't" : " pieces don't") +
+                         " fold up with all creases together all the same: edges that were to be kept are in "
+                         "the way of splitting further");
+  }
 }
 
 }  // namespace
@@ -399,6 +425,9 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   if (options.tabs.wanted && options.tabs.split_pieces) {
     split = give_all_tabs(surface, panels, part, plan, options, forest, context);
   }
+  if (options.pieces.fold_linear) {
+    make_fold_together(options, forest, context);
+  }
   Nets nets = assemble(surface, part, forest, forest.folds);
   close_flat_cuts(surface, panels, plan.wishes, nets);
   note_broken_wishes(options.wishes, nets);
@@ -407,6 +436,9 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   do_in_parallel(nets.pieces.size(), context, [&](std::size_t i, const Context& own) {
     nets.pieces[PieceId(i)].folding = find_fold_order(surface, nets, PieceId(i), own);
   });
+  if (options.pieces.fold_linear) {
+    note_not_linear(nets);
+  }
   replace_tabs(surface, panels, options, nets, context);
   if (options.tabs.wanted && options.tabs.split_pieces) {
     note_all_tabs(surface, options.tabs, split, nets);

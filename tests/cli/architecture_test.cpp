@@ -63,7 +63,7 @@ const std::vector<Folder>& folders() {
         {"tabs/shape", {"net"}},
         {"tabs/place", {"net", "patch", "tabs/shape"}},
         {"tabs/trees", {"net", "patch", "search", "tabs/shape", "tabs/place"}},
-        {"folding", {"net", "patch", "tabs/trees"}},
+        {"folding", {"net", "patch", "search", "tabs/trees"}},
         {"pieces", {"net", "patch", "search", "tabs/place", "tabs/trees", "folding"}}},
        {"unfold.hpp", "panel_parts.hpp", "net/nets.hpp", "net/options.hpp", "net/edge_wishes.hpp",
         "net/piece_rules.hpp", "net/outline.hpp", "tabs/place/place_tabs.hpp"}},

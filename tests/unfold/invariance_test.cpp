@@ -165,7 +165,7 @@ TEST_CASE("turning, scaling, renumbering and mirroring keep success, lengths and
 TEST_CASE("on paper a model put otherwise becomes nearly as many pieces, with nearly as many tabs",
           "[invariance]") {
   // The search draws other random numbers for other faces, so pieces may differ by one in five or one, and
-  // joins without a tab by one in twenty of all joins.
+  // joins without a tab by one in fifteen of all joins: what a tree that folds together costs differs, too.
   for (const std::string file : {"whale.obj"}) {
     const Model model = sample(file);
     Options options;
@@ -190,7 +190,7 @@ TEST_CASE("on paper a model put otherwise becomes nearly as many pieces, with ne
       }
       const std::size_t more = std::max(pieces, nets.pieces.size());
       CHECK(more - std::min(pieces, nets.pieces.size()) <= std::max<std::size_t>(1, more / 5));
-      CHECK(std::abs(missing(nets) - without_tab) <= static_cast<std::ptrdiff_t>(nets.joins.size() / 20));
+      CHECK(std::abs(missing(nets) - without_tab) <= static_cast<std::ptrdiff_t>(nets.joins.size() / 15));
     }
   }
 }

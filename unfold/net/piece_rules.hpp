@@ -36,6 +36,9 @@ struct PieceRules {
   Weights weights;
   std::size_t max_panels = 0;  ///< flat regions that one piece may have; 0: any number
   bool merge = false;          ///< join neighbouring pieces, of several parts too, where that costs less
+  /// Must every piece fold up with all creases together (folding/fold_order.hpp)? Those that don't are split
+  /// (pieces/linear_split.hpp).
+  bool fold_linear = false;
 };
 [[nodiscard]] PieceRules rules_of(PieceMode mode);
 

@@ -2,6 +2,8 @@
 #include "unfold/pieces/better_trees.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -19,7 +21,7 @@ namespace {
 
 /// What a piece that folds freely may cost more, in edges to be glued, as the objective has it
 /// (piece_rules.hpp).
-constexpr double worth_of_free_folding = 2.0;
+constexpr double worth_of_free_folding = 10.0;
 /// Trials for each face that win back tabs which free folding cost: some ask how the changed tree folds.
 constexpr std::uint64_t trials_per_face = 4;
 /// Faces beyond these bring the search for tabs no more trials.
@@ -66,17 +68,18 @@ class PieceTree {
   [[nodiscard]] bool fits() const { return !fits_ || room_.holds(net_.hull(), panels_); }
 
   void let_fold_freely() {
-    PieceCost cost(piece_, one_part, options_.pieces.weights);
+    PieceCost shape(piece_, one_part, options_.pieces.weights);
     // A tab is an edge that is easily glued.
-    const double limit = cost.of(net_.folds(), net_.hull()) - net_.tabs() + worth_of_free_folding;
-    const std::uint32_t most_tabs = net_.tabs() + most_tabs_won;
-    const auto allowed = [&](ChangingNet& net) {
+    const auto cost = [&](ChangingNet& net) -> std::optional<double> {
       const std::vector<Vec2> hull = net.hull();
-      const double shape = cost.of(net.folds(), hull);
-      return shape - most_tabs <= limit && (!fits_ || room_.holds(hull, panels_)) &&
-             shape - net.tabs() <= limit;
+      if (fits_ && !room_.holds(hull, panels_)) {
+        return std::nullopt;
+      }
+      return shape.of(net.folds(), hull) - net.tabs();
     };
-    fold_freely(net_, allowed, random_.next(), context_);
+    const double worth =
+        options_.pieces.fold_linear ? std::numeric_limits<double>::infinity() : worth_of_free_folding;
+    fold_freely(net_, cost, worth, random_.next(), context_);
   }
 
   /// Tabs that free folding cost.
@@ -84,21 +87,18 @@ class PieceTree {
     TabSearch search;
     search.trials = trials_per_face * piece_.size();
     search.allowed = [this](const Folds&) { return fits(); };
-    search.best_allowed = [this](const Folds& tree) { return folds_freely(piece_, tree, context_); };
+    search.best_allowed = [this](const Folds& tree) { return folds_together(piece_, tree, context_); };
     improve_tabs(net_, search, random_.next(), context_);
   }
 
   /// What folds freely still does then.
   void tidy() {
-    const bool free = folds_freely(piece_, net_.folds(), context_);
+    const bool free = folds_together(piece_, net_.folds(), context_);
     const auto allowed = [&](ChangingNet& net) {
-      return fits() && (!free || folds_freely(piece_, net.folds(), context_));
+      return fits() && (!free || folds_together(piece_, net.folds(), context_));
     };
     tidy_piece(net_, allowed, options_.pieces.weights, random_.next(), context_);
   }
-
-  /// No swap wins more tabs.
-  static constexpr std::uint32_t most_tabs_won = 3;
 
   const Options& options_;
   const Room& room_;

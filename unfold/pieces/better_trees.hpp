@@ -13,8 +13,9 @@
 namespace ridgecraft::unfold {
 
 /// Changes the tree of each piece of a clean forest so that more of its cuts have room for a usable tab
-/// (tab_search.hpp, where tabs are wanted); then so that it doesn't run through itself while it is folded
-/// (free_folding.hpp), where that costs no more than a few edges to be glued; then for its shape
+/// (tab_search.hpp, where tabs are wanted); then so that it doesn't run through itself while all creases are
+/// folded together (free_folding.hpp), where that costs no more than some edges to be glued, or whatever it
+/// costs where that is the rule; then for its shape
 /// (tidy_piece.hpp), where that costs neither. The pieces keep their faces, stay free of overlap and fit the
 /// room if they did. The patch is the whole surface. Deterministic for one seed but for the deadline; one
 /// piece is one task.
