@@ -50,6 +50,14 @@ struct Motion {
 
   [[nodiscard]] Vec3 turn(Vec3 p) const { return {dot(rows[0], p), dot(rows[1], p), dot(rows[2], p)}; }
   [[nodiscard]] Vec3 operator()(Vec3 p) const { return turn(p) + shift; }
+
+  [[nodiscard]] Motion inverse() const {
+    const auto& [x, y, z] = rows;
+    Motion back;
+    back.rows = {Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}};
+    back.shift = -back.turn(shift);
+    return back;
+  }
 };
 
 /// First b, then a.

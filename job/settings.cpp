@@ -73,6 +73,9 @@ paper::Settings settings_of(const Options& options, std::uint64_t seed) {
   add_edges(options.edges, settings);
   settings["seed"] = std::to_string(seed);
   settings["concavity"] = number(options.concavity);
+  if (options.pieces.fold_linear) {
+    settings["fold_linear"] = "true";
+  }
   if (options.paper) {
     add_pages(options, settings);
   } else {

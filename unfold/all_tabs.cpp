@@ -8,7 +8,6 @@
 
 #include "unfold/net/tolerance.hpp"
 #include "unfold/nets_of_folds.hpp"
-#include "unfold/patch/layout.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/tab_split.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
@@ -16,22 +15,6 @@
 
 namespace ridgecraft::unfold {
 namespace {
-
-/// The pieces that were split off others, but for the largest of each, are there for tabs.
-void blame_tabs(const Patch& patch, const Layout& before, const Layout& after, Causes& causes) {
-  std::vector<std::uint32_t> largest(before.faces.size(), nothing);
-  for (std::uint32_t piece = 0; piece < after.faces.size(); ++piece) {
-    std::uint32_t& other = largest[before.piece[after.faces[piece].front()]];
-    if (other == nothing || area_of(patch, after.faces[piece]) > area_of(patch, after.faces[other])) {
-      other = piece;
-    }
-  }
-  for (std::uint32_t f = 0; f < patch.size(); ++f) {
-    if (largest[before.piece[f]] != after.piece[f]) {
-      causes[f] = PieceReason::tabs;
-    }
-  }
-}
 
 std::string counted(std::size_t number, const char* one, const char* more) {
   return std::to_string(number) + (number == 1 ? one : more);
@@ -57,11 +40,8 @@ AllTabs give_all_tabs(const Asked& asked, const Plan& plan, const Patch& patch, 
   };
   TabSplit split = split_for_tabs(asked.surface, asked.panels, patch, folds, plan.room, asked.options.tabs,
                                   nets_of, net_tolerance(patch.extent), context.seed, context);
-  const Layout before = lay_out(patch, folds);
-  const Layout after = lay_out(patch, split.folds);
-  AllTabs result{std::move(split.folds), causes, after.faces.size() - before.faces.size(),
-                 !context.out_of_time()};
-  blame_tabs(patch, before, after, result.causes);
+  AllTabs result{std::move(split.folds), causes, 0, !context.out_of_time()};
+  result.split_pieces = blame(patch, folds, result.folds, PieceReason::tabs, result.causes);
   return result;
 }
 

@@ -125,4 +125,23 @@ Nets nets_of_folds(const mesh::Surface& surface, const IdVector<FaceId, PartId>&
   return nets;
 }
 
+std::size_t blame(const Patch& patch, const Folds& before, const Folds& after, PieceReason reason,
+                  Causes& causes) {
+  const Layout given = lay_out(patch, before);
+  const Layout split = lay_out(patch, after);
+  std::vector<std::uint32_t> largest(given.faces.size(), nothing);
+  for (std::uint32_t piece = 0; piece < split.faces.size(); ++piece) {
+    std::uint32_t& other = largest[given.piece[split.faces[piece].front()]];
+    if (other == nothing || area_of(patch, split.faces[piece]) > area_of(patch, split.faces[other])) {
+      other = piece;
+    }
+  }
+  for (std::uint32_t f = 0; f < patch.size(); ++f) {
+    if (largest[given.piece[f]] != split.piece[f]) {
+      causes[f] = reason;
+    }
+  }
+  return split.faces.size() - given.faces.size();
+}
+
 }  // namespace ridgecraft::unfold

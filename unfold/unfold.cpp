@@ -16,6 +16,8 @@
 #include "unfold/pieces/better_borders.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
+#include "unfold/linear_folding.hpp"
+#include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/plan.hpp"
 #include "unfold/tabs/place/fit.hpp"
@@ -75,9 +77,10 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Co
                            ? merge_parts(patch, asked.part.items(), parts.folds, plan.room, rules.weights,
                                          net_tolerance(patch.extent), context.seed, context)
                            : std::move(parts.folds);
+  const IdVector<EdgeId, EdgeId> mirrored = mirror_images(asked.surface, rules.weights);
   const Folds bordered =
-      better_borders(asked.surface, plan.whole, patch, merged, asked.options, plan.room, context);
-  return {better_trees(asked.surface, plan.whole, patch, bordered, asked.options, plan.room, context),
+      better_borders(asked.surface, plan.whole, patch, merged, mirrored, asked.options, plan.room, context);
+  return {better_trees(asked.surface, plan.whole, patch, bordered, mirrored, asked.options, plan.room, context),
           std::move(parts.causes), std::move(parts.notes)};
 }
 
@@ -109,11 +112,20 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
     notes.emplace_back("the time given was up before all nets with more tabs were tried");
   }
   const bool all_tabs = wants_all_tabs(options);
-  const AllTabs split = all_tabs ? give_all_tabs(asked, plan, patch, found.folds, found.causes, context)
-                                 : AllTabs{std::move(found.folds), std::move(found.causes)};
+  AllTabs split = all_tabs ? give_all_tabs(asked, plan, patch, found.folds, found.causes, context)
+                           : AllTabs{std::move(found.folds), std::move(found.causes)};
+  if (options.pieces.fold_linear) {
+    LinearFolding linear = fold_together(plan, patch, std::move(split.folds), std::move(split.causes), context);
+    split.folds = std::move(linear.folds);
+    split.causes = std::move(linear.causes);
+    notes.push_back(std::move(linear.note));
+  }
   Nets nets = nets_of_folds(surface, part, patch, split.folds, split.causes);
   nets.notes = std::move(notes);
   finish(asked, plan, context, nets);
+  if (options.pieces.fold_linear) {
+    note_not_linear(nets);
+  }
   if (all_tabs) {
     note_all_tabs(asked, split, nets);
   }

@@ -25,8 +25,12 @@ void PieceTexts::add_to(Verb& verb) {
   verb.option("Pieces", "--max-faces", max_faces, "N|any",
               "Most flat faces of one piece (few: any, parts: 80, small: 24).");
   verb.list("Pieces", "--weigh", weights, "TERM=WEIGHT",
-            "What makes pieces easy to build, in edges to be glued: cut (each 100 mm), pieces, parts (each "
-            "further part in a piece), compact, thin, small, panels. Several times for several terms.");
+            "What makes nets easy to cut and glue, in mm of seam: seam (1), bare (2: seam without room for a "
+            "tab), slits (2: seam that hardly opens), mirror (1.5: seam whose mirror image is none), open (0.1: "
+            "seam on smooth places), compact (4: each cm2 of a piece's hull that is no paper), outline (0.3: its "
+            "square, over 1000 mm), thin (0.5: necks), pieces (600: each), parts (800: each further part in a "
+            "piece), small (1200: pieces under 30 mm), panels (800: the square of flat faces over 80). Several "
+            "times for several terms.");
 }
 
 unfold::PieceRules PieceTexts::rules() const {

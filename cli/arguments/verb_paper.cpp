@@ -67,6 +67,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   std::string tab_angle;
   std::string hide = "3";
   bool no_tabs = false;
+  bool fold_linear = false;
   verb.option(
       "Input", "MODEL", job.model, "MODEL",
       "OBJ, STL, PLY or OFF; the content decides, not the suffix. - reads standard input; files whose "
@@ -96,6 +97,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
       "Parts", "--concavity", concavity, "TOLERANCE",
       "How far a part may be from convex, as a share of the radius of the model's bounding sphere (0.1).");
   pieces.add_to(verb);
+  verb.flag("Pieces", "--fold-linear", fold_linear, std::string(fold_linear_text));
   add_edge_options(verb, job.edges);
   common.add_to(verb, TimeUp::ends_searches);
   bool version = false;
@@ -125,6 +127,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     }
     job.options.concavity = concavity_or_refuse(concavity);
     job.options.pieces = pieces.rules();
+    job.options.pieces.fold_linear = fold_linear;
     if (no_tabs && job.options.tabs.split_pieces) {
       refuse("--all-tabs and --no-tabs exclude each other");
     }

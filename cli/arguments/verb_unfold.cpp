@@ -2,6 +2,7 @@
 // ridgecraft unfold
 #include "cli/arguments/edge_options.hpp"
 #include "cli/arguments/option_values.hpp"
+#include "cli/arguments/piece_options.hpp"
 #include "cli/arguments/shared_options.hpp"
 #include "cli/arguments/verbs.hpp"
 
@@ -31,6 +32,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");
   verb.flag("Parts", "--whole", whole, "Don't cut the model into parts first.");
   verb.option("Parts", "--concavity", concavity, "TOLERANCE", "How far a part may be from convex (0.1).");
+  verb.flag("Parts", "--fold-linear", job.options.pieces.fold_linear, std::string(fold_linear_text));
   add_edge_options(verb, job.edges);
   size.add_to(verb, "keep");
   verb.flag("Tabs", "--tabs", job.options.tabs.wanted,

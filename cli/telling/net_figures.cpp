@@ -29,8 +29,10 @@ std::vector<PieceId> pieces_with_care(const unfold::Nets& nets) {
 
 /// unfold::sentence(reason), with the option that the user can change it by.
 std::string sentence_of_one(unfold::PieceReason reason) {
-  return std::string(unfold::sentence(reason)) +
-         (reason == unfold::PieceReason::faces ? " (--max-faces)" : "");
+  return std::string(unfold::sentence(reason)) + (reason == unfold::PieceReason::faces ? " (--max-faces)"
+                                                  : reason == unfold::PieceReason::folding
+                                                      ? " (--fold-linear)"
+                                                      : "");
 }
 
 /// The same for several pieces.
@@ -47,6 +49,8 @@ std::string sentence_of_several(unfold::PieceReason reason) {
       return "their parts have more faces than one piece may have (--max-faces)";
     case PieceReason::component:
       return "their parts aren't connected";
+    case PieceReason::folding:
+      return "their parts don't fold up with all creases together in one piece (--fold-linear)";
     case PieceReason::part:
     case PieceReason::time:
     case PieceReason::request:
@@ -241,10 +245,19 @@ void add_folding(Summary& summary, const unfold::Nets& nets) {
   for (const PieceId p : pieces) {
     list.add(nets.pieces[p].name);
   }
+  std::string sentence;
+  for (const PieceId p : pieces) {
+    const auto& faces = nets.pieces[p].folding.in_the_way;
+    sentence +=
+        (sentence.empty() ? "" : "; ") + nets.pieces[p].name +
+        (faces ? fmt::format(" (faces {} and {} of the FOLD file)", (*faces)[0].value(), (*faces)[1].value())
+               : std::string());
+  }
   summary.add("pieces_to_fold_with_care", std::move(list), Line::folding, "folding",
-              pieces.empty()
-                  ? ""
-                  : piece_names(nets, pieces) + ": faces are in each other's way and have to be bent aside");
+              pieces.empty() ? ""
+                             : "no order was found in which no face is in another's way, so some have to be "
+                               "bent aside a little: " +
+                                   sentence);
 }
 
 void say_colours(Summary& summary, const mesh::Model& model) {

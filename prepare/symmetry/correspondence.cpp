@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/point_tree.hpp"
+#include "prepare/symmetry/nearby_points.hpp"
 #include "base/same_place.hpp"
 
 namespace ridgecraft::prepare {
@@ -45,14 +45,14 @@ struct Places {
 class Nearest {
  public:
   Nearest(const std::vector<Vec3>& points, const std::vector<std::uint32_t>& numbers)
-      : points_(points), tree_(points, numbers, std::vector<double>(points.size(), 0.0)) {}
+      : points_(points), tree_(points, numbers) {}
 
   /// The one with the smallest number among the nearest; none beyond the radius.
   [[nodiscard]] std::uint32_t operator()(Vec3 p, double radius) const {
     double least = radius * radius;
     std::uint32_t best = none;
     tree_.search(
-        p, [&](const Box3& box, double) { return PointTree::squared_distance(p, box) <= least; },
+        p, [&](double distance) { return distance <= least; },
         [&](std::uint32_t i) {
           const Vec3 d = points_[i] - p;
           if (dot(d, d) < least || (dot(d, d) == least && i < best)) {
@@ -65,7 +65,7 @@ class Nearest {
 
  private:
   const std::vector<Vec3>& points_;
-  PointTree tree_;
+  NearbyPoints tree_;
 };
 
 using Triple = std::array<std::uint32_t, 3>;
@@ -284,7 +284,7 @@ std::vector<Pairing> near_pairs(const mesh::Surface& from, const mesh::Surface& 
   }
   std::vector<std::uint32_t> numbers(middles.size());
   std::iota(numbers.begin(), numbers.end(), 0U);
-  const PointTree tree(middles, numbers, std::vector<double>(middles.size(), 0.0));
+  const NearbyPoints tree(middles, numbers);
   std::vector<Pairing> pairs;
   const double step = same_distance * radius;
   for (const EdgeId e : ids<EdgeId>(from.edge_count())) {
@@ -296,7 +296,7 @@ std::vector<Pairing> near_pairs(const mesh::Surface& from, const mesh::Surface& 
     const Vec3 own = isometry.turn(outwards(from, e));
     tree.search(
         middle,
-        [&](const Box3& box, double) { return PointTree::squared_distance(middle, box) <= reach * reach; },
+        [&](double distance) { return distance <= reach * reach; },
         [&](std::uint32_t i) {
           const auto [p, q] = ends(to, EdgeId(i));
           const double straight = std::max(length(p - a), length(q - b));

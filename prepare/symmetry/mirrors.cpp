@@ -9,7 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "base/point_tree.hpp"
+#include "prepare/symmetry/nearby_points.hpp"
 #include "base/same_place.hpp"
 #include "mesh/model/surface_distance.hpp"
 
@@ -122,7 +122,7 @@ class MirrorSearch {
         near_(tolerance.near * extent_),
         points_(surface.points().begin(), surface.points().end()),
         places_(places(points_)),
-        tree_(points_, places_, std::vector<double>(points_.size(), 0.0)) {}
+        tree_(points_, places_) {}
 
   std::vector<Mirror> run() {
     const Frame frame = area_frame(surface_);
@@ -155,7 +155,7 @@ class MirrorSearch {
     double least = radius * radius;
     std::uint32_t best = none;
     tree_.search(
-        p, [&](const Box3& box, double) { return PointTree::squared_distance(p, box) <= least; },
+        p, [&](double distance) { return distance <= least; },
         [&](std::uint32_t i) {
           const Vec3 d = points_[i] - p;
           if (dot(d, d) <= least) {
@@ -367,7 +367,7 @@ class MirrorSearch {
   double near_;
   std::vector<Vec3> points_;
   std::vector<std::uint32_t> places_;
-  PointTree tree_;
+  NearbyPoints tree_;
   std::optional<mesh::SurfaceTree> faces_;  ///< made when first needed
   std::vector<Mirror> found_;
 };

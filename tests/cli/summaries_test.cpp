@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What people and machines are told about a job.
 #include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/program_checks.hpp"
@@ -15,24 +19,27 @@ using Json = nlohmann::json;
 TEST_CASE("what is told of tabs agrees with itself where not all are usable", "[summaries]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
-  // At this size two edges are too short for more than a stub.
+  // At this size some edges are too short for more than a stub.
   for (const std::vector<std::string>& verb :
        {std::vector<std::string>{}, std::vector<std::string>{"unfold"}}) {
     std::vector<std::string> arguments = verb;
     arguments.insert(arguments.end(), {"house.obj", "--size", "4mm", "--all-tabs", "-o", "x.fold"});
     const Outcome text = run_program(arguments, in(folder));
     CAPTURE(text.out);
-    CHECK(text.out.find(
-              "  tabs        9 for 9 joins, 7 of them usable (the others are smaller than holds well)\n") !=
-          std::string::npos);
-    CHECK(
-        text.out.find("2 edges are too short, or the faces behind them too narrow, for a tab that holds\n") !=
-        std::string::npos);
     arguments.emplace_back("--json");
     const Json json = Json::parse(run_program(arguments, in(folder)).out);
-    CHECK(json["tabs"] == 9);
-    CHECK(json["tabs_usable"] == 7);
-    CHECK(json["joins_too_narrow"] == 2);
+    const auto told = [&](const char* key) { return std::to_string(json[key].get<int>()); };
+    CHECK(json["tabs"] == json["joins"]);
+    CHECK(json["tabs_usable"].get<int>() + json["joins_too_narrow"].get<int>() == json["joins"].get<int>());
+    CHECK(json["joins_too_narrow"] > 0);
+    CHECK(text.out.find("  tabs        " + told("tabs") + " for " + told("joins") + " joins, " +
+                        told("tabs_usable") + " of them usable (the others are smaller than holds well)\n") !=
+          std::string::npos);
+    CHECK(text.out.find(told("joins_too_narrow") +
+                        (json["joins_too_narrow"] == 1
+                             ? " edge is too short, or the faces behind it too narrow, for a tab that holds\n"
+                             : " edges are too short, or the faces behind them too narrow, for a tab that holds\n")) !=
+          std::string::npos);
     CHECK(json["joins_without_tab"] == 0);
   }
   const Outcome large = run_program({"house.obj", "--size", "8cm", "-o", "x.fold"}, in(folder));
@@ -227,6 +234,55 @@ TEST_CASE("pieces are split where all tabs are asked for, and it is told", "[sum
     CHECK(fold.dump().find("\"all_tabs\":true") != std::string::npos);
   }
   check_refusal(run_program({"tips.obj", "--all-tabs", "--no-tabs"}, in(folder)), 2, "--no-tabs");
+}
+
+TEST_CASE("pieces that have to fold by themselves are split until they do, and it is told", "[summary]") {
+  // A strip bent into a seam as cans have it, each edge inside the other: in one piece it can't be folded.
+  const TemporaryFolder folder;
+  const std::vector<std::array<double, 2>> seam{{40, 103},   {70, 103},  {70, 100},    {0, 100},
+                                                {0, 0},      {100, 0},   {100, 104.5}, {38, 104.5},
+                                                {38, 101.5}, {67, 101.5}};
+  std::string obj;
+  for (const auto& [x, y] : seam) {
+    obj += fmt::format("v {} {} 0\nv {} {} 30\n", x, y, x, y);
+  }
+  for (std::size_t i = 0; i + 1 < seam.size(); ++i) {
+    obj += fmt::format("f {} {} {} {}\n", 2 * i + 1, 2 * i + 3, 2 * i + 4, 2 * i + 2);
+  }
+  write_bytes(folder / "seam.obj", obj);
+  const auto run = [&](std::vector<std::string> all) {
+    for (const char* word : {"--scale", "1", "--unit", "mm", "--faces", "keep", "--overwrite"}) {
+      all.emplace_back(word);
+    }
+    const Outcome outcome = run_program(all, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return outcome.out;
+  };
+  const std::vector<std::string> paper{"seam.obj", "--paper", "A2", "--concavity", "2", "-o", "a.fold"};
+  const std::string text = run(paper);
+  CHECK(text.find("no order was found in which no face is in another's way") != std::string::npos);
+  CHECK(text.find("of the FOLD file)") != std::string::npos);
+  std::vector<std::string> linear = paper;
+  linear.emplace_back("--fold-linear");
+  CHECK(run(linear).find("doesn't fold up with all creases together in one piece (--fold-linear)") !=
+        std::string::npos);
+  for (const std::vector<std::string>& job :
+       {linear, {"unfold", "seam.obj", "--whole", "--fold-linear", "-o", "a.fold"}}) {
+    std::vector<std::string> with_json = job;
+    with_json.emplace_back("--json");
+    const Json json = Json::parse(run(with_json));
+    CHECK(json["pieces"] == 2);
+    CHECK(json["pieces_to_fold_with_care"].empty());
+    CHECK(json["notes"].back() == "1 piece was split off so that all fold up with all creases together");
+    const Json fold = Json::parse(read_bytes(folder / "a.fold"));
+    CHECK(fold["ridgecraft:settings"]["fold_linear"] == true);
+    CHECK(fold["ridgecraft:pieces"][1]["reason"] == "request");
+    for (const Json& steps : fold["ridgecraft:fold_order"]) {
+      CHECK(steps.size() <= 1);
+    }
+    CHECK(run_program({"verify", "a.fold"}, in(folder)).exit_code == 0);
+  }
 }
 
 TEST_CASE("what is told of several and of one is worded so", "[summaries]") {

@@ -61,8 +61,8 @@ TEST_CASE("kind 1: settings that nobody knows, or that no option takes", "[state
   check_found("which nobody knows", [](Json& json) { settings(json)["colour"] = "red"; });
   for (const char* name :
        {"seed", "faces", "concavity", "tabs", "tab_height_mm", "tab_angle_deg", "paper_mm", "margin_mm",
-        "gap_mm", "pieces", "max_faces", "hide_folds_deg", "weigh_cut", "weigh_pieces", "weigh_parts",
-        "weigh_compact", "weigh_thin", "weigh_small", "weigh_panels"}) {
+        "gap_mm", "pieces", "max_faces", "hide_folds_deg", "weigh_seam", "weigh_bare", "weigh_slits",
+        "weigh_mirror", "weigh_open", "weigh_pieces", "weigh_parts", "weigh_outline", "weigh_compact", "weigh_thin", "weigh_small", "weigh_panels"}) {
     check_found("the settings lack \"" + std::string(name), [&](Json& json) { settings(json).erase(name); });
     for (const Json& bad : {Json(), Json(-1), Json("many"), Json::object(), Json::array({1, "a"})}) {
       check_found("\"" + std::string(name) + "\" has a value that no option takes",
@@ -280,8 +280,10 @@ const std::set<std::string> free_paths = {
     // How nets were searched leaves no trace in them, and limits may be wider than what came of them.
     "/ridgecraft:settings/concavity", "/ridgecraft:settings/seed", "/ridgecraft:settings/max_faces",
     "/ridgecraft:settings/gap_mm", "/ridgecraft:settings/tab_height_mm", "/ridgecraft:settings/tab_angle_deg",
-    "/ridgecraft:settings/hide_folds_deg", "/ridgecraft:settings/weigh_cut",
-    "/ridgecraft:settings/weigh_pieces", "/ridgecraft:settings/weigh_parts",
+    "/ridgecraft:settings/hide_folds_deg", "/ridgecraft:settings/weigh_seam",
+    "/ridgecraft:settings/weigh_bare", "/ridgecraft:settings/weigh_slits",
+    "/ridgecraft:settings/weigh_mirror", "/ridgecraft:settings/weigh_open",
+    "/ridgecraft:settings/weigh_outline", "/ridgecraft:settings/weigh_pieces", "/ridgecraft:settings/weigh_parts",
     "/ridgecraft:settings/weigh_compact", "/ridgecraft:settings/weigh_thin",
     "/ridgecraft:settings/weigh_small", "/ridgecraft:settings/weigh_panels",
     // A tab may have any convex shape as high as the settings allow; the printed pages know which.

@@ -12,9 +12,6 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// Folds of less don't move anything that one could see, radians.
-constexpr double flat_fold = 2e-6;
-
 /// Edges between two plates.
 using Links = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>;
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
@@ -151,6 +148,35 @@ FoldMotion::FoldMotion(const FlatPiece& piece) : flat_(piece.flat), plate_(plate
       creases_[later].sides.insert(creases_[later].sides.end(), sides.begin(), sides.end());
     }
   }
+  number_plates();
+}
+
+/// Creases come after those that they hang on, so sizes are summed backwards and places are dealt forwards.
+void FoldMotion::number_plates() {
+  below_.assign(faces_.size(), 1);
+  place_.assign(faces_.size(), 0);
+  for (auto crease = creases_.rbegin(); crease != creases_.rend(); ++crease) {
+    below_[crease->inner] += below_[crease->outer];
+  }
+  std::vector<std::uint32_t> dealt(faces_.size(), 1);  // places from the plate's own on
+  for (const Crease& crease : creases_) {
+    place_[crease.outer] = place_[crease.inner] + dealt[crease.inner];
+    dealt[crease.inner] += below_[crease.outer];
+  }
+}
+
+std::pair<Vec3, Vec3> FoldMotion::line_of(std::uint32_t crease, const Pose& pose) const {
+  const Hinge& hinge = hinges_[crease];
+  const Motion& inner = pose.motion[creases_[crease].inner];
+  return {inner({hinge.start.x, hinge.start.y, 0.0}),
+          inner.turn({hinge.direction.x, hinge.direction.y, 0.0})};
+}
+
+Motion FoldMotion::beyond(std::uint32_t crease, double share, const Pose& pose) const {
+  const Hinge& hinge = hinges_[crease];
+  const Motion& inner = pose.motion[creases_[crease].inner];
+  const double angle = (share - pose.share[crease]) * hinge.angle;
+  return inner * turn_about(hinge.start, hinge.direction, angle) * inner.inverse();
 }
 
 void FoldMotion::place(std::uint32_t crease, Pose& pose) const {

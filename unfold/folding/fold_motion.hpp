@@ -6,14 +6,18 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "mesh/model/surface.hpp"
 #include "base/motion.hpp"
+#include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
+
+/// Folds of less don't move anything that one could see, radians.
+inline constexpr double flat_fold = 2e-6;
 
 /// A piece laid flat, and by how much each of its folds is folded in the model. Its faces have local numbers;
 /// side 3 f + k of face f runs from its corner k to its corner k + 1.
@@ -63,6 +67,16 @@ class FoldMotion {
 
   /// The faces that a crease moves. O(their number).
   [[nodiscard]] std::vector<std::uint32_t> faces_beyond(std::uint32_t crease) const;
+  /// Whether a face is one of these. O(1).
+  [[nodiscard]] bool moves(std::uint32_t crease, std::uint32_t face) const {
+    const std::uint32_t first = place_[creases_[crease].outer];
+    const std::uint32_t at = place_[plate_[face]];
+    return at >= first && at < first + below_[creases_[crease].outer];
+  }
+  /// A point on the crease's line and the line's direction, of length 1.
+  [[nodiscard]] std::pair<Vec3, Vec3> line_of(std::uint32_t crease, const Pose& pose) const;
+  /// How what lies beyond the crease would move from where it is to where it were with this share.
+  [[nodiscard]] Motion beyond(std::uint32_t crease, double share, const Pose& pose) const;
   /// Changes the share of one crease. O(the faces that it moves).
   void fold(std::uint32_t crease, double share, Pose& pose) const;
 
@@ -75,6 +89,7 @@ class FoldMotion {
   /// Moves the crease's outer plate to where its inner one and its share put it.
   void place(std::uint32_t crease, Pose& pose) const;
   [[nodiscard]] std::vector<std::uint32_t> creases_from(std::uint32_t crease) const;
+  void number_plates();
 
   std::vector<Triangle> flat_;
   std::vector<std::uint32_t> plate_;
@@ -83,7 +98,9 @@ class FoldMotion {
       inner_of_;  ///< per plate: the one that its crease hangs it on; itself in the middle
   std::vector<std::vector<std::uint32_t>> hung_;  ///< per plate: creases that hang on it
   std::vector<Crease> creases_;
-  std::vector<Hinge> hinges_;  ///< of each crease
+  std::vector<Hinge> hinges_;         ///< of each crease
+  std::vector<std::uint32_t> place_;  ///< of each plate: what hangs on it has the places after its own
+  std::vector<std::uint32_t> below_;  ///< per plate: plates that hang on it, and itself
 };
 
 }  // namespace ridgecraft::unfold

@@ -2,13 +2,17 @@
 #include "unfold/folding/fold_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <utility>
+
+#include "unfold/folding/opening.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// Creases times faces that single creases are tried for: about a tenth of a second.
-constexpr std::size_t most_single = 120'000;
+/// Creases times faces that single creases are tried for: more takes seconds.
+constexpr std::size_t most_single = 1'000'000;
 
 }  // namespace
 
@@ -33,6 +37,13 @@ Folding find_order(const FoldMotion& motion, FoldTrial& trial, const Context& co
   } else if (trial.order_works(outwards)) {
     result.way = FoldWay::middle_first;
     result.order = std::move(outwards);
+  } else {
+    const Opening opening = open_piece(motion, trial, context);
+    if (opening.opened.size() == creases.size()) {
+      result.way = FoldWay::in_order;
+      result.order.assign(opening.opened.rbegin(), opening.opened.rend());
+    }
+    result.in_the_way = opening.in_the_way;
   }
   return result;
 }
@@ -45,6 +56,10 @@ FoldOrder find_fold_order(const mesh::Surface& surface, const Nets& nets, PieceI
   const std::vector<FaceId>& faces = nets.pieces[piece].faces;
   FoldOrder result;
   result.way = folding.way;
+  if (folding.in_the_way) {
+    const auto [f, g] = *folding.in_the_way;
+    result.in_the_way = std::array<FaceId, 2>{faces[f], faces[g]};
+  }
   const auto add = [&](const FoldMotion::Crease& crease, std::vector<CornerId>& step) {
     for (const std::uint32_t side : crease.sides) {
       step.push_back(mesh::corner(faces[side / 3], side % 3));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/context.hpp"
@@ -18,12 +19,15 @@ namespace ridgecraft::unfold {
 struct Folding {
   FoldWay way = FoldWay::together;
   std::vector<std::uint32_t> order;
+  /// Two faces that stop the search where it came farthest: there where no order was found in spite of it.
+  std::optional<FoldTrial::Pair> in_the_way = std::nullopt;
 };
 
 /// The first of these ways in which no two faces of the piece meet, found by sampled motion: all creases at a
-/// time, growing alike; one after the other, the outermost first; one after the other from the middle. Where
-/// each way fails it is `with_care`, in the second order. Single creases are tried where their number times
-/// that of the faces is no more than 120,000: about 350 flat regions. Tabs are not looked at. Deterministic
+/// time, growing alike; one after the other, the outermost first; one after the other from the middle; one
+/// after the other in the order that opening the folded piece backwards gives (opening.hpp). Where each way
+/// fails it is `with_care`, in the second order. Single creases are tried where their number times that of
+/// the faces is no more than a million: about a thousand flat regions. Tabs are not looked at. Deterministic
 /// but for the deadline.
 [[nodiscard]] Folding find_folding(const FoldMotion& motion, FoldTrial& trial, const Context& context);
 

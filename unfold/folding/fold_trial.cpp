@@ -2,130 +2,116 @@
 #include "unfold/folding/fold_trial.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "base/near_boxes.hpp"
-#include "unfold/net/tolerance.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// Samples of the motion of all creases together, and of one crease.
-constexpr int samples_together = 24;
-constexpr int samples_single = 6;
+/// Looks one after the other in this stride meet early what lies anywhere on the way: prime to the number of
+/// samples, about a golden section of it.
+constexpr int stride = 31;
+static_assert(samples_of_motion % stride != 0 && stride % 5 != 0 && stride % 2 != 0);
 
-using Corners = std::array<Vec3, 3>;
-
-/// The triangle less a seam of fold_give_mm along its sides; false where nothing is left.
-bool without_seam(const Corners& t, Corners& rest) {
-  const double a = length(t[2] - t[1]);
-  const double b = length(t[0] - t[2]);
-  const double c = length(t[1] - t[0]);
-  const double around = a + b + c;
-  const double inradius = length(cross(t[1] - t[0], t[2] - t[0])) / around;
-  if (!(inradius > fold_give_mm)) {
-    return false;
-  }
-  const Vec3 centre = (a * t[0] + b * t[1] + c * t[2]) / around;
-  const double scale = (inradius - fold_give_mm) / inradius;
-  for (std::size_t k = 0; k < 3; ++k) {
-    rest[k] = centre + scale * (t[k] - centre);
-  }
-  return true;
+/// Which look at a motion is the i-th, i from 0; shares of the way beyond 0.
+double share_of_way(int i) {
+  return static_cast<double>((i * stride + stride - 1) % samples_of_motion + 1) / samples_of_motion;
 }
 
-/// Whether all of f lies beside all of g, seen along this axis.
-bool apart_along(Vec3 axis, const Corners& f, const Corners& g) {
-  double f_low = dot(axis, f[0]), f_high = f_low;
-  double g_low = dot(axis, g[0]), g_high = g_low;
-  for (std::size_t k = 1; k < 3; ++k) {
-    f_low = std::min(f_low, dot(axis, f[k]));
-    f_high = std::max(f_high, dot(axis, f[k]));
-    g_low = std::min(g_low, dot(axis, g[k]));
-    g_high = std::max(g_high, dot(axis, g[k]));
-  }
-  return f_high < g_low || g_high < f_low;
-}
-
-/// Two triangles meet where none of these axes separates them: normals, products of two sides, and for
-/// triangles in one plane the sides' normals in it. Floating point does: the seam is a million times wider
-/// than its errors.
-bool meet(const Corners& f, const Corners& g) {
-  std::array<Vec3, 3> f_side, g_side;
-  for (std::size_t k = 0; k < 3; ++k) {
-    f_side[k] = f[(k + 1) % 3] - f[k];
-    g_side[k] = g[(k + 1) % 3] - g[k];
-  }
-  const Vec3 f_normal = cross(f_side[0], f_side[1]);
-  const Vec3 g_normal = cross(g_side[0], g_side[1]);
-  if (apart_along(f_normal, f, g) || apart_along(g_normal, f, g)) {
-    return false;
-  }
-  for (const Vec3 u : f_side) {
-    if (apart_along(cross(f_normal, u), f, g)) {
-      return false;
-    }
-    for (const Vec3 v : g_side) {
-      if (apart_along(cross(u, v), f, g)) {
-        return false;
-      }
-    }
-  }
-  return std::none_of(g_side.begin(), g_side.end(),
-                      [&](Vec3 v) { return apart_along(cross(g_normal, v), f, g); });
-}
-
-bool touch(const Box3& a, const Box3& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
+/// Steps of work for looking at a pair once.
+constexpr std::uint64_t work_of_look = 2;
 
 }  // namespace
 
-FoldTrial::FoldTrial(const FoldMotion& motion, const Context& context) : motion_(motion), context_(context) {
-  pose_together(1.0);
-  always_ = meetings();
+FoldTrial::FoldTrial(const FoldMotion& motion, const Context& context)
+    : motion_(motion), context_(context), solids_(motion.face_count()) {
+  set_all(1.0);
+  always_ = meetings(false);
+  set_all(0.0);
 }
 
 bool FoldTrial::together_works() {
-  return meetings_together(0).empty();
-}
-
-std::vector<FoldTrial::Pair> FoldTrial::meetings_together(std::size_t most) {
-  std::vector<Pair> all;
-  for (int sample = 1; sample < samples_together && all.size() <= most; ++sample) {
-    pose_together(static_cast<double>(sample) / samples_together);
-    const std::vector<Pair> now = meetings();
-    all.insert(all.end(), now.begin(), now.end());
+  bool works = true;
+  for (int i = 0; i < samples_of_motion && works; ++i) {
+    const double share = share_of_way(i);
+    if (share < 1.0) {
+      set_all(share);
+      works = meetings(true).empty();
+    }
   }
-  return all;
+  set_all(0.0);
+  return works;
 }
 
 bool FoldTrial::order_works(std::span<const std::uint32_t> order) {
-  pose_together(0.0);
-  std::vector<Solid> solids;
-  for (std::uint32_t f = 0; f < motion_.face_count(); ++f) {
-    solids.push_back(solid(f));
-  }
+  set_all(0.0);
   return std::all_of(order.begin(), order.end(), [&](std::uint32_t crease) {
-    context_.check();
-    return !context_.out_of_time() && crease_works(crease, solids);
+    if (context_.out_of_time() || obstacle(crease, 1.0)) {
+      return false;
+    }
+    fold(crease, 1.0);
+    return true;
   });
 }
 
-void FoldTrial::pose_together(double share) {
+void FoldTrial::set_all(double share) {
   context_.check();
   motion_.pose(std::vector<double>(motion_.creases().size(), share), pose_);
+  for (std::uint32_t f = 0; f < solids_.size(); ++f) {
+    solids_[f] = solid(f);
+  }
+}
+
+void FoldTrial::fold(std::uint32_t crease, double share) {
+  motion_.fold(crease, share, pose_);
+  for (const std::uint32_t f : motion_.faces_beyond(crease)) {
+    solids_[f] = solid(f);
+  }
+}
+
+std::optional<FoldTrial::Pair> FoldTrial::obstacle(std::uint32_t crease, double share,
+                                                   std::optional<Pair> suspects) {
+  context_.check();
+  if (suspects) {
+    candidates_.assign(1, *suspects);
+    if (!motion_.moves(crease, suspects->first)) {
+      std::swap(candidates_.front().first, candidates_.front().second);
+    }
+    if (const auto met = first_meeting(crease, share)) {
+      return met;
+    }
+  }
+  find_candidates(crease);
+  return first_meeting(crease, share);
 }
 
 FoldTrial::Solid FoldTrial::solid(std::uint32_t face) const {
   Solid s;
   s.empty = !without_seam(pose_.corners[face], s.corners);
   if (!s.empty) {
+    s.centre = (s.corners[0] + s.corners[1] + s.corners[2]) / 3.0;
     for (const Vec3 p : s.corners) {
-      s.box.add(p);
+      s.radius = std::max(s.radius, length(p - s.centre));
     }
   }
   return s;
+}
+
+FoldTrial::Ring FoldTrial::ring(std::uint32_t face, Vec3 on_line, Vec3 along) const {
+  const Solid& s = solids_[face];
+  const auto distance = [&](Vec3 p) { return length(cross(p - on_line, along)); };
+  Ring ring;
+  ring.face = face;
+  ring.low = ring.high = dot(along, s.corners[0] - on_line);
+  for (const Vec3 p : s.corners) {
+    ring.low = std::min(ring.low, dot(along, p - on_line));
+    ring.high = std::max(ring.high, dot(along, p - on_line));
+    ring.outer = std::max(ring.outer, distance(p));
+  }
+  ring.inner = std::max(0.0, distance(s.centre) - s.radius);
+  return ring;
 }
 
 /// Whether it matters that these faces meet.
@@ -136,22 +122,23 @@ bool FoldTrial::counts(std::uint32_t f, std::uint32_t g) const {
          !std::binary_search(always_.begin(), always_.end(), Pair(std::minmax(f, g)));
 }
 
-/// Pairs of faces that meet in the present pose, ascending.
-std::vector<FoldTrial::Pair> FoldTrial::meetings() const {
+/// Pairs of faces that meet in the present pose, ascending; no more than one where any will do.
+std::vector<FoldTrial::Pair> FoldTrial::meetings(bool any_will_do) {
   std::vector<std::uint32_t> face;
-  std::vector<Corners> corners;
   std::vector<Box3> boxes;
-  for (std::uint32_t f = 0; f < pose_.corners.size(); ++f) {
-    const Solid s = solid(f);
-    if (!s.empty) {
+  for (std::uint32_t f = 0; f < solids_.size(); ++f) {
+    if (!solids_[f].empty) {
       face.push_back(f);
-      corners.push_back(s.corners);
-      boxes.push_back(s.box);
+      Box3& box = boxes.emplace_back();
+      for (const Vec3 p : solids_[f].corners) {
+        box.add(p);
+      }
     }
   }
   std::vector<Pair> found;
   NearBoxes(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
-    if (counts(face[i], face[j]) && meet(corners[i], corners[j])) {
+    if ((!any_will_do || found.empty()) && counts(face[i], face[j]) &&
+        meet(solids_[face[i]].corners, solids_[face[j]].corners)) {
       found.push_back(std::minmax(face[i], face[j]));
     }
   });
@@ -159,37 +146,51 @@ std::vector<FoldTrial::Pair> FoldTrial::meetings() const {
   return found;
 }
 
-/// Folds one crease; `solids` are those of the present pose, before and after. False where what it moves
-/// meets something on the way.
-bool FoldTrial::crease_works(std::uint32_t crease, std::vector<Solid>& solids) {
-  const std::vector<std::uint32_t> moved = motion_.faces_beyond(crease);
-  std::vector<std::uint8_t> moves(solids.size(), 0);
-  for (const std::uint32_t f : moved) {
-    moves[f] = 1;
-  }
-  for (int sample = 1; sample <= samples_single; ++sample) {
-    motion_.fold(crease, static_cast<double>(sample) / samples_single, pose_);
-    Box3 around;
-    for (const std::uint32_t f : moved) {
-      solids[f] = solid(f);
-      if (!solids[f].empty) {
-        around.add(solids[f].box.low);
-        around.add(solids[f].box.high);
-      }
+void FoldTrial::find_candidates(std::uint32_t crease) {
+  const auto [on_line, along] = motion_.line_of(crease, pose_);
+  moving_.clear();
+  resting_.clear();
+  for (std::uint32_t f = 0; f < solids_.size(); ++f) {
+    if (!solids_[f].empty) {
+      (motion_.moves(crease, f) ? moving_ : resting_).push_back(ring(f, on_line, along));
     }
-    for (std::uint32_t g = 0; g < solids.size(); ++g) {
-      if (moves[g] != 0 || solids[g].empty || !touch(around, solids[g].box)) {
-        continue;
-      }
-      for (const std::uint32_t f : moved) {
-        if (!solids[f].empty && touch(solids[f].box, solids[g].box) && counts(f, g) &&
-            meet(solids[f].corners, solids[g].corners)) {
-          return false;
-        }
+  }
+  candidates_.clear();
+  for (const Ring& f : moving_) {
+    for (const Ring& g : resting_) {
+      const bool near = f.low <= g.high && g.low <= f.high && f.inner <= g.outer && g.inner <= f.outer;
+      if (near && counts(f.face, g.face)) {
+        candidates_.emplace_back(f.face, g.face);
       }
     }
   }
-  return true;
+  work_ += solids_.size() * 4 + moving_.size() * resting_.size() / 4;
+}
+
+/// Of the candidates, on the way to this share.
+std::optional<FoldTrial::Pair> FoldTrial::first_meeting(std::uint32_t crease, double share) {
+  const double from = pose_.share[crease];
+  for (int i = 0; i < samples_of_motion; ++i) {
+    const Motion moved = motion_.beyond(crease, from + share_of_way(i) * (share - from), pose_);
+    std::uint32_t face = nothing;
+    Corners corners{};
+    Vec3 centre;
+    for (const auto& [f, g] : candidates_) {
+      if (f != face) {
+        face = f;
+        centre = moved(solids_[f].centre);
+        std::transform(solids_[f].corners.begin(), solids_[f].corners.end(), corners.begin(), moved);
+      }
+      const Vec3 between = solids_[g].centre - centre;
+      const double reach = solids_[f].radius + solids_[g].radius;
+      if (dot(between, between) <= reach * reach && meet(corners, solids_[g].corners)) {
+        work_ += work_of_look * candidates_.size() * static_cast<std::uint64_t>(i + 1);
+        return Pair(std::minmax(f, g));
+      }
+    }
+  }
+  work_ += work_of_look * candidates_.size() * samples_of_motion;
+  return std::nullopt;
 }
 
 }  // namespace ridgecraft::unfold

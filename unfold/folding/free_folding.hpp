@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "base/context.hpp"
 #include "unfold/patch/patch.hpp"
@@ -11,14 +12,18 @@
 
 namespace ridgecraft::unfold {
 
-/// Whether the net of this tree folds up in one of the ways of fold_order.hpp without running through itself.
-[[nodiscard]] bool folds_freely(const Patch& piece, const Folds& tree, const Context& context);
+/// Whether the net of this tree folds up with all creases together without running through itself.
+[[nodiscard]] bool folds_together(const Patch& piece, const Folds& tree, const Context& context);
 
-/// Gives a net that doesn't fold up freely in one of the ways of fold_order.hpp a tree that does, found by
-/// exchanging folds between faces that meet on the way, as long as no more of them do and `allowed` says yes.
-/// False where the net is as it was. About 0.05 s for a piece of 100 faces that doesn't fold freely.
-/// Deterministic for one seed but for the deadline.
-bool fold_freely(ChangingNet& net, const std::function<bool(ChangingNet&)>& allowed, std::uint64_t seed,
+/// What a net costs, in any unit; nothing where it isn't allowed, as where it doesn't fit the sheet.
+using CostOfNet = std::function<std::optional<double>(ChangingNet&)>;
+
+/// Gives a net that doesn't fold up with all creases together a tree that does, if one is found that costs no
+/// more than the given one and `worth`: of several the cheapest of those with the shortest cuts. They are
+/// found by walks from the given tree, on which folds between faces that meet on the way (or overlap) are
+/// exchanged (folding_meetings.hpp). False where the net is as it was. About 0.02 s for a piece of 50 faces
+/// that doesn't fold together. Deterministic for one seed but for the deadline.
+bool fold_freely(ChangingNet& net, const CostOfNet& cost, double worth, std::uint64_t seed,
                  const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -20,6 +20,7 @@ std::string_view name(PieceReason reason) {
     case PieceReason::time:
       return "time";
     case PieceReason::request:
+    case PieceReason::folding:
       return "request";
     case PieceReason::component:
       return "component";
@@ -45,6 +46,8 @@ std::string_view sentence(PieceReason reason) {
       return "cut here on request";
     case PieceReason::component:
       return "its part isn't connected";
+    case PieceReason::folding:
+      return "its part doesn't fold up with all creases together in one piece";
   }
   return "";
 }

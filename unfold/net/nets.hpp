@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +21,9 @@ enum class EdgeUse : std::uint8_t {
   border,  ///< one face only
 };
 
-/// Why a piece is a piece of its own; the words of nets-contract `reason`.
-enum class PieceReason { part, page, overlap, tabs, faces, time, request, component };
+/// Why a piece is a piece of its own.
+enum class PieceReason { part, page, overlap, tabs, faces, time, request, component, folding };
+/// The words of nets-contract `reason`; `folding` is a request there.
 [[nodiscard]] std::string_view name(PieceReason reason);
 /// The same as a sentence for people.
 [[nodiscard]] std::string_view sentence(PieceReason reason);
@@ -31,12 +33,16 @@ enum class FoldWay : std::uint8_t {
   together,      ///< all creases at a time
   leaves_first,  ///< one after the other, from the tips inwards
   middle_first,  ///< one after the other, from the middle outwards
-  with_care,     ///< none of these: some face has to be bent out of the way
+  in_order,      ///< one after the other, in an order of its own
+  with_care,     ///< no order was found: some face has to be bent out of the way
 };
 struct FoldOrder {
   FoldWay way = FoldWay::together;
   /// Folds in the order in which they are made, those of one list together: a side of each folded edge.
   std::vector<std::vector<CornerId>> steps;
+  /// Where none was found: two faces that were in each other's way where the search came farthest; none
+  /// where it had no time.
+  std::optional<std::array<FaceId, 2>> in_the_way = {};
 };
 
 /// One connected net. Its faces lie in a plane of its own: mm, y up, the printed side (the outside of the

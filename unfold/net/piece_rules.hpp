@@ -44,6 +44,9 @@ struct PieceRules {
   /// many (energy/anneal.hpp); 0: none.
   double trials_per_face = 800.0;
   bool merge = false;          ///< join neighbouring pieces, of several parts too, where that costs less
+  /// Must every piece fold up with all creases together (folding/fold_order.hpp)? Those that don't are split
+  /// (pieces/linear_split.hpp).
+  bool fold_linear = false;
 };
 [[nodiscard]] PieceRules rules_of(PieceMode mode);
 

@@ -14,6 +14,7 @@
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/linked_patch.hpp"
 #include "unfold/patch/sub_patch.hpp"
+#include "unfold/pieces/mirror_images.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -62,82 +63,10 @@ std::vector<Group> groups_of(const Patch& patch, const Layout& layout) {
   return groups;
 }
 
-/// Temporary: edges by mirror image.
-std::vector<std::uint32_t> mirror_sides(const mesh::Surface& surface, const Patch& patch) {
-  std::vector<std::uint32_t> result(patch.twin.size(), nothing);
-  std::vector<Vec3> v;
-  for (const VertexId i : ids<VertexId>(surface.vertex_count())) {
-    v.push_back(surface.point(i));
-  }
-  Vec3 low = v[0];
-  Vec3 high = v[0];
-  for (const Vec3 p : v) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const Vec3 c = 0.5 * (low + high);
-  const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-  double best = 0.9;
-  Vec3 axis{};
-  for (const Vec3 n : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-    std::size_t hits = 0;
-    for (const Vec3 p : v) {
-      const Vec3 q = p - 2.0 * dot(p - c, n) * n;
-      double least = HUGE_VAL;
-      for (const Vec3 r : v) {
-        least = std::min(least, length(q - r));
-      }
-      hits += least < 0.02 * size ? 1 : 0;
-    }
-    const double share = static_cast<double>(hits) / static_cast<double>(v.size());
-    if (share >= best) {
-      best = share + 1e-9;
-      axis = n;
-    }
-  }
-  if (length(axis) == 0.0) {
-    return result;
-  }
-  struct E {
-    std::uint32_t side;
-    Vec3 a, b;
-  };
-  std::vector<E> edges;
-  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    const std::uint32_t twin = patch.twin[side];
-    if (twin != nothing && side < twin && patch.frozen[side] == 0) {
-      const CornerId k = mesh::corner(patch.face[side / 3], side % 3);
-      edges.push_back({side, surface.point(surface.vertex(k)), surface.point(surface.vertex(mesh::next(k)))});
-    }
-  }
-  const auto mirrored = [&](Vec3 p) { return p - 2.0 * dot(p - c, axis) * axis; };
-  std::vector<std::uint32_t> nearest(edges.size(), nothing);
-  for (std::uint32_t i = 0; i < edges.size(); ++i) {
-    const Vec3 a = mirrored(edges[i].a);
-    const Vec3 b = mirrored(edges[i].b);
-    double least = 0.03 * size;
-    for (std::uint32_t j = 0; j < edges.size(); ++j) {
-      const double d = std::min(length(a - edges[j].a) + length(b - edges[j].b),
-                                length(a - edges[j].b) + length(b - edges[j].a));
-      if (d < least) {
-        least = d;
-        nearest[i] = j;
-      }
-    }
-  }
-  for (std::uint32_t i = 0; i < edges.size(); ++i) {
-    if (nearest[i] != nothing && nearest[i] != i && nearest[nearest[i]] == i) {
-      result[edges[i].side] = edges[nearest[i]].side;
-      result[patch.twin[edges[i].side]] = edges[nearest[i]].side;
-    }
-  }
-  return result;
-}
-
 /// The trees of one group with less energy, as folds of its sub-patch.
 Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& whole,
-               const Folds& folds, const Group& group, const Options& options, const Room& room,
-               std::uint64_t seed, const Context& context) {
+               const Folds& folds, const Group& group, const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,
+               const Room& room, std::uint64_t seed, const Context& context) {
   const Patch patch = sub_patch(whole, group.faces);
   Folds tree = sub_folds(whole, folds, group.faces);
   std::vector<std::uint32_t> links;
@@ -151,7 +80,7 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
   }
   ChangingNet net(surface, panels, linked.apart, linked.joined, tree, options.tabs, net_tolerance(patch.extent));
   CutFacts facts = cut_facts(net, options.tabs);
-  const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart);
+  const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart, mirrored);
   facts.mirror = mirror;
   const Annealing rules = annealing_for(options.pieces.trials_per_face, patch.size());
   anneal(net, facts, room, options.pieces.weights, rules, seed, context);
@@ -165,14 +94,15 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
 }  // namespace
 
 Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                     const Folds& folds, const Options& options, const Room& room, const Context& context) {
+                     const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,
+                     const Room& room, const Context& context) {
   const std::vector<Group> groups = groups_of(patch, lay_out(patch, folds));
   std::vector<Folds> trees(groups.size());
   do_in_parallel(
       groups.size(), context,
       [&](std::size_t i, const Context& own) {
         const std::uint64_t seed = ~context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1));
-        trees[i] = searched(surface, panels, patch, folds, groups[i], options, room, seed, own);
+        trees[i] = searched(surface, panels, patch, folds, groups[i], mirrored, options, room, seed, own);
       },
       [&](std::size_t done) {
         context.report("unfold", 0.8 + 0.1 * static_cast<double>(done) / static_cast<double>(groups.size()));

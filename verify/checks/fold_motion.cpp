@@ -98,10 +98,10 @@ class Folder {
     std::vector<double> share(creases_.size(), 1.0);
     always_ = meetings(share, final_seam_mm);
     std::fill(share.begin(), share.end(), 0.0);
-    const bool together = creases_of_step.size() == 1;
     for (const std::vector<Index>& step : creases_of_step) {
-      for (const double now : together ? std::vector{0.25, 0.5, 0.75} : std::vector{0.5, 1.0}) {
+      for (int look = 1; look <= looks_at_step; ++look) {
         given_.context.check();
+        const double now = static_cast<double>(look) / looks_at_step;
         for (const Index crease : step) {
           share[crease] = now;
         }
@@ -263,19 +263,16 @@ std::vector<std::vector<Index>> creases_of_steps(const std::vector<std::vector<I
   return result;
 }
 
-/// This program folds in the way that the steps tell only where nothing is in the way; it goes from the tips
-/// inwards where nothing else works, too.
+/// This program tells an order in which nothing is in the way wherever it found one, and goes from the tips
+/// inwards where it found none, too.
 bool has_to_work(const std::vector<std::vector<Index>>& creases_of_step, const std::vector<Crease>& creases) {
-  if (creases_of_step.size() == 1) {
-    return true;
-  }
   std::vector<const Crease*> order;
   for (const std::vector<Index>& step : creases_of_step) {
     for (const Index c : step) {
       order.push_back(&creases[c]);
     }
   }
-  return !order.empty() && way_of(order) == FoldWay::outwards;
+  return creases_of_step.size() == 1 || (!order.empty() && !goes_inwards(order));
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Promise 7: the folds of each piece, each once, in an order in which paper can be folded.
-#include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "verify/checks/checks.hpp"
+#include "verify/file/settings_form.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/relations/plates.hpp"
 
@@ -91,28 +92,30 @@ class OrderCheck {
     }
   }
 
-  /// This program folds a piece all at a time, or crease by crease from the middle outwards, or from the tips
-  /// inwards. Plates that close a circle have no middle and no tips.
+  /// This program folds a piece all at a time or crease by crease. Plates that close a circle have creases
+  /// that move together.
   void check_way(Index piece) {
-    std::vector<const Crease*> order;
     std::set<Index> plates;
+    std::map<Index, Index> crease_of_step;  // the first edge of one
     for (const Crease& crease : creases_[piece]) {
-      order.push_back(&crease);
       plates.insert({crease.first, crease.second});
     }
-    if (steps(piece).size() < 2 || plates.size() != order.size() + 1) {
+    if (steps(piece).size() < 2 || plates.size() != creases_[piece].size() + 1) {
       return;
     }
-    const auto step = [&](const Crease* crease) { return step_of_[crease->edges.front()]; };
-    std::sort(order.begin(), order.end(),
-              [&](const Crease* a, const Crease* b) { return step(a) < step(b); });
-    const auto same = std::adjacent_find(
-        order.begin(), order.end(), [&](const Crease* a, const Crease* b) { return step(a) == step(b); });
-    if (same != order.end()) {
-      add(piece, (*same)->edges.front(), "folds several creases in one of many steps");
-    } else if (way_of(order) == FoldWay::neither) {
-      add(piece, order.front()->edges.front(),
-          "goes neither from the middle outwards nor from the tips inwards");
+    for (const Crease& crease : creases_[piece]) {
+      const Index edge = crease.edges.front();
+      if (!crease_of_step.emplace(step_of_[edge], edge).second) {
+        add(piece, edge, "folds several creases in one of many steps");
+        return;
+      }
+    }
+    // Edges that were to be kept may be in the way of the split that this takes.
+    const Settings& settings = file_.settings;
+    if (is_true(settings, "fold_linear") && settings.find("keep") == nullptr &&
+        settings.find("from") == nullptr) {
+      add(piece, creases_[piece].front().edges.front(),
+          fmt::format("has {} steps, where the settings ask for all creases together", steps(piece).size()));
     }
   }
 

@@ -220,7 +220,8 @@ class StatementCheck {
     const bool impossible = (certain && (piece.reason == "part") == follows) ||
                             (piece.reason == "tabs" && !asks("all_tabs")) ||
                             (piece.reason == "faces" && file_.settings.number("max_faces") == 0.0) ||
-                            (piece.reason == "request" && !asks("cuts") && !asks("keep") && !asks("from"));
+                            (piece.reason == "request" && !asks("cuts") && !asks("keep") && !asks("from") &&
+                             !asks("fold_linear"));
     if (impossible) {
       add({{"piece", i}}, fmt::format("the reason of {} can't be {}", name(), quote(piece.reason)));
     }

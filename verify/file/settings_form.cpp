@@ -30,7 +30,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 31> known_settings{{
+constexpr std::array<Known, 32> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"concavity", Kind::number, Needed::always, 0.001, 2.0},
@@ -38,6 +38,7 @@ constexpr std::array<Known, 31> known_settings{{
     {"tab_height_mm", Kind::number, Needed::always, 1.5, 50.0},
     {"tab_angle_deg", Kind::number, Needed::always, 15.0 - 1e-6, 85.0 + 1e-6},
     {"all_tabs", Kind::yes_no, Needed::never},
+    {"fold_linear", Kind::yes_no, Needed::never},
     {"size_mm", Kind::number, Needed::never, 1.0, 100'000.0},
     {"mm_per_unit", Kind::number, Needed::never, std::numeric_limits<double>::min(), any},
     {"cuts", Kind::hash, Needed::never},

@@ -42,8 +42,11 @@ constexpr double still_fold_deg = 1.15e-4;
 constexpr double fold_seam_mm = 0.5;
 /// Faces that meet by this much in the folded piece belong to a model that runs through itself, in mm.
 constexpr double final_seam_mm = 0.29;
-/// Steps times faces of a piece whose motion is looked at: about a second.
-constexpr std::size_t most_fold_work = 200'000;
+/// Looks at each step of a motion, at equal shares of its way: among those that this program takes when it
+/// looks for an order, so that it isn't blamed for what passes between two of them.
+constexpr int looks_at_step = 25;
+/// Steps times faces of a piece whose motion is looked at: some seconds.
+constexpr std::size_t most_fold_work = 100'000;
 
 /// Folds inside a flat region: each face is within 0.1 degrees of the same plane.
 constexpr double flat_region_fold_deg = 0.2 + angle_tolerance_deg;

@@ -29,10 +29,6 @@ bool grows_from(Index middle, std::span<const Crease* const> order) {
   return true;
 }
 
-bool grows(std::span<const Crease* const> order) {
-  return grows_from(order.front()->first, order) || grows_from(order.front()->second, order);
-}
-
 }  // namespace
 
 Plates find_plates(const File& file, const Relations& relations, double flat_deg) {
@@ -78,12 +74,9 @@ std::vector<std::vector<Crease>> find_creases(const File& file, const Relations&
   return creases;
 }
 
-FoldWay way_of(std::span<const Crease* const> order) {
-  const std::vector<const Crease*> reversed(order.rbegin(), order.rend());
-  if (grows(reversed)) {
-    return FoldWay::inwards;
-  }
-  return grows(order) ? FoldWay::outwards : FoldWay::neither;
+bool goes_inwards(std::span<const Crease* const> order) {
+  const std::vector<const Crease*> outwards(order.rbegin(), order.rend());
+  return grows_from(outwards.front()->first, outwards) || grows_from(outwards.front()->second, outwards);
 }
 
 }  // namespace ridgecraft::verify

@@ -29,15 +29,8 @@ struct Crease {
 [[nodiscard]] std::vector<std::vector<Crease>> find_creases(const File& file, const Relations& relations,
                                                             const Plates& plates);
 
-/// How the creases of a piece come one after the other.
-enum class FoldWay {
-  inwards,   ///< by their distance from some plate, the farthest first
-  outwards,  ///< the nearest first, and not inwards as well
-  neither,
-};
-
-/// Of creases in the order in which they are folded, one at a time, at least one. Distances are counted in
-/// creases. O(n log n).
-[[nodiscard]] FoldWay way_of(std::span<const Crease* const> order);
+/// Whether creases, in the order in which they are folded one at a time, come by their distance from some
+/// plate, the farthest first. At least one crease; distances are counted in creases. O(n log n).
+[[nodiscard]] bool goes_inwards(std::span<const Crease* const> order);
 
 }  // namespace ridgecraft::verify

@@ -85,7 +85,7 @@ class SiteFinder {
       for (const CornerId c : regions_.outline[region]) {
         const ConvexShape edge{site.target.in(flat_corner(nets_, c)),
                                site.target.in(flat_corner(nets_, mesh::next(c)))};
-        if (c == twin || !meet(edge.box(), widest.box()) || apart(widest, edge, 0.0)) {
+        if (c == twin || !meet(edge.box(), widest.box()) || apart(widest, edge, -just_touching_mm)) {
           continue;
         }
         if (i == 0) {

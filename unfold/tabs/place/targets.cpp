@@ -84,7 +84,7 @@ class TargetFinder {
           continue;
         }
         const ConvexShape edge{place(patch.shape[face][s % 3]), place(patch.shape[face][(s % 3 + 1) % 3])};
-        if (!meet(edge.box(), widest.box()) || apart(widest, edge, 0.0)) {
+        if (!meet(edge.box(), widest.box()) || apart(widest, edge, -just_touching_mm)) {
           continue;
         }
         const std::uint32_t twin = patch.twin[s];

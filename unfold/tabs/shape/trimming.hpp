@@ -34,6 +34,9 @@ struct Obstacle {
 /// How far the faces that one tab is glued behind may be bent against each other in all, radians (20 degrees): a
 /// strip of card follows them.
 inline constexpr double most_bend_of_tab = 0.3490658503988659;
+/// A side of the target that a tab enters by no more than this is neither in its way nor gone over, mm: rounding
+/// doesn't decide what lies behind it.
+inline constexpr double just_touching_mm = 1e-6;
 /// A target lower than this has no inside to be glued behind, mm: its outline can't be told from the base.
 inline constexpr double least_target_mm = 1e-5;
 /// Stands for the outline of such a target over an edge of this length: nothing fits under it.

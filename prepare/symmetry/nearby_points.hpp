@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Some of a list of points, found by place.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/box_tree.hpp"
+
+namespace ridgecraft::prepare {
+
+/// A tree of boxes over the points with these numbers, each once.
+class NearbyPoints {
+ public:
+  /// O(n log n).
+  NearbyPoints(const std::vector<Vec3>& points, std::vector<std::uint32_t> numbers)
+      : numbers_(std::move(numbers)),
+        tree_(
+            numbers_.size(), [&](std::uint32_t i) { return Box3{points[numbers_[i]], points[numbers_[i]]}; },
+            [&](std::uint32_t i) { return points[numbers_[i]]; }) {}
+
+  /// Calls visit(number) for the points of all leaves that enter(squared distance of their box) lets in, those near
+  /// `from` first; what enter() says may change on the way.
+  template <class Enter, class Visit>
+  void search(Vec3 from, Enter enter, Visit visit) const {
+    struct Nothing {};
+    static_cast<void>(tree_.nearest_first(
+        from, Nothing{}, [&](Nothing, std::uint32_t, double distance) { return enter(distance); },
+        [&](Nothing, std::uint32_t place) { visit(numbers_[tree_.order()[place]]); }));
+  }
+
+ private:
+  std::vector<std::uint32_t> numbers_;
+  BoxTree<Box3> tree_;
+};
+
+}  // namespace ridgecraft::prepare

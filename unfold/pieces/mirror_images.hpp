@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which edges of a model are mirror images of each other, so that what is cut on one side is cut on the other.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/id.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/net/piece_rules.hpp"
+#include "unfold/patch/patch.hpp"
+
+namespace ridgecraft::unfold {
+
+/// For each edge its mirror image at the plane at which most of the model has one, the edge itself where it lies
+/// on the plane or crosses it upright, none where it has none. Empty where no plane mirrors a fair part of the
+/// model, or mirror images weigh nothing. O(n log n).
+[[nodiscard]] IdVector<EdgeId, EdgeId> mirror_images(const mesh::Surface& surface, const Weights& weights);
+
+/// The same for the sides of a patch: one side of the image, `nothing` where that is no fold or cut within the
+/// patch that could be exchanged, or the side's own edge. O(n log n).
+[[nodiscard]] std::vector<std::uint32_t> mirror_sides(const mesh::Surface& surface, const Patch& patch,
+                                                      const IdVector<EdgeId, EdgeId>& images);
+
+/// The folds of a patch as they are in the tree of its mirror image: where each of its edges that could be a cut
+/// has its image there. Nothing where that isn't so, or isn't a tree. O(n log n).
+[[nodiscard]] std::optional<Folds> carried_over(const mesh::Surface& surface, const Patch& from,
+                                                const Folds& tree, const Patch& to,
+                                                const IdVector<EdgeId, EdgeId>& images);
+
+}  // namespace ridgecraft::unfold
