@@ -11,8 +11,10 @@
 // clang-format on
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 namespace ridgecraft::prepare {
@@ -49,12 +51,16 @@ struct Rim {
 class Bound {
  public:
   Bound(const PointRules& points, const std::vector<Vec3>& places, double short_edge)
-      : points_(&points), plane_(points.plane), fixed_(points.plane.size(), false) {
-    for (const PointRules::Crossing& c : points.crossings) {
+      : points_(&points), plane_(points.plane), now_(points.plane.size()), fixed_(points.plane.size(), none) {
+    std::iota(now_.begin(), now_.end(), 0U);
+    for (std::uint32_t i = 0; i < points.crossings.size(); ++i) {
+      const PointRules::Crossing& c = points.crossings[i];
       const MirrorPlane& plane = points.planes[points.plane[c.point]];
       const double across =
           std::abs(plane.height(places[c.end])) + std::abs(plane.height(places[c.image_of_end]));
-      fixed_[c.point] = across > short_edge;
+      if (across > short_edge) {
+        fixed_[c.point] = i;
+      }
     }
   }
 
@@ -65,6 +71,7 @@ class Bound {
     return found == PointRules::none ? nullptr : &points_->planes[found];
   }
   void join(EditMesh::VertexHandle gone, EditMesh::VertexHandle stays) {
+    now_[static_cast<std::size_t>(gone.idx())] = static_cast<std::uint32_t>(stays.idx());
     if (is(gone)) {
       plane_[static_cast<std::size_t>(stays.idx())] = number(gone);
     }
@@ -109,8 +116,32 @@ class Bound {
   /// Whether a collapse would spoil the symmetric whole.
   template <class Profile>
   [[nodiscard]] bool forbids(const Profile& profile) const {
-    return fixed_[static_cast<std::size_t>(profile.v0().idx())] ||
-           fixed_[static_cast<std::size_t>(profile.v1().idx())] || closes_on_plane(profile);
+    return is_fixed(profile.v0()) || is_fixed(profile.v1()) || closes_on_plane(profile);
+  }
+
+  /// Two vertices become one, at a place.
+  struct Change {
+    EditMesh::VertexHandle v0;
+    EditMesh::VertexHandle v1;
+    Vec3 place;
+    [[nodiscard]] bool moves(EditMesh::VertexHandle v) const { return v == v0 || v == v1; }
+  };
+  /// Where a vertex is (after a change, if given): crossings that stay as they are go along with the ends of
+  /// their edges.
+  [[nodiscard]] Vec3 at(const EditMesh& mesh, EditMesh::VertexHandle v, const Change* change) const {
+    if (!is_fixed(v)) {
+      return change != nullptr && change->moves(v) ? change->place : vector(mesh.point(v));
+    }
+    const auto [end, image_of_end] = ends(v);
+    return crossing(*plane(v, v), at(mesh, end, change), at(mesh, image_of_end, change));
+  }
+  /// Are these crossings of one edge after a change?
+  [[nodiscard]] bool coincide(EditMesh::VertexHandle a, EditMesh::VertexHandle b,
+                              const Change* change) const {
+    const auto same = [&](EditMesh::VertexHandle u, EditMesh::VertexHandle v) {
+      return u == v || (change != nullptr && change->moves(u) && change->moves(v));
+    };
+    return is_fixed(a) && is_fixed(b) && same(ends(a)[0], ends(b)[0]) && same(ends(a)[1], ends(b)[1]);
   }
 
  private:
@@ -144,12 +175,27 @@ class Bound {
     return false;
   }
 
+  [[nodiscard]] bool is_fixed(EditMesh::VertexHandle v) const {
+    return fixed_[static_cast<std::size_t>(v.idx())] != none;
+  }
+  [[nodiscard]] EditMesh::VertexHandle now(std::uint32_t v) const {
+    while (now_[v] != v) {
+      v = now_[v];
+    }
+    return EditMesh::VertexHandle(static_cast<int>(v));
+  }
+  [[nodiscard]] std::array<EditMesh::VertexHandle, 2> ends(EditMesh::VertexHandle v) const {
+    const PointRules::Crossing& c = points_->crossings[fixed_[static_cast<std::size_t>(v.idx())]];
+    return {now(c.end), now(c.image_of_end)};
+  }
   [[nodiscard]] std::uint32_t number(EditMesh::VertexHandle v) const {
     return plane_[static_cast<std::size_t>(v.idx())];
   }
   const PointRules* points_;
   std::vector<std::uint32_t> plane_;
-  std::vector<bool> fixed_;
+  static constexpr std::uint32_t none = PointRules::none;
+  std::vector<std::uint32_t> now_;    ///< what each vertex became part of
+  std::vector<std::uint32_t> fixed_;  ///< of each vertex: its crossing, if that stays as it is
 };
 
 double shape(Vec3 a, Vec3 b, Vec3 c, double doubled) {
@@ -278,6 +324,7 @@ class GuardedPlacement {
   static bool harmless(const EditMesh& mesh, const Bound& bound, EditMesh::VertexHandle v0,
                        EditMesh::VertexHandle v1, Vec3 place, std::vector<Rim>& rim) {
     const MirrorPlane* plane = bound.plane(v0, v1);
+    const Bound::Change change{v0, v1, place};
     double worst_old = 1.0;
     double worst_new = 1.0;
     for (const auto v : {v0, v1}) {
@@ -287,18 +334,25 @@ class GuardedPlacement {
           continue;
         }
         const auto side = mesh.next_halfedge_handle(h);
-        const Vec3 p = vector(mesh.point(v));
-        const Vec3 a = vector(mesh.point(mesh.from_vertex_handle(side)));
-        const Vec3 b = vector(mesh.point(mesh.to_vertex_handle(side)));
-        const Vec3 old_doubled = cross(a - p, b - p);
-        worst_old = std::min(worst_old, shape(p, a, b, length(old_doubled)));
-        if (mesh.from_vertex_handle(side) == other || mesh.to_vertex_handle(side) == other) {
+        const auto from = mesh.from_vertex_handle(side);
+        const auto to = mesh.to_vertex_handle(side);
+        const auto doubled = [&](const Bound::Change* when, double& worst) {
+          const Vec3 p = bound.at(mesh, v, when);
+          const Vec3 a = bound.at(mesh, from, when);
+          const Vec3 b = bound.at(mesh, to, when);
+          const Vec3 normal = cross(a - p, b - p);
+          if (!bound.coincide(from, to, when)) {
+            worst = std::min(worst, shape(p, a, b, length(normal)));
+          }
+          return normal;
+        };
+        const Vec3 old_doubled = doubled(nullptr, worst_old);
+        if (from == other || to == other || bound.coincide(from, to, &change)) {
           continue;  // vanishes with the edge
         }
-        const Vec3 new_doubled = cross(a - place, b - place);
-        worst_new = std::min(worst_new, shape(place, a, b, length(new_doubled)));
-        Rim face{mesh.from_vertex_handle(side),
-                 mesh.to_vertex_handle(side),
+        const Vec3 new_doubled = doubled(&change, worst_new);
+        Rim face{from,
+                 to,
                  normalized(old_doubled),
                  normalized(new_doubled),
                  outer_normal(mesh, side, v0, v1),
@@ -529,6 +583,13 @@ std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const Poi
                            .visitor(recorder));
   }
   return collapses;
+}
+
+Vec3 crossing(const MirrorPlane& plane, Vec3 end, Vec3 image_of_end) {
+  const double height = plane.height(end);
+  const double sum = height + plane.height(image_of_end);
+  const double share = sum > 0.0 || sum < 0.0 ? height / sum : 0.0;
+  return plane.foot(end + share * (plane.image(image_of_end) - end));
 }
 
 std::vector<std::uint32_t> points_after(std::size_t count, std::span<const Collapse> collapses) {

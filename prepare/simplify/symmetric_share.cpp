@@ -279,10 +279,13 @@ SymmetricShare symmetric_share(const mesh::Model& model, double largest_deviatio
   SymmetryTolerance tolerance;
   tolerance.near = largest_deviation;
   for (const Mirror& mirror : find_mirrors(model.surface, most_planes, tolerance)) {
-    const double on = on_plane * extent + 2.0 * (mirror.exact ? 0.0 : mirror.deviation);
-    auto half = Halver(model, all, mirror, on).run();
-    if (half && mesh::is_surface(half->faces) && mesh::is_surface(whole(*half, all))) {
-      return std::move(*half);
+    // Corners that should lie on the plane may be off it as far as others are off their partners; but a body
+    // that is thinner than that has sides all the same.
+    for (const double on : {on_plane * extent + 2.0 * mirror.deviation, on_plane * extent}) {
+      auto half = Halver(model, all, mirror, on).run();
+      if (half && mesh::is_surface(half->faces) && mesh::is_surface(whole(*half, all))) {
+        return std::move(*half);
+      }
     }
   }
   return all_of(all);
@@ -312,13 +315,8 @@ SymmetricShare collapsed(const SymmetricShare& share, std::span<const Collapse> 
            result.points.plane[c.image_of_end] != none;
   });
   for (const PointRules::Crossing& c : result.points.crossings) {
-    const MirrorPlane& plane = share.points.planes[0];
-    const Vec3 a = result.faces.points[c.end];
-    const Vec3 b = result.faces.points[c.image_of_end];
-    const double sum = plane.height(a) + plane.height(b);
-    if (sum > 0.0 || sum < 0.0) {
-      result.faces.points[c.point] = plane.foot(a + plane.height(a) / sum * (plane.image(b) - a));
-    }
+    result.faces.points[c.point] =
+        crossing(share.points.planes[0], result.faces.points[c.end], result.faces.points[c.image_of_end]);
   }
   return result;
 }
