@@ -235,7 +235,7 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
   const mesh::SurfaceTree original(model.surface, spacing);
   const mesh::LooseFaces all = mesh::take_apart(model);
-  SymmetricShare start = symmetric_share(model, symmetric_within);
+  SymmetricShare start = symmetric_share(model, symmetric_within, context);
   // Far from the aim the surface hardly moves: there the plain error is good and fast.
   const auto far =
       static_cast<std::size_t>(coarse * faces_of_short_edges(model.surface, options.short_edge_mm));
@@ -279,7 +279,7 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const mesh::Surface before = model.surface;
   const mesh::LooseFaces all = mesh::take_apart(model);
-  const Sequence sequence(symmetric_share(model, symmetric_within), all, options.faces,
+  const Sequence sequence(symmetric_share(model, symmetric_within, context), all, options.faces,
                           {options.short_edge_mm}, context);
   take_over(model, sequence.after(sequence.all()));
   report.deviation_mm = greatest_distance(mesh::SurfaceTree(model.surface, spacing),

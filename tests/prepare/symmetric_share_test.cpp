@@ -10,6 +10,7 @@
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/symmetry/mirrors.hpp"
+#include "prepare/symmetry/twins.hpp"
 #include "support/symmetric_shapes.hpp"
 
 using namespace ridgecraft;
@@ -97,7 +98,7 @@ TEST_CASE("after any number of collapses the whole is a surface and its own mirr
       return Vec3{p.x, 1.7 * p.y + 0.3 * p.z * p.z, p.z + 0.2 * p.y * p.y};
     }));
     const mesh::LooseFaces all = mesh::take_apart(model);
-    const SymmetricShare share = prepare::symmetric_share(model, 0.003);
+    const SymmetricShare share = prepare::symmetric_share(model, 0.003, {});
     REQUIRE(share.symmetric());
     const auto collapses = prepare::collapse_sequence(share.faces, share.points, 0, {}, {});
     REQUIRE(collapses.size() > 50);
@@ -117,7 +118,7 @@ TEST_CASE("flat walls across the plane stay whole", "[simplify][symmetry]") {
   for (mesh::Model model :
        {model_of(test::cube()), model_of(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}))}) {
     prepare::remesh_panels(model, {});
-    const SymmetricShare share = prepare::symmetric_share(model, 0.003);
+    const SymmetricShare share = prepare::symmetric_share(model, 0.003, {});
     REQUIRE(share.symmetric());
     mesh::Model result;
     mesh::put_together(result, prepare::whole(share, mesh::take_apart(model)));
@@ -141,7 +142,7 @@ TEST_CASE("each side keeps its materials and its pictures", "[simplify][symmetry
     model.material.push_back(x > 0.0 ? 0U : 1U);
   }
   const mesh::LooseFaces all = mesh::take_apart(model);
-  const SymmetricShare share = prepare::symmetric_share(model, 0.003);
+  const SymmetricShare share = prepare::symmetric_share(model, 0.003, {});
   REQUIRE(share.symmetric());
   const auto check = [&](const mesh::LooseFaces& faces, double slack) {
     REQUIRE(faces.texture.size() == faces.faces.size());
@@ -174,11 +175,45 @@ TEST_CASE("what is symmetric by hand becomes exactly symmetric, what is lopsided
   CHECK(share_with_image(rough, 0.01) < 0.5);
 }
 
+TEST_CASE("twins stay twins, and their copies count", "[simplify][symmetry]") {
+  const mesh::Surface wheel = test::revolve({{0, 0}, {0.8, 0}, {1, 0.1}, {1, 0.3}, {0.8, 0.4}, {0, 0.4}}, 60);
+  const auto at = [&](double angle, Vec3 shift) {
+    return test::mapped(wheel, [&](Vec3 p) {
+      return Vec3{std::cos(angle) * p.x - std::sin(angle) * p.z, p.y,
+                  std::sin(angle) * p.x + std::cos(angle) * p.z} +
+             shift;
+    });
+  };
+  // A body with a plane, and wheels on both sides of it; then without a plane.
+  const mesh::Surface body = test::one_plane(60);
+  const std::vector<mesh::Surface> models{
+      test::together(
+          {body, at(0.4, {3, 0, 0}), at(-0.4, {-3, 0, 0}), at(0.4, {3, 3, 0}), at(-0.4, {-3, 3, 0})}),
+      test::together({body, at(0.4, {3, 0, 0}), at(1.4, {-4, 0, 3}), at(2.2, {3, 5, 1})})};
+  for (const mesh::Surface& s : models) {
+    const std::size_t wheels = s.component_count() - 1;
+    for (const prepare::Prepared& p : {prepared(model_of(s)), prepared(model_of(s), 400)}) {
+      REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
+      const mesh::Surface& after = p.model.surface;
+      test::check_invariants(after);
+      CHECK(after.component_count() == s.component_count());
+      const auto twins = prepare::find_twins(after, prepare::components(after), {}, 1e-9);
+      std::size_t most = 0;
+      for (const auto& group : twins) {
+        most = std::max(most, group.size());
+      }
+      CHECK(most == wheels);
+    }
+    CHECK(prepared(model_of(s), 400).simplified.faces_after <= 400);
+    CHECK(prepared(model_of(s), 400).simplified.faces_after >= 360);
+  }
+}
+
 TEST_CASE("a sheet in the mirror plane is kept once", "[simplify][symmetry]") {
   const std::vector<Vec3> corners{{0, 3, 0}, {0, 4, 0}, {0, 4, 1}};
   const mesh::Surface sheet(corners, {{VertexId(0), VertexId(1), VertexId(2)}});
   const mesh::Model model = model_of(test::together({test::one_plane(60), sheet}));
-  const SymmetricShare share = prepare::symmetric_share(model, 0.003);
+  const SymmetricShare share = prepare::symmetric_share(model, 0.003, {});
   REQUIRE(share.symmetric());
   mesh::Model result;
   mesh::put_together(result, prepare::whole(share, mesh::take_apart(model)));
