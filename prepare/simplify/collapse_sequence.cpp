@@ -44,23 +44,27 @@ struct Rim {
   Vec3 old_normal;
   Vec3 new_normal;
   Vec3 outer_normal;  ///< of the face across the side that stays; zero where there is none
-  bool at_plane;      ///< its mirror image lies across one of its sides
+  bool was_at_plane;  ///< its mirror image lay across one of its sides ...
+  bool at_plane;      ///< ... and will
 };
 
 /// Which vertices stay on planes, as collapses go on, and what that means for errors and places.
 class Bound {
  public:
   Bound(const PointRules& points, const std::vector<Vec3>& places, double short_edge)
-      : points_(&points), plane_(points.plane), now_(points.plane.size()), fixed_(points.plane.size(), none) {
+      : points_(&points),
+        plane_(points.plane),
+        now_(points.plane.size()),
+        crossing_(points.plane.size(), none),
+        fixed_(points.crossings.size(), false) {
     std::iota(now_.begin(), now_.end(), 0U);
     for (std::uint32_t i = 0; i < points.crossings.size(); ++i) {
       const PointRules::Crossing& c = points.crossings[i];
       const MirrorPlane& plane = points.planes[points.plane[c.point]];
       const double across =
           std::abs(plane.height(places[c.end])) + std::abs(plane.height(places[c.image_of_end]));
-      if (across > short_edge) {
-        fixed_[c.point] = i;
-      }
+      crossing_[c.point] = i;
+      fixed_[i] = across > short_edge;
     }
   }
 
@@ -72,6 +76,7 @@ class Bound {
   }
   void join(EditMesh::VertexHandle gone, EditMesh::VertexHandle stays) {
     now_[static_cast<std::size_t>(gone.idx())] = static_cast<std::uint32_t>(stays.idx());
+    crossing_[static_cast<std::size_t>(gone.idx())] = crossing_[static_cast<std::size_t>(stays.idx())] = none;
     if (is(gone)) {
       plane_[static_cast<std::size_t>(stays.idx())] = number(gone);
     }
@@ -113,6 +118,16 @@ class Bound {
            is(mesh.to_vertex_handle(h));
   }
 
+  /// Will the side from v to w lie on the plane when v becomes one with `on`?
+  [[nodiscard]] bool joins_seam(const EditMesh& mesh, EditMesh::VertexHandle v, EditMesh::VertexHandle on,
+                                EditMesh::VertexHandle w) const {
+    if (is(v) || !is(on) || !is(w)) {
+      return false;
+    }
+    const auto h = mesh.find_halfedge(on, w);
+    return h.is_valid() && is_seam(mesh, h);
+  }
+
   /// Whether a collapse would spoil the symmetric whole.
   template <class Profile>
   [[nodiscard]] bool forbids(const Profile& profile) const {
@@ -126,14 +141,20 @@ class Bound {
     Vec3 place;
     [[nodiscard]] bool moves(EditMesh::VertexHandle v) const { return v == v0 || v == v1; }
   };
-  /// Where a vertex is (after a change, if given): crossings that stay as they are go along with the ends of
-  /// their edges.
+  /// Where a vertex is (after a change, if given): crossings go along with the ends of their edges until they
+  /// are changed themselves, or an end comes to the plane.
   [[nodiscard]] Vec3 at(const EditMesh& mesh, EditMesh::VertexHandle v, const Change* change) const {
-    if (!is_fixed(v)) {
-      return change != nullptr && change->moves(v) ? change->place : vector(mesh.point(v));
+    if (change != nullptr && change->moves(v)) {
+      return change->place;
+    }
+    if (!is_crossing(v)) {
+      return vector(mesh.point(v));
     }
     const auto [end, image_of_end] = ends(v);
     return crossing(*plane(v, v), at(mesh, end, change), at(mesh, image_of_end, change));
+  }
+  [[nodiscard]] bool follows(EditMesh::VertexHandle v, const Change& change) const {
+    return is_crossing(v) && (change.moves(ends(v)[0]) || change.moves(ends(v)[1]));
   }
   /// Are these crossings of one edge after a change?
   [[nodiscard]] bool coincide(EditMesh::VertexHandle a, EditMesh::VertexHandle b,
@@ -141,7 +162,7 @@ class Bound {
     const auto same = [&](EditMesh::VertexHandle u, EditMesh::VertexHandle v) {
       return u == v || (change != nullptr && change->moves(u) && change->moves(v));
     };
-    return is_fixed(a) && is_fixed(b) && same(ends(a)[0], ends(b)[0]) && same(ends(a)[1], ends(b)[1]);
+    return is_crossing(a) && is_crossing(b) && same(ends(a)[0], ends(b)[0]) && same(ends(a)[1], ends(b)[1]);
   }
 
  private:
@@ -175,8 +196,12 @@ class Bound {
     return false;
   }
 
+  [[nodiscard]] bool is_crossing(EditMesh::VertexHandle v) const {
+    return crossing_[static_cast<std::size_t>(v.idx())] != none && !is(ends(v)[0]) && !is(ends(v)[1]);
+  }
   [[nodiscard]] bool is_fixed(EditMesh::VertexHandle v) const {
-    return fixed_[static_cast<std::size_t>(v.idx())] != none;
+    const std::uint32_t crossing = crossing_[static_cast<std::size_t>(v.idx())];
+    return crossing != none && fixed_[crossing];
   }
   [[nodiscard]] EditMesh::VertexHandle now(std::uint32_t v) const {
     while (now_[v] != v) {
@@ -185,7 +210,7 @@ class Bound {
     return EditMesh::VertexHandle(static_cast<int>(v));
   }
   [[nodiscard]] std::array<EditMesh::VertexHandle, 2> ends(EditMesh::VertexHandle v) const {
-    const PointRules::Crossing& c = points_->crossings[fixed_[static_cast<std::size_t>(v.idx())]];
+    const PointRules::Crossing& c = points_->crossings[crossing_[static_cast<std::size_t>(v.idx())]];
     return {now(c.end), now(c.image_of_end)};
   }
   [[nodiscard]] std::uint32_t number(EditMesh::VertexHandle v) const {
@@ -194,8 +219,9 @@ class Bound {
   const PointRules* points_;
   std::vector<std::uint32_t> plane_;
   static constexpr std::uint32_t none = PointRules::none;
-  std::vector<std::uint32_t> now_;    ///< what each vertex became part of
-  std::vector<std::uint32_t> fixed_;  ///< of each vertex: its crossing, if that stays as it is
+  std::vector<std::uint32_t> now_;       ///< what each vertex became part of
+  std::vector<std::uint32_t> crossing_;  ///< of each vertex: its number among crossings
+  std::vector<bool> fixed_;              ///< of each crossing: no collapse may touch it
 };
 
 double shape(Vec3 a, Vec3 b, Vec3 c, double doubled) {
@@ -351,20 +377,25 @@ class GuardedPlacement {
           continue;  // vanishes with the edge
         }
         const Vec3 new_doubled = doubled(&change, worst_new);
+        const bool seam = plane != nullptr && (bound.is_seam(mesh, h) || bound.is_seam(mesh, side) ||
+                                               bound.is_seam(mesh, mesh.next_halfedge_handle(side)));
+        const bool new_seam = plane != nullptr && (bound.joins_seam(mesh, v, other, from) ||
+                                                   bound.joins_seam(mesh, v, other, to));
         Rim face{from,
                  to,
                  normalized(old_doubled),
                  normalized(new_doubled),
                  outer_normal(mesh, side, v0, v1),
-                 plane != nullptr && (bound.is_seam(mesh, h) || bound.is_seam(mesh, side) ||
-                                      bound.is_seam(mesh, mesh.next_halfedge_handle(side)))};
+                 seam,
+                 seam || new_seam};
         if (dot(face.old_normal, face.new_normal) < turn_cosine && face.old_normal != Vec3{}) {
           return false;
         }
         rim.push_back(face);
       }
     }
-    return (worst_new >= thin || worst_new >= worst_old) && !folds(rim, plane);
+    return (worst_new >= thin || worst_new >= worst_old) && !folds(rim, plane) &&
+           !turns_beside_crossings(mesh, bound, change);
   }
 
  private:
@@ -383,13 +414,46 @@ class GuardedPlacement {
     return normalized(cross(b - a, vector(mesh.point(tip)) - a));
   }
 
+  /// Crossings that go along with the change move faces that it doesn't touch: would one of these be turned?
+  static bool turns_beside_crossings(const EditMesh& mesh, const Bound& bound, const Bound::Change& change) {
+    const auto turns = [&](EditMesh::FaceHandle f) {
+      std::array<Vec3, 3> before;
+      std::array<Vec3, 3> after;
+      std::size_t k = 0;
+      for (const auto w : mesh.fv_range(f)) {
+        if (change.moves(w)) {
+          return false;
+        }
+        before[k] = bound.at(mesh, w, nullptr);
+        after[k++] = bound.at(mesh, w, &change);
+      }
+      const Vec3 old_normal = normalized(cross(before[1] - before[0], before[2] - before[0]));
+      const Vec3 new_normal = normalized(cross(after[1] - after[0], after[2] - after[0]));
+      return old_normal != Vec3{} && new_normal != Vec3{} && dot(old_normal, new_normal) < turn_cosine;
+    };
+    for (const auto v : {change.v0, change.v1}) {
+      for (const auto w : mesh.vv_range(v)) {
+        if (bound.follows(w, change)) {
+          for (const auto f : mesh.vf_range(w)) {
+            if (turns(f)) {
+              return true;
+            }
+          }
+        }
+      }
+    }
+    return false;
+  }
+
   /// Would an edge of the new faces be folded back further than allowed and than the worst was before?
   static bool folds(const std::vector<Rim>& rim, const MirrorPlane* plane) {
     double before = 1.0;
     double after = 1.0;
     for (const Rim& f : rim) {
-      if (f.at_plane) {
+      if (f.was_at_plane) {
         before = std::min(before, with_image(*plane, f.old_normal));
+      }
+      if (f.at_plane) {
         after = std::min(after, with_image(*plane, f.new_normal));
       }
       if (f.outer_normal != Vec3{}) {

@@ -65,6 +65,15 @@ double share_with_image(const mesh::Surface& surface, double tolerance) {
   return best;
 }
 
+/// Radians; pi where the surface is folded shut.
+double sharpest_fold(const mesh::Surface& surface) {
+  double sharpest = 0.0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    sharpest = std::max(sharpest, std::abs(surface.fold_angle(e)));
+  }
+  return sharpest;
+}
+
 mesh::Model model_of(const mesh::Surface& surface) {
   return test::repaired(test::soup_of(surface));
 }
@@ -110,6 +119,7 @@ TEST_CASE("after any number of collapses the whole is a surface and its own mirr
       mesh::put_together(result, faces);
       CHECK(test::euler(result.surface) == 2);
       CHECK(share_with_image(result.surface, 2e-3) == 1.0);
+      CHECK(sharpest_fold(result.surface) < 3.0);
     }
   }
 }
