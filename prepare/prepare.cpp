@@ -27,6 +27,7 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
     const double factor = resize(prepared.model, size);
     prepared.mm_per_unit *= factor;
     prepared.simplified.deviation_mm *= factor;
+    prepared.simplified.evened_mm *= factor;
     prepared.simplified.short_edges_after = short_fold_share(prepared.model.surface, simplify);
   }
   prepared.panels = find_panels(prepared.model.surface);

@@ -30,6 +30,7 @@ Value simplified_value(const prepare::SimplifyReport& report) {
   return Value::Object{{"faces_before", report.faces_before},
                        {"faces_after", report.faces_after},
                        {"deviation_mm", rounded(report.deviation_mm)},
+                       {"evened_mm", rounded(report.evened_mm)},
                        {"specks_dropped", report.specks_dropped},
                        {"short_edges_before", rounded(report.short_edges_before)},
                        {"short_edges_after", rounded(report.short_edges_after)},
@@ -50,6 +51,10 @@ void say_simplified(Summary& summary, const job::Paper& made) {
               "that is {:.0f} % of the size: parts that stand out may be gone; more --faces keep them",
               100.0 * report.deviation_mm / largest));
     }
+  }
+  if (report.evened_mm > 0.0) {
+    summary.say(Line::simplified, "symmetric",
+                fmt::format("both sides are equal now; they differed by up to {:.2f} mm", report.evened_mm));
   }
   if (report.specks_dropped > 0) {
     summary.say(Line::simplified, "left out",

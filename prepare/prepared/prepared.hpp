@@ -15,6 +15,9 @@ struct SimplifyReport {
   std::size_t faces_after = 0;
   std::size_t specks_dropped = 0;  ///< automatic: components too small to be held, left out
   double deviation_mm = 0.0;  ///< greatest measured distance between the old and the new surface, both ways
+  /// Its sides were mirror images only nearly, off by so much, and are so exactly now; 0 where they were, or
+  /// where the model isn't symmetric.
+  double evened_mm = 0.0;
   double short_edges_before = 0.0;  ///< share of the fold edges below short_edge_mm
   double short_edges_after = 0.0;
   bool still_too_fine = false;  ///< automatic couldn't reach its aim within the deviation allowed

@@ -11,8 +11,10 @@
 // clang-format on
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 namespace ridgecraft::prepare {
@@ -42,19 +44,27 @@ struct Rim {
   Vec3 old_normal;
   Vec3 new_normal;
   Vec3 outer_normal;  ///< of the face across the side that stays; zero where there is none
-  bool at_plane;      ///< its mirror image lies across one of its sides
+  bool was_at_plane;  ///< its mirror image lay across one of its sides ...
+  bool at_plane;      ///< ... and will
 };
 
 /// Which vertices stay on planes, as collapses go on, and what that means for errors and places.
 class Bound {
  public:
   Bound(const PointRules& points, const std::vector<Vec3>& places, double short_edge)
-      : points_(&points), plane_(points.plane), fixed_(points.plane.size(), false) {
-    for (const PointRules::Crossing& c : points.crossings) {
+      : points_(&points),
+        plane_(points.plane),
+        now_(points.plane.size()),
+        crossing_(points.plane.size(), none),
+        fixed_(points.crossings.size(), false) {
+    std::iota(now_.begin(), now_.end(), 0U);
+    for (std::uint32_t i = 0; i < points.crossings.size(); ++i) {
+      const PointRules::Crossing& c = points.crossings[i];
       const MirrorPlane& plane = points.planes[points.plane[c.point]];
       const double across =
           std::abs(plane.height(places[c.end])) + std::abs(plane.height(places[c.image_of_end]));
-      fixed_[c.point] = across > short_edge;
+      crossing_[c.point] = i;
+      fixed_[i] = across > short_edge;
     }
   }
 
@@ -65,6 +75,8 @@ class Bound {
     return found == PointRules::none ? nullptr : &points_->planes[found];
   }
   void join(EditMesh::VertexHandle gone, EditMesh::VertexHandle stays) {
+    now_[static_cast<std::size_t>(gone.idx())] = static_cast<std::uint32_t>(stays.idx());
+    crossing_[static_cast<std::size_t>(gone.idx())] = crossing_[static_cast<std::size_t>(stays.idx())] = none;
     if (is(gone)) {
       plane_[static_cast<std::size_t>(stays.idx())] = number(gone);
     }
@@ -106,11 +118,51 @@ class Bound {
            is(mesh.to_vertex_handle(h));
   }
 
+  /// Will the side from v to w lie on the plane when v becomes one with `on`?
+  [[nodiscard]] bool joins_seam(const EditMesh& mesh, EditMesh::VertexHandle v, EditMesh::VertexHandle on,
+                                EditMesh::VertexHandle w) const {
+    if (is(v) || !is(on) || !is(w)) {
+      return false;
+    }
+    const auto h = mesh.find_halfedge(on, w);
+    return h.is_valid() && is_seam(mesh, h);
+  }
+
   /// Whether a collapse would spoil the symmetric whole.
   template <class Profile>
   [[nodiscard]] bool forbids(const Profile& profile) const {
-    return fixed_[static_cast<std::size_t>(profile.v0().idx())] ||
-           fixed_[static_cast<std::size_t>(profile.v1().idx())] || closes_on_plane(profile);
+    return is_fixed(profile.v0()) || is_fixed(profile.v1()) || closes_on_plane(profile);
+  }
+
+  /// Two vertices become one, at a place.
+  struct Change {
+    EditMesh::VertexHandle v0;
+    EditMesh::VertexHandle v1;
+    Vec3 place;
+    [[nodiscard]] bool moves(EditMesh::VertexHandle v) const { return v == v0 || v == v1; }
+  };
+  /// Where a vertex is (after a change, if given): crossings go along with the ends of their edges until they
+  /// are changed themselves, or an end comes to the plane.
+  [[nodiscard]] Vec3 at(const EditMesh& mesh, EditMesh::VertexHandle v, const Change* change) const {
+    if (change != nullptr && change->moves(v)) {
+      return change->place;
+    }
+    if (!is_crossing(v)) {
+      return vector(mesh.point(v));
+    }
+    const auto [end, image_of_end] = ends(v);
+    return crossing(*plane(v, v), at(mesh, end, change), at(mesh, image_of_end, change));
+  }
+  [[nodiscard]] bool follows(EditMesh::VertexHandle v, const Change& change) const {
+    return is_crossing(v) && (change.moves(ends(v)[0]) || change.moves(ends(v)[1]));
+  }
+  /// Are these crossings of one edge after a change?
+  [[nodiscard]] bool coincide(EditMesh::VertexHandle a, EditMesh::VertexHandle b,
+                              const Change* change) const {
+    const auto same = [&](EditMesh::VertexHandle u, EditMesh::VertexHandle v) {
+      return u == v || (change != nullptr && change->moves(u) && change->moves(v));
+    };
+    return is_crossing(a) && is_crossing(b) && same(ends(a)[0], ends(b)[0]) && same(ends(a)[1], ends(b)[1]);
   }
 
  private:
@@ -144,12 +196,32 @@ class Bound {
     return false;
   }
 
+  [[nodiscard]] bool is_crossing(EditMesh::VertexHandle v) const {
+    return crossing_[static_cast<std::size_t>(v.idx())] != none && !is(ends(v)[0]) && !is(ends(v)[1]);
+  }
+  [[nodiscard]] bool is_fixed(EditMesh::VertexHandle v) const {
+    const std::uint32_t crossing = crossing_[static_cast<std::size_t>(v.idx())];
+    return crossing != none && fixed_[crossing];
+  }
+  [[nodiscard]] EditMesh::VertexHandle now(std::uint32_t v) const {
+    while (now_[v] != v) {
+      v = now_[v];
+    }
+    return EditMesh::VertexHandle(static_cast<int>(v));
+  }
+  [[nodiscard]] std::array<EditMesh::VertexHandle, 2> ends(EditMesh::VertexHandle v) const {
+    const PointRules::Crossing& c = points_->crossings[crossing_[static_cast<std::size_t>(v.idx())]];
+    return {now(c.end), now(c.image_of_end)};
+  }
   [[nodiscard]] std::uint32_t number(EditMesh::VertexHandle v) const {
     return plane_[static_cast<std::size_t>(v.idx())];
   }
   const PointRules* points_;
   std::vector<std::uint32_t> plane_;
-  std::vector<bool> fixed_;
+  static constexpr std::uint32_t none = PointRules::none;
+  std::vector<std::uint32_t> now_;       ///< what each vertex became part of
+  std::vector<std::uint32_t> crossing_;  ///< of each vertex: its number among crossings
+  std::vector<bool> fixed_;              ///< of each crossing: no collapse may touch it
 };
 
 double shape(Vec3 a, Vec3 b, Vec3 c, double doubled) {
@@ -278,6 +350,7 @@ class GuardedPlacement {
   static bool harmless(const EditMesh& mesh, const Bound& bound, EditMesh::VertexHandle v0,
                        EditMesh::VertexHandle v1, Vec3 place, std::vector<Rim>& rim) {
     const MirrorPlane* plane = bound.plane(v0, v1);
+    const Bound::Change change{v0, v1, place};
     double worst_old = 1.0;
     double worst_new = 1.0;
     for (const auto v : {v0, v1}) {
@@ -287,30 +360,42 @@ class GuardedPlacement {
           continue;
         }
         const auto side = mesh.next_halfedge_handle(h);
-        const Vec3 p = vector(mesh.point(v));
-        const Vec3 a = vector(mesh.point(mesh.from_vertex_handle(side)));
-        const Vec3 b = vector(mesh.point(mesh.to_vertex_handle(side)));
-        const Vec3 old_doubled = cross(a - p, b - p);
-        worst_old = std::min(worst_old, shape(p, a, b, length(old_doubled)));
-        if (mesh.from_vertex_handle(side) == other || mesh.to_vertex_handle(side) == other) {
+        const auto from = mesh.from_vertex_handle(side);
+        const auto to = mesh.to_vertex_handle(side);
+        const auto doubled = [&](const Bound::Change* when, double& worst) {
+          const Vec3 p = bound.at(mesh, v, when);
+          const Vec3 a = bound.at(mesh, from, when);
+          const Vec3 b = bound.at(mesh, to, when);
+          const Vec3 normal = cross(a - p, b - p);
+          if (!bound.coincide(from, to, when)) {
+            worst = std::min(worst, shape(p, a, b, length(normal)));
+          }
+          return normal;
+        };
+        const Vec3 old_doubled = doubled(nullptr, worst_old);
+        if (from == other || to == other || bound.coincide(from, to, &change)) {
           continue;  // vanishes with the edge
         }
-        const Vec3 new_doubled = cross(a - place, b - place);
-        worst_new = std::min(worst_new, shape(place, a, b, length(new_doubled)));
-        Rim face{mesh.from_vertex_handle(side),
-                 mesh.to_vertex_handle(side),
+        const Vec3 new_doubled = doubled(&change, worst_new);
+        const bool seam = plane != nullptr && (bound.is_seam(mesh, h) || bound.is_seam(mesh, side) ||
+                                               bound.is_seam(mesh, mesh.next_halfedge_handle(side)));
+        const bool new_seam = plane != nullptr && (bound.joins_seam(mesh, v, other, from) ||
+                                                   bound.joins_seam(mesh, v, other, to));
+        Rim face{from,
+                 to,
                  normalized(old_doubled),
                  normalized(new_doubled),
                  outer_normal(mesh, side, v0, v1),
-                 plane != nullptr && (bound.is_seam(mesh, h) || bound.is_seam(mesh, side) ||
-                                      bound.is_seam(mesh, mesh.next_halfedge_handle(side)))};
+                 seam,
+                 seam || new_seam};
         if (dot(face.old_normal, face.new_normal) < turn_cosine && face.old_normal != Vec3{}) {
           return false;
         }
         rim.push_back(face);
       }
     }
-    return (worst_new >= thin || worst_new >= worst_old) && !folds(rim, plane);
+    return (worst_new >= thin || worst_new >= worst_old) && !folds(rim, plane) &&
+           !turns_beside_crossings(mesh, bound, change);
   }
 
  private:
@@ -329,13 +414,46 @@ class GuardedPlacement {
     return normalized(cross(b - a, vector(mesh.point(tip)) - a));
   }
 
+  /// Crossings that go along with the change move faces that it doesn't touch: would one of these be turned?
+  static bool turns_beside_crossings(const EditMesh& mesh, const Bound& bound, const Bound::Change& change) {
+    const auto turns = [&](EditMesh::FaceHandle f) {
+      std::array<Vec3, 3> before;
+      std::array<Vec3, 3> after;
+      std::size_t k = 0;
+      for (const auto w : mesh.fv_range(f)) {
+        if (change.moves(w)) {
+          return false;
+        }
+        before[k] = bound.at(mesh, w, nullptr);
+        after[k++] = bound.at(mesh, w, &change);
+      }
+      const Vec3 old_normal = normalized(cross(before[1] - before[0], before[2] - before[0]));
+      const Vec3 new_normal = normalized(cross(after[1] - after[0], after[2] - after[0]));
+      return old_normal != Vec3{} && new_normal != Vec3{} && dot(old_normal, new_normal) < turn_cosine;
+    };
+    for (const auto v : {change.v0, change.v1}) {
+      for (const auto w : mesh.vv_range(v)) {
+        if (bound.follows(w, change)) {
+          for (const auto f : mesh.vf_range(w)) {
+            if (turns(f)) {
+              return true;
+            }
+          }
+        }
+      }
+    }
+    return false;
+  }
+
   /// Would an edge of the new faces be folded back further than allowed and than the worst was before?
   static bool folds(const std::vector<Rim>& rim, const MirrorPlane* plane) {
     double before = 1.0;
     double after = 1.0;
     for (const Rim& f : rim) {
-      if (f.at_plane) {
+      if (f.was_at_plane) {
         before = std::min(before, with_image(*plane, f.old_normal));
+      }
+      if (f.at_plane) {
         after = std::min(after, with_image(*plane, f.new_normal));
       }
       if (f.outer_normal != Vec3{}) {
@@ -529,6 +647,13 @@ std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const Poi
                            .visitor(recorder));
   }
   return collapses;
+}
+
+Vec3 crossing(const MirrorPlane& plane, Vec3 end, Vec3 image_of_end) {
+  const double height = plane.height(end);
+  const double sum = height + plane.height(image_of_end);
+  const double share = sum > 0.0 || sum < 0.0 ? height / sum : 0.0;
+  return plane.foot(end + share * (plane.image(image_of_end) - end));
 }
 
 std::vector<std::uint32_t> points_after(std::size_t count, std::span<const Collapse> collapses) {

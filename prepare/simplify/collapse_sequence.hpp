@@ -61,6 +61,10 @@ struct CollapseRules {
                                                       std::size_t faces, const CollapseRules& rules,
                                                       const Context& context);
 
+/// Where the edge from a point to another one's mirror image crosses the plane; some point of the plane where
+/// both lie on it.
+[[nodiscard]] Vec3 crossing(const MirrorPlane& plane, Vec3 end, Vec3 image_of_end);
+
 /// What became of each of `count` points: itself, or the point that it is part of now.
 [[nodiscard]] std::vector<std::uint32_t> points_after(std::size_t count, std::span<const Collapse> collapses);
 

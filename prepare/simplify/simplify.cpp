@@ -30,8 +30,11 @@ constexpr double bound = 0.9;
 /// A component that is smaller than this share of the short edge in every direction vanishes when the model
 /// is too fine: it could neither be cut nor held.
 constexpr double speck = 0.5;
-/// A model that is off its mirror image by no more than this share of its extent becomes symmetric.
-constexpr double symmetric_within = 0.003;
+/// A model that is off its mirror image by no more than this share of its extent becomes symmetric: a fifth
+/// of what simplification may move it.
+constexpr double symmetric_within = 0.004;
+/// Below this, as a share of the extent, sides are equal but for a file's digits.
+constexpr double equal_sides = 1e-5;
 
 /// Drops components that are specks unless all are; returns how many.
 std::size_t drop_specks(mesh::Model& model, double smallest_mm) {
@@ -228,6 +231,11 @@ void take_over(mesh::Model& model, mesh::Model&& simplified) {
   model.texture = std::move(simplified.texture);
 }
 
+/// How far the sides of a model were from being mirror images; 0 where no digit would tell.
+double evened(const SymmetricShare& share, const mesh::Model& model) {
+  return share.deviation > equal_sides * model.surface.bounds().largest_extent() ? share.deviation : 0.0;
+}
+
 void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
                       const Context& context) {
   report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
@@ -235,7 +243,8 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
   const mesh::SurfaceTree original(model.surface, spacing);
   const mesh::LooseFaces all = mesh::take_apart(model);
-  SymmetricShare start = symmetric_share(model, symmetric_within);
+  SymmetricShare start = symmetric_share(model, symmetric_within, context);
+  const double evened_mm = evened(start, model);
   // Far from the aim the surface hardly moves: there the plain error is good and fast.
   const auto far =
       static_cast<std::size_t>(coarse * faces_of_short_edges(model.surface, options.short_edge_mm));
@@ -269,6 +278,7 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   }
   if (best && best->model.surface.face_count() < report.faces_before) {
     report.deviation_mm = best->deviation;
+    report.evened_mm = evened_mm;
     take_over(model, std::move(best->model));
   }
   report.still_too_fine = !best || !best->foldable;
@@ -279,8 +289,9 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const mesh::Surface before = model.surface;
   const mesh::LooseFaces all = mesh::take_apart(model);
-  const Sequence sequence(symmetric_share(model, symmetric_within), all, options.faces,
-                          {options.short_edge_mm}, context);
+  SymmetricShare share = symmetric_share(model, symmetric_within, context);
+  report.evened_mm = evened(share, model);
+  const Sequence sequence(std::move(share), all, options.faces, {options.short_edge_mm}, context);
   take_over(model, sequence.after(sequence.all()));
   report.deviation_mm = greatest_distance(mesh::SurfaceTree(model.surface, spacing),
                                           mesh::SurfaceTree(before, spacing), INFINITY, context);

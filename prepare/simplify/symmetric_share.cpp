@@ -5,11 +5,14 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "mesh/model/surface_distance.hpp"
+#include "prepare/simplify/picture_at.hpp"
+#include "prepare/simplify/share_twins.hpp"
 #include "prepare/simplify/take_out.hpp"
 #include "prepare/symmetry/mirrors.hpp"
 
@@ -31,6 +34,12 @@ constexpr double alike = 0.7;
 SymmetricShare all_of(const mesh::LooseFaces& model) {
   SymmetricShare share;
   share.faces = model;
+  share.faces.texture.clear();
+  share.faces.material.clear();
+  for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
+    share.faces.material.push_back(f);
+    share.origins.push_back({f, none, model.texture.empty() ? std::array<Vec2, 3>{} : model.texture[f], {}});
+  }
   share.points.plane.assign(model.points.size(), none);
   share.points.copies.assign(model.points.size(), 1);
   return share;
@@ -60,6 +69,7 @@ class Halver {
     }
     share_.points.planes = {plane_};
     share_.deviation = mirror_.deviation;
+    share_.image = mirror_.maps.face;
     return std::move(share_);
   }
 
@@ -213,8 +223,8 @@ class Halver {
         return false;
       }
       for (std::size_t k = 0; k < 3; ++k) {
-        origin.texture[k] = picture_at(f, corners[k]);
-        origin.image_texture[k] = picture_at(image, images[k]);
+        origin.texture[k] = picture_at(surface_, all_, f, corners[k]);
+        origin.image_texture[k] = picture_at(surface_, all_, image, images[k]);
       }
     }
     half.faces.push_back(face);
@@ -245,20 +255,6 @@ class Halver {
     return best;
   }
 
-  /// The place in the picture that belongs to a point in the face's plane.
-  [[nodiscard]] Vec2 picture_at(FaceId f, Vec3 p) const {
-    const auto [a, b, c] = surface_.vertices(f);
-    const Vec3 origin = surface_.point(a);
-    const Vec3 doubled = cross(surface_.point(b) - origin, surface_.point(c) - origin);
-    const std::array<Vec2, 3>& t = all_.texture[f.value()];
-    if (doubled == Vec3{}) {
-      return t[0];
-    }
-    const double v = dot(cross(p - origin, surface_.point(c) - origin), doubled) / dot(doubled, doubled);
-    const double w = dot(cross(surface_.point(b) - origin, p - origin), doubled) / dot(doubled, doubled);
-    return t[0] + v * (t[1] - t[0]) + w * (t[2] - t[0]);
-  }
-
   const mesh::Surface& surface_;
   const mesh::LooseFaces& all_;
   const Mirror& mirror_;
@@ -273,19 +269,36 @@ class Halver {
 
 }  // namespace
 
-SymmetricShare symmetric_share(const mesh::Model& model, double largest_deviation) {
-  const mesh::LooseFaces all = mesh::take_apart(model);
+namespace {
+
+/// One side of the model at the best plane that divides it well.
+std::optional<SymmetricShare> half_of(const mesh::Model& model, const mesh::LooseFaces& all,
+                                      double largest_deviation) {
   const double extent = model.surface.bounds().largest_extent();
   SymmetryTolerance tolerance;
   tolerance.near = largest_deviation;
   for (const Mirror& mirror : find_mirrors(model.surface, most_planes, tolerance)) {
-    const double on = on_plane * extent + 2.0 * (mirror.exact ? 0.0 : mirror.deviation);
-    auto half = Halver(model, all, mirror, on).run();
-    if (half && mesh::is_surface(half->faces) && mesh::is_surface(whole(*half, all))) {
-      return std::move(*half);
+    // Corners that should lie on the plane may be off it as far as others are off their partners; but a body
+    // that is thinner than that has sides all the same.
+    for (const double on : {on_plane * extent + 2.0 * mirror.deviation, on_plane * extent}) {
+      auto half = Halver(model, all, mirror, on).run();
+      if (half && mesh::is_surface(half->faces) && mesh::is_surface(whole(*half, all))) {
+        return half;
+      }
     }
   }
-  return all_of(all);
+  return std::nullopt;
+}
+
+}  // namespace
+
+SymmetricShare symmetric_share(const mesh::Model& model, double largest_deviation, const Context& context) {
+  const mesh::LooseFaces all = mesh::take_apart(model);
+  std::optional<SymmetricShare> half = half_of(model, all, largest_deviation);
+  context.check();
+  SymmetricShare share = half ? std::move(*half) : all_of(all);
+  share_twins(share, model.surface, all, context);
+  return share;
 }
 
 std::size_t SymmetricShare::face_count() const {
@@ -312,13 +325,8 @@ SymmetricShare collapsed(const SymmetricShare& share, std::span<const Collapse> 
            result.points.plane[c.image_of_end] != none;
   });
   for (const PointRules::Crossing& c : result.points.crossings) {
-    const MirrorPlane& plane = share.points.planes[0];
-    const Vec3 a = result.faces.points[c.end];
-    const Vec3 b = result.faces.points[c.image_of_end];
-    const double sum = plane.height(a) + plane.height(b);
-    if (sum > 0.0 || sum < 0.0) {
-      result.faces.points[c.point] = plane.foot(a + plane.height(a) / sum * (plane.image(b) - a));
-    }
+    result.faces.points[c.point] =
+        crossing(share.points.planes[0], result.faces.points[c.end], result.faces.points[c.image_of_end]);
   }
   return result;
 }
@@ -350,45 +358,133 @@ mesh::LooseFaces without_crossings(const SymmetricShare& share, const mesh::Loos
 
 }  // namespace
 
+namespace {
+
+/// Puts a share's faces into the whole, again and again.
+class Placer {
+ public:
+  Placer(const SymmetricShare& share, const mesh::LooseFaces& model)
+      : share_(share),
+        model_(model),
+        own_(share.faces.points.size(), none),
+        image_(share.faces.points.size(), none) {}
+
+  /// All faces where they are, and their mirror images.
+  void place_all() {
+    std::vector<std::uint32_t> faces(share_.faces.faces.size());
+    std::iota(faces.begin(), faces.end(), 0U);
+    result_.points = share_.faces.points;
+    std::iota(own_.begin(), own_.end(), 0U);
+    place(faces, share_.faces.material, share_.origins, false);
+  }
+
+  /// A copy of the body that has these faces.
+  void place_copy(const SymmetricShare::Copy& copy, const std::vector<std::uint32_t>& faces) {
+    for (const std::uint32_t f : faces) {
+      for (const std::uint32_t v : share_.faces.faces[f]) {
+        own_[v] = none;
+      }
+    }
+    std::vector<std::uint32_t> ranks;
+    for (const std::uint32_t f : faces) {
+      for (const std::uint32_t v : share_.faces.faces[f]) {
+        if (own_[v] == none) {
+          own_[v] = add_point(copy.motion(share_.faces.points[v]));
+        }
+      }
+      ranks.push_back(share_.rank[share_.faces.material[f]]);
+    }
+    place(faces, ranks, copy.origins, copy.motion.mirrors);
+  }
+
+  [[nodiscard]] mesh::LooseFaces take() { return std::move(result_); }
+
+ private:
+  std::uint32_t add_point(Vec3 p) {
+    result_.points.push_back(p);
+    return static_cast<std::uint32_t>(result_.points.size() - 1);
+  }
+
+  /// Faces with their points where own_ says; `number` of each is that of its origin.
+  void place(const std::vector<std::uint32_t>& faces, const std::vector<std::uint32_t>& number,
+             const std::vector<SymmetricShare::Origin>& origins, bool mirrors) {
+    const auto& corners = share_.faces.faces;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const SymmetricShare::Origin& origin = origins[number[i]];
+      const auto& [a, b, c] = corners[faces[i]];
+      add(faces[i], {own_[a], own_[b], own_[c]}, origin.face, origin.face, origin.texture, mirrors);
+    }
+    if (!share_.symmetric()) {
+      return;
+    }
+    for (const std::uint32_t f : faces) {
+      for (const std::uint32_t v : corners[f]) {
+        image_[v] = none;
+      }
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const SymmetricShare::Origin& origin = origins[number[i]];
+      const auto& [a, b, c] = corners[faces[i]];
+      if (share_.points.copies[a] > 1) {  // else a sheet in the plane
+        add(faces[i], {image(a), image(b), image(c)}, origin.image, origin.face, origin.image_texture,
+            !mirrors);
+      }
+    }
+  }
+
+  std::uint32_t image(std::uint32_t v) {
+    if (image_[v] == none) {
+      image_[v] = share_.points.plane[v] == none
+                      ? add_point(share_.points.planes[0].image(result_.points[own_[v]]))
+                      : own_[v];
+    }
+    return image_[v];
+  }
+
+  /// `from`: the face of the model that it lies on; `like`: the one whose material it has if it is on none.
+  void add(std::uint32_t f, std::array<std::uint32_t, 3> face, std::uint32_t from, std::uint32_t like,
+           std::array<Vec2, 3> texture, bool turned) {
+    if (turned) {
+      std::swap(face[1], face[2]);
+      std::swap(texture[1], texture[2]);
+    }
+    const bool moved = share_.faces.polygon[f] == mesh::Soup::none;
+    result_.faces.push_back(face);
+    result_.polygon.push_back(moved || from == none ? mesh::Soup::none : model_.polygon[from]);
+    if (!model_.material.empty()) {
+      result_.material.push_back(model_.material[from == none ? like : from]);
+    }
+    if (!model_.texture.empty()) {
+      result_.texture.push_back(texture);
+    }
+  }
+
+  const SymmetricShare& share_;
+  const mesh::LooseFaces& model_;
+  mesh::LooseFaces result_;
+  std::vector<std::uint32_t> own_;    ///< where each point of the share is in the result now
+  std::vector<std::uint32_t> image_;  ///< and its mirror image
+};
+
+}  // namespace
+
 mesh::LooseFaces whole(const SymmetricShare& share, const mesh::LooseFaces& model) {
-  if (!share.symmetric()) {
-    return share.faces;
-  }
-  mesh::LooseFaces result;
-  result.points = share.faces.points;
-  std::vector<std::uint32_t> image(share.faces.points.size());
-  for (std::uint32_t v = 0; v < image.size(); ++v) {
-    image[v] = v;
-    if (share.points.plane[v] == none && share.points.copies[v] == 2) {
-      image[v] = static_cast<std::uint32_t>(result.points.size());
-      result.points.push_back(share.points.planes[0].image(share.faces.points[v]));
+  Placer placer(share, model);
+  placer.place_all();
+  if (!share.copies.empty()) {
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::uint32_t f = 0; f < share.faces.faces.size(); ++f) {
+      const std::uint32_t body = share.body[share.faces.material[f]];
+      faces.resize(std::max<std::size_t>(faces.size(), body + 1));
+      faces[body].push_back(f);
+    }
+    for (const SymmetricShare::Copy& copy : share.copies) {
+      if (copy.body < faces.size()) {
+        placer.place_copy(copy, faces[copy.body]);
+      }
     }
   }
-  const auto add = [&](std::size_t f, const std::array<std::uint32_t, 3>& face, std::uint32_t from,
-                       const std::array<Vec2, 3>& texture) {
-    const bool moved = share.faces.polygon[f] == mesh::Soup::none;
-    const SymmetricShare::Origin& origin = share.origins[share.faces.material[f]];
-    result.faces.push_back(face);
-    result.polygon.push_back(moved || from == none ? mesh::Soup::none : model.polygon[from]);
-    if (!model.material.empty()) {
-      result.material.push_back(model.material[from == none ? origin.face : from]);
-    }
-    if (!model.texture.empty()) {
-      result.texture.push_back(texture);
-    }
-  };
-  for (std::size_t f = 0; f < share.faces.faces.size(); ++f) {
-    const SymmetricShare::Origin& origin = share.origins[share.faces.material[f]];
-    add(f, share.faces.faces[f], origin.face, origin.texture);
-  }
-  for (std::size_t f = 0; f < share.faces.faces.size(); ++f) {
-    const auto& [a, b, c] = share.faces.faces[f];
-    if (share.points.copies[a] == 2) {
-      const SymmetricShare::Origin& origin = share.origins[share.faces.material[f]];
-      const auto& [t, u, v] = origin.image_texture;
-      add(f, {image[a], image[c], image[b]}, origin.image, {t, v, u});
-    }
-  }
+  mesh::LooseFaces result = placer.take();
   if (!share.points.crossings.empty()) {
     mesh::LooseFaces smaller = without_crossings(share, result);
     if (mesh::is_surface(smaller)) {

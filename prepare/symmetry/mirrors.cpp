@@ -12,6 +12,7 @@
 #include "prepare/symmetry/nearby_points.hpp"
 #include "base/same_place.hpp"
 #include "mesh/model/surface_distance.hpp"
+#include "prepare/symmetry/area_frame.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -65,37 +66,6 @@ MirrorPlane plane_through(Vec3 normal, Vec3 point) {
   return {normal, dot(normal, point)};
 }
 
-/// Where the area of a surface lies: it doesn't depend on how the surface is divided into triangles.
-struct Frame {
-  Vec3 centre;
-  std::array<Vec3, 3> axes;
-};
-
-Frame area_frame(const mesh::Surface& surface) {
-  Frame frame;
-  double area = 0.0;
-  const Vec3 origin = 0.5 * (surface.bounds().low + surface.bounds().high);
-  Vec3 sum;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const auto [a, b, c] = surface.vertices(f);
-    sum += surface.area(f) / 3.0 * (surface.point(a) + surface.point(b) + surface.point(c) - 3.0 * origin);
-    area += surface.area(f);
-  }
-  frame.centre = area > 0.0 ? origin + sum / area : origin;
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const auto [v, w, u] = surface.vertices(f);
-    const std::array<Vec3, 3> p{surface.point(v) - frame.centre, surface.point(w) - frame.centre,
-                                surface.point(u) - frame.centre};
-    // The integral of x x^T over a triangle: area / 12 times the sum over corners and over their sum.
-    const Vec3 all = p[0] + p[1] + p[2];
-    spread += surface.area(f) / 12.0 *
-              (outer(p[0], p[0]) + outer(p[1], p[1]) + outer(p[2], p[2]) + outer(all, all));
-  }
-  frame.axes = axes(spread);
-  return frame;
-}
-
 /// Drops partners whose partner is another one.
 template <class I>
 void keep_pairs(IdVector<I, I>& partner) {
@@ -125,7 +95,7 @@ class MirrorSearch {
         tree_(points_, places_) {}
 
   std::vector<Mirror> run() {
-    const Frame frame = area_frame(surface_);
+    const AreaFrame frame = area_frame(surface_);
     const Vec3 middle = 0.5 * (surface_.bounds().low + surface_.bounds().high);
     for (const Vec3 axis :
          {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, frame.axes[0], frame.axes[1], frame.axes[2]}) {

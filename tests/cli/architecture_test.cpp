@@ -47,7 +47,7 @@ const std::vector<Folder>& folders() {
         {"simplify", {"prepared", "symmetry", "panels"}}},
        {"prepare.hpp", "prepared/options.hpp", "prepared/prepared.hpp", "prepared/panels.hpp",
         "prepared/narrow_faces.hpp", "symmetry/isometry.hpp", "symmetry/correspondence.hpp",
-        "symmetry/mirrors.hpp"}},
+        "symmetry/mirrors.hpp", "symmetry/rotations.hpp", "symmetry/twins.hpp"}},
       {"segment",
        {"mesh"},
        {{"parts", {}},

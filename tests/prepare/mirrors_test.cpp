@@ -12,6 +12,7 @@
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
+#include "support/symmetric_shapes.hpp"
 
 using namespace ridgecraft;
 using prepare::find_mirrors;
@@ -27,40 +28,11 @@ Vec3 moved(Vec3 p) {
   return 37.0 * m(p) + Vec3{5, -90, 12};
 }
 
-/// The half at x > 0 and its mirror image.
-mesh::Surface doubled(const mesh::Surface& surface) {
-  mesh::Soup soup;
-  const auto add = [&](std::array<Vec3, 3> corners) {
-    for (const Vec3 p : corners) {
-      soup.corner_point.push_back(static_cast<std::uint32_t>(soup.points.size()));
-      soup.points.push_back(p);
-    }
-    soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corner_point.size()));
-  };
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    std::array<Vec3, 3> p;
-    for (unsigned k = 0; k < 3; ++k) {
-      p[k] = surface.point(surface.vertex(mesh::corner(f, k)));
-      p[k].x = std::abs(p[k].x) < 1e-9 ? 0.0 : p[k].x;
-    }
-    if (p[0].x + p[1].x + p[2].x > 0.0) {
-      add(p);
-      add({Vec3{-p[0].x, p[0].y, p[0].z}, Vec3{-p[2].x, p[2].y, p[2].z}, Vec3{-p[1].x, p[1].y, p[1].z}});
-    }
-  }
-  return test::repaired(std::move(soup)).surface;
-}
-
-/// A body without any symmetry but that of x.
-mesh::Surface one_plane(int steps = 24) {
-  return test::mapped(doubled(test::sphere(steps, 14)), [](Vec3 p) {
-    return Vec3{p.x * (1.0 + 0.3 * p.z), 1.7 * p.y + 0.3 * p.z * p.z, p.z + 0.2 * p.y * p.y};
-  });
-}
-
 /// The same with its far side of x pushed in a little.
 mesh::Surface no_plane(double depth) {
-  return test::mapped(one_plane(), [&](Vec3 p) { return Vec3{p.x > 0.8 ? p.x - depth : p.x, p.y, p.z}; });
+  return test::mapped(test::one_plane(), [&](Vec3 p) {
+    return Vec3{p.x > 0.8 ? p.x - depth : p.x, p.y, p.z};
+  });
 }
 
 void check_maps(const mesh::Surface& s, const Mirror& m, double tolerance) {
@@ -94,7 +66,7 @@ void check_maps(const mesh::Surface& s, const Mirror& m, double tolerance) {
 
 TEST_CASE("a body with one mirror plane has that one, however it is turned, scaled and numbered",
           "[symmetry]") {
-  const mesh::Surface plain = one_plane();
+  const mesh::Surface plain = test::one_plane();
   const std::vector<Mirror> found = find_mirrors(plain);
   REQUIRE(found.size() == 1);
   CHECK(found[0].exact);
@@ -123,7 +95,7 @@ TEST_CASE("a dent on one side is no mirror plane, a shallow one is told", "[symm
 }
 
 TEST_CASE("a missing face on one side is seen although all corners have partners", "[symmetry]") {
-  const mesh::Surface whole = one_plane(12);
+  const mesh::Surface whole = test::one_plane(12);
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(whole.face_count())) {
     const auto [a, b, c] = whole.vertices(f);
@@ -220,7 +192,7 @@ TEST_CASE("vertices at one place are told apart by their faces", "[symmetry]") {
 TEST_CASE("a scan that is symmetric only nearly has its plane and pairs of edges where they are near",
           "[symmetry]") {
   Random random(3);
-  const mesh::Surface scan = test::mapped(one_plane(40), [&](Vec3 p) {
+  const mesh::Surface scan = test::mapped(test::one_plane(40), [&](Vec3 p) {
     const auto noise = [&] { return 0.004 * (random.unit() - 0.5); };
     return p + Vec3{noise(), noise(), noise()};
   });

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepare/symmetry/twins.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include "base/point_tree.hpp"
+#include "base/same_place.hpp"
+#include "prepare/symmetry/correspondence.hpp"
+#include "prepare/symmetry/mirrors.hpp"
+
+namespace ridgecraft::prepare {
+namespace {
+
+/// Pairs of corners that are tried as images of the first body's two; more are as good as equal.
+constexpr std::size_t most_tries = 128;
+/// Corners that a motion is tried with first.
+constexpr std::size_t first_tried = 16;
+/// A second corner that is nearer to the line through the centre and the first one, as a share of the extent,
+/// tells no direction.
+constexpr double off_line = 0.01;
+constexpr std::uint32_t none = 0xffffffffU;
+
+/// One body with what twins have in common.
+struct Shape {
+  PartOf part;
+  std::vector<Vec3> points;          ///< one for each place
+  std::vector<std::uint32_t> order;  ///< 0, 1, ...
+  Vec3 centre;                       ///< of area: it doesn't depend on triangles
+  double area = 0.0;
+  double extent = 0.0;
+  std::uint32_t first = none;   ///< the farthest point from the centre
+  std::uint32_t second = none;  ///< the farthest from the line through both; none: all are on it
+};
+
+double off_axis(const Shape& s, Vec3 axis, std::uint32_t i) {
+  return length(cross(s.points[i] - s.centre, axis));
+}
+
+Shape shape_of(const mesh::Surface& whole, const std::vector<FaceId>& faces) {
+  Shape s;
+  s.part = part_of(whole, faces);
+  const mesh::Surface& surface = s.part.surface;
+  const std::vector<std::uint32_t> first = first_at_place(surface.points());
+  for (std::uint32_t v = 0; v < first.size(); ++v) {
+    if (first[v] == v) {
+      s.points.push_back(surface.point(VertexId(v)));
+    }
+  }
+  s.order.resize(s.points.size());
+  std::iota(s.order.begin(), s.order.end(), 0U);
+  s.extent = surface.bounds().diagonal();
+  const Vec3 origin = surface.bounds().low;
+  Vec3 sum;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const auto [a, b, c] = surface.vertices(f);
+    sum += surface.area(f) / 3.0 * (surface.point(a) + surface.point(b) + surface.point(c) - 3.0 * origin);
+    s.area += surface.area(f);
+  }
+  s.centre = s.area > 0.0 ? origin + sum / s.area : origin;
+  const auto far = [&](std::uint32_t i) { return length(s.points[i] - s.centre); };
+  s.first = *std::max_element(s.order.begin(), s.order.end(),
+                              [&](std::uint32_t i, std::uint32_t k) { return far(i) < far(k); });
+  const Vec3 axis = normalized(s.points[s.first] - s.centre);
+  const std::uint32_t second = *std::max_element(
+      s.order.begin(), s.order.end(),
+      [&](std::uint32_t i, std::uint32_t k) { return off_axis(s, axis, i) < off_axis(s, axis, k); });
+  s.second = off_axis(s, axis, second) > off_line * s.extent ? second : none;
+  return s;
+}
+
+std::array<Vec3, 3> frame(const Shape& s, std::uint32_t first, std::uint32_t second) {
+  const Vec3 x = normalized(s.points[first] - s.centre);
+  const Vec3 other = s.points[second] - s.centre;
+  const Vec3 y = normalized(other - dot(other, x) * x);
+  return {x, y, cross(x, y)};
+}
+
+/// Brings a body onto another one.
+class Aligner {
+ public:
+  Aligner(const Shape& from, const Shape& to, double radius)
+      : from_(from),
+        to_(to),
+        radius_(radius),
+        tree_(to.points, to.order, std::vector<double>(to.points.size(), 0.0)) {}
+
+  [[nodiscard]] std::optional<Isometry> run() const {
+    if (from_.second == none || to_.second == none) {
+      return std::nullopt;
+    }
+    const std::vector<std::array<std::uint32_t, 2>> images = possible_images();
+    for (const bool mirrors : {false, true}) {
+      for (const auto& [first, second] : images) {
+        const Isometry rough = between(first, second, mirrors);
+        if (fits(rough, 3.0 * radius_, first_tried)) {
+          const Isometry fine = fitted(rough);
+          if (fits(fine, radius_, from_.points.size())) {
+            return fine;
+          }
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// What the two corners of the first body may lie on: points as far from the centre and from each other.
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> possible_images() const {
+    const auto far = [](const Shape& s, std::uint32_t i) { return length(s.points[i] - s.centre); };
+    const double apart = length(from_.points[from_.first] - from_.points[from_.second]);
+    const double reach = 2.0 * radius_;
+    std::vector<std::uint32_t> firsts;
+    std::vector<std::uint32_t> seconds;
+    for (const std::uint32_t i : to_.order) {
+      if (std::abs(far(to_, i) - far(from_, from_.first)) <= reach) {
+        firsts.push_back(i);
+      }
+      if (std::abs(far(to_, i) - far(from_, from_.second)) <= reach) {
+        seconds.push_back(i);
+      }
+    }
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    for (const std::uint32_t i : firsts) {
+      for (const std::uint32_t k : seconds) {
+        if (pairs.size() < most_tries &&
+            std::abs(length(to_.points[i] - to_.points[k]) - apart) <= 2.0 * reach) {
+          pairs.push_back({i, k});
+        }
+      }
+    }
+    return pairs;
+  }
+
+  [[nodiscard]] Isometry between(std::uint32_t first, std::uint32_t second, bool mirrors) const {
+    const std::array<Vec3, 3> a = frame(from_, from_.first, from_.second);
+    std::array<Vec3, 3> b = frame(to_, first, second);
+    b[2] = mirrors ? -b[2] : b[2];
+    Isometry result;
+    result.mirrors = mirrors;
+    result.motion.rows = {b[0].x * a[0] + b[1].x * a[1] + b[2].x * a[2],
+                          b[0].y * a[0] + b[1].y * a[1] + b[2].y * a[2],
+                          b[0].z * a[0] + b[1].z * a[1] + b[2].z * a[2]};
+    result.motion.shift = to_.centre - result.turn(from_.centre);
+    return result;
+  }
+
+  [[nodiscard]] std::uint32_t nearest(Vec3 p, double radius) const {
+    double least = radius * radius;
+    std::uint32_t best = none;
+    tree_.search(
+        p, [&](const Box3& box, double) { return PointTree::squared_distance(p, box) <= least; },
+        [&](std::uint32_t i) {
+          const Vec3 d = to_.points[i] - p;
+          if (dot(d, d) <= least) {
+            least = dot(d, d);
+            best = i;
+          }
+        });
+    return best;
+  }
+
+  [[nodiscard]] bool fits(const Isometry& motion, double radius, std::size_t tries) const {
+    const std::size_t step = std::max<std::size_t>(1, from_.points.size() / tries);
+    for (std::size_t i = 0; i < from_.points.size(); i += step) {
+      if (nearest(motion(from_.points[i]), radius) == none) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The motion that brings all points nearest to their partners (W. Kabsch, 1976).
+  [[nodiscard]] Isometry fitted(const Isometry& rough) const {
+    std::vector<std::array<Vec3, 2>> pairs;
+    Vec3 sum_p;
+    Vec3 sum_q;
+    for (const Vec3 p : from_.points) {
+      const std::uint32_t q = nearest(rough(p), 3.0 * radius_);
+      if (q != none) {
+        pairs.push_back({p, to_.points[q]});
+        sum_p += p;
+        sum_q += to_.points[q];
+      }
+    }
+    const double count = static_cast<double>(std::max<std::size_t>(1, pairs.size()));
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const auto& [p, q] : pairs) {
+      const Vec3 a = p - sum_p / count;
+      const Vec3 b = q - sum_q / count;
+      spread += Eigen::Vector3d(b.x, b.y, b.z) * Eigen::RowVector3d(a.x, a.y, a.z);
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Vector3d signs(1.0, 1.0, 1.0);
+    const bool turned = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0;
+    signs(2) = turned == rough.mirrors ? 1.0 : -1.0;
+    const Eigen::Matrix3d m = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+    Isometry result;
+    result.mirrors = rough.mirrors;
+    for (int i = 0; i < 3; ++i) {
+      result.motion.rows[static_cast<std::size_t>(i)] = {m(i, 0), m(i, 1), m(i, 2)};
+    }
+    result.motion.shift = sum_q / count - result.turn(sum_p / count);
+    return result;
+  }
+
+  const Shape& from_;
+  const Shape& to_;
+  double radius_;
+  PointTree tree_;
+};
+
+template <class I>
+std::vector<std::pair<I, I>> pairs(const IdVector<I, I>& partner, const IdVector<I, I>& from,
+                                   const IdVector<I, I>& to) {
+  std::vector<std::pair<I, I>> result;
+  for (const I i : ids<I>(partner.size())) {
+    if (partner[i].valid()) {
+      result.emplace_back(from[i], to[partner[i]]);
+    }
+  }
+  return result;
+}
+
+std::optional<Twin> match(const Shape& from, const Shape& to, double tolerance) {
+  const double radius = tolerance * from.extent;
+  std::optional<Isometry> motion = Aligner(from, to, radius).run();
+  if (!motion) {
+    return std::nullopt;
+  }
+  const Correspondence maps = correspond(from.part.surface, to.part.surface, *motion, radius);
+  if (!(maps.farthest <= radius)) {
+    return std::nullopt;
+  }
+  Twin twin;
+  twin.motion = *motion;
+  twin.deviation = maps.farthest;
+  twin.whole = maps.whole;
+  twin.vertices = pairs(maps.vertex, from.part.vertex, to.part.vertex);
+  twin.edges = pairs(maps.edge, from.part.edge, to.part.edge);
+  twin.faces = pairs(maps.face, from.part.face, to.part.face);
+  return twin;
+}
+
+/// The first body of a group, and its twins so far.
+struct Group {
+  Shape shape;
+  std::vector<Twin> twins;
+};
+
+Twin itself(std::size_t body, const PartOf& part) {
+  Twin twin;
+  twin.body = body;
+  twin.whole = true;
+  const auto add = [](const auto& from, auto& to) {
+    for (const auto i : from) {
+      to.emplace_back(i, i);
+    }
+  };
+  add(part.vertex, twin.vertices);
+  add(part.edge, twin.edges);
+  add(part.face, twin.faces);
+  return twin;
+}
+
+}  // namespace
+
+std::vector<std::vector<Twin>> find_twins(const mesh::Surface& surface,
+                                          std::span<const std::vector<FaceId>> bodies, const Context& context,
+                                          double tolerance) {
+  std::vector<Group> groups;
+  std::multimap<std::pair<std::size_t, double>, std::size_t> by_size;  // places and area
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (b % 64 == 0) {
+      context.check();
+    }
+    if (bodies[b].empty()) {
+      continue;
+    }
+    Shape shape = shape_of(surface, bodies[b]);
+    const std::size_t places = shape.points.size();
+    bool found = false;
+    const double slack = 4.0 * tolerance * shape.area;
+    for (auto i = by_size.lower_bound({places, shape.area - slack});
+         i != by_size.end() && i->first.first == places && i->first.second <= shape.area + slack && !found;
+         ++i) {
+      Group& group = groups[i->second];
+      if (auto twin = match(group.shape, shape, tolerance)) {
+        twin->body = b;
+        group.twins.push_back(std::move(*twin));
+        found = true;
+      }
+    }
+    if (!found) {
+      by_size.emplace(std::pair(places, shape.area), groups.size());
+      std::vector<Twin> own{itself(b, shape.part)};
+      groups.push_back({std::move(shape), std::move(own)});
+    }
+  }
+  std::vector<std::vector<Twin>> result;
+  for (Group& group : groups) {
+    if (group.twins.size() > 1) {
+      result.push_back(std::move(group.twins));
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<FaceId>> components(const mesh::Surface& surface) {
+  std::vector<std::vector<FaceId>> result(surface.component_count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    result[surface.component(f).value()].push_back(f);
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::prepare
