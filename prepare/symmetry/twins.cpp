@@ -13,7 +13,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "base/point_tree.hpp"
+#include "prepare/symmetry/nearby_points.hpp"
 #include "base/same_place.hpp"
 #include "prepare/symmetry/correspondence.hpp"
 #include "prepare/symmetry/mirrors.hpp"
@@ -92,7 +92,7 @@ class Aligner {
       : from_(from),
         to_(to),
         radius_(radius),
-        tree_(to.points, to.order, std::vector<double>(to.points.size(), 0.0)) {}
+        tree_(to.points, to.order) {}
 
   [[nodiscard]] std::optional<Isometry> run() const {
     if (from_.second == none || to_.second == none) {
@@ -158,7 +158,7 @@ class Aligner {
     double least = radius * radius;
     std::uint32_t best = none;
     tree_.search(
-        p, [&](const Box3& box, double) { return PointTree::squared_distance(p, box) <= least; },
+        p, [&](double distance) { return distance <= least; },
         [&](std::uint32_t i) {
           const Vec3 d = to_.points[i] - p;
           if (dot(d, d) <= least) {
@@ -216,7 +216,7 @@ class Aligner {
   const Shape& from_;
   const Shape& to_;
   double radius_;
-  PointTree tree_;
+  NearbyPoints tree_;
 };
 
 template <class I>
