@@ -16,9 +16,10 @@ namespace ridgecraft::prepare {
 
 /// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight
 /// sides that only two panels share, but for where a panel that fits no page in any rotation is cut: by
-/// straight lines, as few as possible, into cells that fit with tabs, each a panel of its own. Cost O(n log
-/// n). Throws no_nets where every face is narrower than 0.005 mm (below 0.05 mm they are noted as
-/// narrow_faces), or where the model would be larger than 100 m or than a million faces of this paper.
+/// straight lines, as few as possible, into cells that fit with tabs, each a panel of its own. Simplification
+/// keeps a mirror plane of the model and the equality of equal components (symmetry/). Cost O(n log n).
+/// Throws no_nets where every face is narrower than 0.005 mm (below 0.05 mm they are noted as narrow_faces),
+/// or where the model would be larger than 100 m or than a million faces of this paper.
 [[nodiscard]] Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                                const PanelRoom& room, const Context& context);
 

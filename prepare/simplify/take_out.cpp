@@ -132,6 +132,9 @@ class Taker {
       return true;
     }
     picture = faces_.texture[f];
+    if (faces_.points[v] == faces_.points[into]) {
+      return true;
+    }
     const Face& face = faces_.faces[f];
     const Vec3 origin = faces_.points[face[0]];
     const Vec3 b = faces_.points[face[1]] - origin;

@@ -22,6 +22,8 @@ constexpr std::uint32_t none = 0xffffffffU;
 constexpr double edge_share = 1.0 / 3.0;
 /// Distances that differ by less than this share of the radius are the same, but for rounding.
 constexpr double same_distance = 1e-6;
+/// Squared differences of normals that differ by less are the same.
+constexpr double same_normal = 1e-6;
 
 /// The places where a surface has vertices; several vertices may share one.
 struct Places {
@@ -87,9 +89,9 @@ class Matcher {
     result_.face.resize(from_.face_count());
     match_places();
     match_faces();
-    match_vertices();
     edges_of_faces();
     other_edges();
+    match_vertices();
     result_.whole = is_whole();
     return std::move(result_);
   }
@@ -179,13 +181,32 @@ class Matcher {
         pair(v, VertexId(q));
         continue;
       }
-      for (const CornerId c : from_.corners_at(v)) {
-        if (result_.face[mesh::face_of(c)].valid()) {
-          pair(v, to_.vertex(corner_there(c)));
-          break;
+      pair(v, vertex_by_neighbours(v));
+    }
+  }
+
+  /// What the partners of its faces, or else of its edges, say.
+  [[nodiscard]] VertexId vertex_by_neighbours(VertexId v) const {
+    for (const CornerId c : from_.corners_at(v)) {
+      if (result_.face[mesh::face_of(c)].valid()) {
+        return to_.vertex(corner_there(c));
+      }
+    }
+    for (const CornerId c : from_.corners_at(v)) {
+      for (const CornerId side : {c, mesh::previous(c)}) {
+        const EdgeId partner = result_.edge[from_.edge(side)];
+        if (!partner.valid()) {
+          continue;
+        }
+        const CornerId there = to_.sides(partner)[0];
+        for (const VertexId w : {to_.vertex(there), to_.vertex(mesh::next(there))}) {
+          if (there_.first[w.value()] == place_[v.value()]) {
+            return w;
+          }
         }
       }
     }
+    return {};
   }
 
   void edges_of_faces() {
@@ -268,7 +289,7 @@ Vec3 outwards(const mesh::Surface& surface, EdgeId e) {
 /// Two edges that may belong together.
 struct Pairing {
   double distance;  ///< of the farther ends, in steps of what counts as equal
-  double apart;     ///< of their normals
+  double apart;     ///< of their normals, squared, in such steps, too
   std::uint32_t from;
   std::uint32_t to;
   friend auto operator<=>(const Pairing&, const Pairing&) = default;
@@ -304,7 +325,8 @@ std::vector<Pairing> near_pairs(const mesh::Surface& from, const mesh::Surface& 
           const double distance = std::min(straight, crossed);
           if (distance <= reach) {
             const Vec3 d = own - outwards(to, EdgeId(i));
-            pairs.push_back({step > 0.0 ? std::round(distance / step) : 0.0, dot(d, d), e.value(), i});
+            pairs.push_back({step > 0.0 ? std::round(distance / step) : 0.0,
+                             std::round(dot(d, d) / same_normal), e.value(), i});
           }
         });
   }

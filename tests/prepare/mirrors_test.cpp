@@ -189,6 +189,26 @@ TEST_CASE("vertices at one place are told apart by their faces", "[symmetry]") {
   }
 }
 
+TEST_CASE("edges that can't be told apart are paired all the same, each with one", "[symmetry]") {
+  // Boxes in stacks: edges of equal boxes lie upon each other, and their normals look the same ways.
+  const auto stack = [](double x) {
+    const auto box = [&](double z) {
+      return test::mapped(test::cube(), [&](Vec3 p) { return Vec3{p.x + x, p.y, p.z + z}; });
+    };
+    return test::together({box(0.0), box(1.0), box(2.0), box(1.0)});
+  };
+  const mesh::Surface both = test::shuffled(test::together({stack(1.0), stack(-2.0)}), 2);
+  const IdVector<EdgeId, EdgeId> partner = prepare::mirror_edges(both, {{1, 0, 0}, 0.0});
+  const prepare::Panels panels = prepare::find_panels(both);
+  for (const EdgeId e : ids<EdgeId>(both.edge_count())) {
+    const auto [c, d] = both.sides(e);
+    if (panels.panel[mesh::face_of(c)] != panels.panel[mesh::face_of(d)]) {
+      REQUIRE(partner[e].valid());
+      CHECK(partner[partner[e]] == e);
+    }
+  }
+}
+
 TEST_CASE("a scan that is symmetric only nearly has its plane and pairs of edges where they are near",
           "[symmetry]") {
   Random random(3);

@@ -74,6 +74,14 @@ double sharpest_fold(const mesh::Surface& surface) {
   return sharpest;
 }
 
+double shortest_edge(const mesh::Surface& surface) {
+  double shortest = INFINITY;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    shortest = std::min(shortest, surface.length(e));
+  }
+  return shortest;
+}
+
 mesh::Model model_of(const mesh::Surface& surface) {
   return test::repaired(test::soup_of(surface));
 }
@@ -120,6 +128,7 @@ TEST_CASE("after any number of collapses the whole is a surface and its own mirr
       CHECK(test::euler(result.surface) == 2);
       CHECK(share_with_image(result.surface, 2e-3) == 1.0);
       CHECK(sharpest_fold(result.surface) < 3.0);
+      CHECK(shortest_edge(result.surface) > 1e-6);
     }
   }
 }
@@ -250,7 +259,9 @@ TEST_CASE("models of makers keep every corner's image", "[simplify][symmetry]") 
       const double half_mm = 0.5 / 150.0 * model.surface.bounds().largest_extent();
       if (share_with_image(model.surface, half_mm) == 1.0) {
         INFO(entry.path().filename().string());
-        CHECK(share_with_image(prepared(model).model.surface, 0.5) == 1.0);
+        const mesh::Surface surface = prepared(model).model.surface;
+        CHECK(share_with_image(surface, 0.5) == 1.0);
+        CHECK(shortest_edge(surface) > 1e-3);
       }
     }
   }
