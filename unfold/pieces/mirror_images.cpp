@@ -53,14 +53,15 @@ IdVector<EdgeId, EdgeId> mirror_images(const mesh::Surface& surface, const Weigh
   if (weights.mirror <= 0.0 || surface.face_count() > most_faces_mirrored) {
     return {};
   }
+  // People model along axes, and what isn't symmetric as a whole, such as a face with one scar, mostly is in its
+  // middle; so these come first.
   std::vector<prepare::MirrorPlane> planes;
-  for (const prepare::Mirror& mirror : prepare::find_mirrors(surface, 1, {.near = seen_as_mirrored})) {
-    planes.push_back(mirror.plane);
-  }
-  // What isn't symmetric as a whole, such as a face with one scar, mostly is in its middle.
   const Box3 box = surface.bounds();
   for (const Vec3 normal : {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
     planes.push_back({normal, 0.5 * dot(box.low + box.high, normal)});
+  }
+  for (const prepare::Mirror& mirror : prepare::find_mirrors(surface, 1, {.near = seen_as_mirrored})) {
+    planes.push_back(mirror.plane);
   }
   double all = 0.0;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
@@ -75,7 +76,7 @@ IdVector<EdgeId, EdgeId> mirror_images(const mesh::Surface& surface, const Weigh
       length += images[e].valid() ? surface.length(e) : 0.0;
     }
     if (length > most) {
-      // A later plane has to be clearly better: the first one is the model's own.
+      // A later plane has to be clearly better.
       most = 1.02 * length;
       best = std::move(images);
     }
