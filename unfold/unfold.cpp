@@ -77,7 +77,8 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Co
                            ? merge_parts(patch, asked.part.items(), parts.folds, plan.room, rules.weights,
                                          net_tolerance(patch.extent), context.seed, context)
                            : std::move(parts.folds);
-  const IdVector<EdgeId, EdgeId> mirrored = mirror_images(asked.surface, rules.weights);
+  const IdVector<EdgeId, EdgeId> mirrored =
+      context.out_of_time() ? IdVector<EdgeId, EdgeId>() : mirror_images(asked.surface, rules.weights);
   const Folds bordered =
       better_borders(asked.surface, plan.whole, patch, merged, mirrored, asked.options, plan.room, context);
   return {better_trees(asked.surface, plan.whole, patch, bordered, mirrored, asked.options, plan.room, context),

@@ -101,7 +101,12 @@ Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels
   do_in_parallel(
       groups.size(), context,
       [&](std::size_t i, const Context& own) {
-        const std::uint64_t seed = ~context.seed ^ (0x9e3779b97f4a7c15ULL * (i + 1));
+        if (own.out_of_time()) {
+          trees[i] = sub_folds(patch, folds, groups[i].faces);
+          return;
+        }
+        // Beside those of the parts (the seed) and of the trees (its complement).
+        const std::uint64_t seed = Random::stream(~context.seed + 1, i).next();
         trees[i] = searched(surface, panels, patch, folds, groups[i], mirrored, options, room, seed, own);
       },
       [&](std::size_t done) {

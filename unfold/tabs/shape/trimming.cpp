@@ -12,6 +12,9 @@ namespace ridgecraft::unfold {
 
 namespace {
 
+/// Of two ways to trim that leave equally much the first is taken, whatever the rounding.
+constexpr double clearly_more = 1.0 + 1e-9;
+
 /// Corners nearer than this to a corner of the base are that corner, mm: rounding of the layout.
 constexpr double same_place_mm = 1e-6;
 
@@ -150,7 +153,7 @@ ConvexShape trimmed(const ConvexShape& tab, const Obstacle& obstacle, double cle
     const ConvexShape shape = clipped(tab, {keep.normal, keep.offset - 1e-12});
     const double value = shape.size() < 3 ? 0.0 : worth(shape);
     // The base must come first and whole.
-    if (value > most && shape[0] == tab[0] && shape[1] == tab[1] && clear_of(shape, obstacle, clearance_mm)) {
+    if (value > most * clearly_more && shape[0] == tab[0] && shape[1] == tab[1] && clear_of(shape, obstacle, clearance_mm)) {
       most = value;
       best = shape;
     }
