@@ -38,8 +38,10 @@ constexpr double first_heat = 20.0;
 constexpr double middle_heat = 0.5;
 constexpr double exact_heat = 1.0;
 constexpr double last_heat = 0.3;
-/// Nets of so many faces get all trials for each; larger ones fewer.
+/// Nets of so many faces get all trials for each; those of more get as many in all as this power of their number:
+/// each trial takes longer there, too.
 constexpr double ordinary_faces = 250.0;
+constexpr double growth = 0.4;
 /// Trials of the quick half for each one of the exact half.
 constexpr double quick_for_exact = 80.0;
 /// Less than this is rounding, mm.
@@ -345,8 +347,8 @@ class ExactWalk : public Walk {
 }  // namespace
 
 Annealing annealing_for(double trials_per_face, std::uint32_t faces) {
-  const double trials =
-      trials_per_face * std::min<double>(faces, std::sqrt(ordinary_faces * static_cast<double>(faces)));
+  const double more = std::max(1.0, static_cast<double>(faces) / ordinary_faces);
+  const double trials = trials_per_face * static_cast<double>(faces) * std::pow(more, growth - 1.0);
   return {static_cast<std::uint64_t>(trials), static_cast<std::uint64_t>(trials / quick_for_exact)};
 }
 

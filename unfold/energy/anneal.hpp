@@ -19,7 +19,7 @@ struct Annealing {
 };
 
 /// The trials for a net of so many faces of which each is worth `trials_per_face` (Options): fewer for each
-/// where there are many, so that time grows with the root of the faces only.
+/// where there are many.
 [[nodiscard]] Annealing annealing_for(double trials_per_face, std::uint32_t faces);
 
 /// What a net knows of its sides, without mirror images. It must outlive the result.
