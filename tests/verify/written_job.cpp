@@ -27,7 +27,7 @@ WrittenJob::WrittenJob(const fs::path& model, const std::vector<std::string>& op
 }
 
 const WrittenJob& whale() {
-  static const WrittenJob job(sample("whale.obj"));
+  static const WrittenJob job(sample("whale.obj"), {"--size", "180mm"});
   return job;
 }
 

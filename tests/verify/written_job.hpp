@@ -29,7 +29,7 @@ struct WrittenJob {
   std::vector<verify::PrintedFile> pdf;  ///< one
 };
 
-/// A whale of 150 mm on two pages, with folds of both kinds; made once for all tests.
+/// A whale of 180 mm on two pages, with folds of both kinds; made once for all tests.
 [[nodiscard]] const WrittenJob& whale();
 
 /// A sample of the repository.
