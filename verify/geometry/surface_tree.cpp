@@ -8,7 +8,7 @@
 namespace ridgecraft::verify {
 namespace {
 
-constexpr std::uint32_t leaf_size = 4;
+constexpr std::uint32_t triangles_in_leaf = 4;
 
 double square(Vec3 a) {
   return dot(a, a);
@@ -65,7 +65,7 @@ std::uint32_t SurfaceTree::build(std::uint32_t begin, std::uint32_t end) {
     centres.add(centre_of(triangles_[i]));
   }
   nodes_.push_back(node);
-  if (end - begin <= leaf_size) {
+  if (end - begin <= triangles_in_leaf) {
     return number;
   }
   const Vec3 size = centres.size();
