@@ -81,9 +81,8 @@ function(ridgecraft_unity target)
   endforeach()
 endfunction()
 if(RIDGECRAFT_UNITY)
-  # A local name in one file may be the name of a function in another; and the more GCC inlines, the more it suspects.
-  target_compile_options(ridgecraft_options INTERFACE -Wno-shadow
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
+  # A local name in one file may be the name of a function in another.
+  target_compile_options(ridgecraft_options INTERFACE -Wno-shadow)
 endif()
 
 # ridgecraft_library(NAME SOURCES... [CGAL_SOURCES...] [PUBLIC libs...] [PRIVATE libs...]): one folder, one static
