@@ -21,7 +21,7 @@ namespace {
 /// (piece_rules.hpp).
 constexpr double worth_of_free_folding = 2.0;
 /// Trials for each face that win back tabs which free folding cost: some ask how the changed tree folds.
-constexpr std::uint64_t trials_per_face = 4;
+constexpr std::uint64_t regaining_trials_per_face = 4;
 /// Faces beyond these bring the search for tabs no more trials.
 constexpr double most_faces = 2000.0;
 
@@ -82,7 +82,7 @@ class PieceTree {
   /// Tabs that free folding cost.
   void win_tabs_back() {
     TabSearch search;
-    search.trials = trials_per_face * piece_.size();
+    search.trials = regaining_trials_per_face * piece_.size();
     search.allowed = [this](const Folds&) { return fits(); };
     search.best_allowed = [this](const Folds& tree) { return folds_freely(piece_, tree, context_); };
     improve_tabs(net_, search, random_.next(), context_);

@@ -24,8 +24,8 @@ namespace {
 /// Cuts between two pieces that are tried as a fold, the longest first.
 constexpr std::size_t cuts_tried = 8;
 /// Of each search for tabs, for each face; faces beyond these bring no more.
-constexpr double trials_per_face = 20.0;
-constexpr double most_faces = 1000.0;
+constexpr double tab_trials_per_face = 20.0;
+constexpr double most_counted_faces = 1000.0;
 /// Of all searches together, for each face of the surface.
 constexpr double trials_in_all = 100.0;
 
@@ -167,7 +167,7 @@ class Uniter {
     tabs.tolerance = rules_.tolerance;
     tabs.allowed = [&](const Folds& changed) { return all_fit(given.patch, changed, rules_.room); };
     const auto faces = static_cast<double>(given.faces.size());
-    tabs.trials = static_cast<std::uint64_t>(trials_per_face * std::min(most_faces, faces));
+    tabs.trials = static_cast<std::uint64_t>(tab_trials_per_face * std::min(most_counted_faces, faces));
     trials_left_ -= static_cast<double>(tabs.trials);
     if (const auto cuts = cuts_between(given.patch, start); !cuts.empty()) {
       const auto link = std::find_if(cuts.begin(), cuts.end(), [&](std::uint32_t side) {

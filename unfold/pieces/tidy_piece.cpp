@@ -12,12 +12,12 @@ namespace ridgecraft::unfold {
 namespace {
 
 /// Trials for each face, and in all: later ones gain little.
-constexpr std::uint64_t trials_per_face = 8;
+constexpr std::uint64_t tidying_per_face = 8;
 constexpr std::uint64_t most_trials = 1000;
 /// Share of the trials that begin at a cut without a tab.
 constexpr double open_share = 0.3;
 /// Above this a trial takes too long.
-constexpr std::uint32_t most_faces = 1000;
+constexpr std::uint32_t most_tidied_faces = 1000;
 /// Below this there is no other tree worth looking at.
 constexpr std::uint32_t fewest_faces = 4;
 /// A swap that takes the room of a tab from the outline, by angles alone, is hardly ever allowed.
@@ -88,11 +88,11 @@ class Tidying : public TreeGoal {
 bool tidy_piece(ChangingNet& net, const std::function<bool(ChangingNet&)>& allowed, const Weights& weights,
                 std::uint64_t seed, const Context& context) {
   const std::uint32_t faces = net.patch().size();
-  if (faces < fewest_faces || faces > most_faces) {
+  if (faces < fewest_faces || faces > most_tidied_faces) {
     return false;
   }
   Tidying goal(net, allowed, weights);
-  return improve_tree(net, goal, std::min(most_trials, trials_per_face * faces), seed, context);
+  return improve_tree(net, goal, std::min(most_trials, tidying_per_face * faces), seed, context);
 }
 
 }  // namespace ridgecraft::unfold

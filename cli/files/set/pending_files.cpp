@@ -24,7 +24,7 @@ constexpr std::chrono::milliseconds short_wait{1000};
 
 /// A folder may vanish between its opening and the first file in it, when another run had made it and has
 /// nothing to put there after all. That won't happen often in a row.
-constexpr int most_tries = 20;
+constexpr int most_vanished_folders = 20;
 
 [[noreturn]] void refuse(const fs::path& target, int error) {
   throw Error(ErrorKind::cant_write,
@@ -96,7 +96,7 @@ PendingFiles::Place& PendingFiles::place_for(const fs::path& target) {
         return places_.back();
       }
     }
-    if (error != ENOENT || tries == most_tries) {
+    if (error != ENOENT || tries == most_vanished_folders) {
       refuse(target, error);
     }
   }

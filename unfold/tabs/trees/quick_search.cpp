@@ -17,12 +17,12 @@ constexpr std::uint64_t paths_per_look = 64;
 /// Folds that are tried on one path: finding it takes as long as rating a few.
 constexpr int folds_per_path = 10;
 /// Share of the trials that begin at a cut without room, if a few draws find one.
-constexpr double missing_share = 0.5;
+constexpr double roomless_share = 0.5;
 constexpr int draws = 8;
 /// A cost d is accepted with probability exp(-d / heat). Both change from trial to trial by a constant
 /// factor.
-constexpr double first_heat = 0.4;
-constexpr double last_heat = 0.06;
+constexpr double first_quick_heat = 0.4;
+constexpr double last_quick_heat = 0.06;
 /// Cost of an overlap, in tabs.
 constexpr double first_price = 1.0;
 constexpr double last_price = 10.0;
@@ -54,7 +54,7 @@ class Annealing {
         }
       }
       const double progress = static_cast<double>(trial) / static_cast<double>(trials);
-      heat_ = first_heat * std::pow(last_heat / first_heat, progress);
+      heat_ = first_quick_heat * std::pow(last_quick_heat / first_quick_heat, progress);
       price_ = first_price * std::pow(last_price / first_price, progress);
       trial += try_path(draw_cut());
     }
@@ -65,7 +65,7 @@ class Annealing {
   std::uint32_t draw_cut() {
     const auto count = static_cast<std::uint32_t>(cuts_.size());
     std::uint32_t at = random_.below(count);
-    if (random_.unit() < missing_share) {
+    if (random_.unit() < roomless_share) {
       for (int draw = 0; draw < draws && wedges_.missing_on(cuts_[at]) <= 0.0; ++draw) {
         at = random_.below(count);
       }
