@@ -109,11 +109,13 @@ class Session {
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
-  /// Temporary files go while signals still wait: afterwards one may end the program at any time.
+  /// Temporary files go while signals still wait: afterwards one may end the program at any time. What killed
+  /// runs had left is told by jobs that fail, too.
   ~Session() {
     if (pending_.discard()) {
       files_are_written();
     }
+    warn(pending_.take_notes());
   }
 
   [[nodiscard]] const Context& context() const { return context_; }

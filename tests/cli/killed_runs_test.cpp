@@ -269,6 +269,29 @@ TEST_CASE("each verb that writes tells of what a killed run had left", "[killed]
   }
 }
 
+TEST_CASE("a run that fails tells of what a killed run had left, too", "[killed]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE_FALSE(in_child([&] {
+    PendingFiles pending({.before_step = [renamed = 0](std::string_view step) mutable {
+      if (step == "rename" && renamed++ == 1) {
+        ::raise(SIGKILL);
+      }
+    }});
+    pending.add(folder / "x.pdf", "new pdf");
+    pending.add(folder / "x.svg", "new svg");
+    pending.commit();
+  }));
+  RunOptions options = in(folder);
+  options.largest_file = 2000;
+  const Outcome outcome = run_program({"house.obj"}, options);
+  CHECK(outcome.exit_code == 7);
+  CHECK(outcome.err.starts_with("note: a run that was killed had left "));
+  CHECK(outcome.err.find("finished files that weren't all in place: they are now\n") != std::string::npos);
+  CHECK(outcome.err.find("\nridgecraft: can't write ") != std::string::npos);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "x.pdf", "x.svg"});
+}
+
 TEST_CASE("files of a living run, of others and of a run elsewhere stay", "[killed]") {
   const TemporaryFolder folder(memory());
   const auto keeps = [&](const std::string& name) {

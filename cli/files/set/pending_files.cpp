@@ -218,11 +218,27 @@ std::vector<FolderShare> PendingFiles::shares() {
   return set;
 }
 
+void PendingFiles::note_left_behind() {
+  for (Place& place : places_) {
+    const LeftBehind found = std::exchange(place.left_behind, {});
+    if (std::string note = sentence(found, place.folder->path()); !note.empty()) {
+      notes_.push_back(std::move(note));
+    }
+  }
+}
+
+std::vector<std::string> PendingFiles::take_notes() {
+  const std::lock_guard guard(mutex_);
+  note_left_behind();
+  return std::exchange(notes_, {});
+}
+
 std::vector<std::string> PendingFiles::commit(const LastLook& look) {
   const std::lock_guard guard(mutex_);
   require_open();
   std::list<Place> done;  // the folders outlive their locks
   const std::vector<FolderLock> locks = lock_all();
+  note_left_behind();
   if (look) {
     note_removals(look());
   }
@@ -235,12 +251,7 @@ std::vector<std::string> PendingFiles::commit(const LastLook& look) {
     refuse(failure->target, failure->error);
   }
   committed_ = true;
-  std::vector<std::string> notes;
-  for (const Place& place : places_) {
-    if (std::string note = sentence(place.left_behind, place.folder->path()); !note.empty()) {
-      notes.push_back(std::move(note));
-    }
-  }
+  std::vector<std::string> notes = std::exchange(notes_, {});
   for (std::string& note : remove_leftovers(set)) {
     notes.push_back(std::move(note));
   }
@@ -254,6 +265,7 @@ bool PendingFiles::discard() noexcept {
   cancelled_ = true;
   const std::lock_guard guard(mutex_);
   closed_ = true;
+  note_left_behind();
   remove_hidden(shares());
   places_.clear();
   for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) {

@@ -61,6 +61,10 @@ class PendingFiles {
   /// earlier commit() has put files into place. Waits for a commit() that is at its renaming.
   bool discard() noexcept;
 
+  /// A sentence for each folder in which a killed run had left something, as far as commit() hasn't returned
+  /// it: what was cleared away is told also where this run comes to nothing.
+  [[nodiscard]] std::vector<std::string> take_notes();
+
  private:
   /// A folder that gets files, and this run's hidden files in it.
   struct Place {
@@ -83,12 +87,14 @@ class PendingFiles {
   void note_removals(const std::vector<std::filesystem::path>& files);
   void complete_journals();
   std::vector<FolderShare> shares();
+  void note_left_behind();
 
   Setup setup_;
   std::mutex mutex_;
   std::atomic<bool> cancelled_ = false;
   std::list<Place> places_;
   std::vector<std::filesystem::path> folders_;  ///< made here, outer ones first
+  std::vector<std::string> notes_;              ///< not told yet
   bool closed_ = false;
   bool committed_ = false;
 };
