@@ -269,6 +269,89 @@ TEST_CASE("each verb that writes tells of what a killed run had left", "[killed]
   }
 }
 
+TEST_CASE("a set that stays incomplete after a killed run is told, with the reason", "[killed]") {
+  const TemporaryFolder folder(memory());
+  const auto put_in_place_until = [&](std::string_view last_step) {
+    write_bytes(folder / "x.svg", "old svg");
+    fs::remove(folder / "x.pdf");
+    REQUIRE_FALSE(in_child([&] {
+      PendingFiles pending({.before_step = [last_step, renamed = 0](std::string_view step) mutable {
+        if (step == last_step && renamed > 0) {
+          ::raise(SIGKILL);
+        }
+        renamed += step == "rename" ? 1 : 0;
+      }});
+      pending.add(folder / "x.pdf", "new pdf");
+      pending.add(folder / "x.svg", "new svg");
+      pending.commit();
+    }));
+  };
+  put_in_place_until("rename");
+  write_bytes(folder / "x.svg", "edited by hand");
+  Notes notes = write_next(folder.path());
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::EndsWith("hadn't put all files of a set in place, which stays so: " +
+                                       (folder / "x.svg").string() + " was changed since"));
+
+  put_in_place_until("unlink");
+  CHECK(read_bytes(folder / "x.svg") == "new svg");
+  write_bytes(folder / "x.svg", "edited by hand");
+  notes = write_next(folder.path());
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::EndsWith("all removed now"));
+  CHECK(read_bytes(folder / "x.svg") == "edited by hand");
+}
+
+TEST_CASE("a killed run's set that can't be put back is told", "[killed]") {
+  const TemporaryFolder folder(memory());
+  write_bytes(folder / "x.svg", "old svg");
+  fs::create_directories(folder / "x.fold/inside");  // a folder can't be replaced by a file
+  REQUIRE_FALSE(in_child([&] {
+    PendingFiles pending({.before_step = [&, renamed = 0](std::string_view step) mutable {
+      if (step == "rename" && ++renamed == 2) {
+        for (const std::string& name : folder.names()) {
+          if (name.ends_with(".old")) {
+            fs::remove(folder / name);
+          }
+        }
+        ::raise(SIGKILL);
+      }
+    }});
+    pending.add(folder / "x.svg", "new svg");
+    pending.add(folder / "x.fold", "new fold");
+    pending.commit();
+  }));
+  const Notes notes = write_next(folder.path());
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0],
+             Catch::EndsWith("all removed now, and had replaced some files of a set only: " +
+                             (folder / "x.svg").string() + " is new and can't be put back"));
+  CHECK(hidden_in(folder.path()) == 0);
+}
+
+TEST_CASE("a set given up before anything was replaced isn't told as put back", "[killed]") {
+  const TemporaryFolder folder(memory());
+  write_bytes(folder / "x.svg", "old svg");
+  REQUIRE_FALSE(in_child([&] {
+    PendingFiles pending({.before_step = [](std::string_view step) {
+      if (step == "link") {
+        ::raise(SIGKILL);
+      }
+    }});
+    pending.add(folder / "x.svg", "new svg");
+    pending.commit();
+  }));
+  for (const std::string& name : folder.names()) {
+    if (name.ends_with(".journal")) {
+      write_bytes(folder / name, read_bytes(folder / name) + "back\n");
+    }
+  }
+  const Notes notes = write_next(folder.path());
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::EndsWith("all removed now"));
+  CHECK(read_bytes(folder / "x.svg") == "old svg");
+}
+
 TEST_CASE("a run that fails tells of what a killed run had left, too", "[killed]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);

@@ -31,6 +31,31 @@ TEST_CASE("when one file can't get its name the others are as they were", "[pend
   CHECK(folder.names() == std::set<std::string>{"old", "busy"});
 }
 
+TEST_CASE("without second names, what can't be put back is named", "[pending]") {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / "old", "before");
+  fs::create_directories(folder / "busy/inside");
+  {
+    PendingFiles pending({.before_step = [&](std::string_view step) {
+      if (step == "rename") {
+        for (const std::string& name : folder.names()) {
+          if (name.ends_with(".old")) {
+            fs::remove(folder / name);
+          }
+        }
+      }
+    }});
+    pending.add(folder / "new", "1");
+    pending.add(folder / "old", "2");
+    pending.add(folder / "busy", "3");  // a folder can't be replaced by a file
+    CHECK_THROWS_WITH(pending.commit(), Catch::StartsWith("can't write " + (folder / "busy").string()) &&
+                                            Catch::EndsWith("; " + (folder / "old").string() +
+                                                            " is new already and couldn't be put back"));
+  }
+  CHECK(test::read_bytes(folder / "old") == "2");
+  CHECK(folder.names() == std::set<std::string>{"old", "busy"});
+}
+
 TEST_CASE("files in new folders appear on commit, and nothing else stays", "[pending]") {
   const test::TemporaryFolder folder;
   test::write_bytes(folder / "old", "before");

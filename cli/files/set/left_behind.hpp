@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cli/files/set/folder.hpp"
 #include "cli/files/set/folder_lock.hpp"
@@ -19,7 +20,9 @@ struct LeftBehind {
   std::size_t files = 0;  ///< hidden ones, those in other folders of the same sets included
   std::size_t completed =
       0;  ///< sets whose files were complete, but hadn't all got their names: now they have
-  std::size_t put_back = 0;  ///< sets that were being put back: now they are
+  std::size_t put_back = 0;  ///< sets that had replaced some files, and now none
+  std::vector<std::filesystem::path> kept;     ///< new files of such sets that can't be put back
+  std::vector<std::filesystem::path> changed;  ///< files of others, for which sets stay incomplete
 
   LeftBehind& operator+=(const LeftBehind& other);
 };

@@ -26,9 +26,16 @@ constexpr std::chrono::milliseconds short_wait{1000};
 /// nothing to put there after all. That won't happen often in a row.
 constexpr int most_vanished_folders = 20;
 
-[[noreturn]] void refuse(const fs::path& target, int error) {
+[[noreturn]] void refuse(const fs::path& target, int error, const std::string& more = {}) {
   throw Error(ErrorKind::cant_write,
-              "can't write " + target.lexically_normal().string() + ": " + std::strerror(error));
+              "can't write " + target.lexically_normal().string() + ": " + std::strerror(error) + more);
+}
+
+[[noreturn]] void refuse(const Failure& failure) {
+  std::vector<fs::path> stay = failure.before.kept;
+  stay.insert(stay.end(), failure.before.failed.begin(), failure.before.failed.end());
+  refuse(failure.target, failure.error,
+         stay.empty() ? "" : "; " + names_and(stay, "is", "are") + " new already and couldn't be put back");
 }
 
 fs::path folder_of(const fs::path& target) {
@@ -245,10 +252,10 @@ std::vector<std::string> PendingFiles::commit(const LastLook& look) {
   complete_journals();
   const std::vector<FolderShare> set = shares();
   if (const auto failure = cli::exchange(set)) {
-    if (!failure->all_as_before) {
+    if (!failure->before.failed.empty()) {
       done.swap(places_);  // the hidden files stay: the next run into the folder tries again
     }
-    refuse(failure->target, failure->error);
+    refuse(*failure);
   }
   committed_ = true;
   std::vector<std::string> notes = std::exchange(notes_, {});
