@@ -10,6 +10,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -323,9 +324,8 @@ TEST_CASE("a killed run's set that can't be put back is told", "[killed]") {
   }));
   const Notes notes = write_next(folder.path());
   REQUIRE(notes.size() == 1);
-  CHECK_THAT(notes[0],
-             Catch::EndsWith("all removed now, and had replaced some files of a set only: " +
-                             (folder / "x.svg").string() + " is new and can't be put back"));
+  CHECK_THAT(notes[0], Catch::EndsWith("all removed now, and had replaced some files of a set only: " +
+                                       (folder / "x.svg").string() + " is new and can't be put back"));
   CHECK(hidden_in(folder.path()) == 0);
 }
 
@@ -350,6 +350,46 @@ TEST_CASE("a set given up before anything was replaced isn't told as put back", 
   REQUIRE(notes.size() == 1);
   CHECK_THAT(notes[0], Catch::EndsWith("all removed now"));
   CHECK(read_bytes(folder / "x.svg") == "old svg");
+}
+
+TEST_CASE("a killed run's set waits for a folder that can't be reached, for an hour", "[killed]") {
+  const BothSets sets = both_sets();
+  for (std::size_t step = 0; step < sets.steps.size(); ++step) {
+    for (const auto& [here, there] : {std::pair("a", "b"), std::pair("b", "a")}) {
+      CAPTURE(step, here);
+      const TemporaryFolder folder(memory());
+      write_old_set(folder.path());
+      REQUIRE_FALSE(in_child([&] { write_new_set(folder.path(), death_at(static_cast<int>(step))); }));
+      fs::rename(folder / there, folder / "elsewhere");
+      write_next(folder / here);
+      fs::rename(folder / "elsewhere", folder / there);
+      write_next(folder / here);
+      write_next(folder / there);
+      const Contents now = visible(folder.path());
+      CHECK((now == sets.before || now == sets.after));
+      CHECK(hidden_in(folder.path()) == 0);
+    }
+  }
+
+  const TemporaryFolder folder(memory());
+  REQUIRE_FALSE(in_child([&] {
+    PendingFiles pending({.before_step = [](std::string_view step) {
+      if (step == "rename") {
+        ::raise(SIGKILL);
+      }
+    }});
+    pending.add(folder / "a/x.pdf", "new pdf");
+    pending.add(folder / "b/x.fold", "new fold");
+    pending.commit();
+  }));
+  fs::remove_all(folder / "b");
+  write_next(folder / "a");
+  CHECK(hidden_in(folder / "a") > 0);
+  for (const auto& entry : fs::directory_iterator(folder / "a")) {
+    fs::last_write_time(entry, fs::file_time_type::clock::now() - std::chrono::minutes(61));
+  }
+  write_next(folder / "a");
+  CHECK(hidden_in(folder / "a") == 0);
 }
 
 TEST_CASE("a run that fails tells of what a killed run had left, too", "[killed]") {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/sentence.hpp"
 #include "cli/files/set/file_set.hpp"
 #include "cli/files/set/temporary_names.hpp"
-#include "base/sentence.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -95,11 +95,12 @@ class DeadSet {
     return true;
   }
 
-  /// True also where there is nothing to take.
+  /// True also where there is nothing to take. A folder that can't be reached may hold another decision, so
+  /// the set waits for it, but not longer than for runs whose end can't be seen.
   bool take_sibling(const Folder& folder, const Sibling& sibling) {
     auto opened = folder.open_beside(sibling.path);
     if (!opened) {
-      return true;
+      return shares_.front().file.has_rested(own_);
     }
     auto place = std::make_unique<Folder>(std::move(*opened));
     std::optional<FolderLock> lock;

@@ -38,6 +38,20 @@ constexpr int most_vanished_folders = 20;
          stay.empty() ? "" : "; " + names_and(stay, "is", "are") + " new already and couldn't be put back");
 }
 
+/// The path by which the folder is found from the other one, if there is any. Above both a folder may be
+/// closed to the user: then the paths by which they were opened tell.
+std::optional<fs::path> path_between(const Folder& from, const Folder& to) {
+  std::error_code error;
+  for (const fs::path& path :
+       {fs::relative(to.path(), from.path(), error), to.path().lexically_relative(from.path())}) {
+    const auto found = path.empty() ? std::nullopt : from.open_beside(path);
+    if (found && found->key() == to.key()) {
+      return path;
+    }
+  }
+  return std::nullopt;
+}
+
 fs::path folder_of(const fs::path& target) {
   return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
@@ -208,11 +222,14 @@ void PendingFiles::complete_journals() {
       if (&other == &place) {
         continue;
       }
-      std::error_code error;
-      const fs::path path = fs::relative(other.folder->path(), place.folder->path(), error);
-      if (!error && !path.empty()) {
-        place.journal.siblings.push_back({path.string(), other.file.id()});
+      const auto path = path_between(*place.folder, *other.folder);
+      if (!path) {
+        // A later run that doesn't find one folder from the other would clear up half of the set.
+        throw Error(ErrorKind::cant_write, "can't write into both " + place.folder->path().string() +
+                                               " and " + other.folder->path().string() +
+                                               ": no path leads from one to the other");
       }
+      place.journal.siblings.push_back({path->string(), other.file.id()});
     }
   }
 }

@@ -53,8 +53,8 @@ class PendingFiles {
   /// Renames everything into place, then removes what is to go. Returns a sentence for each folder in which a
   /// killed run had left something, and for each file that couldn't be removed. Throws Error(cant_write) when
   /// a file can't get its name (those before it are put back to what they were as far as the file system
-  /// allows; the sentence names those that stay new), or when another run doesn't give the folder free; Error(interrupted) after discard(); and what
-  /// `look` does.
+  /// allows; the sentence names those that stay new), or when another run doesn't give the folder free;
+  /// Error(interrupted) after discard(); and what `look` does.
   std::vector<std::string> commit(const LastLook& look = {});
 
   /// Removes everything that isn't committed; nothing can be added or committed any more. True when an
