@@ -499,6 +499,16 @@ void forbid_locks() {
 
 }  // namespace
 
+TEST_CASE("a lock file of another run stays where there are no locks", "[killed]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / cli::lock_name, "");
+  CHECK(in_child([&] {
+    forbid_locks();
+    write_next(folder.path());
+  }));
+  CHECK(folder.names() == std::set<std::string>{"next", std::string(cli::lock_name)});
+}
+
 TEST_CASE("a file system without locks", "[killed]") {
   const TemporaryFolder folder;
   CHECK(in_child([&] {

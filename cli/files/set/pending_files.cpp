@@ -83,6 +83,9 @@ void PendingFiles::create_folder(const fs::path& folder) {
     }
     if (::mkdir(so_far.c_str(), 0777) == 0) {
       folders_.push_back(so_far);
+      if (auto around = Folder::open(folder_of(so_far), setup_.before_step)) {
+        around->sync();  // or a power failure takes the folder, with files in it that the disk has
+      }
       continue;
     }
     const int reason = errno;
