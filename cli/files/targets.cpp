@@ -37,11 +37,12 @@ std::string mark_digest_of(const fs::path& file) {
 }
 
 /// n of "stem-n.svg", 0 for "stem.svg", nothing for another name.
-std::optional<std::size_t> page_number(const std::string& name, const std::string& stem, const char* ending) {
-  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() < stem.size() + std::strlen(ending)) {
+std::optional<std::size_t> number_in(const std::string& name, const NumberedFiles& names) {
+  const auto& [folder, stem, ending] = names;
+  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() < stem.size() + ending.size()) {
     return std::nullopt;
   }
-  const std::string middle = name.substr(stem.size(), name.size() - stem.size() - std::strlen(ending));
+  const std::string middle = name.substr(stem.size(), name.size() - stem.size() - ending.size());
   if (middle.empty()) {
     return 0;
   }
@@ -113,19 +114,28 @@ std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
   return files;
 }
 
-std::vector<fs::path> leftovers_of(const Target& target, const std::set<fs::path>& written,
-                                   const std::string& digest) {
-  std::vector<fs::path> leftovers;
-  if (!one_file_per_page(target.format)) {
-    return leftovers;
-  }
-  std::error_code error;
-  for (fs::directory_iterator entry(target.folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const fs::path file = target.folder / entry->path().filename();
+std::set<std::string> digests_of(const std::vector<fs::path>& files) {
+  std::set<std::string> digests;
+  for (const fs::path& file : files) {
     std::error_code ignored;
-    if (page_number(file.filename().string(), target.stem, suffix(target.format)) &&
-        !written.contains(file) && entry->is_regular_file(ignored) && mark_digest_of(file) == digest) {
+    if (fs::is_regular_file(file, ignored)) {
+      digests.insert(mark_digest_of(file));
+    }
+  }
+  digests.erase("");
+  return digests;
+}
+
+std::vector<fs::path> leftovers_of(const NumberedFiles& names, const std::set<fs::path>& written,
+                                   const std::set<std::string>& digests) {
+  std::vector<fs::path> leftovers;
+  std::error_code error;
+  const fs::path folder = names.folder.empty() ? fs::path(".") : names.folder;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path file = names.folder / entry->path().filename();
+    std::error_code ignored;
+    if (number_in(file.filename().string(), names) && !written.contains(file) &&
+        entry->is_regular_file(ignored) && digests.contains(mark_digest_of(file))) {
       leftovers.push_back(file);
     }
   }

@@ -35,11 +35,21 @@ struct Target {
 /// The files of a target: one, or for SVG and PNG one per page.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const Target& target, std::size_t pages);
 
-/// Pages of an earlier run of the same model (digest) that this run, with that many pages, doesn't write
-/// again.
-[[nodiscard]] std::vector<std::filesystem::path> leftovers_of(const Target& target,
+/// The models (digests) of those of these files that exist and that this program made.
+[[nodiscard]] std::set<std::string> digests_of(const std::vector<std::filesystem::path>& files);
+
+/// Files of one set, as many as the model asks for: "whale.svg" or "whale-1.svg", "whale-2.svg", ...
+struct NumberedFiles {
+  std::filesystem::path folder;
+  std::string stem;    ///< "whale"
+  std::string ending;  ///< ".svg"
+};
+
+/// Files of such names that this program made of one of these models (digests), and that this run doesn't
+/// write again.
+[[nodiscard]] std::vector<std::filesystem::path> leftovers_of(const NumberedFiles& names,
                                                               const std::set<std::filesystem::path>& written,
-                                                              const std::string& digest);
+                                                              const std::set<std::string>& digests);
 
 /// Throws Error(cant_write) unless the file doesn't exist, or this program made it for the same model, or
 /// `overwrite` is set and it is a regular file.
