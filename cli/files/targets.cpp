@@ -55,6 +55,14 @@ std::optional<std::size_t> number_in(const std::string& name, const NumberedFile
 
 }  // namespace
 
+void require_no_dash(const std::string& option, const std::string& output) {
+  if (output == "-") {
+    throw Error(ErrorKind::usage, option +
+                                      " -: results are written into files only, never to standard output; "
+                                      "name one (./- if it is to be called so)");
+  }
+}
+
 std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name) {
   std::vector<Target> targets;
   const auto add_folder = [&](const fs::path& folder) {
@@ -66,9 +74,9 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
     add_folder(".");
   }
   for (const std::string& output : outputs) {
-    if (output.empty() || output == "-") {
-      throw Error(ErrorKind::usage,
-                  "-o needs a folder or a file; there are several files, so none goes to standard output");
+    require_no_dash("-o", output);
+    if (output.empty()) {
+      throw Error(ErrorKind::usage, "-o needs a folder or a file");
     }
     const fs::path path(output);
     if (is_folder(output)) {

@@ -22,6 +22,9 @@ struct Target {
   friend bool operator==(const Target&, const Target&) = default;
 };
 
+/// Refuses - after an option that names a result ("--labels"): Error(usage).
+void require_no_dash(const std::string& option, const std::string& output);
+
 /// What -o asks for; without any, all default formats (PDF, SVG, FOLD) in the current folder. Folders that
 /// are asked for and don't exist are created when files are written. Throws Error(usage) for a suffix that is
 /// no format, Error(cant_write) for a folder that can't be written to.

@@ -159,6 +159,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
 
 PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending) {
   if (!job.output.empty()) {
+    require_no_dash("-o", job.output);
     if (suffix_of(job.output) != ".fold") {
       throw Error(ErrorKind::usage, "-o " + job.output + ": nets without pages are written as .fold");
     }

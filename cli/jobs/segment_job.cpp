@@ -31,7 +31,10 @@ namespace fs = std::filesystem;
 constexpr unsigned volume_rays = 128;
 
 void check_outputs(const SegmentJob& job) {
+  require_no_dash("--labels", job.labels);
+  require_no_dash("--hierarchy", job.hierarchy);
   for (const std::string& output : job.outputs) {
+    require_no_dash("-o", output);
     const std::string suffix = suffix_of(output);
     if (suffix != ".ply" && suffix != ".off") {
       throw Error(ErrorKind::usage, "-o " + output + ": parts are written as .ply or .off");

@@ -35,6 +35,7 @@ namespace fs = std::filesystem;
 /// Refuses what can't be written before the work begins.
 void check_output(const std::string& output, const std::vector<std::string>& suffixes,
                   const std::string& what) {
+  require_no_dash("-o", output);
   if (std::find(suffixes.begin(), suffixes.end(), suffix_of(output)) == suffixes.end()) {
     throw Error(ErrorKind::usage, "-o " + output + ": " + what);
   }

@@ -230,6 +230,27 @@ TEST_CASE("exit code 2: two results in one file", "[exit_codes]") {
   CHECK(folder.names() == std::set<std::string>{"house.obj", "real", "link"});
 }
 
+TEST_CASE("exit code 2: no result goes to standard output", "[exit_codes]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"house.obj", "-o", "-"},
+           {"unfold", "house.obj", "-o", "-"},
+           {"segment", "house.obj", "-o", "-"},
+           {"segment", "house.obj", "--labels", "-"},
+           {"segment", "house.obj", "--hierarchy", "-"},
+           {"hulls", "house.obj", "-o", "-"},
+           {"cage", "house.obj", "-o", "-"},
+           {"shell", "house.obj", "-o", "-"},
+           {"deform", "house.obj", "--cage", "house.obj", "--to", "house.obj", "-o", "-"}}) {
+    CAPTURE(arguments);
+    check_refusal(run_program(arguments, in(folder)), 2, "never to standard output");
+  }
+  CHECK(folder.names() == std::set<std::string>{"house.obj"});
+  CHECK(run_program({"segment", "house.obj", "--labels", "./-"}, in(folder)).exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "-"});
+}
+
 TEST_CASE("more than the memory holds", "[exit_codes]") {
   const TemporaryFolder folder;
   std::string cloud = "OFF\n1500000 1 0\n";
