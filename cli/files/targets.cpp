@@ -67,7 +67,7 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
   std::vector<Target> targets;
   const auto add_folder = [&](const fs::path& folder) {
     for (const Format format : default_formats()) {
-      targets.push_back({format, folder, model_name});
+      targets.push_back({format, folder, model_name, suffix(format)});
     }
   };
   if (outputs.empty()) {
@@ -82,8 +82,8 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
     if (is_folder(output)) {
       add_folder(path);
     } else if (const auto format = paper_format(suffix_of(path))) {
-      targets.push_back(
-          {*format, path.has_parent_path() ? path.parent_path() : fs::path("."), path.stem().string()});
+      targets.push_back({*format, path.has_parent_path() ? path.parent_path() : fs::path("."),
+                         path.stem().string(), path.extension().string()});
     } else {
       throw Error(ErrorKind::usage, "-o " + output + ": '" + path.extension().string() +
                                         "' is no format that can be written; " + paper_suffixes() + " are");
@@ -93,7 +93,7 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
   std::set<fs::path> places;
   for (Target& target : targets) {
     target.folder = (target.folder / "").lexically_normal();
-    if (places.insert(place_of(target.folder / (target.stem + suffix(target.format)))).second) {
+    if (places.insert(place_of(target.folder / (target.stem + target.ending))).second) {
       require_writable_folder(target.folder);
       different.push_back(target);
     }
@@ -113,11 +113,11 @@ fs::path place_of(const fs::path& file) {
 
 std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
   if (!one_file_per_page(target.format) || pages == 1) {
-    return {target.folder / (target.stem + suffix(target.format))};
+    return {target.folder / (target.stem + target.ending)};
   }
   std::vector<fs::path> files;
   for (std::size_t page = 1; page <= pages; ++page) {
-    files.push_back(target.folder / (target.stem + "-" + std::to_string(page) + suffix(target.format)));
+    files.push_back(target.folder / (target.stem + "-" + std::to_string(page) + target.ending));
   }
   return files;
 }

@@ -18,6 +18,7 @@ struct Target {
   Format format;
   std::filesystem::path folder;  ///< lexically normal
   std::string stem;
+  std::string ending;  ///< ".pdf" or as the user wrote it, ".PDF"
 
   friend bool operator==(const Target&, const Target&) = default;
 };

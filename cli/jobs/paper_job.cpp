@@ -66,7 +66,7 @@ std::vector<fs::path> find_leftovers(const std::vector<Target>& targets, std::si
   for (const Target& target : targets) {
     if (one_file_per_page(target.format)) {
       const std::vector<fs::path> leftovers =
-          leftovers_of({target.folder, target.stem, suffix(target.format)}, written, digests);
+          leftovers_of({target.folder, target.stem, target.ending}, written, digests);
       found.insert(found.end(), leftovers.begin(), leftovers.end());
     }
   }

@@ -93,6 +93,18 @@ TEST_CASE("names as long as the file system allows", "[written_files]") {
   CHECK(folder.names() == std::set<std::string>{"house.obj", stem + ".pdf"});
 }
 
+TEST_CASE("a file gets the name that was asked for, in capitals, too", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "--size", "25cm", "-o", "X.PDF", "-o", "X.Svg"}, in(folder)).exit_code ==
+          0);
+  CHECK(fs::exists(folder / "X-2.Svg"));
+  const Outcome outcome =
+      run_program({"house.obj", "--size", "8cm", "-o", "X.PDF", "-o", "X.Svg"}, in(folder));
+  CHECK(outcome.out.find("wrote X.PDF\nwrote X.Svg\n") != std::string::npos);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "X.PDF", "X.Svg"});
+}
+
 TEST_CASE("folders are made for results, and go again when there are none", "[written_files]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
