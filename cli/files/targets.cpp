@@ -155,6 +155,11 @@ void require_replaceable(const fs::path& file, const std::string& digest, bool o
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) {
+    // A link that leads nowhere is somebody's all the same.
+    if (!overwrite && fs::is_symlink(fs::symlink_status(file, error))) {
+      throw Error(ErrorKind::cant_write, file.lexically_normal().string() +
+                                             " is a link that leads to no file; --overwrite replaces it");
+    }
     return;
   }
   if (!fs::is_regular_file(status)) {

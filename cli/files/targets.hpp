@@ -56,7 +56,8 @@ struct NumberedFiles {
                                                               const std::set<std::string>& digests);
 
 /// Throws Error(cant_write) unless the file doesn't exist, or this program made it for the same model, or
-/// `overwrite` is set and it is a regular file.
+/// `overwrite` is set and it is a regular file. A link is as the file that it leads to; one that leads to
+/// none needs `overwrite`.
 void require_replaceable(const std::filesystem::path& file, const std::string& digest, bool overwrite);
 
 /// A file that a job reads besides the model, and the option that names it.

@@ -140,6 +140,29 @@ TEST_CASE("exit code 7: the result can't be written", "[exit_codes]") {
     // The link has made room, what it led to is untouched.
     CHECK(read_bytes(folder / "house.fold") == nets);
   }
+  SECTION("a link is as the file that it leads to, and one that leads nowhere is somebody's") {
+    write_bytes(folder / "other.txt", "somebody's own file");
+    fs::create_symlink("other.txt", folder / "foreign");
+    fs::create_symlink("missing", folder / "nowhere");
+    for (const std::string link : {"foreign", "nowhere"}) {
+      for (const std::string suffix : {".pdf", ".ply", ".seg", ".urdf"}) {
+        fs::copy_symlink(folder / link, folder / (link + suffix));
+      }
+      CAPTURE(link);
+      for (const std::vector<std::string>& arguments :
+           std::vector<std::vector<std::string>>{{"house.obj", "-o", link + ".pdf"},
+                                                 {"segment", "house.obj", "-o", link + ".ply"},
+                                                 {"segment", "house.obj", "--labels", link + ".seg"},
+                                                 {"hulls", "house.obj", "-o", link + ".urdf"}}) {
+        CAPTURE(arguments);
+        check_refusal(run_program(arguments, in(folder)), 7, "--overwrite replaces it");
+      }
+      CHECK(run_program({"house.obj", "-o", link + ".pdf", "--overwrite"}, in(folder)).exit_code == 0);
+      CHECK(fs::is_regular_file(fs::symlink_status(folder / (link + ".pdf"))));
+    }
+    CHECK(read_bytes(folder / "other.txt") == "somebody's own file");
+    CHECK_FALSE(fs::exists(folder / "missing"));
+  }
   SECTION("a cage that the same run reads, made from the same model") {
     REQUIRE(run_program({"cage", "house.obj", "-o", "cage.obj"}, in(folder)).exit_code == 0);
     fs::copy_file(folder / "cage.obj", folder / "moved.obj");
