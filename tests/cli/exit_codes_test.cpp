@@ -51,6 +51,20 @@ TEST_CASE("exit code 3: the input can't be read", "[exit_codes]") {
   CHECK(folder.names() == before);
 }
 
+TEST_CASE("exit code 3: nets in the place of their model", "[exit_codes]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"unfold", "house.obj", "-o", "nets.fold"}, in(folder)).exit_code == 0);
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"nets.fold", "-o", "yy"}, {"info", "nets.fold"}}) {
+    check_refusal(run_program(arguments, in(folder)), 3,
+                  "pages of nets are made by: ridgecraft MODEL --from nets.fold");
+  }
+  const Outcome missing = run_program({"missing.fold"}, in(folder));
+  CHECK(missing.exit_code == 3);
+  CHECK(missing.err.find("--from") == std::string::npos);
+}
+
 TEST_CASE("exit code 3: no right to read", "[exit_codes]") {
   if (::geteuid() == 0 && !can_drop_rights()) {
     WARN("skipped: root's rights can't be dropped here");

@@ -202,6 +202,25 @@ TEST_CASE("a second model is refused with what a run takes", "[options]") {
   CHECK(refusal({"formats", "x"}) == "'x' is one argument too many; see ridgecraft formats --help");
 }
 
+TEST_CASE("help for a verb is that verb's", "[options]") {
+  const auto text = [](const std::vector<std::string>& arguments) {
+    return std::get<PrintJob>(parse_arguments(arguments)).text;
+  };
+  CHECK(text({"help"}) == text({"--help"}));
+  CHECK(text({"help", "unfold"}) == text({"unfold", "--help"}));
+  CHECK(text({"help", "--json"}) == text({"--help"}));
+  CHECK(refusal({"help", "unfoldd"}) == "there is no verb 'unfoldd', did you mean 'unfold'?");
+  CHECK(refusal({"help", "export"}) == "there is no verb 'export'; ridgecraft --help lists all");
+}
+
+TEST_CASE("a word before a file is told to be no verb", "[options]") {
+  CHECK(refusal({"export", "nets.fold", "-o", "x.pdf"}) ==
+        "there is no verb 'export'; pages of nets are made by: ridgecraft MODEL --from nets.fold");
+  CHECK(refusal({"export", "a.obj"}) == "there is no verb 'export'; ridgecraft --help lists all");
+  CHECK(std::get<PaperJob>(parse_arguments({"export"})).model == "export");
+  CHECK(std::get<PaperJob>(parse_arguments({"export", "-o", "x.pdf"})).model == "export");
+}
+
 TEST_CASE("each help says what a time limit does there", "[options]") {
   const auto help = [](const std::vector<std::string>& verb) {
     std::vector<std::string> arguments = verb;
