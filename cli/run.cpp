@@ -17,6 +17,7 @@
 #include "cli/files/formats.hpp"
 #include "cli/files/model_input.hpp"
 #include "cli/files/set/pending_files.hpp"
+#include "cli/files/value.hpp"
 #include "cli/interruption.hpp"
 #include "cli/jobs/paper_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
@@ -289,12 +290,16 @@ ExitCode do_job(const InfoJob& job) {
 }
 
 /// A FOLD file is JSON, and that begins with a bracket, after blanks and perhaps a byte order mark. What
-/// doesn't was never a file of nets; one that was cut off or damaged is, and has faults.
+/// doesn't was never a file of nets; one that was cut off or damaged is, and has faults. So has JSON of any
+/// other form, "null" as well as "[]".
 void require_json(const std::string& file, std::string_view bytes) {
+  if (bytes.empty()) {
+    throw Error(ErrorKind::unreadable_input, file + " is empty", file);
+  }
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   bytes.remove_prefix(bytes.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos || (bytes[first] != '{' && bytes[first] != '[')) {
+  if (first == std::string_view::npos || (bytes[first] != '{' && bytes[first] != '[' && !is_json(bytes))) {
     throw Error(ErrorKind::unreadable_input,
                 file + " is in no format that can be checked: nets are FOLD files, which are JSON", file);
   }

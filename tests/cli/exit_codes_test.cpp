@@ -47,6 +47,8 @@ TEST_CASE("exit code 3: the input can't be read", "[exit_codes]") {
     check_refusal(run_program({"verify", "no.fold"}, in(nets)), 3,
                   "no.fold is in no format that can be checked");
   }
+  write_bytes(nets / "no.fold", "");
+  check_refusal(run_program({"verify", "no.fold"}, in(nets)), 3, "ridgecraft: no.fold is empty\n");
   check_refusal(run_program({"info", "/dev/zero"}, in(folder)), 3, "/dev/zero");
   CHECK(folder.names() == before);
 }
@@ -109,8 +111,9 @@ TEST_CASE("exit code 6: verify finds faults", "[exit_codes]") {
   CHECK(outcome.exit_code == 6);
   CHECK_FALSE(Json::parse(outcome.out)["faults"].empty());
   const std::string whole = read_bytes(folder / "h.fold");
-  for (const std::string& bytes : {whole.substr(0, whole.size() / 2), std::string("{\"meshes\": []}"),
-                                   std::string(" []"), "\xEF\xBB\xBF" + whole}) {
+  for (const std::string& bytes :
+       {whole.substr(0, whole.size() / 2), std::string("{\"meshes\": []}"), std::string(" []"),
+        std::string("null"), std::string("{}"), std::string("\"nets\""), "\xEF\xBB\xBF" + whole}) {
     write_bytes(folder / "no.fold", bytes);
     const Outcome text = run_program({"verify", "no.fold"}, in(folder));
     CHECK(text.exit_code == 6);
