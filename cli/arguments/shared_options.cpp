@@ -14,7 +14,9 @@ namespace ridgecraft::cli {
 void CommonTexts::add_to(Verb& verb, TimeUp time_up) {
   verb.flag("Common", "--json", values.json,
             "Print one JSON object on standard output and nothing else there.")
-      .flag("Common", "-q,--quiet", values.quiet, "Print no summary, notes or progress; errors only.")
+      .flag("Common", "-q,--quiet", values.quiet,
+            "Print no summary, notes or progress; errors only, and a result that goes into no file (info, "
+            "formats).")
       .option("Common", "--seed", seed, "N",
               "Seed of everything random; the same seed gives the same bytes (1).")
       .option("Common", "--threads", threads, "N",
