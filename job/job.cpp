@@ -132,7 +132,9 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   if (options.paper) {
     note_divided_panels(made.prepared, notes);
   }
-  made.part = clock("segment", context, [&] { return find_parts(made.prepared, options, context, notes); });
+  Parts parts = clock("segment", context, [&] { return find_parts(made.prepared, options, context); });
+  made.part = std::move(parts.of_face);
+  made.parts_given_up = parts.given_up;
   made.part_count = count_parts(made.part);
   made.nets = clock("unfold", context, [&] {
     return unfold::unfold(surface, made.prepared.panels, made.part,

@@ -34,6 +34,8 @@ struct Paper {
   std::size_t slivers = 0;        ///< faces of it thinner than sliver_mm
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions
   std::size_t part_count = 0;
+  /// The deadline left no time to find parts, so each component is one; whoever set it says so.
+  bool parts_given_up = false;
   unfold::Nets nets;   ///< its notes begin with those of the stages before
   paper::Pages pages;  ///< none where Options::paper is none
   std::optional<double>
