@@ -26,7 +26,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   CommonTexts common;
   std::string concavity;
   SizeTexts size;
-  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
+  add_model(verb, job.model);
   verb.option("Output", "-o,--output", job.output, "FILE.fold", "Where the nets go.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");
   verb.flag("Parts", "--whole", whole, "Don't cut the model into parts first.");
