@@ -67,6 +67,8 @@ TEST_CASE("kind 1: settings that nobody knows, or that no option takes", "[state
   check_found("which nobody knows", [](Json& json) { settings(json)["colour"] = "red"; });
   check_found("which nobody knows", [](Json& json) { settings(json)["weigh_"] = 1; });
   check_found("which nobody knows", [](Json& json) { settings(json)["weigh_cut2"] = 1; });
+  check_found("which nobody knows", [](Json& json) { settings(json)["searched_colour"] = "red"; });
+  check_found("no option takes", [](Json& json) { settings(json)["searched_seed"] = "many"; });
   std::size_t weights = 0;
   for (const auto& [key, value] : house().at("ridgecraft:settings").items()) {
     const std::string name = key;
