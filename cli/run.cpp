@@ -314,9 +314,10 @@ void require_json(const std::string& file, std::string_view bytes) {
   }
 }
 
-std::vector<verify::PrintedFile> read_pages(const std::vector<std::string>& files) {
+std::vector<verify::PrintedFile> read_pages(const std::vector<std::string>& files, const Context& context) {
   std::vector<verify::PrintedFile> pages;
   for (const std::string& file : files) {
+    context.check();
     const std::string bytes = mesh::read_file(file);
     if (!verify::is_pdf(bytes) && !verify::is_svg(bytes)) {
       throw Error(ErrorKind::unreadable_input,
@@ -344,9 +345,9 @@ ExitCode do_job(const VerifyJob& job) {
   Session session(job.common);
   const std::string bytes = mesh::read_file(job.file);
   require_json(job.file, bytes);
-  const std::vector<verify::PrintedFile> pages = read_pages(job.pages);
   const verify::Report report =
       in_time(session.context(), job.file + " was checked", [&](const Context& strict) {
+        const std::vector<verify::PrintedFile> pages = read_pages(job.pages, strict);
         verify::Against against{nullptr, pages};
         std::optional<verify::ModelSurface> surface;
         if (!job.model.empty()) {

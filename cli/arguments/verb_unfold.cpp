@@ -26,7 +26,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   CommonTexts common;
   std::string concavity;
   SizeTexts size;
-  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
+  add_model(verb, job.model);
   verb.option("Output", "-o,--output", job.output, "FILE.fold",
               "Where the nets go; without it, only what is told of them is printed.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");

@@ -34,7 +34,6 @@ TEST_CASE("a model alone gets the defaults that a maker would choose", "[options
   CHECK(paper.options.tabs.wanted);
   CHECK(paper.options.tabs.height_mm == 5.0);
   CHECK(paper.options.concavity == 0.1);
-  CHECK(paper.options.simplify.hidden_fold_angle == paper.options.style.hidden_fold_angle);
   CHECK(paper.common.seed == 1);
   CHECK(paper.common.threads >= 1);
 }
@@ -49,11 +48,10 @@ TEST_CASE("options may stand anywhere, and -o is repeatable", "[options]") {
   CHECK(paper.options.paper->size.x == Approx(215.9));
 }
 
-TEST_CASE("folds that are hidden don't count anywhere else", "[options]") {
+TEST_CASE("folds are hidden below an angle in degrees", "[options]") {
   const Job job = parse_arguments({"whale.obj", "--hide-folds", "10"});
   const auto& options = std::get<PaperJob>(job).options;
   CHECK(options.style.hidden_fold_angle == Approx(0.17453).epsilon(1e-4));
-  CHECK(options.simplify.hidden_fold_angle == options.style.hidden_fold_angle);
 }
 
 TEST_CASE("a scale says how large one unit becomes", "[options]") {
