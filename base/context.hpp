@@ -29,7 +29,7 @@ struct Context {
   /// Error(out_of_time).
   std::optional<Deadline> give_up;
   unsigned threads = 1;    ///< at least 1; never changes a result
-  std::uint64_t seed = 1;  ///< of everything random
+  std::uint64_t seed = 1;  ///< of what searches draw at random (docs/architecture.md says what that is)
 
   /// Throws Error(interrupted) when the user asked to stop, Error(out_of_time) when the work is to be given
   /// up.

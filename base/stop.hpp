@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How work is asked to stop. What std::stop_token does, without the half second that its header takes to
-// compile in each file, and where the standard library has none.
+// compile in each file that includes this one.
 #pragma once
 
 #include <atomic>
 #include <memory>
+#include <utility>
 
 namespace ridgecraft {
 

@@ -17,7 +17,7 @@ struct TabBound {
   IdVector<EdgeId, std::uint8_t> able;  ///< 1: this edge can have a usable tab
 };
 
-/// "Long" in the sense.
+/// Longer edges count as long, mm: there a missing tab is missed most.
 inline constexpr double long_edge_mm = 8.0;
 
 /// An edge can have a usable tab when behind one of its sides the flat region is, 3 mm above the edge, at

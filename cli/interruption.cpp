@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interruption.hpp"
 
-#include <chrono>
+#include <cerrno>
+#include <exception>
 #include <system_error>
 
 #include <pthread.h>
@@ -9,16 +10,23 @@
 namespace ridgecraft::cli {
 namespace {
 
-constexpr long tick_us = 20'000;
+/// Wakes the waiter at the end of a job. Nothing happens where somebody else sends it: by default it's
+/// ignored.
+constexpr int wake_up = SIGURG;
+
+/// How long the stages have to end by themselves after a signal: half a second.
+constexpr timespec grace{0, 500'000'000};
 
 /// For signal handlers, where no thread could be had.
 Interruption* without_thread = nullptr;
 
 }  // namespace
 
-Interruption::Interruption(PendingFiles& pending) : pending_(pending) {
+Interruption::Interruption(PendingFiles& pending) : pending_(pending), failures_(std::uncaught_exceptions()) {
   signals_ = interrupting_signals();
-  pthread_sigmask(SIG_BLOCK, &signals_, &previous_);
+  sigset_t blocked = signals_;
+  sigaddset(&blocked, wake_up);
+  pthread_sigmask(SIG_BLOCK, &blocked, &previous_);
   try {
     waiter_ = std::jthread([this](const std::stop_token& finished) { wait_for_signal(finished); });
   } catch (const std::system_error&) {
@@ -30,6 +38,7 @@ Interruption::Interruption(PendingFiles& pending) : pending_(pending) {
 Interruption::~Interruption() {
   if (waiter_.joinable()) {
     waiter_.request_stop();
+    pthread_kill(waiter_.native_handle(), wake_up);
     waiter_.join();
     pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
   } else {
@@ -39,6 +48,10 @@ Interruption::~Interruption() {
       }
     }
     without_thread = nullptr;
+  }
+  // A job that failed tells why. One that came to its end may have looked before the signal came.
+  if (stopped().stop_requested() && std::uncaught_exceptions() == failures_) {
+    end_now();
   }
 }
 
@@ -62,16 +75,19 @@ void Interruption::handle(int /*signal*/) {
 }
 
 void Interruption::wait_for_signal(const std::stop_token& finished) {
-  using namespace std::chrono_literals;
-  constexpr timespec tick{0, 1000 * tick_us};
-  while (sigtimedwait(&signals_, nullptr, &tick) < 0) {
-    if (finished.stop_requested()) {
+  sigset_t heeded = signals_;
+  sigaddset(&heeded, wake_up);
+  for (int signal = -1; signal < 0 || signal == wake_up;) {
+    signal = sigwaitinfo(&heeded, nullptr);
+    if ((signal < 0 || signal == wake_up) && finished.stop_requested()) {
       return;
     }
   }
   user_.request_stop();
-  for (int i = 0; i < 25; ++i) {
-    std::this_thread::sleep_for(20ms);
+  sigset_t end;
+  sigemptyset(&end);
+  sigaddset(&end, wake_up);
+  while (sigtimedwait(&end, nullptr, &grace) >= 0 || errno == EINTR) {
     if (finished.stop_requested()) {
       return;
     }

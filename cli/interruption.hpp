@@ -16,8 +16,9 @@ namespace ridgecraft::cli {
 /// While it lives, SIGINT, SIGTERM and SIGHUP set the stop token. Stages look at it often; where a library
 /// call can't be stopped, the program removes its temporary files and ends by itself half a second later,
 /// with exit code 130. Where no thread can be had for that, signal handlers set the token, and the program
-/// ends when its stages look at it. Signals that wait when it goes are heeded as before it came
-/// (early_end.hpp).
+/// ends when its stages look at it. When it goes, a signal that nobody has looked for ends the program,
+/// unless an exception is under way: then the job has failed, and that is told. Signals that come later are
+/// heeded as before it came (early_end.hpp).
 class Interruption {
  public:
   explicit Interruption(PendingFiles& pending);
@@ -35,6 +36,7 @@ class Interruption {
   [[noreturn]] void end_now();
 
   PendingFiles& pending_;
+  int failures_;  ///< exceptions under way when it came
   StopSource user_;
   sigset_t signals_{};
   sigset_t previous_{};

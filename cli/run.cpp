@@ -17,6 +17,7 @@
 #include "cli/files/formats.hpp"
 #include "cli/files/model_input.hpp"
 #include "cli/files/set/pending_files.hpp"
+#include "cli/files/value.hpp"
 #include "cli/interruption.hpp"
 #include "cli/jobs/paper_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
@@ -92,6 +93,9 @@ void fill_closed_streams() {
   }
 }
 
+/// Whether -q keeps a job from printing: not where the text is all that it makes.
+enum class Quiet { no, yes };
+
 /// What a running job needs around it, for each of its verbs.
 class Session {
  public:
@@ -109,11 +113,13 @@ class Session {
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
-  /// Temporary files go while signals still wait: afterwards one may end the program at any time.
+  /// Temporary files go while signals still wait: afterwards one may end the program at any time. What killed
+  /// runs had left is told by jobs that fail, too.
   ~Session() {
     if (pending_.discard()) {
       files_are_written();
     }
+    warn(pending_.take_notes());
   }
 
   [[nodiscard]] const Context& context() const { return context_; }
@@ -141,16 +147,20 @@ class Session {
   }
   /// Prints the summary of a job that wrote these files, as the user wants it. The job's exit code.
   [[nodiscard]] ExitCode finish(const std::vector<std::string>& files, const Summary& summary) {
+    return finish(files, summary, files.empty() ? Quiet::no : Quiet::yes);
+  }
+  /// The same; `quiet` tells what -q does, where that doesn't follow from the files.
+  [[nodiscard]] ExitCode finish(const std::vector<std::string>& files, const Summary& summary, Quiet quiet) {
     return finish(
-        files, [&] { return summary.text(); }, [&] { return summary.json(); });
+        files, quiet, [&] { return summary.text(); }, [&] { return summary.json(); });
   }
   /// Prints what a job made that wrote these files, as the user wants it. The job's exit code.
   template <class Text, class JsonText>
-  [[nodiscard]] ExitCode finish(const std::vector<std::string>& files, const Text& text,
+  [[nodiscard]] ExitCode finish(const std::vector<std::string>& files, Quiet quiet, const Text& text,
                                 const JsonText& json) {
     progress_.clear();
     int error = 0;
-    if (options_.json || !options_.quiet) {
+    if (options_.json || !options_.quiet || quiet == Quiet::no) {
       const std::string words = options_.json ? json() : printable_lines(text());
       if (files.empty()) {
         print_result(words);
@@ -289,20 +299,25 @@ ExitCode do_job(const InfoJob& job) {
 }
 
 /// A FOLD file is JSON, and that begins with a bracket, after blanks and perhaps a byte order mark. What
-/// doesn't was never a file of nets; one that was cut off or damaged is, and has faults.
+/// doesn't was never a file of nets; one that was cut off or damaged is, and has faults. So has JSON of any
+/// other form, "null" as well as "[]".
 void require_json(const std::string& file, std::string_view bytes) {
+  if (bytes.empty()) {
+    throw Error(ErrorKind::unreadable_input, file + " is empty", file);
+  }
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   bytes.remove_prefix(bytes.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos || (bytes[first] != '{' && bytes[first] != '[')) {
+  if (first == std::string_view::npos || (bytes[first] != '{' && bytes[first] != '[' && !is_json(bytes))) {
     throw Error(ErrorKind::unreadable_input,
                 file + " is in no format that can be checked: nets are FOLD files, which are JSON", file);
   }
 }
 
-std::vector<verify::PrintedFile> read_pages(const std::vector<std::string>& files) {
+std::vector<verify::PrintedFile> read_pages(const std::vector<std::string>& files, const Context& context) {
   std::vector<verify::PrintedFile> pages;
   for (const std::string& file : files) {
+    context.check();
     const std::string bytes = mesh::read_file(file);
     if (!verify::is_pdf(bytes) && !verify::is_svg(bytes)) {
       throw Error(ErrorKind::unreadable_input,
@@ -330,9 +345,9 @@ ExitCode do_job(const VerifyJob& job) {
   Session session(job.common);
   const std::string bytes = mesh::read_file(job.file);
   require_json(job.file, bytes);
-  const std::vector<verify::PrintedFile> pages = read_pages(job.pages);
   const verify::Report report =
       in_time(session.context(), job.file + " was checked", [&](const Context& strict) {
+        const std::vector<verify::PrintedFile> pages = read_pages(job.pages, strict);
         verify::Against against{nullptr, pages};
         std::optional<verify::ModelSurface> surface;
         if (!job.model.empty()) {
@@ -341,14 +356,15 @@ ExitCode do_job(const VerifyJob& job) {
         }
         return verify::verify(bytes, {.folding = true}, strict, against);
       });
-  const ExitCode told = session.finish({}, summary(job.file, report));
+  // Scripts ask for the exit code alone.
+  const ExitCode told = session.finish({}, summary(job.file, report), Quiet::yes);
   return report.sound() ? told : ExitCode::faults_found;
 }
 
 ExitCode do_job(const FormatsJob& job) {
   Session session(job.common);
   return session.finish(
-      {}, [] { return formats_text(); }, [] { return formats_json(); });
+      {}, Quiet::no, [] { return formats_text(); }, [] { return formats_json(); });
 }
 
 /// Tells of a failure: a sentence for people, and one object for machines where they listen.

@@ -46,16 +46,62 @@ endif()
 
 # Headers that most files include are read once. Files must name what they use all the same: the fuzz build goes without.
 option(RIDGECRAFT_PRECOMPILED "Precompile common headers" ON)
+set(ridgecraft_common_headers
+  <algorithm> <array> <charconv> <cmath> <cstdint> <functional> <limits> <map> <memory> <numbers> <numeric> <optional>
+  <set> <span> <string> <string_view> <tuple> <utility> <vector>)
 
-# ridgecraft_library(NAME SOURCES... [PUBLIC libs...] [PRIVATE libs...]): one folder, one static library.
+# ridgecraft_precompile(TARGET OWNER HEADERS...): the headers are compiled with OWNER, the first target that asks, and
+# read by all others, whose compiler settings must be the same.
+function(ridgecraft_precompile target owner)
+  if(NOT RIDGECRAFT_PRECOMPILED)
+    return()
+  endif()
+  if(target STREQUAL owner)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  else()
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  endif()
+endfunction()
+
+# Most of the compiler's time goes into the same few templates, again for every file. Files of one folder that are
+# compiled as one unit share that work: good for a build from nothing, bad for one after a change. And it hides
+# includes that are missing, so the builds for tests go without.
+option(RIDGECRAFT_UNITY "Compile the files of a folder as one unit" OFF)
+
+# ridgecraft_unity(TARGET SOURCES...)
+function(ridgecraft_unity target)
+  if(NOT RIDGECRAFT_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS ARGN)
+    get_filename_component(folder ${source} DIRECTORY)
+    string(MAKE_C_IDENTIFIER "folder_${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+if(RIDGECRAFT_UNITY)
+  # A local name in one file may be the name of a function in another.
+  target_compile_options(ridgecraft_options INTERFACE -Wno-shadow)
+endif()
+
+# ridgecraft_library(NAME SOURCES... [CGAL_SOURCES...] [PUBLIC libs...] [PRIVATE libs...]): one folder, one static
+# library. All may use fmt. What includes CGAL is compiled apart: CGAL asks for compiler settings of its own, with which
+# headers that were compiled for the others can't be read. (Its kernel precompiled is 450 MB and takes longer than it
+# saves.)
 function(ridgecraft_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;CGAL_SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(ridgecraft_${name} STATIC ${arg_SOURCES})
   add_library(ridgecraft::${name} ALIAS ridgecraft_${name})
-  target_link_libraries(ridgecraft_${name} PUBLIC ridgecraft_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
-  if(RIDGECRAFT_PRECOMPILED)
-    target_precompile_headers(ridgecraft_${name} PRIVATE
-      <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <numeric> <optional> <span> <string>
-      <string_view> <utility> <vector>)
+  target_link_libraries(ridgecraft_${name} PUBLIC ridgecraft_options ${arg_PUBLIC} PRIVATE fmt::fmt ${arg_PRIVATE})
+  ridgecraft_precompile(ridgecraft_${name} ridgecraft_base ${ridgecraft_common_headers} <fmt/format.h>)
+  ridgecraft_unity(ridgecraft_${name} ${arg_SOURCES})
+  if(arg_CGAL_SOURCES)
+    add_library(ridgecraft_${name}_cgal OBJECT ${arg_CGAL_SOURCES})
+    target_link_libraries(ridgecraft_${name}_cgal PRIVATE
+      ridgecraft_options OpenMeshCore CGAL::CGAL CGAL::Eigen3_support Boost::headers)
+    ridgecraft_unity(ridgecraft_${name}_cgal ${arg_CGAL_SOURCES})
+    target_sources(ridgecraft_${name} PRIVATE $<TARGET_OBJECTS:ridgecraft_${name}_cgal>)
+    target_link_libraries(ridgecraft_${name} PRIVATE $<LINK_ONLY:OpenMeshCore> $<LINK_ONLY:CGAL::CGAL>)
   endif()
 endfunction()

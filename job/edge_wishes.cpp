@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/edge_wishes.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -133,10 +134,27 @@ std::vector<Segment> segments_of(const std::optional<EdgeList>& list, const mesh
   return segments;
 }
 
+/// Before any work is done for edges that can't be found.
+void require_points(const std::optional<EdgeList>& list, const mesh::Model& model) {
+  if (!list) {
+    return;
+  }
+  for (const auto& edge : list->edges) {
+    const std::uint32_t last = std::max(edge[0], edge[1]);
+    if (last >= model.file_points.size()) {
+      throw Error(ErrorKind::unreadable_input,
+                  fmt::format("an edge is named by point {}, counted from 0, and the model was read with {}",
+                              last, model.file_points.size()));
+    }
+  }
+}
+
 }  // namespace
 
 void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,
                 std::vector<std::string>& notes) {
+  require_points(edges.cut, model);
+  require_points(edges.keep, model);
   if (edges.from) {
     model.lines.clear();
   } else if (2 * model.lines.size() > model.surface.edge_count()) {

@@ -88,14 +88,20 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
   made.fold = clock("write", context, [&] {
     const paper::Mark mark{program_and_version(), model.name, model.digest};
     return paper::write_fold(made.prepared, made.part, made.nets, made.options.paper ? &made.pages : nullptr,
-                             mark, settings_of(made.options, context.seed));
+                             mark, with_searched(settings_of(made.options, made.seed), made.searched_with));
   });
   made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
 }
 
-/// All that follows from nets that have changed.
-Paper with_new_nets(Paper made, const Context& context) {
+/// The clock of a job that goes on.
+StageClock clock_of(const Paper& made) {
   StageClock clock;
+  clock.add(made.seconds);
+  return clock;
+}
+
+/// All that follows from nets that have changed.
+Paper with_new_nets(Paper made, StageClock clock, const Context& context) {
   made.drawn = {};
   if (made.options.paper) {
     lay_out_pages(made, clock, context);
@@ -111,9 +117,12 @@ Paper with_new_nets(Paper made, const Context& context) {
 Paper paper(mesh::Model model, const Options& options, const Context& context, const Listener& listener) {
   Paper made;
   made.options = options;
+  made.options.simplify.hidden_fold_angle = options.style.hidden_fold_angle;
+  made.seed = context.seed;
   StageClock clock;
   std::vector<std::string> notes;
   heed_edges(options.edges, model, made.options.simplify, notes);
+  made.searched_with = settings_of(made.options, made.seed);
   const Vec2 area = room_for_pieces(options);
   made.prepared = clock("prepare", context, [&] {
     return prepare::prepare(std::move(model), options.size, made.options.simplify, panel_room(options),
@@ -132,7 +141,9 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   if (options.paper) {
     note_divided_panels(made.prepared, notes);
   }
-  made.part = clock("segment", context, [&] { return find_parts(made.prepared, options, context, notes); });
+  Parts parts = clock("segment", context, [&] { return find_parts(made.prepared, options, context); });
+  made.part = std::move(parts.of_face);
+  made.parts_given_up = parts.given_up;
   made.part_count = count_parts(made.part);
   made.nets = clock("unfold", context, [&] {
     return unfold::unfold(surface, made.prepared.panels, made.part,
@@ -152,16 +163,23 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
 }
 
 Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context) {
+  const bool were_split = made.options.tabs.split_pieces;
   made.options.tabs = tabs;
-  unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels, unfold_options(made.options, {}),
-                       made.nets, context);
-  return with_new_nets(std::move(made), context);
+  made.options.tabs.split_pieces = were_split;
+  StageClock clock = clock_of(made);
+  clock("tabs", context, [&] {
+    unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels, unfold_options(made.options, {}),
+                         made.nets, context);
+    return true;
+  });
+  return with_new_nets(std::move(made), std::move(clock), context);
 }
 
 Paper with_pages(Paper made, const paper::Paper& paper, const paper::Style& style, const Context& context) {
   made.options.paper = paper;
   made.options.style = style;
-  return with_new_nets(std::move(made), context);
+  StageClock clock = clock_of(made);
+  return with_new_nets(std::move(made), std::move(clock), context);
 }
 
 }  // namespace ridgecraft::job

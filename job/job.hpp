@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,10 +31,14 @@ inline constexpr double sliver_mm = 1.0;
 struct Paper {
   /// As they were used: where edges are named that are those of the file, `simplify` keeps all faces.
   Options options;
+  std::uint64_t seed = 1;         ///< that the nets were searched with
+  paper::Settings searched_with;  ///< what else they were: with_tabs and with_pages change `options` alone
   prepare::Prepared prepared;
   std::size_t slivers = 0;        ///< faces of it thinner than sliver_mm
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions
   std::size_t part_count = 0;
+  /// The deadline left no time to find parts, so each component is one; whoever set it says so.
+  bool parts_given_up = false;
   unfold::Nets nets;   ///< its notes begin with those of the stages before
   paper::Pages pages;  ///< none where Options::paper is none
   std::optional<double>
@@ -42,21 +47,23 @@ struct Paper {
   paper::DrawReport drawn;
   std::string fold;         ///< bytes of the FOLD file, checked: what fails its check is never returned
   verify::Figures figures;  ///< of that check
-  StageSeconds seconds;
+  StageSeconds seconds;     ///< of all steps since the model; what is done anew adds to its stage
 };
 
 /// Prepares, segments, unfolds, lays out, draws and checks. Deterministic for one seed, whatever the number
 /// of threads. Where the context's deadline passes, searches end with the best they have, and where it passes
-/// in the first half of segmentation's time, each component is one part, and a note says so. Throws
-/// Error(unusable_mesh), Error(no_nets), Error(unreadable_input) for nets made before that aren't in form,
-/// Error(out_of_time) where the deadline passes while there is nothing yet, Error(interrupted), and
-/// Error(internal) where the result fails its check. What takes time is named with each stage
-/// (docs/architecture.md).
+/// in the first half of segmentation's time, each component is one part (Paper::parts_given_up). Throws
+/// Error(unusable_mesh), Error(no_nets), Error(unreadable_input) for nets made before that aren't in form
+/// and for edges named by points that the model doesn't have, Error(out_of_time) where the deadline passes
+/// while there is nothing yet, Error(interrupted), and Error(internal) where the result fails its check. What
+/// takes time is named with each stage (docs/architecture.md).
 [[nodiscard]] Paper paper(mesh::Model model, const Options& options, const Context& context,
                           const Listener& listener = {});
 
 /// The same nets with other tabs; they stay as they are but for these, also where another shape would have
-/// led the search to other folds. Their pages are laid out anew, since tabs take room.
+/// led the search to other folds, and no piece is split (TabOptions::split_pieces stays as it was). Their
+/// pages are laid out anew, since tabs take room. What the nets were searched with stays in the settings of
+/// the file (docs/formats.md), whatever this context's seed.
 [[nodiscard]] Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context);
 
 /// The same nets on other paper, or drawn in another style. Throws Error(no_nets) where a piece is larger

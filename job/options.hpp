@@ -47,7 +47,7 @@ enum class PartsFrom {
 
 struct Options {
   prepare::SizeOptions size;
-  prepare::SimplifyOptions simplify;
+  prepare::SimplifyOptions simplify;  ///< its hidden_fold_angle is that of `style`, whatever stands here
   PartsFrom parts = PartsFrom::segmentation;
   double concavity = 0.1;                             ///< segment::Options::concavity
   std::optional<paper::Paper> paper{paper::Paper{}};  ///< none: nets without pages, each as large as it likes

@@ -23,23 +23,21 @@ IdVector<FaceId, PartId> one_part_per_component(const mesh::Surface& surface) {
 
 }  // namespace
 
-IdVector<FaceId, PartId> find_parts(const prepare::Prepared& prepared, const Options& options,
-                                    const Context& context, std::vector<std::string>& notes) {
+Parts find_parts(const prepare::Prepared& prepared, const Options& options, const Context& context) {
   const mesh::Surface& surface = prepared.model.surface;
   if (options.parts == PartsFrom::components) {
-    return one_part_per_component(surface);
+    return {one_part_per_component(surface), false};
   }
   try {
     const segment::Segmentation found = segment::segment(surface, {}, {.concavity = options.concavity},
                                                          until_deadline(context, segmentation_share));
-    return unfold::parts_of_whole_panels(surface, prepared.panels, found.part);
+    return {unfold::parts_of_whole_panels(surface, prepared.panels, found.part), false};
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::out_of_time) {
       throw;
     }
   }
-  notes.emplace_back("the time given was too short to find parts: each component is one part");
-  return one_part_per_component(surface);
+  return {one_part_per_component(surface), true};
 }
 
 std::size_t count_parts(const IdVector<FaceId, PartId>& part) {

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-#include <vector>
 
 #include "base/context.hpp"
 #include "base/id.hpp"
@@ -13,11 +11,16 @@
 
 namespace ridgecraft::job {
 
+struct Parts {
+  IdVector<FaceId, PartId> of_face;
+  bool given_up = false;  ///< there was no time to find them: each component is one part
+};
+
 /// Nearly convex parts that end at the borders of flat regions, or one part per component, as the options
-/// say. Where segmentation takes more than half of the time that is left until the context's deadline, each
-/// component is one part, and a note says so. Throws Error(interrupted).
-[[nodiscard]] IdVector<FaceId, PartId> find_parts(const prepare::Prepared& prepared, const Options& options,
-                                                  const Context& context, std::vector<std::string>& notes);
+/// say. Where segmentation takes more than half of the time that is left until the context's deadline, it is
+/// given up. Throws Error(interrupted).
+[[nodiscard]] Parts find_parts(const prepare::Prepared& prepared, const Options& options,
+                               const Context& context);
 
 /// Linear.
 [[nodiscard]] std::size_t count_parts(const IdVector<FaceId, PartId>& part);

@@ -84,4 +84,14 @@ paper::Settings settings_of(const Options& options, std::uint64_t seed) {
   return settings;
 }
 
+paper::Settings with_searched(paper::Settings now, const paper::Settings& searched) {
+  for (const auto& [name, value] : searched) {
+    const auto found = now.find(name);
+    if (found == now.end() || found->second != value) {
+      now["searched_" + name] = value;
+    }
+  }
+  return now;
+}
+
 }  // namespace ridgecraft::job

@@ -13,4 +13,8 @@ namespace ridgecraft::job {
 /// same nets again.
 [[nodiscard]] paper::Settings settings_of(const Options& options, std::uint64_t seed);
 
+/// The settings of paper whose tabs or pages may have been changed since its nets were searched: what was
+/// another then follows with "searched_" before its name.
+[[nodiscard]] paper::Settings with_searched(paper::Settings now, const paper::Settings& searched);
+
 }  // namespace ridgecraft::job

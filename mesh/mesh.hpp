@@ -24,10 +24,10 @@ struct ModelFile {
   std::filesystem::path folder;
 };
 
-/// Reads OBJ, STL, PLY or OFF (content decides, the suffix only helps) and repairs it: points joined,
-/// polygons triangulated, duplicates dropped, faces oriented, edges and vertices made manifold. Every change
-/// is counted in Model::repairs. Cost O(n log n). Throws unreadable_input or unusable_mesh with a sentence
-/// that names the file.
+/// Reads each format of format_names() (content decides, the suffix only helps) and repairs it: points
+/// joined, polygons triangulated, duplicates dropped, faces oriented, edges and vertices made manifold. Every
+/// change is counted in Model::repairs. Cost O(n log n). Throws unreadable_input or unusable_mesh with a
+/// sentence that names the file.
 [[nodiscard]] Model read(const std::filesystem::path& file, const ReadOptions& options,
                          const Context& context);
 /// The same for bytes in memory.

@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
+#include "prepare/prepared/options.hpp"
 #include "samples/picture.hpp"
 
 namespace {
@@ -18,7 +18,7 @@ namespace {
 using namespace ridgecraft;
 
 /// Folds below this are flat regions, radians: they get no line, as on paper.
-constexpr double faint_fold = 3.0 * std::numbers::pi / 180.0;
+constexpr double faint_fold = prepare::hidden_fold_angle;
 constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
 /// The flat region of each face, named by its smallest face; regions end where the material changes.

@@ -27,7 +27,8 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// What searches for fewer pieces and better trees get.
+/// What searches for fewer pieces and better trees get: in a hurry a deadline that has passed, so that each
+/// ends with what it begins with. It is no limit that anybody set, and nothing is told of it.
 Context for_searches(const Plan& plan, const Context& context) {
   Context searching = context;
   if (plan.in_a_hurry) {

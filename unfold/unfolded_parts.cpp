@@ -80,8 +80,8 @@ UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& 
         const Patch patch =
             make_patch(asked.surface, plan.whole, tasks[i].faces, plan.possible_wishes.items());
         const std::uint64_t seed = Random::stream(context.seed, i).next();
-        PatchNets nets =
-            unfold_patch(patch, plan.room, asked.options.panel_cuts, net_tolerance(patch.extent), seed, own);
+        PatchNets nets = unfold_patch(patch, plan.room, asked.options.panel_cuts, net_tolerance(patch.extent),
+                                      seed, plan.in_a_hurry ? Effort::brief : Effort::full, own);
         put_back(tasks[i], patch, nets, result);
         notes[i] = std::move(nets.notes);
       },

@@ -50,6 +50,60 @@ std::string term_of(const std::string& option, const Manual& manual) {
   return {};
 }
 
+/// Null for a word that is no verb.
+Builder builder_of(const std::string& word) {
+  for (const auto& [name, build] : verbs) {
+    if (word == name) {
+      return build;
+    }
+  }
+  return nullptr;
+}
+
+std::string nearest_verb(const std::string& word) {
+  std::vector<std::string> known;
+  for (const auto& [name, build] : verbs) {
+    known.emplace_back(name);
+  }
+  return nearest_word(word, known);
+}
+
+[[noreturn]] void refuse_verb(const std::string& word, const std::string& nearest) {
+  refuse("there is no verb '" + word + "'" +
+         (nearest.empty() ? "; ridgecraft --help lists all" : ", did you mean '" + nearest + "'?"));
+}
+
+/// "help", "help unfold", "version".
+Job print_asked(const Arguments& arguments) {
+  const std::string verb = arguments.size() > 1 && arguments[0] == "help" ? arguments[1] : "";
+  if (verb.empty() || verb.starts_with('-')) {
+    const Arguments asked{"--" + arguments[0]};
+    return build_paper(&asked, nullptr);
+  }
+  const Builder build = builder_of(verb);
+  if (build == nullptr) {
+    refuse_verb(verb, nearest_verb(verb));
+  }
+  const Arguments asked{"--help"};
+  return build(&asked, nullptr);
+}
+
+/// A first word that is no file was meant as a verb if it is nearly one, or if a file follows it.
+void refuse_mistaken_verb(const Arguments& arguments) {
+  const std::string nearest = nearest_verb(arguments[0]);
+  if (!nearest.empty()) {
+    refuse_verb(arguments[0], nearest);
+  }
+  if (arguments.size() == 1 || arguments[1].starts_with('-')) {
+    return;
+  }
+  if (arguments[1].ends_with(".fold")) {
+    refuse("there is no verb '" + arguments[0] + "'; pages of nets are made by: ridgecraft MODEL --from " +
+           arguments[1]);
+  }
+  refuse_verb(arguments[0], "");
+}
+
 }  // namespace
 
 std::string verbs_with(const std::string& option) {
@@ -73,23 +127,16 @@ Job parse_arguments(const std::vector<std::string>& arguments) {
     refuse(
         "name the model to turn into paper, as in: ridgecraft whale.obj; ridgecraft --help tells the rest");
   }
-  std::vector<std::string> known;
-  for (const auto& [name, build] : verbs) {
-    known.emplace_back(name);
-    if (arguments.front() == name) {
-      const Arguments rest(arguments.begin() + 1, arguments.end());
-      return build(&rest, nullptr);
-    }
-  }
   const std::string& first = arguments.front();
+  if (const Builder build = builder_of(first); build != nullptr) {
+    const Arguments rest(arguments.begin() + 1, arguments.end());
+    return build(&rest, nullptr);
+  }
   if ((first == "help" || first == "version") && !std::filesystem::exists(first)) {
-    const Arguments asked{"--" + first};
-    return build_paper(&asked, nullptr);
+    return print_asked(arguments);
   }
   if (first.find_first_of("./-") == std::string::npos && !std::filesystem::exists(first)) {
-    if (const std::string verb = nearest_word(first, known); !verb.empty()) {
-      refuse("there is no verb '" + first + "', did you mean '" + verb + "'?");
-    }
+    refuse_mistaken_verb(arguments);
   }
   Job job = build_paper(&arguments, nullptr);
   if (const auto* print = std::get_if<PrintJob>(&job); print != nullptr && print->text == man_page_wanted) {

@@ -6,15 +6,27 @@
 #include <thread>
 
 #include "base/length_text.hpp"
+#include "base/sentence.hpp"
 #include "cli/arguments/option_values.hpp"
 #include "cli/arguments/units.hpp"
+#include "mesh/model/file_format.hpp"
 
 namespace ridgecraft::cli {
+
+std::string model_formats() {
+  return listed(mesh::format_names(), "or");
+}
+
+void add_model(Verb& verb, std::string& model) {
+  verb.option("Input", "MODEL", model, "MODEL", model_formats() + "; - reads standard input.");
+}
 
 void CommonTexts::add_to(Verb& verb, TimeUp time_up) {
   verb.flag("Common", "--json", values.json,
             "Print one JSON object on standard output and nothing else there.")
-      .flag("Common", "-q,--quiet", values.quiet, "Print no summary, notes or progress; errors only.")
+      .flag("Common", "-q,--quiet", values.quiet,
+            "Print no summary, notes or progress; errors only, and a result that goes into no file (info, "
+            "formats).")
       .option("Common", "--seed", seed, "N",
               "Seed of everything random; the same seed gives the same bytes (1).")
       .option("Common", "--threads", threads, "N",

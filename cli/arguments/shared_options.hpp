@@ -15,6 +15,12 @@ enum class TimeUp {
   ends_searches,  ///< what was found so far is finished
 };
 
+/// "OBJ, STL, PLY or OFF"
+[[nodiscard]] std::string model_formats();
+
+/// The argument of the verbs that read one model.
+void add_model(Verb& verb, std::string& model);
+
 /// What every verb takes.
 struct CommonTexts {
   CommonOptions values;

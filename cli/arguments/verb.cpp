@@ -83,6 +83,7 @@ bool Verb::parse(Arguments arguments) {
   const auto end = std::find(arguments.begin(), arguments.end(), "--");
   const Arguments no_options(end == arguments.end() ? end : end + 1, arguments.end());
   arguments.erase(end, arguments.end());
+  given_ = arguments;
   std::reverse(arguments.begin(), arguments.end());
   try {
     parser_->app.parse(arguments);
@@ -139,9 +140,10 @@ Manual Verb::manual() const {
 }
 
 std::string Verb::unexpected(const std::vector<std::string>& remaining) const {
-  const std::string word = remaining.empty() ? "" : remaining.front();
-  std::string sentence =
-      word.starts_with("-") ? "there is no option '" + word + "'" : "'" + word + "' is one argument too many";
+  const std::string word = as_given(remaining.empty() ? "" : remaining.front());
+  if (!word.starts_with("-")) {
+    return "'" + word + "' is one argument too many" + takes() + "; see " + manual_.name + " --help";
+  }
   std::vector<std::string> known;
   for (const CLI::Option* o : parser_->app.get_options({})) {
     for (const std::string& name : o->get_lnames()) {
@@ -152,9 +154,34 @@ std::string Verb::unexpected(const std::vector<std::string>& remaining) const {
   if (const std::string owners = option.size() > 2 ? verbs_with(option) : ""; !owners.empty()) {
     return "there is no option '" + option + "' here; it belongs to " + owners;
   }
-  const std::string nearest = option.empty() ? "" : nearest_word(option, known);
-  return sentence +
-         (nearest.empty() ? "; see " + manual_.name + " --help" : ", did you mean '" + nearest + "'?");
+  const std::string sentence = "there is no option '" + word + "'";
+  if (const std::string nearest = option.empty() ? "" : nearest_word(option, known); !nearest.empty()) {
+    return sentence + ", did you mean '" + nearest + "'?";
+  }
+  if (word.find('.') != std::string::npos) {
+    return sentence + "; a file of this name stands behind --, as in: " + manual_.name + " -- " + word;
+  }
+  return sentence + "; see " + manual_.name + " --help";
+}
+
+/// CLI11 takes "-h.obj" for "-h" and a rest, which it tells as "-.obj".
+std::string Verb::as_given(const std::string& word) const {
+  if (word.starts_with("-") && !word.starts_with("--")) {
+    for (const std::string& argument : given_) {
+      if (argument.starts_with("-") && !argument.starts_with("--") && argument.ends_with(word.substr(1))) {
+        return argument;
+      }
+    }
+  }
+  return word;
+}
+
+/// What the verb takes of arguments that are no options, where that is one.
+std::string Verb::takes() const {
+  const auto arguments = parser_->app.get_options([](const CLI::Option* o) { return o->get_positional(); });
+  return arguments.empty()                                 ? ""
+         : arguments.front()->get_single_name() == "MODEL" ? ": a run takes one model"
+                                                           : ": a run takes one file";
 }
 
 }  // namespace ridgecraft::cli

@@ -47,8 +47,11 @@ class Verb {
   void take_positional(const Arguments& words);
   [[nodiscard]] Manual manual() const;
   [[nodiscard]] std::string unexpected(const std::vector<std::string>& remaining) const;
+  [[nodiscard]] std::string as_given(const std::string& word) const;
+  [[nodiscard]] std::string takes() const;
 
   Manual manual_;
+  Arguments given_;  ///< those that may be options
   std::vector<ManualSection> extra_sections_;
   std::unique_ptr<Parser> parser_;
 };

@@ -12,7 +12,7 @@ Job build_info(const Arguments* arguments, Manual* manual) {
   verb.example("ridgecraft info scan.stl", "Faces, components, borders, size, repairs.");
   InfoJob job;
   CommonTexts common;
-  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
+  add_model(verb, job.model);
   common.add_to(verb);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.model, "name the model to look at", "ridgecraft info");

@@ -44,6 +44,71 @@ ManualSection exit_section() {
            {"130", "Interrupted."}}};
 }
 
+/// What is typed after the options that this verb alone has.
+struct PaperTexts {
+  std::string paper = "A4";
+  std::string margin, tab_height, tab_angle, concavity;
+  std::string hide = "3";
+  bool no_tabs = false;
+
+  void add_to(Verb& verb, PaperJob& job) {
+    verb.option("Paper", "--paper", paper, "NAME|WxH",
+                "A0 to A7, B0 to B6, letter, legal, tabloid and others, -landscape added to turn it, or a "
+                "size such as 300x200mm (A4).");
+    verb.option("Paper", "--margin", margin, "LENGTH",
+                "What the printer can't reach, on all four sides (10mm).");
+    verb.option("Tabs and lines", "--tab-height", tab_height, "LENGTH", "Height of the glue tabs (5mm).");
+    verb.option("Tabs and lines", "--tab-angle", tab_angle, "DEGREES",
+                "Side angle of the glue tabs; steeper where an edge is short (45).");
+    verb.flag("Tabs and lines", "--all-tabs", job.options.tabs.split_pieces,
+              "Split pieces further until every edge with a face wide enough behind it has a glue tab.");
+    verb.flag("Tabs and lines", "--no-tabs", no_tabs, "Draw no glue tabs.");
+    verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
+                "Draw no line where the surface is folded by less than this (3).");
+    verb.option("Parts", "--concavity", concavity, "TOLERANCE",
+                "How far a part may be from convex, as a share of the radius of the model's bounding sphere "
+                "(0.1).");
+  }
+
+  /// Throws Error(usage).
+  void check_into(PaperJob& job) const {
+    check_paper(job);
+    job.options.concavity = concavity_or_refuse(concavity);
+    check_tabs(job.options.tabs);
+    job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
+  }
+
+ private:
+  void check_paper(PaperJob& job) const {
+    job.options.paper = paper::parse_paper(paper);
+    job.paper_name = paper;
+    if (!margin.empty()) {
+      job.options.paper->margin = length_or_refuse("--margin", margin, true);
+    }
+    const Vec2 area = paper::piece_area(*job.options.paper);
+    if (!(area.x >= 20.0 && area.y >= 20.0)) {
+      refuse("paper " + paper + " with a margin of " + fmt::format("{:g}", job.options.paper->margin) +
+             " mm leaves no room for pieces");
+    }
+  }
+
+  void check_tabs(unfold::TabOptions& tabs) const {
+    if (no_tabs && tabs.split_pieces) {
+      refuse("--all-tabs and --no-tabs exclude each other");
+    }
+    if (no_tabs && (!tab_height.empty() || !tab_angle.empty())) {
+      refuse("--tab-height and --tab-angle tell the shape of tabs; with --no-tabs they have no effect");
+    }
+    tabs.wanted = !no_tabs;
+    if (!tab_height.empty()) {
+      tabs.height_mm = length_or_refuse("--tab-height", tab_height);
+      require_range("--tab-height", tab_height, tabs.height_mm, 1.5, 50.0, "1.5mm to 50mm");
+    }
+    tabs.angle = number_or_refuse("--tab-angle", tab_angle.empty() ? "45" : tab_angle, 15.0, 85.0) * degree;
+    tabs.steepest_angle = std::max(tabs.steepest_angle, tabs.angle);
+  }
+};
+
 }  // namespace
 
 Job build_paper(const Arguments* arguments, Manual* manual) {
@@ -58,20 +123,14 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.example("ridgecraft fox.obj --pieces few", "As few pieces as the paper allows.");
   PaperJob job;
   CommonTexts common;
-  std::string concavity;
-  PieceTexts pieces;
   SizeTexts size;
-  std::string paper = "A4";
-  std::string margin;
-  std::string tab_height;
-  std::string tab_angle;
-  std::string hide = "3";
-  bool no_tabs = false;
+  PaperTexts texts;
+  PieceTexts pieces;
   bool fold_linear = false;
-  verb.option(
-      "Input", "MODEL", job.model, "MODEL",
-      "OBJ, STL, PLY or OFF; the content decides, not the suffix. - reads standard input; files whose "
-      "names begin with - follow --, which ends the options.");
+  verb.option("Input", "MODEL", job.model, "MODEL",
+              model_formats() +
+                  "; the content decides, not the suffix. - reads standard input; files whose "
+                  "names begin with - follow --, which ends the options.");
   verb.list(
       "Output", "-o,--output", job.outputs, "WHERE",
       "A folder gets all default formats (PDF, SVG, FOLD); a file's suffix names its format (.pdf, .svg, "
@@ -79,23 +138,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.flag("Output", "--overwrite", job.overwrite,
             "Replace existing files, also those that weren't made from this model.");
   size.add_to(verb, "auto");
-  verb.option(
-      "Paper", "--paper", paper, "NAME|WxH",
-      "A0 to A7, B0 to B6, letter, legal, tabloid and others, -landscape added to turn it, or a size such as "
-      "300x200mm (A4).");
-  verb.option("Paper", "--margin", margin, "LENGTH",
-              "What the printer can't reach, on all four sides (10mm).");
-  verb.option("Tabs and lines", "--tab-height", tab_height, "LENGTH", "Height of the glue tabs (5mm).");
-  verb.option("Tabs and lines", "--tab-angle", tab_angle, "DEGREES",
-              "Side angle of the glue tabs; steeper where an edge is short (45).");
-  verb.flag("Tabs and lines", "--all-tabs", job.options.tabs.split_pieces,
-            "Split pieces further until every edge with a face wide enough behind it has a glue tab.");
-  verb.flag("Tabs and lines", "--no-tabs", no_tabs, "Draw no glue tabs.");
-  verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
-              "Draw no line where the surface is folded by less than this (3).");
-  verb.option(
-      "Parts", "--concavity", concavity, "TOLERANCE",
-      "How far a part may be from convex, as a share of the radius of the model's bounding sphere (0.1).");
+  texts.add_to(verb, job);
   pieces.add_to(verb);
   verb.flag("Pieces", "--fold-linear", fold_linear, std::string(fold_linear_text));
   add_edge_options(verb, job.edges);
@@ -115,35 +158,9 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     require(job.model, "name the model to turn into paper", "ridgecraft");
     job.common = common.checked();
     size.check_into(job.options, job.size_asked);
-    job.options.paper = paper::parse_paper(paper);
-    job.paper_name = paper;
-    if (!margin.empty()) {
-      job.options.paper->margin = length_or_refuse("--margin", margin, true);
-    }
-    const Vec2 area = paper::piece_area(*job.options.paper);
-    if (!(area.x >= 20.0 && area.y >= 20.0)) {
-      refuse("paper " + paper + " with a margin of " + fmt::format("{:g}", job.options.paper->margin) +
-             " mm leaves no room for pieces");
-    }
-    job.options.concavity = concavity_or_refuse(concavity);
+    texts.check_into(job);
     job.options.pieces = pieces.rules();
     job.options.pieces.fold_linear = fold_linear;
-    if (no_tabs && job.options.tabs.split_pieces) {
-      refuse("--all-tabs and --no-tabs exclude each other");
-    }
-    if (no_tabs && (!tab_height.empty() || !tab_angle.empty())) {
-      refuse("--tab-height and --tab-angle tell the shape of tabs; with --no-tabs they have no effect");
-    }
-    job.options.tabs.wanted = !no_tabs;
-    if (!tab_height.empty()) {
-      job.options.tabs.height_mm = length_or_refuse("--tab-height", tab_height);
-      require_range("--tab-height", tab_height, job.options.tabs.height_mm, 1.5, 50.0, "1.5mm to 50mm");
-    }
-    job.options.tabs.angle =
-        number_or_refuse("--tab-angle", tab_angle.empty() ? "45" : tab_angle, 15.0, 85.0) * degree;
-    job.options.tabs.steepest_angle = std::max(job.options.tabs.steepest_angle, job.options.tabs.angle);
-    job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
-    job.options.simplify.hidden_fold_angle = job.options.style.hidden_fold_angle;
     return job;
   });
 }

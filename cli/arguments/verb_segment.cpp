@@ -17,7 +17,7 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
   SegmentJob job;
   CommonTexts common;
   PartTexts parts;
-  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
+  add_model(verb, job.model);
   verb.list("Output", "-o,--output", job.outputs, "FILE",
             "Coloured mesh, .ply or .off. May be given several times.");
   verb.option(

@@ -21,7 +21,7 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
   CommonTexts common;
   PartTexts parts;
   std::string vertices, unit, density;
-  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
+  add_model(verb, job.model);
   verb.option("Output", "-o,--output", job.output, "FILE", ".obj, or .urdf with its meshes beside it.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace existing files.");
   verb.option(
@@ -62,7 +62,7 @@ Job build_cage(const Arguments* arguments, Manual* manual) {
   CommonTexts common;
   PartTexts parts;
   std::string faces;
-  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
+  add_model(verb, job.model);
   verb.option("Output", "-o,--output", job.output, "FILE", ".obj, .ply or .off.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");
   verb.option("Cage", "--faces", faces, "N",
@@ -89,7 +89,7 @@ Job build_shell(const Arguments* arguments, Manual* manual) {
   ShellJob job;
   CommonTexts common;
   std::string opening, offset;
-  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
+  add_model(verb, job.model);
   verb.option("Output", "-o,--output", job.output, "FILE", ".obj, .ply or .off.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");
   verb.option("Shell", "--opening", opening, "PERCENT",
@@ -114,7 +114,7 @@ Job build_deform(const Arguments* arguments, Manual* manual) {
                "Both cages have the same triangles; what lies between follows smoothly.");
   DeformJob job;
   CommonTexts common;
-  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
+  add_model(verb, job.model);
   verb.option("Input", "--cage", job.cage, "FILE",
               "A closed mesh of triangles around the model; what lies outside it follows less well.");
   verb.option("Input", "--to", job.to, "FILE", "The same mesh with its points moved.");

@@ -16,7 +16,7 @@ constexpr double patient_trials_per_face = 4000.0;
 
 Job build_unfold(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft unfold", "unfolds a model into nets without overlap, without pages");
-  verb.usage("ridgecraft unfold MODEL [--whole] -o NETS.fold [options]");
+  verb.usage("ridgecraft unfold MODEL [--whole] [-o NETS.fold] [options]");
   verb.example("ridgecraft unfold gem.off --whole -o gem.fold",
                "The whole model as one net, if there is one.");
   UnfoldJob job;
@@ -27,8 +27,9 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   CommonTexts common;
   std::string concavity;
   SizeTexts size;
-  verb.option("Input", "MODEL", job.model, "MODEL", "OBJ, STL, PLY or OFF; - reads standard input.");
-  verb.option("Output", "-o,--output", job.output, "FILE.fold", "Where the nets go.");
+  add_model(verb, job.model);
+  verb.option("Output", "-o,--output", job.output, "FILE.fold",
+              "Where the nets go; without it, only what is told of them is printed.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");
   verb.flag("Parts", "--whole", whole, "Don't cut the model into parts first.");
   verb.option("Parts", "--concavity", concavity, "TOLERANCE", "How far a part may be from convex (0.1).");

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "cli/files/formats.hpp"
 #include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::cli {
@@ -82,6 +83,16 @@ std::string read_standard_input(const Context& context) {
   return bytes;
 }
 
+/// Who names a file of nets as the model is told how pages are made of them.
+void refuse_nets(const std::string& file, const Error& error) {
+  std::error_code ignored;
+  if (error.kind() == ErrorKind::unreadable_input && suffix_of(file) == ".fold" &&
+      std::filesystem::is_regular_file(file, ignored) && std::filesystem::file_size(file, ignored) > 0) {
+    throw Error(error.kind(), error.what() + ("; pages of nets are made by: ridgecraft MODEL --from " + file),
+                file);
+  }
+}
+
 }  // namespace
 
 std::string shown_name(const std::string& model) {
@@ -94,7 +105,12 @@ std::string results_name(const std::string& model) {
 
 mesh::Model read_model(const std::string& model, const mesh::ReadOptions& options, const Context& context) {
   if (model != dash) {
-    return mesh::read(std::filesystem::path(model), options, context);
+    try {
+      return mesh::read(std::filesystem::path(model), options, context);
+    } catch (const Error& error) {
+      refuse_nets(model, error);
+      throw;
+    }
   }
   context.report("reading", 0.0);
   return mesh::read(mesh::ModelFile{.bytes = read_standard_input(context),

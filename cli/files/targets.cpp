@@ -37,11 +37,12 @@ std::string mark_digest_of(const fs::path& file) {
 }
 
 /// n of "stem-n.svg", 0 for "stem.svg", nothing for another name.
-std::optional<std::size_t> page_number(const std::string& name, const std::string& stem, const char* ending) {
-  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() < stem.size() + std::strlen(ending)) {
+std::optional<std::size_t> number_in(const std::string& name, const NumberedFiles& names) {
+  const auto& [folder, stem, ending] = names;
+  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() < stem.size() + ending.size()) {
     return std::nullopt;
   }
-  const std::string middle = name.substr(stem.size(), name.size() - stem.size() - std::strlen(ending));
+  const std::string middle = name.substr(stem.size(), name.size() - stem.size() - ending.size());
   if (middle.empty()) {
     return 0;
   }
@@ -54,27 +55,35 @@ std::optional<std::size_t> page_number(const std::string& name, const std::strin
 
 }  // namespace
 
+void require_no_dash(const std::string& option, const std::string& output) {
+  if (output == "-") {
+    throw Error(ErrorKind::usage, option +
+                                      " -: results are written into files only, never to standard output; "
+                                      "name one (./- if it is to be called so)");
+  }
+}
+
 std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name) {
   std::vector<Target> targets;
   const auto add_folder = [&](const fs::path& folder) {
     for (const Format format : default_formats()) {
-      targets.push_back({format, folder, model_name});
+      targets.push_back({format, folder, model_name, suffix(format)});
     }
   };
   if (outputs.empty()) {
     add_folder(".");
   }
   for (const std::string& output : outputs) {
-    if (output.empty() || output == "-") {
-      throw Error(ErrorKind::usage,
-                  "-o needs a folder or a file; there are several files, so none goes to standard output");
+    require_no_dash("-o", output);
+    if (output.empty()) {
+      throw Error(ErrorKind::usage, "-o needs a folder or a file");
     }
     const fs::path path(output);
     if (is_folder(output)) {
       add_folder(path);
     } else if (const auto format = paper_format(suffix_of(path))) {
-      targets.push_back(
-          {*format, path.has_parent_path() ? path.parent_path() : fs::path("."), path.stem().string()});
+      targets.push_back({*format, path.has_parent_path() ? path.parent_path() : fs::path("."),
+                         path.stem().string(), path.extension().string()});
     } else {
       throw Error(ErrorKind::usage, "-o " + output + ": '" + path.extension().string() +
                                         "' is no format that can be written; " + paper_suffixes() + " are");
@@ -84,7 +93,7 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
   std::set<fs::path> places;
   for (Target& target : targets) {
     target.folder = (target.folder / "").lexically_normal();
-    if (places.insert(place_of(target.folder / (target.stem + suffix(target.format)))).second) {
+    if (places.insert(place_of(target.folder / (target.stem + target.ending))).second) {
       require_writable_folder(target.folder);
       different.push_back(target);
     }
@@ -104,28 +113,37 @@ fs::path place_of(const fs::path& file) {
 
 std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
   if (!one_file_per_page(target.format) || pages == 1) {
-    return {target.folder / (target.stem + suffix(target.format))};
+    return {target.folder / (target.stem + target.ending)};
   }
   std::vector<fs::path> files;
   for (std::size_t page = 1; page <= pages; ++page) {
-    files.push_back(target.folder / (target.stem + "-" + std::to_string(page) + suffix(target.format)));
+    files.push_back(target.folder / (target.stem + "-" + std::to_string(page) + target.ending));
   }
   return files;
 }
 
-std::vector<fs::path> leftovers_of(const Target& target, const std::set<fs::path>& written,
-                                   const std::string& digest) {
-  std::vector<fs::path> leftovers;
-  if (!one_file_per_page(target.format)) {
-    return leftovers;
-  }
-  std::error_code error;
-  for (fs::directory_iterator entry(target.folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const fs::path file = target.folder / entry->path().filename();
+std::set<std::string> digests_of(const std::vector<fs::path>& files) {
+  std::set<std::string> digests;
+  for (const fs::path& file : files) {
     std::error_code ignored;
-    if (page_number(file.filename().string(), target.stem, suffix(target.format)) &&
-        !written.contains(file) && entry->is_regular_file(ignored) && mark_digest_of(file) == digest) {
+    if (fs::is_regular_file(file, ignored)) {
+      digests.insert(mark_digest_of(file));
+    }
+  }
+  digests.erase("");
+  return digests;
+}
+
+std::vector<fs::path> leftovers_of(const NumberedFiles& names, const std::set<fs::path>& written,
+                                   const std::set<std::string>& digests) {
+  std::vector<fs::path> leftovers;
+  std::error_code error;
+  const fs::path folder = names.folder.empty() ? fs::path(".") : names.folder;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path file = names.folder / entry->path().filename();
+    std::error_code ignored;
+    if (number_in(file.filename().string(), names) && !written.contains(file) &&
+        entry->is_regular_file(ignored) && digests.contains(mark_digest_of(file))) {
       leftovers.push_back(file);
     }
   }
@@ -137,6 +155,11 @@ void require_replaceable(const fs::path& file, const std::string& digest, bool o
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) {
+    // A link that leads nowhere is somebody's all the same.
+    if (!overwrite && fs::is_symlink(fs::symlink_status(file, error))) {
+      throw Error(ErrorKind::cant_write, file.lexically_normal().string() +
+                                             " is a link that leads to no file; --overwrite replaces it");
+    }
     return;
   }
   if (!fs::is_regular_file(status)) {

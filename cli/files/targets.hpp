@@ -18,9 +18,13 @@ struct Target {
   Format format;
   std::filesystem::path folder;  ///< lexically normal
   std::string stem;
+  std::string ending;  ///< ".pdf" or as the user wrote it, ".PDF"
 
   friend bool operator==(const Target&, const Target&) = default;
 };
+
+/// Refuses - after an option that names a result ("--labels"): Error(usage).
+void require_no_dash(const std::string& option, const std::string& output);
 
 /// What -o asks for; without any, all default formats (PDF, SVG, FOLD) in the current folder. Folders that
 /// are asked for and don't exist are created when files are written. Throws Error(usage) for a suffix that is
@@ -35,14 +39,25 @@ struct Target {
 /// The files of a target: one, or for SVG and PNG one per page.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const Target& target, std::size_t pages);
 
-/// Pages of an earlier run of the same model (digest) that this run, with that many pages, doesn't write
-/// again.
-[[nodiscard]] std::vector<std::filesystem::path> leftovers_of(const Target& target,
+/// The models (digests) of those of these files that exist and that this program made.
+[[nodiscard]] std::set<std::string> digests_of(const std::vector<std::filesystem::path>& files);
+
+/// Files of one set, as many as the model asks for: "whale.svg" or "whale-1.svg", "whale-2.svg", ...
+struct NumberedFiles {
+  std::filesystem::path folder;
+  std::string stem;    ///< "whale"
+  std::string ending;  ///< ".svg"
+};
+
+/// Files of such names that this program made of one of these models (digests), and that this run doesn't
+/// write again.
+[[nodiscard]] std::vector<std::filesystem::path> leftovers_of(const NumberedFiles& names,
                                                               const std::set<std::filesystem::path>& written,
-                                                              const std::string& digest);
+                                                              const std::set<std::string>& digests);
 
 /// Throws Error(cant_write) unless the file doesn't exist, or this program made it for the same model, or
-/// `overwrite` is set and it is a regular file.
+/// `overwrite` is set and it is a regular file. A link is as the file that it leads to; one that leads to
+/// none needs `overwrite`.
 void require_replaceable(const std::filesystem::path& file, const std::string& digest, bool overwrite);
 
 /// A file that a job reads besides the model, and the option that names it.

@@ -71,6 +71,10 @@ Value rounded(double value) {
   return std::round(value * 1000.0) / 1000.0;
 }
 
+bool is_json(std::string_view text) {
+  return Json::accept(text);
+}
+
 std::string json_text(const Value& value) {
   return dumped(value, 2);
 }

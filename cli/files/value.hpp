@@ -64,6 +64,9 @@ struct Value::Member {
 /// Rounded to a thousandth, so that JSON shows no noise.
 [[nodiscard]] Value rounded(double value);
 
+/// True for the whole text of one JSON value, of any kind. O(length), but it ends at the first mistake.
+[[nodiscard]] bool is_json(std::string_view text);
+
 /// JSON of several lines with an indent of two; bytes that aren't UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(const Value& value);
 /// The same in one line.

@@ -50,19 +50,25 @@ void add_target(const Target& target, const job::Paper& made, PendingFiles& pend
   }
 }
 
-/// Pages of an earlier run for this model that this one doesn't have.
+/// Pages of an earlier set of these names that this run doesn't write again: of this model, and of one that
+/// another file of the set, which is replaced now, was made from.
 std::vector<fs::path> find_leftovers(const std::vector<Target>& targets, std::size_t pages,
                                      const std::string& digest) {
-  std::set<fs::path> kept;
+  std::vector<fs::path> files;
   for (const Target& target : targets) {
-    for (const fs::path& file : files_of(target, pages)) {
-      kept.insert(file);
-    }
+    const std::vector<fs::path> of_target = files_of(target, pages);
+    files.insert(files.end(), of_target.begin(), of_target.end());
   }
+  std::set<std::string> digests = digests_of(files);
+  digests.insert(digest);
+  const std::set<fs::path> written(files.begin(), files.end());
   std::vector<fs::path> found;
   for (const Target& target : targets) {
-    const std::vector<fs::path> leftovers = leftovers_of(target, kept, digest);
-    found.insert(found.end(), leftovers.begin(), leftovers.end());
+    if (one_file_per_page(target.format)) {
+      const std::vector<fs::path> leftovers =
+          leftovers_of({target.folder, target.stem, target.ending}, written, digests);
+      found.insert(found.end(), leftovers.begin(), leftovers.end());
+    }
   }
   return found;
 }
@@ -153,6 +159,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
 
 PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending) {
   if (!job.output.empty()) {
+    require_no_dash("-o", job.output);
     if (suffix_of(job.output) != ".fold") {
       throw Error(ErrorKind::usage, "-o " + job.output + ": nets without pages are written as .fold");
     }

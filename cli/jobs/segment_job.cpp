@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,7 +32,10 @@ namespace fs = std::filesystem;
 constexpr unsigned volume_rays = 128;
 
 void check_outputs(const SegmentJob& job) {
+  require_no_dash("--labels", job.labels);
+  require_no_dash("--hierarchy", job.hierarchy);
   for (const std::string& output : job.outputs) {
+    require_no_dash("-o", output);
     const std::string suffix = suffix_of(output);
     if (suffix != ".ply" && suffix != ".off") {
       throw Error(ErrorKind::usage, "-o " + output + ": parts are written as .ply or .off");
@@ -78,7 +82,8 @@ Comparison compare_with(const std::vector<std::string>& files, const mesh::Model
 
 /// Labels have no place for a mark: the same ones may stand there already, others are somebody's work.
 void require_same_labels(const SegmentJob& job, const std::string& bytes) {
-  if (!job.overwrite && fs::is_regular_file(job.labels) && !holds(job.labels, bytes)) {
+  std::error_code error;
+  if (!job.overwrite && fs::exists(fs::symlink_status(job.labels, error)) && !holds(job.labels, bytes)) {
     throw Error(ErrorKind::cant_write, job.labels + " holds other labels; --overwrite replaces it",
                 job.labels);
   }

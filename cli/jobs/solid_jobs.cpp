@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -33,6 +35,7 @@ namespace fs = std::filesystem;
 /// Refuses what can't be written before the work begins.
 void check_output(const std::string& output, const std::vector<std::string>& suffixes,
                   const std::string& what) {
+  require_no_dash("-o", output);
   if (std::find(suffixes.begin(), suffixes.end(), suffix_of(output)) == suffixes.end()) {
     throw Error(ErrorKind::usage, "-o " + output + ": " + what);
   }
@@ -104,13 +107,15 @@ void add_file(const fs::path& file, const std::string& bytes, const std::string&
   files.push_back(file.string());
 }
 
-/// Puts all files in place, unless another run has put some there since.
-void commit(bool overwrite, PendingFiles& pending, SolidResult& result) {
-  result.file_notes = pending.commit([&]() -> std::vector<fs::path> {
+/// Puts all files in place, unless another run has put some there since. `leftovers` gives what is to go.
+void commit(
+    bool overwrite, PendingFiles& pending, SolidResult& result,
+    const PendingFiles::LastLook& leftovers = [] { return std::vector<fs::path>(); }) {
+  result.file_notes = pending.commit([&] {
     for (const std::string& file : result.files) {
       require_replaceable(file, result.model.digest, overwrite);
     }
-    return {};
+    return leftovers();
   });
 }
 
@@ -118,8 +123,11 @@ void commit(bool overwrite, PendingFiles& pending, SolidResult& result) {
 std::string visual_file(const fs::path& urdf) {
   return urdf.stem().string() + "-visual.obj";
 }
+std::string hull_stem(const fs::path& urdf) {
+  return urdf.stem().string() + "-hull";
+}
 std::string hull_file(const fs::path& urdf, std::size_t number) {
-  return fmt::format("{}-hull-{}.obj", urdf.stem().string(), number);
+  return fmt::format("{}-{}.obj", hull_stem(urdf), number);
 }
 
 /// Before the long work, when nobody knows how many hulls there will be: at least one.
@@ -157,6 +165,22 @@ void add_urdf(const HullsJob& job, SolidResult& result, PendingFiles& pending) {
   for (std::size_t i = 0; i < result.bodies.size(); ++i) {
     add(options.mesh_files[i], solid::write_obj({result.bodies[i]}, comment));
   }
+}
+
+/// Hulls of an earlier description of this name that the new one doesn't name: of this model, and of the one
+/// that the file was made from which is replaced now. Never the model itself.
+std::vector<fs::path> find_leftovers(const HullsJob& job, const SolidResult& result) {
+  const fs::path urdf(job.output);
+  std::set<std::string> digests = digests_of({urdf});
+  digests.insert(result.model.digest);
+  const std::set<fs::path> written(result.files.begin(), result.files.end());
+  std::vector<fs::path> found = leftovers_of({urdf.parent_path(), hull_stem(urdf), ".obj"}, written, digests);
+  const std::string unnumbered = hull_stem(urdf) + ".obj";
+  std::erase_if(found, [&](const fs::path& file) {
+    std::error_code ignored;
+    return file.filename() == unnumbered || fs::equivalent(file, job.model, ignored);
+  });
+  return found;
 }
 
 /// Writes the only body as a mesh.
@@ -203,12 +227,14 @@ SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles
     to_file_numbers(result.bodies, result.model.file_scale);
     if (suffix_of(job.output) == ".urdf") {
       add_urdf(job, result, pending);
+      context.check();
+      commit(job.overwrite, pending, result, [&] { return find_leftovers(job, result); });
     } else {
       add_file(job.output, solid::write_obj(result.bodies, comment_of(result.model)), result.model.digest,
                job.overwrite, pending, result.files);
+      context.check();
+      commit(job.overwrite, pending, result);
     }
-    context.check();
-    commit(job.overwrite, pending, result);
     return true;
   });
   return result;

@@ -16,7 +16,7 @@ std::string lines_of(const std::vector<FormatRow>& rows) {
   return text;
 }
 
-Value list_of(const std::vector<FormatRow>& rows) {
+Value rows_of(const std::vector<FormatRow>& rows) {
   Value list(Value::List{});
   for (const FormatRow& row : rows) {
     list.add(Value::Object{{"suffix", row.suffix}, {"what", row.what}});
@@ -32,7 +32,7 @@ std::string formats_text() {
 
 std::string formats_json() {
   return json_text(
-             Value::Object{{"read", list_of(read_formats())}, {"written", list_of(written_formats())}}) +
+             Value::Object{{"read", rows_of(read_formats())}, {"written", rows_of(written_formats())}}) +
          "\n";
 }
 

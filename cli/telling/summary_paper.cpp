@@ -2,7 +2,9 @@
 // What ridgecraft MODEL and ridgecraft unfold tell of their work.
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -92,6 +94,16 @@ void add_slivers(Summary& summary, const job::Paper& made) {
                         counted(made.slivers, "face"), job::sliver_mm));
 }
 
+/// With the option where a limit that the user set is the cause.
+std::vector<std::string> notes_of(const job::Paper& made) {
+  std::vector<std::string> notes;
+  if (made.parts_given_up) {
+    notes.emplace_back("--time-limit was too short to find parts: each component is one part");
+  }
+  notes.insert(notes.end(), made.nets.notes.begin(), made.nets.notes.end());
+  return notes;
+}
+
 std::string lines_text(const verify::Figures& figures) {
   return fmt::format("{} to cut, {} to fold", metres(figures.cut_mm), metres(figures.fold_mm));
 }
@@ -135,7 +147,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   say_colours(summary, model);
   summary.add_seconds(result.seconds);
   summary.add_repairs(model.repairs);
-  summary.add_notes(nets.notes);
+  summary.add_notes(notes_of(made));
   summary.add_files(result.files);
   return summary;
 }
@@ -174,7 +186,7 @@ Summary summary(const UnfoldJob& job, const PaperResult& result) {
   say_simplified(summary, made);
   summary.add_seconds(result.seconds);
   summary.add_repairs(model.repairs);
-  summary.add_notes(nets.notes);
+  summary.add_notes(notes_of(made));
   summary.add_files(result.files);
   return summary;
 }

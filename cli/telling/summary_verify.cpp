@@ -128,18 +128,44 @@ void add_printed(const verify::PrintedFigures& p, Summary& summary) {
                             {"max_error_mm", p.max_error_mm}});
   summary.add(
       "printed", std::move(value), Line::nets, "printed",
+      // The distance is of lines that were found at their places: beside faults it would tell the contrary.
       fmt::format(
-          "{}, lines at most {:.3g} mm beside their places{}", counted(p.pages, "page"), p.max_error_mm,
+          "{}, {}{}", counted(p.pages, "page"),
+          p.faulty == 0 ? fmt::format("lines at most {:.3g} mm beside their places", p.max_error_mm)
+                        : counted(p.faulty, "fault"),
           p.pages_not_given == 0 ? "" : fmt::format("; {} not given", counted(p.pages_not_given, "page"))));
+}
+
+/// The first faults of each promise, and how many more there are: one cause often has hundreds.
+void tell_faults(const verify::Report& report, Summary& summary) {
+  constexpr std::size_t most_of_promise = 5;
+  for (std::size_t promise = 0; promise < verify::promise_count; ++promise) {
+    std::size_t found = report.faults_not_listed[promise];
+    std::size_t told = 0;
+    for (const verify::Fault& fault : report.faults) {
+      if (static_cast<std::size_t>(fault.promise) != promise) {
+        continue;
+      }
+      ++found;
+      if (told < most_of_promise) {
+        ++told;
+        summary.end_with(fmt::format("fault of promise {}: {}", promise, fault.message));
+      }
+    }
+    if (found > told) {
+      summary.end_with(fmt::format("and {} of promise {}; --json lists them",
+                                   counted(found - told, "more fault"), promise));
+    }
+  }
 }
 
 void add_faults(const verify::Report& report, Summary& summary) {
   Value faults(Value::List{});
   for (const verify::Fault& fault : report.faults) {
     faults.add(value_of(fault));
-    summary.end_with(fmt::format("fault of promise {}: {}", static_cast<int>(fault.promise), fault.message));
   }
   summary.add("faults", std::move(faults));
+  tell_faults(report, summary);
   Value not_listed;
   for (std::size_t promise = 0; promise < verify::promise_count; ++promise) {
     if (report.faults_not_listed[promise] > 0) {

@@ -49,7 +49,7 @@ std::string international_chunk(std::string_view key, std::string_view value) {
   return chunk("iTXt", data + std::string(value));
 }
 
-cairo_status_t append(void* out, const unsigned char* data, unsigned int size) {
+cairo_status_t append_to_png(void* out, const unsigned char* data, unsigned int size) {
   static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), size);
   return CAIRO_STATUS_SUCCESS;
 }
@@ -79,7 +79,7 @@ std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inc
     paint_layer(cairo.get(), page, layer, dots_per_mm);
   }
   std::string bytes;
-  check_cairo(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
+  check_cairo(cairo_surface_write_to_png_stream(surface.get(), append_to_png, &bytes));
   const std::string per_metre = big_endian(static_cast<std::uint32_t>(std::lround(1000.0 * dots_per_mm)));
   constexpr std::size_t after_header = 8 + 25;  // signature, IHDR
   bytes.insert(after_header, chunk("pHYs", per_metre + per_metre + '\x01') +

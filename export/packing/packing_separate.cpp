@@ -26,7 +26,7 @@ struct Patience {
   double overlap_mm2;
   std::uint64_t times;
 };
-constexpr std::array<Patience, 2> patience{{{30.0, 8}, {300.0, 3}}};
+constexpr std::array<Patience, 2> more_patience{{{30.0, 8}, {300.0, 3}}};
 /// First step of the improvement, cells; halved down to 1.
 constexpr std::int32_t first_step = 8;
 
@@ -230,7 +230,7 @@ void PackingSeparation::raise_weights() {
 
 std::uint64_t PackingSeparation::allowed(std::uint64_t most_work) const {
   const double left = static_cast<double>(least_overlap_) * fill_.grid().cell * fill_.grid().cell;
-  for (const Patience& p : patience) {
+  for (const Patience& p : more_patience) {
     if (left <= p.overlap_mm2) {
       return p.times * most_work;
     }

@@ -12,10 +12,10 @@
 namespace ridgecraft::paper {
 namespace {
 
-constexpr double text_height = 1.9;  ///< mm
-constexpr double row_height = 3.1;   ///< baseline to baseline, mm
-constexpr double clearance = 2.5;    ///< from lines and texts of the page, mm
-constexpr double step = 5.0;         ///< between places that are tried, mm
+constexpr double index_text_height = 1.9;  ///< mm
+constexpr double row_height = 3.1;         ///< baseline to baseline, mm
+constexpr double index_clearance = 2.5;    ///< from lines and texts of the page, mm
+constexpr double step = 5.0;               ///< between places that are tried, mm
 /// Widths of the table that are tried, shares of the printable width.
 constexpr std::array<double, 4> widths{0.95, 0.62, 0.42, 0.28};
 /// A longer list would be a page of its own.
@@ -52,7 +52,7 @@ void append_wrapped(std::vector<std::string>& rows, const std::string& text, dou
     const std::string word = text.substr(begin, end - begin);
     begin = end + 1;
     const std::string longer = row.empty() ? word : row + " " + word;
-    if (!row.empty() && text_width(longer, text_height) > width) {
+    if (!row.empty() && text_width(longer, index_text_height) > width) {
       rows.push_back(row);
       row = std::string(indent) + word;
     } else {
@@ -65,13 +65,17 @@ void append_wrapped(std::vector<std::string>& rows, const std::string& text, dou
 /// The rows with their upper left corner at the origin.
 std::vector<Text> table(const std::vector<std::string>& rows) {
   std::vector<Text> texts;
-  double y = -0.5 * text_height;
+  double y = -0.5 * index_text_height;
   for (const std::string& row : rows) {
     const std::size_t from = row.find_first_not_of(' ');
-    const double left = from == 0 ? 0.0 : text_width(indent, text_height);
+    const double left = from == 0 ? 0.0 : text_width(indent, index_text_height);
     const std::string words = row.substr(from);
-    texts.push_back(
-        {Layer::mark, words, {left + 0.5 * text_width(words, text_height), y}, text_height, 0.0, false});
+    texts.push_back({Layer::mark,
+                     words,
+                     {left + 0.5 * text_width(words, index_text_height), y},
+                     index_text_height,
+                     0.0,
+                     false});
     y -= row_height;
   }
   return texts;
@@ -122,7 +126,7 @@ class PageRoom {
  private:
   [[nodiscard]] bool free(const Text& text) const {
     // The foot lies below the area: it needs no more than the distance to a line.
-    return obstacles_.is_free(text, std::min(clearance, 0.5 * row_height), clearance) &&
+    return obstacles_.is_free(text, std::min(index_clearance, 0.5 * row_height), index_clearance) &&
            !on_a_piece(text.centre);
   }
   [[nodiscard]] bool on_a_piece(Vec2 p) const {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
+#include "base/sentence.hpp"
 #include "mesh/reading/stl_layout.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
@@ -90,7 +91,8 @@ FileFormat by_suffix(const Source& source, std::string_view file_name, bool text
       return FileFormat::stl_binary;
     }
   }
-  source.refuse(ErrorKind::unreadable_input, "is in no known mesh format (OBJ, STL, PLY or OFF)");
+  source.refuse(ErrorKind::unreadable_input,
+                "is in no known mesh format (" + listed(format_names(), "or") + ")");
 }
 
 }  // namespace
@@ -138,7 +140,7 @@ FileFormat detect_format(const Source& source, std::string_view file_name) {
 
 bool suffix_contradicts(std::string_view file_name, FileFormat format) {
   const std::string_view ending = suffix(file_name);
-  for (const std::string_view known : {"OBJ", "STL", "PLY", "OFF"}) {
+  for (const std::string& known : format_names()) {
     if (equal_ignoring_case(ending, known)) {
       return known != format_name(format);
     }

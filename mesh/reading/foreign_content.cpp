@@ -78,7 +78,7 @@ constexpr std::array markup{
 };
 
 /// As far as we look for telling words.
-constexpr std::size_t start_length = 4096;
+constexpr std::size_t searched_bytes = 4096;
 
 std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -101,8 +101,8 @@ std::optional<std::string_view> archive(std::string_view bytes) {
   if (!bytes.starts_with("PK\x03\x04"sv) && !bytes.starts_with("PK\x05\x06"sv)) {
     return std::nullopt;
   }
-  const std::string_view start = bytes.substr(0, start_length);
-  const std::string_view last = bytes.substr(bytes.size() - std::min(bytes.size(), start_length));
+  const std::string_view start = bytes.substr(0, searched_bytes);
+  const std::string_view last = bytes.substr(bytes.size() - std::min(bytes.size(), searched_bytes));
   if (start.find("3D/") != start.npos || start.find("[Content_Types].xml") != start.npos ||
       last.find("3D/3dmodel.model") != last.npos) {
     return "a 3MF model or another ZIP archive";
@@ -133,7 +133,7 @@ std::optional<std::string_view> known_by_length(std::string_view bytes) {
 std::optional<std::string_view> markup_or_json(std::string_view bytes) {
   TextScanner text(bytes);
   text.skip_space('\0');
-  const std::string_view start = text.rest().substr(0, start_length);
+  const std::string_view start = text.rest().substr(0, searched_bytes);
   if (start.starts_with('<')) {
     for (const Signature& known : markup) {
       if (contains_ignoring_case(start, known.start)) {

@@ -20,7 +20,7 @@ namespace ridgecraft::mesh {
 namespace {
 
 /// Lines between two questions whether to stop.
-constexpr std::size_t check_interval = 1U << 14U;
+constexpr std::size_t lines_per_check = 1U << 14U;
 
 class ObjReader {
  public:
@@ -80,7 +80,7 @@ Soup ObjReader::read() {
   soup_.corner_point.reserve(source_.bytes.size() / 24);
   for (std::size_t lines = 1; !text_.done(); ++lines) {
     read_line();
-    if (lines % check_interval == 0) {
+    if (lines % lines_per_check == 0) {
       source_.context.check();
     }
   }

@@ -15,7 +15,7 @@ namespace ridgecraft::mesh {
 namespace {
 
 /// Lines between two questions whether to stop.
-constexpr std::size_t check_interval = 1U << 14U;
+constexpr std::size_t off_lines_per_check = 1U << 14U;
 /// The shortest line of a point is "0 0 0" and a line end, that of a face "0" and a line end; the last has no
 /// end.
 constexpr std::int64_t point_line_size = 6;
@@ -64,7 +64,7 @@ class OffReader {
       source_.refuse(ErrorKind::unreadable_input,
                      fmt::format("is cut off: its header says {} {}, {} are there", wanted, what, done));
     }
-    if (++lines_ % check_interval == 0) {
+    if (++lines_ % off_lines_per_check == 0) {
       source_.context.check();
     }
   }

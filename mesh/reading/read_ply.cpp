@@ -20,7 +20,7 @@ namespace ridgecraft::mesh {
 namespace {
 
 /// Elements between two questions whether to stop.
-constexpr std::int64_t check_interval = 1 << 14;
+constexpr std::int64_t elements_per_check = 1 << 14;
 
 /// Colour channels are bytes or shares of 1.
 double channel(double value, PlyType type) {
@@ -54,7 +54,7 @@ class PlyReader {
   void add_face_texture();
   void begin(const PlyElement& element, std::int64_t i) {
     values_.begin_row(element, i);
-    if (i % check_interval == 0) {
+    if (i % elements_per_check == 0) {
       source_.context.check();
     }
   }

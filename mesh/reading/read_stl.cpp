@@ -15,7 +15,7 @@ namespace ridgecraft::mesh {
 namespace {
 
 /// Facets between two questions whether to stop.
-constexpr std::uint32_t check_interval = 1U << 14U;
+constexpr std::uint32_t facets_per_check = 1U << 14U;
 
 float read_float(const char* at) {
   std::uint32_t bits = 0;
@@ -190,7 +190,7 @@ void AsciiReader::read_facet(const char* start) {
         fmt::format("facet {} has {} corners instead of 3", soup_.polygon_count() + 1, corners));
   }
   close_polygon(soup_);
-  if (soup_.polygon_count() % check_interval == 0) {
+  if (soup_.polygon_count() % facets_per_check == 0) {
     check_corner_count(source_, soup_);
     source_.context.check();
   }
@@ -236,7 +236,7 @@ Soup read_stl_binary(const Source& source) {
       add_corner(soup, point);
     }
     close_polygon(soup);
-    if (i % check_interval == 0) {
+    if (i % facets_per_check == 0) {
       source.context.check();
     }
   }

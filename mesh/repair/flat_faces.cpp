@@ -32,8 +32,8 @@ Sides sides_of(const TriangleList& list, const Triangle& t) {
   return s;
 }
 
-bool is_flat(const TriangleList& list, const Triangle& t) {
-  return mesh::is_flat(list.points[t.points[0]], list.points[t.points[1]], list.points[t.points[2]]);
+bool has_no_area(const TriangleList& list, const Triangle& t) {
+  return is_flat(list.points[t.points[0]], list.points[t.points[1]], list.points[t.points[2]]);
 }
 
 /// Joins the ends of sides that are nothing beside the others. True when it did.
@@ -98,7 +98,7 @@ class Divider {
     for (std::size_t k = 0; k < 3; ++k) {
       uses_[edge(t.points[k], t.points[(k + 1) % 3])].insert(i);
     }
-    if (is_flat(list_, t)) {
+    if (has_no_area(list_, t)) {
       const Sides s = sides_of(list_, t);
       queue_.insert({s.length[s.longest], i});
     }
@@ -163,7 +163,7 @@ bool is_flat(Vec3 a, Vec3 b, Vec3 c) {
 std::size_t collapse_flat_triangles(TriangleList& list, const Context& context) {
   std::vector<std::size_t> flat;
   for (std::size_t i = 0; i < list.triangles.size(); ++i) {
-    if (is_flat(list, list.triangles[i])) {
+    if (has_no_area(list, list.triangles[i])) {
       flat.push_back(i);
     }
   }
@@ -172,7 +172,7 @@ std::size_t collapse_flat_triangles(TriangleList& list, const Context& context) 
     context.check();
     flat.clear();
     for (std::size_t i = 0; i < list.triangles.size(); ++i) {
-      if (is_flat(list, list.triangles[i])) {
+      if (has_no_area(list, list.triangles[i])) {
         flat.push_back(i);
       }
     }

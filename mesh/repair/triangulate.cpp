@@ -21,7 +21,7 @@ constexpr double crossed_fold = 150.0 * std::numbers::pi / 180.0;
 /// Bends that differ by less are the same; then the better triangles decide.
 constexpr double same_fold = 1.0 * std::numbers::pi / 180.0;
 
-std::string first_detail(std::uint32_t polygon) {
+std::string first_polygon(std::uint32_t polygon) {
   return "first: polygon " + std::to_string(std::uint64_t{polygon} + 1);
 }
 
@@ -167,7 +167,7 @@ class Triangulator {
 
   void remark_bend(std::size_t i, const std::vector<Vec3>& p, Vec3 normal) {
     if (bend(p, normal) > flat_) {
-      report_.add(RepairKind::bent_polygons_split, 1, first_detail(list_.origin[i]));
+      report_.add(RepairKind::bent_polygons_split, 1, first_polygon(list_.origin[i]));
     }
   }
 
@@ -175,7 +175,7 @@ class Triangulator {
     const auto v = list_.polygon(i);
     const std::vector<Vec3> p = places(i);
     if (v[0] == v[2] || v[1] == v[3]) {  // there and back: what is left is no area at all
-      report_.add(RepairKind::crossed_polygons_rebuilt, 1, first_detail(list_.origin[i]));
+      report_.add(RepairKind::crossed_polygons_rebuilt, 1, first_polygon(list_.origin[i]));
       return;
     }
     const Split one = judge(p[0], p[1], p[2], p[3], is_edge(v[0], v[2]));
@@ -183,7 +183,7 @@ class Triangulator {
     const bool second = better(two, one);
     const Split& chosen = second ? two : one;
     if (chosen.fold > crossed_fold) {
-      report_.add(RepairKind::crossed_polygons_rebuilt, 1, first_detail(list_.origin[i]));
+      report_.add(RepairKind::crossed_polygons_rebuilt, 1, first_polygon(list_.origin[i]));
       return;
     }
     remark_bend(i, p, normalized(doubled_area(p)));
@@ -226,7 +226,7 @@ class Triangulator {
     }
     auto triangles = triangulate_inside(flat, sides);
     if (!triangles || triangles->empty()) {
-      report_.add(RepairKind::crossed_polygons_rebuilt, 1, first_detail(list_.origin[i]));
+      report_.add(RepairKind::crossed_polygons_rebuilt, 1, first_polygon(list_.origin[i]));
       return;
     }
     std::sort(triangles->begin(), triangles->end());

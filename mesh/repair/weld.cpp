@@ -42,7 +42,7 @@ constexpr int most_rounds = 8;
 /// Squares of distances from boxes may be this much too large.
 constexpr double rounding = 1.0 + 1e-12;
 
-struct Edge {
+struct Side {
   std::uint32_t low;
   std::uint32_t high;
 };
@@ -55,7 +55,7 @@ struct Border {
 
 /// `distance` is the largest reach.
 Border find_border(const PolygonList& list, double distance) {
-  std::vector<Edge> sides;
+  std::vector<Side> sides;
   sides.reserve(list.corners.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto polygon = list.polygon(i);
@@ -65,7 +65,7 @@ Border find_border(const PolygonList& list, double distance) {
       p = q;
     }
   }
-  const std::vector<Edge> edges = in_edge_order(std::span<const Edge>(sides));
+  const std::vector<Side> edges = in_edge_order(std::span<const Side>(sides));
   Border border;
   border.reach.assign(list.points.size(), distance);
   for (std::size_t i = 0; i < edges.size();) {

@@ -6,7 +6,7 @@
 namespace ridgecraft::segment {
 namespace {
 
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+double distance_to_bridge(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 d = b - a;
   const double squared = dot(d, d);
   const double t = squared > 0.0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
@@ -38,7 +38,7 @@ void prefix_concavity(std::span<const Vec2> chain, std::vector<double>& prefix) 
     if (!stack.empty()) {
       const std::size_t top = stack.back().position;
       for (std::size_t i = top + 1; i < k; ++i) {
-        pocket = std::max(pocket, distance_to_segment(chain[i], chain[top], q));
+        pocket = std::max(pocket, distance_to_bridge(chain[i], chain[top], q));
       }
       pocket = std::max(pocket, stack.back().concavity);
     }

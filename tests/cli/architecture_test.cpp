@@ -105,13 +105,17 @@ const std::vector<Folder>& folders() {
   return all;
 }
 
+/// What looks at the program from beside it; no folder of the program includes any of these.
+const std::set<std::string> beside_the_program = {"tests", "bench", "samples"};
+
 struct Include {
   fs::path file;         ///< from the root
   std::string included;  ///< "mesh/model/surface.hpp", or what stands between <>
+  bool quoted = false;   ///< else between <>
 };
 
 std::vector<Include> includes_of(const std::string& folder) {
-  const std::regex directive(R"re(^\s*#include\s*["<]([^">]+)[">])re");
+  const std::regex directive(R"re(^\s*#include\s*(["<])([^">]+)[">])re");
   const fs::path root(RIDGECRAFT_SOURCE_DIR);
   std::vector<Include> includes;
   for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
@@ -124,7 +128,7 @@ std::vector<Include> includes_of(const std::string& folder) {
     std::smatch match;
     while (std::getline(in, line)) {
       if (std::regex_search(line, match, directive)) {
-        includes.push_back({entry.path().lexically_relative(root), match[1].str()});
+        includes.push_back({entry.path().lexically_relative(root), match[2].str(), match[1] == "\""});
       }
     }
   }
@@ -145,13 +149,45 @@ std::string room_of(const fs::path& file) {
 
 }  // namespace
 
+TEST_CASE("every folder that is built is one of the program, or beside it", "[architecture]") {
+  const std::regex directive(R"re(add_subdirectory\((\w+))re");
+  std::ifstream in(fs::path(RIDGECRAFT_SOURCE_DIR) / "CMakeLists.txt");
+  std::set<std::string> built;
+  std::string line;
+  std::smatch match;
+  while (std::getline(in, line)) {
+    if (std::regex_search(line, match, directive)) {
+      built.insert(match[1].str());
+    }
+  }
+  std::set<std::string> known = beside_the_program;
+  for (const Folder& folder : folders()) {
+    known.insert(folder.name);
+  }
+  CHECK(built == known);
+}
+
+TEST_CASE("what is included in quotes is named from the root, and none of it is beside the program",
+          "[architecture]") {
+  for (const Folder& folder : folders()) {
+    for (const auto& [file, included, quoted] : includes_of(folder.name)) {
+      const std::string from = fs::path(included).begin()->string();
+      INFO(file << " includes " << included);
+      // A path such as "../tests/x.hpp" begins with no folder's name, nor does "x.hpp".
+      CHECK(quoted == (folder_named(from) != nullptr && included != from));
+      CHECK_FALSE(beside_the_program.contains(from));
+      CHECK(included.find("..") == std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("a folder includes only those below it", "[architecture]") {
   for (const Folder& folder : folders()) {
     const std::vector<Include> includes = includes_of(folder.name);
     CHECK_FALSE(includes.empty());
-    for (const auto& [file, included] : includes) {
+    for (const auto& [file, included, quoted] : includes) {
       const Folder* const from = folder_named(fs::path(included).begin()->string());
-      if (from != nullptr && included.find('/') != std::string::npos && from->name != folder.name) {
+      if (from != nullptr && from->name != folder.name) {
         INFO(file << " includes " << included);
         CHECK((from->name == "base" || folder.stands_on.contains(from->name)));
       }
@@ -161,7 +197,7 @@ TEST_CASE("a folder includes only those below it", "[architecture]") {
 
 TEST_CASE("a folder opens its headers to others by name", "[architecture]") {
   for (const Folder& folder : folders()) {
-    for (const auto& [file, included] : includes_of(folder.name)) {
+    for (const auto& [file, included, quoted] : includes_of(folder.name)) {
       const Folder* const from = folder_named(fs::path(included).begin()->string());
       if (from != nullptr && from->name != folder.name && from->name != "base") {
         INFO(file << " includes " << included);
@@ -192,7 +228,7 @@ TEST_CASE("rooms stand on each other from the ground up, and none on the top of 
       CHECK(std::includes(below.begin(), below.end(), room.stands_on.begin(), room.stands_on.end()));
       below.insert(room.name);
     }
-    for (const auto& [file, included] : includes_of(folder.name)) {
+    for (const auto& [file, included, quoted] : includes_of(folder.name)) {
       const std::string here = room_of(file);
       const auto room = std::find_if(folder.rooms.begin(), folder.rooms.end(),
                                      [&](const Room& r) { return r.name == here; });
@@ -208,7 +244,7 @@ TEST_CASE("rooms stand on each other from the ground up, and none on the top of 
 
 TEST_CASE("CGAL and OpenMesh stay behind plain headers", "[architecture]") {
   for (const Folder& folder : folders()) {
-    for (const auto& [file, included] : includes_of(folder.name)) {
+    for (const auto& [file, included, quoted] : includes_of(folder.name)) {
       if (file.extension() == ".hpp" && file.filename() != "edit_mesh.hpp") {
         INFO(file << " includes " << included);
         CHECK_FALSE(included.starts_with("CGAL/"));

@@ -47,8 +47,24 @@ TEST_CASE("exit code 3: the input can't be read", "[exit_codes]") {
     check_refusal(run_program({"verify", "no.fold"}, in(nets)), 3,
                   "no.fold is in no format that can be checked");
   }
+  write_bytes(nets / "no.fold", "");
+  check_refusal(run_program({"verify", "no.fold"}, in(nets)), 3, "ridgecraft: no.fold is empty\n");
   check_refusal(run_program({"info", "/dev/zero"}, in(folder)), 3, "/dev/zero");
   CHECK(folder.names() == before);
+}
+
+TEST_CASE("exit code 3: nets in the place of their model", "[exit_codes]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"unfold", "house.obj", "-o", "nets.fold"}, in(folder)).exit_code == 0);
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"nets.fold", "-o", "yy"}, {"info", "nets.fold"}}) {
+    check_refusal(run_program(arguments, in(folder)), 3,
+                  "pages of nets are made by: ridgecraft MODEL --from nets.fold");
+  }
+  const Outcome missing = run_program({"missing.fold"}, in(folder));
+  CHECK(missing.exit_code == 3);
+  CHECK(missing.err.find("--from") == std::string::npos);
 }
 
 TEST_CASE("exit code 3: no right to read", "[exit_codes]") {
@@ -95,8 +111,9 @@ TEST_CASE("exit code 6: verify finds faults", "[exit_codes]") {
   CHECK(outcome.exit_code == 6);
   CHECK_FALSE(Json::parse(outcome.out)["faults"].empty());
   const std::string whole = read_bytes(folder / "h.fold");
-  for (const std::string& bytes : {whole.substr(0, whole.size() / 2), std::string("{\"meshes\": []}"),
-                                   std::string(" []"), "\xEF\xBB\xBF" + whole}) {
+  for (const std::string& bytes :
+       {whole.substr(0, whole.size() / 2), std::string("{\"meshes\": []}"), std::string(" []"),
+        std::string("null"), std::string("{}"), std::string("\"nets\""), "\xEF\xBB\xBF" + whole}) {
     write_bytes(folder / "no.fold", bytes);
     const Outcome text = run_program({"verify", "no.fold"}, in(folder));
     CHECK(text.exit_code == 6);
@@ -139,6 +156,29 @@ TEST_CASE("exit code 7: the result can't be written", "[exit_codes]") {
               .exit_code == 0);
     // The link has made room, what it led to is untouched.
     CHECK(read_bytes(folder / "house.fold") == nets);
+  }
+  SECTION("a link is as the file that it leads to, and one that leads nowhere is somebody's") {
+    write_bytes(folder / "other.txt", "somebody's own file");
+    fs::create_symlink("other.txt", folder / "foreign");
+    fs::create_symlink("missing", folder / "nowhere");
+    for (const std::string link : {"foreign", "nowhere"}) {
+      for (const std::string suffix : {".pdf", ".ply", ".seg", ".urdf"}) {
+        fs::copy_symlink(folder / link, folder / (link + suffix));
+      }
+      CAPTURE(link);
+      for (const std::vector<std::string>& arguments :
+           std::vector<std::vector<std::string>>{{"house.obj", "-o", link + ".pdf"},
+                                                 {"segment", "house.obj", "-o", link + ".ply"},
+                                                 {"segment", "house.obj", "--labels", link + ".seg"},
+                                                 {"hulls", "house.obj", "-o", link + ".urdf"}}) {
+        CAPTURE(arguments);
+        check_refusal(run_program(arguments, in(folder)), 7, "--overwrite replaces it");
+      }
+      CHECK(run_program({"house.obj", "-o", link + ".pdf", "--overwrite"}, in(folder)).exit_code == 0);
+      CHECK(fs::is_regular_file(fs::symlink_status(folder / (link + ".pdf"))));
+    }
+    CHECK(read_bytes(folder / "other.txt") == "somebody's own file");
+    CHECK_FALSE(fs::exists(folder / "missing"));
   }
   SECTION("a cage that the same run reads, made from the same model") {
     REQUIRE(run_program({"cage", "house.obj", "-o", "cage.obj"}, in(folder)).exit_code == 0);
@@ -228,6 +268,27 @@ TEST_CASE("exit code 2: two results in one file", "[exit_codes]") {
       run_program({"segment", "house.obj", "--hierarchy", "new/a", "--labels", "new/../new/a"}, in(folder)),
       2, "new/a");
   CHECK(folder.names() == std::set<std::string>{"house.obj", "real", "link"});
+}
+
+TEST_CASE("exit code 2: no result goes to standard output", "[exit_codes]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"house.obj", "-o", "-"},
+           {"unfold", "house.obj", "-o", "-"},
+           {"segment", "house.obj", "-o", "-"},
+           {"segment", "house.obj", "--labels", "-"},
+           {"segment", "house.obj", "--hierarchy", "-"},
+           {"hulls", "house.obj", "-o", "-"},
+           {"cage", "house.obj", "-o", "-"},
+           {"shell", "house.obj", "-o", "-"},
+           {"deform", "house.obj", "--cage", "house.obj", "--to", "house.obj", "-o", "-"}}) {
+    CAPTURE(arguments);
+    check_refusal(run_program(arguments, in(folder)), 2, "never to standard output");
+  }
+  CHECK(folder.names() == std::set<std::string>{"house.obj"});
+  CHECK(run_program({"segment", "house.obj", "--labels", "./-"}, in(folder)).exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "-"});
 }
 
 TEST_CASE("more than the memory holds", "[exit_codes]") {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -269,6 +270,151 @@ TEST_CASE("each verb that writes tells of what a killed run had left", "[killed]
   }
 }
 
+TEST_CASE("a set that stays incomplete after a killed run is told, with the reason", "[killed]") {
+  const TemporaryFolder folder(memory());
+  const auto put_in_place_until = [&](std::string_view last_step) {
+    write_bytes(folder / "x.svg", "old svg");
+    fs::remove(folder / "x.pdf");
+    REQUIRE_FALSE(in_child([&] {
+      PendingFiles pending({.before_step = [last_step, renamed = 0](std::string_view step) mutable {
+        if (step == last_step && renamed > 0) {
+          ::raise(SIGKILL);
+        }
+        renamed += step == "rename" ? 1 : 0;
+      }});
+      pending.add(folder / "x.pdf", "new pdf");
+      pending.add(folder / "x.svg", "new svg");
+      pending.commit();
+    }));
+  };
+  put_in_place_until("rename");
+  write_bytes(folder / "x.svg", "edited by hand");
+  Notes notes = write_next(folder.path());
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::EndsWith("hadn't put all files of a set in place, which stays so: " +
+                                       (folder / "x.svg").string() + " was changed since"));
+
+  put_in_place_until("unlink");
+  CHECK(read_bytes(folder / "x.svg") == "new svg");
+  write_bytes(folder / "x.svg", "edited by hand");
+  notes = write_next(folder.path());
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::EndsWith("all removed now"));
+  CHECK(read_bytes(folder / "x.svg") == "edited by hand");
+}
+
+TEST_CASE("a killed run's set that can't be put back is told", "[killed]") {
+  const TemporaryFolder folder(memory());
+  write_bytes(folder / "x.svg", "old svg");
+  fs::create_directories(folder / "x.fold/inside");  // a folder can't be replaced by a file
+  REQUIRE_FALSE(in_child([&] {
+    PendingFiles pending({.before_step = [&, renamed = 0](std::string_view step) mutable {
+      if (step == "rename" && ++renamed == 2) {
+        for (const std::string& name : folder.names()) {
+          if (name.ends_with(".old")) {
+            fs::remove(folder / name);
+          }
+        }
+        ::raise(SIGKILL);
+      }
+    }});
+    pending.add(folder / "x.svg", "new svg");
+    pending.add(folder / "x.fold", "new fold");
+    pending.commit();
+  }));
+  const Notes notes = write_next(folder.path());
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::EndsWith("all removed now, and had replaced some files of a set only: " +
+                                       (folder / "x.svg").string() + " is new and can't be put back"));
+  CHECK(hidden_in(folder.path()) == 0);
+}
+
+TEST_CASE("a set given up before anything was replaced isn't told as put back", "[killed]") {
+  const TemporaryFolder folder(memory());
+  write_bytes(folder / "x.svg", "old svg");
+  REQUIRE_FALSE(in_child([&] {
+    PendingFiles pending({.before_step = [](std::string_view step) {
+      if (step == "link") {
+        ::raise(SIGKILL);
+      }
+    }});
+    pending.add(folder / "x.svg", "new svg");
+    pending.commit();
+  }));
+  for (const std::string& name : folder.names()) {
+    if (name.ends_with(".journal")) {
+      write_bytes(folder / name, read_bytes(folder / name) + "back\n");
+    }
+  }
+  const Notes notes = write_next(folder.path());
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::EndsWith("all removed now"));
+  CHECK(read_bytes(folder / "x.svg") == "old svg");
+}
+
+TEST_CASE("a killed run's set waits for a folder that can't be reached, for an hour", "[killed]") {
+  const BothSets sets = both_sets();
+  for (std::size_t step = 0; step < sets.steps.size(); ++step) {
+    for (const auto& [here, there] : {std::pair("a", "b"), std::pair("b", "a")}) {
+      CAPTURE(step, here);
+      const TemporaryFolder folder(memory());
+      write_old_set(folder.path());
+      REQUIRE_FALSE(in_child([&] { write_new_set(folder.path(), death_at(static_cast<int>(step))); }));
+      fs::rename(folder / there, folder / "elsewhere");
+      write_next(folder / here);
+      fs::rename(folder / "elsewhere", folder / there);
+      write_next(folder / here);
+      write_next(folder / there);
+      const Contents now = visible(folder.path());
+      CHECK((now == sets.before || now == sets.after));
+      CHECK(hidden_in(folder.path()) == 0);
+    }
+  }
+
+  const TemporaryFolder folder(memory());
+  REQUIRE_FALSE(in_child([&] {
+    PendingFiles pending({.before_step = [](std::string_view step) {
+      if (step == "rename") {
+        ::raise(SIGKILL);
+      }
+    }});
+    pending.add(folder / "a/x.pdf", "new pdf");
+    pending.add(folder / "b/x.fold", "new fold");
+    pending.commit();
+  }));
+  fs::remove_all(folder / "b");
+  write_next(folder / "a");
+  CHECK(hidden_in(folder / "a") > 0);
+  for (const auto& entry : fs::directory_iterator(folder / "a")) {
+    fs::last_write_time(entry, fs::file_time_type::clock::now() - std::chrono::minutes(61));
+  }
+  write_next(folder / "a");
+  CHECK(hidden_in(folder / "a") == 0);
+}
+
+TEST_CASE("a run that fails tells of what a killed run had left, too", "[killed]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE_FALSE(in_child([&] {
+    PendingFiles pending({.before_step = [renamed = 0](std::string_view step) mutable {
+      if (step == "rename" && renamed++ == 1) {
+        ::raise(SIGKILL);
+      }
+    }});
+    pending.add(folder / "x.pdf", "new pdf");
+    pending.add(folder / "x.svg", "new svg");
+    pending.commit();
+  }));
+  RunOptions options = in(folder);
+  options.largest_file = 2000;
+  const Outcome outcome = run_program({"house.obj"}, options);
+  CHECK(outcome.exit_code == 7);
+  CHECK(outcome.err.starts_with("note: a run that was killed had left "));
+  CHECK(outcome.err.find("finished files that weren't all in place: they are now\n") != std::string::npos);
+  CHECK(outcome.err.find("\nridgecraft: can't write ") != std::string::npos);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "x.pdf", "x.svg"});
+}
+
 TEST_CASE("files of a living run, of others and of a run elsewhere stay", "[killed]") {
   const TemporaryFolder folder(memory());
   const auto keeps = [&](const std::string& name) {
@@ -352,6 +498,16 @@ void forbid_locks() {
 }
 
 }  // namespace
+
+TEST_CASE("a lock file of another run stays where there are no locks", "[killed]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / cli::lock_name, "");
+  CHECK(in_child([&] {
+    forbid_locks();
+    write_next(folder.path());
+  }));
+  CHECK(folder.names() == std::set<std::string>{"next", std::string(cli::lock_name)});
+}
 
 TEST_CASE("a file system without locks", "[killed]") {
   const TemporaryFolder folder;

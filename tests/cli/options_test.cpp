@@ -34,7 +34,6 @@ TEST_CASE("a model alone gets the defaults that a maker would choose", "[options
   CHECK(paper.options.tabs.wanted);
   CHECK(paper.options.tabs.height_mm == 5.0);
   CHECK(paper.options.concavity == 0.1);
-  CHECK(paper.options.simplify.hidden_fold_angle == paper.options.style.hidden_fold_angle);
   CHECK(paper.common.seed == 1);
   CHECK(paper.common.threads >= 1);
 }
@@ -49,11 +48,10 @@ TEST_CASE("options may stand anywhere, and -o is repeatable", "[options]") {
   CHECK(paper.options.paper->size.x == Approx(215.9));
 }
 
-TEST_CASE("folds that are hidden don't count anywhere else", "[options]") {
+TEST_CASE("folds are hidden below an angle in degrees", "[options]") {
   const Job job = parse_arguments({"whale.obj", "--hide-folds", "10"});
   const auto& options = std::get<PaperJob>(job).options;
   CHECK(options.style.hidden_fold_angle == Approx(0.17453).epsilon(1e-4));
-  CHECK(options.simplify.hidden_fold_angle == options.style.hidden_fold_angle);
 }
 
 TEST_CASE("a scale says how large one unit becomes", "[options]") {
@@ -182,6 +180,43 @@ TEST_CASE("an option of another verb is told as such", "[options]") {
   CHECK(refusal({"m.obj", "--fases", "300"}) == "there is no option '--fases', did you mean '--faces'?");
   CHECK(refusal({"verify", "m.fold", "--label", "x"}).find("belongs") == std::string::npos);
   CHECK(refusal({"verify", "m.fold", "--", "x"}).find("belongs") == std::string::npos);
+}
+
+TEST_CASE("a name that begins with a dash is told as it was typed, and where it may stand", "[options]") {
+  for (const std::string name : {"-h.obj", "-x.obj", "-qx.obj", "--house.obj"}) {
+    CHECK(refusal({name}) == "there is no option '" + name +
+                                 "'; a file of this name stands behind --, as in: ridgecraft -- " + name);
+  }
+  CHECK(refusal({"info", "-h.obj"}).ends_with("as in: ridgecraft info -- -h.obj"));
+  CHECK(refusal({"a.obj", "-x"}) == "there is no option '-x'; see ridgecraft --help");
+  CHECK(std::get<PaperJob>(parse_arguments({"--", "-h.obj"})).model == "-h.obj");
+}
+
+TEST_CASE("a second model is refused with what a run takes", "[options]") {
+  CHECK(refusal({"a.obj", "b.obj"}) ==
+        "'b.obj' is one argument too many: a run takes one model; see ridgecraft --help");
+  CHECK(refusal({"info", "a.obj", "b.obj"}).find("a run takes one model") != std::string::npos);
+  CHECK(refusal({"verify", "a.fold", "b.fold"}).find("a run takes one file") != std::string::npos);
+  CHECK(refusal({"formats", "x"}) == "'x' is one argument too many; see ridgecraft formats --help");
+}
+
+TEST_CASE("help for a verb is that verb's", "[options]") {
+  const auto text = [](const std::vector<std::string>& arguments) {
+    return std::get<PrintJob>(parse_arguments(arguments)).text;
+  };
+  CHECK(text({"help"}) == text({"--help"}));
+  CHECK(text({"help", "unfold"}) == text({"unfold", "--help"}));
+  CHECK(text({"help", "--json"}) == text({"--help"}));
+  CHECK(refusal({"help", "unfoldd"}) == "there is no verb 'unfoldd', did you mean 'unfold'?");
+  CHECK(refusal({"help", "export"}) == "there is no verb 'export'; ridgecraft --help lists all");
+}
+
+TEST_CASE("a word before a file is told to be no verb", "[options]") {
+  CHECK(refusal({"export", "nets.fold", "-o", "x.pdf"}) ==
+        "there is no verb 'export'; pages of nets are made by: ridgecraft MODEL --from nets.fold");
+  CHECK(refusal({"export", "a.obj"}) == "there is no verb 'export'; ridgecraft --help lists all");
+  CHECK(std::get<PaperJob>(parse_arguments({"export"})).model == "export");
+  CHECK(std::get<PaperJob>(parse_arguments({"export", "-o", "x.pdf"})).model == "export");
 }
 
 TEST_CASE("each help says what a time limit does there", "[options]") {

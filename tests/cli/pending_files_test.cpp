@@ -3,6 +3,8 @@
 #include "cli/files/set/pending_files.hpp"
 
 #include <csignal>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <sys/resource.h>
@@ -28,6 +30,31 @@ TEST_CASE("when one file can't get its name the others are as they were", "[pend
     CHECK_THROWS_AS(pending.commit(), Error);
   }
   CHECK(test::read_bytes(folder / "old") == "before");
+  CHECK(folder.names() == std::set<std::string>{"old", "busy"});
+}
+
+TEST_CASE("without second names, what can't be put back is named", "[pending]") {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / "old", "before");
+  fs::create_directories(folder / "busy/inside");
+  {
+    PendingFiles pending({.before_step = [&](std::string_view step) {
+      if (step == "rename") {
+        for (const std::string& name : folder.names()) {
+          if (name.ends_with(".old")) {
+            fs::remove(folder / name);
+          }
+        }
+      }
+    }});
+    pending.add(folder / "new", "1");
+    pending.add(folder / "old", "2");
+    pending.add(folder / "busy", "3");  // a folder can't be replaced by a file
+    CHECK_THROWS_WITH(pending.commit(), Catch::StartsWith("can't write " + (folder / "busy").string()) &&
+                                            Catch::EndsWith("; " + (folder / "old").string() +
+                                                            " is new already and couldn't be put back"));
+  }
+  CHECK(test::read_bytes(folder / "old") == "2");
   CHECK(folder.names() == std::set<std::string>{"old", "busy"});
 }
 
@@ -100,4 +127,29 @@ TEST_CASE("a leftover that can't be removed is told, and no failure", "[pending]
   REQUIRE(notes.size() == 1);
   CHECK(notes[0].find("page-2.svg") != std::string::npos);
   CHECK(test::read_bytes(folder / "page.svg") == "1");
+}
+
+TEST_CASE("the disk gets each new folder's name before anything is put there", "[pending]") {
+  const test::TemporaryFolder folder;
+  std::vector<std::string> steps;
+  PendingFiles pending({.before_step = [&](std::string_view step) { steps.emplace_back(step); }});
+  pending.add(folder / "a/b/new", "1");
+  REQUIRE(steps.size() > 4);
+  CHECK(std::vector<std::string>(steps.begin(), steps.begin() + 4) ==
+        std::vector<std::string>{"mkdir", "fsync", "mkdir", "fsync"});
+}
+
+TEST_CASE("a set in folders between which no path leads is refused", "[pending]") {
+  const test::TemporaryFolder folder;
+  {
+    PendingFiles pending;
+    pending.add(folder / "a/x", "1");
+    pending.add(folder / "b/y", "1");
+    fs::rename(folder / "b", folder / "c");
+    fs::create_symlink("b", folder / "b");
+    CHECK_THROWS_WITH(pending.commit(), Catch::Contains("no path leads from one to the other"));
+    fs::remove(folder / "b");
+    fs::rename(folder / "c", folder / "b");
+  }
+  CHECK(folder.names().empty());
 }

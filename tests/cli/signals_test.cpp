@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SIGINT, SIGTERM and SIGHUP where no job runs that would look for them.
+#include <chrono>
 #include <csignal>
+#include <optional>
+#include <stdexcept>
+#include <thread>
 
 #include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include "cli/early_end.hpp"
+#include "cli/files/set/pending_files.hpp"
+#include "cli/interruption.hpp"
 #include "cli/program_checks.hpp"
 #include "support/temporary_folder.hpp"
 
+using namespace ridgecraft;
 using namespace ridgecraft::test;
 
 namespace {
@@ -31,6 +40,21 @@ class FullPipe {
  private:
   int pipe_ = -1;
 };
+
+/// Does the work in a process of its own that heeds signals as the program does. Its exit code, 0 at its end.
+int exit_code_of(void (*work)()) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, STDERR_FILENO);
+    cli::end_at_signals(false);
+    work();
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
 
 }  // namespace
 
@@ -86,4 +110,42 @@ TEST_CASE("no signal ends the program by itself once its code has begun", "[sign
     CHECK((outcome.exit_code == 130 || outcome.exit_code == 0));
     CHECK((outcome.exit_code == 0) == outcome.err.empty());
   }
+}
+
+TEST_CASE("a signal between the summary and the end of a job isn't lost", "[signals]") {
+  for (int i = 0; i < 20; ++i) {
+    CHECK(exit_code_of([] {
+            cli::PendingFiles pending;
+            std::optional<cli::Interruption> interruption(pending);
+            ::kill(::getpid(), SIGTERM);  // nobody looks at the stop token any more
+            interruption.reset();
+          }) == 130);
+  }
+}
+
+TEST_CASE("a job that fails when a signal comes tells its failure", "[signals]") {
+  CHECK(exit_code_of([] {
+          cli::PendingFiles pending;
+          try {
+            const cli::Interruption interruption(pending);
+            ::kill(::getpid(), SIGTERM);
+            while (!interruption.stopped().stop_requested()) {
+              std::this_thread::yield();
+            }
+            throw std::runtime_error("a failure");
+          } catch (const std::runtime_error&) {
+            ::_exit(7);
+          }
+        }) == 7);
+}
+
+TEST_CASE("a job's end waits for nothing", "[signals]") {
+  constexpr int jobs = 50;
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < jobs; ++i) {
+    cli::PendingFiles pending;
+    const cli::Interruption interruption(pending);
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  CHECK(seconds.count() < 0.01 * jobs);
 }

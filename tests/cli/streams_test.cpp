@@ -181,6 +181,31 @@ TEST_CASE("waiting for standard input ends with the time limit", "[streams]") {
   CHECK(std::stol(read_bytes(folder / "ended")) < std::stol(read_bytes(folder / "all")));
 }
 
+TEST_CASE("-q leaves out what isn't the result itself", "[streams]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"info", "house.obj"}, {"formats"}}) {
+    std::vector<std::string> quiet = arguments;
+    quiet.emplace_back("-q");
+    const Outcome outcome = run_program(quiet, in(folder));
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out == run_program(arguments, in(folder)).out);
+    CHECK(outcome.err.empty());
+  }
+  for (const char* verb : {"segment", "unfold"}) {
+    const Outcome outcome = run_program({verb, "house.obj", "-q"}, in(folder));
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.starts_with("house.obj: "));
+    CHECK(outcome.err.empty());
+  }
+  CHECK(folder.names() == std::set<std::string>{"house.obj"});
+  CHECK(run_program({"unfold", "house.obj", "-q", "-o", "h.fold"}, in(folder)).out.empty());
+  const Outcome verified = run_program({"verify", "h.fold", "-q"}, in(folder));
+  CHECK(verified.exit_code == 0);
+  CHECK(verified.out.empty());
+}
+
 TEST_CASE("options end at --", "[streams]") {
   const TemporaryFolder folder;
   write_bytes(folder / "-wheel.obj", house);

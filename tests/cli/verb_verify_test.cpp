@@ -83,6 +83,30 @@ TEST_CASE("verify finds what is wrong about pages and model, with exit code 6", 
   CHECK(other.out.find("isn't the one that the nets name") != std::string::npos);
 }
 
+TEST_CASE("many faults of one cause are told in a few lines", "[verify]") {
+  const House house;
+  // Pages of another size: hardly a line is at its place.
+  REQUIRE(run_program({"house.obj", "--size", "24cm", "-o", "other"}, in(house.folder)).exit_code == 0);
+  const Outcome outcome = house.verify({"--pages", "other/house.pdf"});
+  INFO(outcome.out);
+  CHECK(outcome.exit_code == 6);
+  CHECK(outcome.out.find("beside their places") == std::string::npos);
+  const Json json = Json::parse(house.verify({"--pages", "other/house.pdf", "--json"}).out);
+  const auto faults = json.at("faults").size();
+  REQUIRE(faults > 6);
+  CHECK(json.at("printed").at("faulty") == faults);
+  CHECK(outcome.out.find(", " + std::to_string(faults) + " faults\n") != std::string::npos);
+  const std::string end =
+      "and " + std::to_string(faults - 5) + " more faults of promise 10; --json lists them\n";
+  CHECK(outcome.out.ends_with(end));
+  std::size_t told = 0;
+  for (std::size_t at = outcome.out.find("fault of promise 10: "); at != std::string::npos;
+       at = outcome.out.find("fault of promise 10: ", at + 1)) {
+    ++told;
+  }
+  CHECK(told == 5);
+}
+
 TEST_CASE("verify refuses what are no pages and no model, in one sentence", "[verify]") {
   const House house;
   write_bytes(house.folder / "page.png", "\x89PNG\r\n\x1a\n");

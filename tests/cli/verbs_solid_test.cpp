@@ -16,6 +16,25 @@ using namespace ridgecraft::test;
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+namespace {
+
+/// A board on four legs: five hulls.
+std::string table() {
+  std::vector<std::array<int, 3>> cells;
+  for (int x = 0; x < 5; ++x) {
+    for (int y = 0; y < 5; ++y) {
+      cells.push_back({x, y, 3});
+      if (x % 4 == 0 && y % 4 == 0) {
+        cells.push_back({x, y, 2});
+        cells.push_back({x, y, 1});
+      }
+    }
+  }
+  return ridgecraft::mesh::write_obj(voxels(cells, 1));
+}
+
+}  // namespace
+
 TEST_CASE("hulls, cages, shells and deformed models are made from the command line", "[verbs_solid]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
@@ -54,18 +73,7 @@ TEST_CASE("hulls, cages, shells and deformed models are made from the command li
 
 TEST_CASE("hulls and cages take the options of parts that segment has", "[verbs_solid]") {
   const TemporaryFolder folder;
-  // A board on four legs.
-  std::vector<std::array<int, 3>> cells;
-  for (int x = 0; x < 5; ++x) {
-    for (int y = 0; y < 5; ++y) {
-      cells.push_back({x, y, 3});
-      if (x % 4 == 0 && y % 4 == 0) {
-        cells.push_back({x, y, 2});
-        cells.push_back({x, y, 1});
-      }
-    }
-  }
-  write_bytes(folder / "table.obj", ridgecraft::mesh::write_obj(voxels(cells, 1)));
+  write_bytes(folder / "table.obj", table());
   const auto parts = [&](std::vector<std::string> arguments) {
     arguments.push_back("--json");
     return Json::parse(run_program(arguments, in(folder)).out)["parts"];
@@ -189,4 +197,24 @@ TEST_CASE("all meshes of a robot have the numbers of the file, however extreme",
   // Mass times the square of a length doesn't fit into a double here.
   write_bytes(folder / "farther.obj", tetrahedron("1e71"));
   check_refusal(run_program({"hulls", "farther.obj", "-o", "farther.urdf"}, in(folder)), 4, "farther.obj");
+}
+
+TEST_CASE("hulls of an earlier description go with it, and nothing else does", "[verbs_solid]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "table.obj", table());
+  REQUIRE(run_program({"hulls", "table.obj", "-o", "t.urdf"}, in(folder)).exit_code == 0);
+  REQUIRE(fs::exists(folder / "t-hull-5.obj"));
+  // Somebody's own hull, and the same model's hulls under names that no description gives.
+  write_bytes(folder / "t-hull-9.obj", house);
+  REQUIRE(run_program({"hulls", "table.obj", "-o", "t-hull.obj"}, in(folder)).exit_code == 0);
+  const std::set<std::string> kept{"table.obj", "t.urdf", "t-visual.obj", "t-hull.obj", "t-hull-9.obj"};
+  const auto with = [&](std::set<std::string> more) {
+    more.insert(kept.begin(), kept.end());
+    return more;
+  };
+  REQUIRE(run_program({"hulls", "table.obj", "-o", "t.urdf", "--parts", "3"}, in(folder)).exit_code == 0);
+  CHECK(folder.names() == with({"t-hull-1.obj", "t-hull-2.obj", "t-hull-3.obj"}));
+  // The description of another model, made of one of the hulls: the model itself stays.
+  REQUIRE(run_program({"hulls", "t-hull-3.obj", "-o", "t.urdf", "--overwrite"}, in(folder)).exit_code == 0);
+  CHECK(folder.names() == with({"t-hull-1.obj", "t-hull-3.obj"}));
 }

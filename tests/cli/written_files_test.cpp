@@ -47,6 +47,28 @@ TEST_CASE("pages left over from an earlier run of the same model are removed", "
         std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold", "house-9.svg"});
 }
 
+TEST_CASE("with --overwrite, pages of the model whose files are replaced go", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "--size", "25cm", "-o", "out"}, in(folder)).exit_code == 0);
+  REQUIRE(fs::exists(folder / "out/house-2.svg"));
+  // Another model, and somebody's own page; that of a model of such a name, which no other file is from.
+  write_bytes(folder / "house-9.obj", std::string(house) + "# nine\n");
+  REQUIRE(run_program({"house-9.obj", "--size", "8cm", "-o", "out/house-9.svg"}, in(folder)).exit_code == 0);
+  write_bytes(folder / "out/house-8.svg", "<svg>somebody's own</svg>");
+  write_bytes(folder / "house.obj", std::string(house) + "# edited\n");
+  check_refusal(run_program({"house.obj", "--size", "8cm", "-o", "out"}, in(folder)), 7, "out/house.");
+  CHECK(fs::exists(folder / "out/house-2.svg"));
+  const Outcome outcome = run_program({"house.obj", "--size", "8cm", "-o", "out", "--overwrite"}, in(folder));
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder / "out")) {
+    names.insert(entry.path().filename().string());
+  }
+  CHECK(names == std::set<std::string>{"house.pdf", "house.svg", "house.fold", "house-8.svg", "house-9.svg"});
+}
+
 TEST_CASE("a file that is asked for twice is written once", "[written_files]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
@@ -69,6 +91,18 @@ TEST_CASE("names as long as the file system allows", "[written_files]") {
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(folder.names() == std::set<std::string>{"house.obj", stem + ".pdf"});
+}
+
+TEST_CASE("a file gets the name that was asked for, in capitals, too", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "--size", "25cm", "-o", "X.PDF", "-o", "X.Svg"}, in(folder)).exit_code ==
+          0);
+  CHECK(fs::exists(folder / "X-2.Svg"));
+  const Outcome outcome =
+      run_program({"house.obj", "--size", "8cm", "-o", "X.PDF", "-o", "X.Svg"}, in(folder));
+  CHECK(outcome.out.find("wrote X.PDF\nwrote X.Svg\n") != std::string::npos);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "X.PDF", "X.Svg"});
 }
 
 TEST_CASE("folders are made for results, and go again when there are none", "[written_files]") {

@@ -3,6 +3,7 @@
 #include "job/job.hpp"
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -84,6 +85,69 @@ TEST_CASE("other paper changes pages and nothing of the nets", "[job]") {
   CHECK_THROWS_AS(job::with_pages(made, paper::parse_paper("40x60mm"), made.options.style, {}), Error);
 }
 
+TEST_CASE("a file tells what its nets were searched with, whatever was changed since", "[job]") {
+  Context first;
+  first.seed = 7;
+  Context later;
+  later.seed = 8;
+  const auto setting = [](const job::Paper& made, const std::string& name) {
+    const std::string key = "\"" + name + "\":";
+    const std::size_t at = made.fold.find(key);
+    if (at == std::string::npos) {
+      return std::string();
+    }
+    const std::size_t begin = made.fold.find_first_not_of(' ', at + key.size());
+    return made.fold.substr(begin, made.fold.find_first_of(",}\n", begin) - begin);
+  };
+  const job::Paper made = job::paper(sample("house.obj"), {}, first);
+  CHECK(setting(made, "seed") == "7");
+  CHECK(made.fold.find("\"searched_") == std::string::npos);
+
+  // Tabs that ask for more pieces get none: nothing is searched for them any more.
+  unfold::TabOptions tabs = made.options.tabs;
+  tabs.height_mm = 3.5;
+  tabs.split_pieces = true;
+  const job::Paper lower = job::with_tabs(made, tabs, later);
+  CHECK(setting(lower, "seed") == "7");
+  CHECK(setting(lower, "all_tabs").empty());
+  CHECK(setting(lower, "tab_height_mm") == "3.5");
+  CHECK(setting(lower, "searched_tab_height_mm") == "5");
+
+  const job::Paper large = job::with_pages(made, paper::parse_paper("A2"), made.options.style, later);
+  CHECK(setting(large, "seed") == "7");
+  CHECK(large.fold.find("\"searched_paper_mm\"") != std::string::npos);
+  CHECK(bytes_of(job::with_pages(large, *made.options.paper, made.options.style, later)) == bytes_of(made));
+}
+
+TEST_CASE("pieces that were split for tabs stay so without them", "[job]") {
+  job::Options options;
+  options.tabs.split_pieces = true;
+  const job::Paper made = job::paper(sample("rocket.obj"), options, {});
+  unfold::TabOptions none = options.tabs;
+  none.wanted = false;
+  const job::Paper bare = job::with_tabs(made, none, {});
+  CHECK(bare.nets.piece == made.nets.piece);
+  CHECK(bare.fold.find("\"searched_all_tabs\"") != std::string::npos);
+}
+
+TEST_CASE("the times of a job that goes on are those of all its steps", "[job]") {
+  const job::Paper made = job::paper(sample("house.obj"), {}, {});
+  const job::Paper other = job::with_tabs(made, made.options.tabs, {});
+  REQUIRE(other.seconds.size() == made.seconds.size() + 1);
+  CHECK(other.seconds.back().first == "tabs");
+  for (std::size_t i = 0; i < made.seconds.size(); ++i) {
+    CHECK(other.seconds[i].first == made.seconds[i].first);
+    CHECK(other.seconds[i].second >= made.seconds[i].second);
+  }
+}
+
+TEST_CASE("folds that get no line are no short folds, either", "[job]") {
+  job::Options options;
+  options.style.hidden_fold_angle = 0.2;
+  const job::Paper made = job::paper(sample("gem.stl"), options, {});
+  CHECK(made.options.simplify.hidden_fold_angle == made.options.style.hidden_fold_angle);
+}
+
 TEST_CASE("without paper there are nets and no pages", "[job]") {
   job::Options options;
   options.paper = std::nullopt;
@@ -102,6 +166,20 @@ TEST_CASE("edges are named by points of the file", "[job]") {
   const job::Paper made = job::paper(std::move(model), options, {});
   CHECK(made.options.simplify.mode == prepare::Simplification::keep);
   CHECK(made.fold.find("\"cuts\"") != std::string::npos);
+
+  const auto refused = [](mesh::Model file, const job::Options& asked) {
+    try {
+      static_cast<void>(job::paper(std::move(file), asked, {}));
+    } catch (const Error& error) {
+      return error.kind() == ErrorKind::unreadable_input;
+    }
+    return false;
+  };
+  options.edges.cut = job::EdgeList{{{0, 4'000'000}}, digest("0 4000000")};
+  CHECK(refused(sample("packaging_box.obj", true), options));
+  options.edges = {};
+  options.edges.keep = job::EdgeList{{{0, 1}}, digest("0 1")};
+  CHECK(refused(sample("packaging_box.obj", false), options));
 }
 
 TEST_CASE("a listener is told of hundreds of pages and of folds too short for fingers", "[job]") {

@@ -89,6 +89,14 @@ TEST_CASE("a model folded flat is told, and not searched for long", "[unfold]") 
   CHECK(faults_of(large, nets, {}) == none);
   REQUIRE(flat_note(nets) != nets.notes.end());
   CHECK(flat_note(nets)->find("no time is spent on fewer pieces") != std::string::npos);
+  // Nobody set a limit of time, so none is to blame.
+  for (const unfold::Piece& piece : nets.pieces) {
+    CHECK(piece.reason != unfold::PieceReason::time);
+  }
+  for (const std::string& note : nets.notes) {
+    CAPTURE(note);
+    CHECK(note.find("in the time given") == std::string::npos);
+  }
   // Small ones are told, but searched as any other model is.
   const mesh::Surface small = flattened(8, 5);
   const Nets few = unfold::unfold(small, test::flat_panels(small), test::one_part(small), {}, {});

@@ -40,7 +40,9 @@ std::vector<std::pair<InkPath, InkState>> strokes_of(std::string_view content) {
   const ContentEvents events{
       .path = [&](const InkPath& path, const InkState& state) { strokes.emplace_back(path, state); },
       .object = [](std::string_view, const InkState&) {},
-      .hides_lines = {},
+      .hides_lines = [](std::string_view name) -> std::optional<bool> {
+        return name == "thick" ? std::nullopt : std::optional(name == "clear");
+      },
       .other = [] {}};
   read_content(content, {}, events);
   return strokes;
@@ -86,6 +88,10 @@ TEST_CASE("lines that nobody sees are no lines", "[pages]") {
   CHECK(strokes_of("1 1 1 RG 0 0 m 1 1 l S").at(0).second.white);
   CHECK(strokes_of("0 0 0 0 K 0 0 m 1 1 l S").at(0).second.white);
   CHECK_FALSE(strokes_of("0 0 0 1 K 0 0 m 1 1 l S").at(0).second.white);
+  CHECK(strokes_of("/clear gs 0 0 m 1 1 l S").at(0).second.hidden);
+  CHECK_FALSE(strokes_of("/clear gs /full gs 0 0 m 1 1 l S").at(0).second.hidden);
+  // A state that says nothing of opacity leaves it.
+  CHECK(strokes_of("/clear gs /thick gs 0 0 m 1 1 l S").at(0).second.hidden);
 }
 
 TEST_CASE("what may move, hide or add a line in an SVG page is told", "[pages]") {

@@ -16,7 +16,7 @@ namespace ridgecraft::unfold {
 namespace {
 
 using Node = std::uint32_t;
-using Segment = std::array<Node, 2>;
+using NodePair = std::array<Node, 2>;
 
 Box2 box_of(Vec2 a, Vec2 b) {
   Box2 box;
@@ -57,15 +57,15 @@ class Nodes {
 };
 
 /// Each segment cut at the nodes that lie on it.
-std::vector<Segment> split_at_nodes(const std::vector<Segment>& segments, const std::vector<Vec2>& points,
-                                    double tolerance) {
+std::vector<NodePair> split_at_nodes(const std::vector<NodePair>& segments, const std::vector<Vec2>& points,
+                                     double tolerance) {
   std::vector<Box2> boxes;
   for (const Vec2 p : points) {
     boxes.push_back(box_of(p, p));
   }
   // Points have no size, so the grid chooses its cells by their number.
   const BoxGrid grid(std::move(boxes));
-  std::vector<Segment> result;
+  std::vector<NodePair> result;
   std::vector<std::pair<double, Node>> on;
   for (const auto& [a, b] : segments) {
     const Vec2 along = points[b] - points[a];
@@ -93,9 +93,9 @@ std::vector<Segment> split_at_nodes(const std::vector<Segment>& segments, const 
 }
 
 /// Segments that are run both ways cancel each other and are slits; the others stay.
-void cancel_opposite(const std::vector<Segment>& segments, std::vector<Segment>& kept,
-                     std::vector<Segment>& slits) {
-  std::map<Segment, int> balance;  // runs upwards (from the smaller node) minus runs downwards
+void cancel_opposite(const std::vector<NodePair>& segments, std::vector<NodePair>& kept,
+                     std::vector<NodePair>& slits) {
+  std::map<NodePair, int> balance;  // runs upwards (from the smaller node) minus runs downwards
   for (const auto& [a, b] : segments) {
     balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
   }
@@ -104,7 +104,7 @@ void cancel_opposite(const std::vector<Segment>& segments, std::vector<Segment>&
       slits.push_back(ends);
     }
     for (int i = 0; i < std::abs(sum); ++i) {
-      kept.push_back(sum > 0 ? ends : Segment{ends[1], ends[0]});
+      kept.push_back(sum > 0 ? ends : NodePair{ends[1], ends[0]});
     }
   }
 }
@@ -116,7 +116,7 @@ double turn(Vec2 a, Vec2 b) {
 }
 
 /// Follows the segments; where there is a choice the loop keeps to the region outside, on its right.
-std::vector<std::vector<Vec2>> trace_loops(const std::vector<Segment>& segments,
+std::vector<std::vector<Vec2>> trace_loops(const std::vector<NodePair>& segments,
                                            const std::vector<Vec2>& points) {
   std::vector<std::vector<std::uint32_t>> leaving(points.size());
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
@@ -152,7 +152,7 @@ std::vector<std::vector<Vec2>> trace_loops(const std::vector<Segment>& segments,
 }
 
 /// Joins segments to lines that run through all nodes with two segments.
-std::vector<std::vector<Vec2>> join_lines(const std::vector<Segment>& segments,
+std::vector<std::vector<Vec2>> join_lines(const std::vector<NodePair>& segments,
                                           const std::vector<Vec2>& points) {
   std::map<Node, std::vector<std::uint32_t>> at;
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
@@ -190,7 +190,7 @@ std::vector<std::vector<Vec2>> join_lines(const std::vector<Segment>& segments,
 
 CutLines arrange_cuts(const std::vector<std::vector<Vec2>>& loops, double tolerance) {
   Nodes nodes(tolerance);
-  std::vector<Segment> segments;
+  std::vector<NodePair> segments;
   for (const std::vector<Vec2>& loop : loops) {
     std::vector<Node> chain;
     for (const Vec2 p : loop) {
@@ -203,8 +203,8 @@ CutLines arrange_cuts(const std::vector<std::vector<Vec2>>& loops, double tolera
       }
     }
   }
-  std::vector<Segment> kept;
-  std::vector<Segment> slits;
+  std::vector<NodePair> kept;
+  std::vector<NodePair> slits;
   cancel_opposite(split_at_nodes(segments, nodes.points, tolerance), kept, slits);
   return {trace_loops(kept, nodes.points), join_lines(slits, nodes.points)};
 }

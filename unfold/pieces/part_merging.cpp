@@ -20,17 +20,17 @@ namespace ridgecraft::unfold {
 namespace {
 
 /// Cuts at which two pieces are tried to be joined as they are.
-constexpr std::size_t cuts_tried = 24;
+constexpr std::size_t shared_cuts_tried = 24;
 /// Faces times iterations of all unions that are unfolded afresh, and faces of all that are joined as they
 /// are: about two seconds each.
 constexpr std::uint64_t fresh_budget = 8'000'000;
 constexpr std::size_t join_budget = 1'000'000;
 /// Larger unions take too long.
-constexpr std::size_t most_faces = 1500;
+constexpr std::size_t most_merged_faces = 1500;
 
 using Faces = std::vector<std::uint32_t>;
 
-struct Piece {
+struct GrowingPiece {
   Faces faces;  ///< ascending
   double cost = 0.0;
   std::size_t parts = 1;
@@ -52,7 +52,7 @@ class PartMerger {
     search_.starts = 2;
     for (Faces& faces : lay_out(patch, folds).faces) {
       std::sort(faces.begin(), faces.end());
-      Piece& piece = pieces_.emplace_back();
+      GrowingPiece& piece = pieces_.emplace_back();
       piece.faces = std::move(faces);
       renew(piece);
     }
@@ -84,7 +84,7 @@ class PartMerger {
     return parts.size();
   }
 
-  void renew(Piece& piece) {
+  void renew(GrowingPiece& piece) {
     piece.parts = count_parts(piece.faces);
     piece.cost = cost_of_piece(sub_patch(patch_, piece.faces), sub_folds(patch_, folds_, piece.faces),
                                piece.parts, weights_);
@@ -101,12 +101,12 @@ class PartMerger {
   }
 
   bool merge(const PieceBorder& border) {
-    Piece& a = pieces_[border.a];
-    Piece& b = pieces_[border.b];
-    Piece both;
+    GrowingPiece& a = pieces_[border.a];
+    GrowingPiece& b = pieces_[border.b];
+    GrowingPiece both;
     std::merge(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
                std::back_inserter(both.faces));
-    if (both.faces.size() > most_faces || failed_.contains(both.faces)) {
+    if (both.faces.size() > most_merged_faces || failed_.contains(both.faces)) {
       return false;
     }
     const double limit = a.cost + b.cost;
@@ -148,7 +148,7 @@ class PartMerger {
       return patch.frozen[s] != patch.frozen[t] ? patch.frozen[s] > patch.frozen[t]
                                                 : patch.length[s] > patch.length[t];
     });
-    cuts.resize(std::min(cuts.size(), cuts_tried));
+    cuts.resize(std::min(cuts.size(), shared_cuts_tried));
     std::optional<Folds> best;
     for (const std::uint32_t side : cuts) {
       if (joined_ >= join_budget) {
@@ -190,7 +190,7 @@ class PartMerger {
   Random random_;
   const Context& context_;
   OnePieceSearch search_;
-  std::vector<Piece> pieces_;
+  std::vector<GrowingPiece> pieces_;
   std::set<Faces> failed_;
   std::size_t joined_ = 0;
   std::uint64_t fresh_ = 0;

@@ -55,12 +55,13 @@ struct Proposal {
 class PatchUnfolder {
  public:
   PatchUnfolder(const Patch& patch, const Room& room, PanelCuts cuts, double tolerance, std::uint64_t seed,
-                const Context& context)
+                Effort effort, const Context& context)
       : patch_(patch),
         room_(room),
         cuts_(cuts),
         tolerance_(tolerance),
         random_(seed),
+        effort_(effort),
         context_(context),
         least_pieces_(least_pieces(patch, room)) {
     has_panels_ =
@@ -225,7 +226,7 @@ class PatchUnfolder {
         fewest = std::move(folds);
       }
     }
-    out_of_time_ = context_.out_of_time();
+    out_of_time_ = effort_ == Effort::full && context_.out_of_time();
     const Layout layout = lay_out(patch_, *fewest);
     no_single_net_ = true;
     propose(*fewest, layout.piece);
@@ -270,6 +271,7 @@ class PatchUnfolder {
   PanelCuts cuts_;
   double tolerance_;
   Random random_;
+  Effort effort_;
   const Context& context_;
   std::size_t least_pieces_;  ///< that no arrangement can do without
   bool has_panels_ = false;
@@ -284,8 +286,8 @@ class PatchUnfolder {
 }  // namespace
 
 PatchNets unfold_patch(const Patch& patch, const Room& room, PanelCuts cuts, double tolerance,
-                       std::uint64_t seed, const Context& context) {
-  return PatchUnfolder(patch, room, cuts, tolerance, seed, context).run();
+                       std::uint64_t seed, Effort effort, const Context& context) {
+  return PatchUnfolder(patch, room, cuts, tolerance, seed, effort, context).run();
 }
 
 }  // namespace ridgecraft::unfold

@@ -20,12 +20,18 @@ struct PatchNets {
   std::vector<std::string> notes;  ///< sentences about what didn't go the usual way; "it" is the patch
 };
 
+/// How long a net is searched for.
+enum class Effort {
+  full,   ///< until the context's deadline
+  brief,  ///< only what comes first is taken, by choice and not for want of time: nothing is told of the time
+};
+
 /// One net where one exists and fits, else as few pieces as possible: (1) single nets from several start
 /// trees, panels whole; (2) if there is none and panels may be cut, with cuts inside panels; (3) if there is
 /// none, the best tree cut at its conflicts and joined again where possible; (4) pieces that don't fit the
 /// room are split, taken apart and joined anew, and neighbours unfolded afresh together as long as that gives
 /// fewer. The best of several attempts is kept. Every panel of the patch must fit the room by itself.
 [[nodiscard]] PatchNets unfold_patch(const Patch& patch, const Room& room, PanelCuts cuts, double tolerance,
-                                     std::uint64_t seed, const Context& context);
+                                     std::uint64_t seed, Effort effort, const Context& context);
 
 }  // namespace ridgecraft::unfold

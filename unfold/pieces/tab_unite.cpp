@@ -26,7 +26,7 @@ namespace {
 /// Cuts between two pieces that are tried as a fold, the longest first.
 constexpr std::size_t cuts_tried = 8;
 /// Of each search for tabs, for each face.
-constexpr double trials_per_face = 1000.0;
+constexpr double tab_trials_per_face = 1000.0;
 /// Of all searches together, for each face of the surface.
 constexpr double trials_in_all = 5000.0;
 /// A tab more is worth nearly any shape here: weight of bare seam.
@@ -177,7 +177,7 @@ class Uniter {
       set_fold(given.patch, start, *link, true);
       links.push_back(*link);
     }
-    const Annealing rules = annealing_for(trials_per_face, given.patch.size());
+    const Annealing rules = annealing_for(tab_trials_per_face, given.patch.size());
     trials_left_ -= static_cast<double>(rules.quick_trials);
     const LinkedPatch linked = linked_patch(given.patch, links);
     ChangingNet net(rules_.surface, rules_.panels, linked.apart, linked.joined, start, rules_.options,

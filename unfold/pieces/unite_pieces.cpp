@@ -18,7 +18,7 @@ namespace {
 /// Faces times iterations of all unions that are tried: about a second.
 constexpr std::uint64_t unions_cost = 4'000'000;
 /// Larger unions take too long for an attempt.
-constexpr std::size_t most_faces = 2000;
+constexpr std::size_t most_united_faces = 2000;
 
 using Faces = std::vector<std::uint32_t>;
 
@@ -42,7 +42,7 @@ Folds unite_pieces(const Patch& patch, const Folds& folds, const Room& room, dou
       Faces faces = layout.faces[border.a];
       faces.insert(faces.end(), layout.faces[border.b].begin(), layout.faces[border.b].end());
       std::sort(faces.begin(), faces.end());
-      if (faces.size() > most_faces || failed.contains(faces)) {
+      if (faces.size() > most_united_faces || failed.contains(faces)) {
         continue;
       }
       const Patch both = sub_patch(patch, faces);

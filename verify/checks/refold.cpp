@@ -57,15 +57,15 @@ Folded fold_from(const Case& given, Index start, std::vector<bool>& done) {
 }
 
 /// Corners of the folded faces, and where the model has them.
-struct Corners {
+struct FoldedCorners {
   std::vector<Vec3> folded, model;
   std::vector<Index> side;
 };
 
-Corners corners_of(const Case& given, const Folded& folded) {
+FoldedCorners corners_of(const Case& given, const Folded& folded) {
   const File& file = given.file;
   const Relations& relations = given.relations;
-  Corners corners;
+  FoldedCorners corners;
   for (std::size_t i = 0; i < folded.faces.size(); ++i) {
     const Index face = folded.faces[i];
     if (!relations.corners_match[face]) {
@@ -82,7 +82,7 @@ Corners corners_of(const Case& given, const Folded& folded) {
   return corners;
 }
 
-void check_corners(const Case& given, const Corners& corners, Findings& findings) {
+void check_corners(const Case& given, const FoldedCorners& corners, Findings& findings) {
   if (corners.folded.empty()) {
     return;
   }

@@ -216,7 +216,9 @@ class StatementCheck {
     if (certain && follows && share[i].area > share[i - 1].area * (1.0 + setting_tolerance_share)) {
       add({{"piece", i}}, fmt::format("{} comes after smaller pieces of its part", name()));
     }
-    const auto asks = [&](std::string_view setting) { return file_.settings.find(setting) != nullptr; };
+    const auto asks = [&](std::string_view setting) {
+      return file_.settings.find(setting) != nullptr || searched_with(file_.settings, setting) != nullptr;
+    };
     const bool impossible = (certain && (piece.reason == "part") == follows) ||
                             (piece.reason == "tabs" && !asks("all_tabs")) ||
                             (piece.reason == "faces" && file_.settings.number("max_faces") == 0.0) ||

@@ -8,7 +8,7 @@
 namespace ridgecraft::verify {
 namespace {
 
-constexpr std::string_view the_file = "the file";
+constexpr std::string_view whole_file = "the file";
 constexpr std::string_view own_prefix = "ridgecraft:";
 /// More unknown keys than this aren't listed.
 constexpr std::size_t most_unknown = 20;
@@ -31,7 +31,7 @@ Setting setting_of(const Json& value) {
 }
 
 void read_settings(const Json& json, File& file) {
-  const Json& settings = member(json, "ridgecraft:settings", the_file);
+  const Json& settings = member(json, "ridgecraft:settings", whole_file);
   if (!settings.is_object()) {
     refuse("\"ridgecraft:settings\" of the file is not an object");
   }
@@ -42,7 +42,7 @@ void read_settings(const Json& json, File& file) {
 
 void read_digest(const Json& json, File& file) {
   if (json.contains("ridgecraft:model_digest")) {
-    file.digest = text_member(json, "ridgecraft:model_digest", the_file);
+    file.digest = text_member(json, "ridgecraft:model_digest", whole_file);
   }
 }
 

@@ -30,7 +30,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 32> known_settings{{
+constexpr std::array<Known, 20> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"concavity", Kind::number, Needed::always, 0.001, 2.0},
@@ -50,20 +50,31 @@ constexpr std::array<Known, 32> known_settings{{
     {"pieces", Kind::piece_mode, Needed::with_pages},
     {"max_faces", Kind::whole_number, Needed::with_pages, 0.0, any},
     {"hide_folds_deg", Kind::number, Needed::with_pages, 0.0, 180.0},
-    {"weigh_seam", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_bare", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_slits", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_mirror", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_open", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_pieces", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_parts", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_outline", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_compact", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_thin", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_small", Kind::number, Needed::with_pages, 0.0, 1e6},
-    {"weigh_panels", Kind::number, Needed::with_pages, 0.0, 1e6},
     {"whole", Kind::yes_no, Needed::without_pages},
 }};
+
+/// The weight of any term of what a piece costs: its name is the program's affair, not the format's.
+constexpr std::string_view weight_prefix = "weigh_";
+constexpr Known weight{weight_prefix, Kind::number, Needed::with_pages, 0.0, 1e6};
+
+bool is_weight(std::string_view name) {
+  return name.starts_with(weight_prefix) && name.size() > weight_prefix.size() &&
+         std::all_of(name.begin() + weight_prefix.size(), name.end(),
+                     [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+/// Nets may have got other tabs and pages since they were searched: before the name of what was another then.
+constexpr std::string_view searched_prefix = "searched_";
+
+/// None for a setting that nobody knows.
+const Known* find_known(std::string_view name) {
+  if (is_weight(name)) {
+    return &weight;
+  }
+  const auto* const known = std::find_if(known_settings.begin(), known_settings.end(),
+                                         [&](const Known& k) { return k.name == name; });
+  return known == known_settings.end() ? nullptr : known;
+}
 
 bool is_whole(double value) {
   return std::floor(value) == value;
@@ -112,6 +123,10 @@ bool is_needed(const Known& known, bool with_pages) {
          known.needed == (with_pages ? Needed::with_pages : Needed::without_pages);
 }
 
+bool is_allowed(const Known& known, bool with_pages) {
+  return known.needed == Needed::never || is_needed(known, with_pages);
+}
+
 /// Settings that exclude or need each other.
 void check_together(const Settings& settings, std::vector<std::string>& faults) {
   if (has(settings, "size_mm") == has(settings, "mm_per_unit")) {
@@ -135,6 +150,10 @@ bool is_true(const Settings& settings, std::string_view name) {
   return answer != nullptr && *answer;
 }
 
+const Setting* searched_with(const Settings& settings, std::string_view name) {
+  return settings.find(std::string(searched_prefix) + std::string(name));
+}
+
 bool is_hash(std::string_view text) {
   constexpr std::size_t fewest = 8;
   constexpr std::size_t most = 64;
@@ -144,20 +163,25 @@ bool is_hash(std::string_view text) {
 
 std::vector<std::string> faults_of_settings(const Settings& settings) {
   std::vector<std::string> faults;
+  const bool with_pages = !has(settings, "whole");
   for (const auto& [name, value] : settings.all) {
-    const auto* const known = std::find_if(known_settings.begin(), known_settings.end(),
-                                           [&, name = name](const Known& k) { return k.name == name; });
-    if (known == known_settings.end()) {
+    const bool earlier = name.starts_with(searched_prefix);
+    const Known* const known =
+        find_known(std::string_view(name).substr(earlier ? searched_prefix.size() : 0));
+    if (known == nullptr) {
       faults.push_back(fmt::format("the settings have {}, which nobody knows", quote(name)));
-    } else if (!fits(value, *known)) {
+      continue;
+    }
+    if (!fits(value, *known)) {
       faults.push_back(fmt::format("the setting \"{}\" has a value that no option takes", name));
     }
+    if (!earlier && !is_allowed(*known, with_pages)) {
+      faults.push_back(fmt::format("the settings can't have \"{}\"", name));
+    }
   }
-  const bool with_pages = !has(settings, "whole");
   for (const Known& known : known_settings) {
-    if (is_needed(known, with_pages) != has(settings, known.name) && known.needed != Needed::never) {
-      faults.push_back(fmt::format("the settings {} \"{}\"",
-                                   has(settings, known.name) ? "can't have" : "lack", known.name));
+    if (is_needed(known, with_pages) && !has(settings, known.name)) {
+      faults.push_back(fmt::format("the settings lack \"{}\"", known.name));
     }
   }
   check_together(settings, faults);

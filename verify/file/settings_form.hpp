@@ -17,6 +17,9 @@ namespace ridgecraft::verify {
 /// Whether there is such a setting, and it says yes.
 [[nodiscard]] bool is_true(const Settings& settings, std::string_view name);
 
+/// What the nets were searched with where the settings have another value now; null where they haven't.
+[[nodiscard]] const Setting* searched_with(const Settings& settings, std::string_view name);
+
 /// What is wrong with them, a sentence each: unknown or missing ones, values that no option takes, values
 /// that contradict each other.
 [[nodiscard]] std::vector<std::string> faults_of_settings(const Settings& settings);

@@ -165,7 +165,11 @@ class ContentReader {
       state_.dashes.insert(state_.dashes.end(), list_.begin(), list_.end());
     }
   }
-  void set_state() { state_.hidden = events_.hides_lines && events_.hides_lines(name_); }
+  void set_state() {
+    if (events_.hides_lines) {
+      state_.hidden = events_.hides_lines(name_).value_or(state_.hidden);
+    }
+  }
 
   void set_gray() { state_.white = operands_[0] >= white; }
   void set_rgb() { state_.white = *std::min_element(operands_.begin(), operands_.end()) >= white; }

@@ -47,8 +47,9 @@ struct ContentEvents {
   std::function<void(const InkPath&, const InkState&)> path;
   /// An object of the resources is drawn ("/cut Do": "cut").
   std::function<void(std::string_view name, const InkState&)> object;
-  /// Whether a state of the resources hides lines ("/a0 gs"). Never asked when empty.
-  std::function<bool(std::string_view name)> hides_lines;
+  /// Whether a state of the resources hides lines ("/a0 gs"); none where it says nothing of that, which
+  /// leaves them as they are. Never asked when empty.
+  std::function<std::optional<bool>(std::string_view name)> hides_lines;
   /// Text is set, or something else painted that is no path.
   std::function<void()> other;
 };

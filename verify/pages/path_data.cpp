@@ -10,14 +10,14 @@
 namespace ridgecraft::verify {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n\f,";
+constexpr std::string_view separators = " \t\r\n\f,";
 
 class PathReader {
  public:
   explicit PathReader(std::string_view data) : rest_(data) {}
 
   std::vector<std::vector<Vec2>> read() {
-    skip_blanks();
+    skip_separators();
     while (!rest_.empty()) {
       const char first = rest_.front();
       const bool is_letter = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
@@ -30,7 +30,7 @@ class PathReader {
         cannot_check("a path has numbers without a command");
       }
       draw();
-      skip_blanks();
+      skip_separators();
     }
     end_line();
     return std::move(lines_);
@@ -94,7 +94,7 @@ class PathReader {
     line_.clear();
   }
 
-  void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size())); }
+  void skip_separators() { rest_.remove_prefix(std::min(rest_.find_first_not_of(separators), rest_.size())); }
 
   Vec2 point() {
     const double x = number();
@@ -102,7 +102,7 @@ class PathReader {
   }
 
   double number() {
-    skip_blanks();
+    skip_separators();
     if (!rest_.empty() && rest_.front() == '+') {
       rest_.remove_prefix(1);
     }

@@ -89,12 +89,11 @@ class PageReader {
         .path = [&](const InkPath& path, const InkState& now) { add(path, now, layer); },
         .object = [&](std::string_view name,
                       const InkState& now) { draw_object(name, now, resources, layer, depth); },
-        .hides_lines =
-            [&](std::string_view name) {
-              QPDFObjectHandle opacity = entry(entry(resources, "/ExtGState"), "/" + std::string(name));
-              opacity = entry(opacity, "/CA");
-              return opacity.isNumber() && opacity.getNumericValue() <= 1.0 - white;
-            },
+        .hides_lines = [&](std::string_view name) -> std::optional<bool> {
+          QPDFObjectHandle opacity = entry(entry(resources, "/ExtGState"), "/" + std::string(name));
+          opacity = entry(opacity, "/CA");
+          return opacity.isNumber() ? std::optional(opacity.getNumericValue() <= 1.0 - white) : std::nullopt;
+        },
         .other =
             [&] {
               if (!layer || (is_checked(*layer) && *layer != PrintedLayer::mark)) {

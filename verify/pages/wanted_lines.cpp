@@ -14,11 +14,11 @@ namespace ridgecraft::verify {
 namespace {
 
 /// Which kinds a fold of an angle may be drawn as, and whether it has to be drawn at all.
-struct Look {
+struct Way {
   bool mountain = false, valley = false, none = false;
 };
 
-Look look_of(double angle, double tolerance, double hidden_deg) {
+Way look_of(double angle, double tolerance, double hidden_deg) {
   const double size = std::abs(angle);
   const bool may = size >= std::max(hidden_deg, flat_fold_deg) - tolerance;
   // Folded shut, both signs hold.
@@ -125,7 +125,7 @@ class Collector {
              LineKind::valley);
   }
 
-  void add_look(Index piece, const Segment& line, const Look& look, LineKind mountain, LineKind valley) {
+  void add_look(Index piece, const Segment& line, const Way& look, LineKind mountain, LineKind valley) {
     if (look.mountain) {
       allow(piece, mountain, line);
     }
@@ -148,7 +148,7 @@ class Collector {
     if (side != none && file_.model.twin[side] != none) {
       fold = model_fold(file_, given_.relations, side);
     }
-    Look look = look_of(fold.angle_deg, fold.tolerance_deg, hidden_deg_);
+    Way look = look_of(fold.angle_deg, fold.tolerance_deg, hidden_deg_);
     if (look.none) {
       allow(piece, LineKind::tab_flat, base);
     }

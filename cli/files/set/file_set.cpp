@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "base/sentence.hpp"
+
 namespace ridgecraft::cli {
 namespace {
 
@@ -63,18 +65,35 @@ std::optional<Failure> decide(std::span<const FolderShare> set, Decision decisio
   return failure;
 }
 
-bool put_back(const FolderShare& share, const Replacement& replacement) {
+void put_back(const FolderShare& share, const Replacement& replacement, PutBack& result) {
   if (!is_in_place(share, replacement)) {
-    return true;
+    return;
   }
+  const std::filesystem::path target = share.folder->path() / replacement.target;
   const std::string old = old_of(share, replacement);
-  if (share.folder->state(old)) {
-    return share.folder->rename(old, replacement.target) == 0;
+  const bool has_old = share.folder->state(old).has_value();
+  if (replacement.before && !has_old) {
+    result.kept.push_back(target);
+    return;
   }
-  return replacement.before || share.folder->remove(replacement.target) == 0;
+  const int error =
+      has_old ? share.folder->rename(old, replacement.target) : share.folder->remove(replacement.target);
+  if (error == 0) {
+    ++result.restored;
+  } else {
+    result.failed.push_back(target);
+  }
 }
 
 }  // namespace
+
+std::string names_and(const std::vector<std::filesystem::path>& files, const char* one, const char* more) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : files) {
+    names.push_back(file.lexically_normal().string());
+  }
+  return listed(names, "and") + " " + (files.size() == 1 ? one : more);
+}
 
 std::optional<Failure> exchange(std::span<const FolderShare> set) {
   if (auto failure = write_journals(set)) {
@@ -90,15 +109,27 @@ std::optional<Failure> exchange(std::span<const FolderShare> set) {
   return put_in_place(set);
 }
 
-bool is_untouched(std::span<const FolderShare> set) {
+std::vector<std::filesystem::path> changed_since(std::span<const FolderShare> set) {
+  std::vector<std::filesystem::path> changed;
   for (const FolderShare& share : set) {
     for (const Replacement& replacement : share.journal->replacements) {
       if (!is_in_place(share, replacement) && !is_waiting(share, replacement)) {
-        return false;
+        changed.push_back(share.folder->path() / replacement.target);
       }
     }
   }
-  return true;
+  return changed;
+}
+
+bool is_incomplete(std::span<const FolderShare> set) {
+  for (const FolderShare& share : set) {
+    for (const Replacement& replacement : share.journal->replacements) {
+      if (share.folder->state(part_of(share, replacement))) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 bool is_in_place(std::span<const FolderShare> set) {
@@ -130,15 +161,15 @@ std::optional<Failure> put_in_place(std::span<const FolderShare> set) {
   return std::nullopt;
 }
 
-bool put_back(std::span<const FolderShare> set) {
-  bool all = true;
+PutBack put_back(std::span<const FolderShare> set) {
+  PutBack result;
   for (const FolderShare& share : set) {
     for (const Replacement& replacement : share.journal->replacements) {
-      all = put_back(share, replacement) && all;
+      put_back(share, replacement, result);
     }
     share.folder->sync();
   }
-  return all;
+  return result;
 }
 
 std::vector<std::string> remove_leftovers(std::span<const FolderShare> set) {

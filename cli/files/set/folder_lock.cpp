@@ -46,7 +46,8 @@ bool is_plain(const Descriptor& file) {
 FolderLock::Try FolderLock::open_lock_file() {
   const std::string name(lock_name);
   file_ = folder_->create(name, 0666);
-  if (file_.is_open()) {
+  made_ = file_.is_open();
+  if (made_) {
     // Every user of the folder may have to wait for it, whatever the umask is.
     ::fchmod(file_.number(), 0666);
     return Try::held;
@@ -73,7 +74,9 @@ FolderLock::Try FolderLock::try_once() {
     if (errno == EWOULDBLOCK || errno == EINTR) {
       return Try::busy;
     }
-    folder_->remove(name);
+    if (made_) {
+      folder_->remove(name);
+    }
     return Try::impossible;
   }
   if (!folder_->is_named(name, file_)) {

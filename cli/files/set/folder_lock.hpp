@@ -45,7 +45,8 @@ class FolderLock {
   Try open_lock_file();
 
   Folder* folder_;
-  Descriptor file_;  ///< closed where there are no locks
+  Descriptor file_;    ///< closed where there are no locks
+  bool made_ = false;  ///< the lock file, by this run
   bool left_behind_ = false;
 };
 

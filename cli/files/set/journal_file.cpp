@@ -91,13 +91,17 @@ JournalFile::Found JournalFile::find(Folder& folder, const RunId& id, const Jour
   JournalFile journal(folder, std::move(file), id);
   const bool lock_tells =
       locked == Locked::yes && kernel_of(id) == this_kernel() && this_kernel() != unknown_kernel;
-  if (!lock_tells && own.changed_ns_ - journal.changed_ns_ < surely_dead_ns) {
+  if (!lock_tells && !journal.has_rested(own)) {
     return {};
   }
   if (!folder.is_named(name, journal.file_)) {
     return {Fate::unknown, std::nullopt};
   }
   return {Fate::dead, std::move(journal)};
+}
+
+bool JournalFile::has_rested(const JournalFile& own) const {
+  return own.changed_ns_ - changed_ns_ >= surely_dead_ns;
 }
 
 int JournalFile::write(const SetJournal& journal) {

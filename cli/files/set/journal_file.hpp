@@ -36,6 +36,9 @@ class JournalFile {
   /// of `own`. Only journals of the same user as `own` are touched.
   [[nodiscard]] static Found find(Folder& folder, const RunId& id, const JournalFile& own);
 
+  /// True for the journal of a dead run that nobody has written for an hour before `own` was made.
+  [[nodiscard]] bool has_rested(const JournalFile& own) const;
+
   [[nodiscard]] const RunId& id() const { return id_; }
   /// As the file system tells it, which may call root somebody else.
   [[nodiscard]] uid_t owner() const { return owner_; }

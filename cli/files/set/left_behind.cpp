@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/sentence.hpp"
 #include "cli/files/set/file_set.hpp"
 #include "cli/files/set/temporary_names.hpp"
-#include "base/sentence.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -48,11 +48,10 @@ class DeadSet {
     LeftBehind found;
     found.runs = 1;
     bool settled = true;
-    if (decision == Decision::forward && is_untouched(set)) {
-      settled = complete(set, found);
+    if (decision == Decision::forward) {
+      settled = go_forward(set, found);
     } else if (decision == Decision::back) {
-      settled = put_back(set);
-      found.put_back = 1;
+      settled = note(put_back(set), found);
     }
     if (!settled) {
       return {};  // the hidden files may be all that is left of what stood there
@@ -70,12 +69,25 @@ class DeadSet {
     SetJournal journal;
   };
 
-  /// False where the set stands half.
-  static bool complete(std::span<const FolderShare> set, LeftBehind& found) {
+  /// False where the hidden files must stay for another try.
+  static bool note(PutBack done, LeftBehind& found) {
+    found.put_back = done.restored > 0 && done.kept.empty() ? 1 : 0;
+    found.kept = std::move(done.kept);
+    return done.failed.empty();
+  }
+
+  /// The same. Where somebody has changed a file since, none is touched.
+  static bool go_forward(std::span<const FolderShare> set, LeftBehind& found) {
+    auto changed = changed_since(set);
+    if (!changed.empty()) {
+      if (is_incomplete(set)) {
+        found.changed = std::move(changed);
+      }
+      return true;
+    }
     const bool whole = is_in_place(set);
-    if (const auto failure = put_in_place(set)) {
-      found.put_back = 1;
-      return failure->all_as_before;
+    if (auto failure = put_in_place(set)) {
+      return note(std::move(failure->before), found);
     }
     // A page that can't be removed now is found again by a run of the same model, which tells of it.
     remove_leftovers(set);
@@ -83,11 +95,12 @@ class DeadSet {
     return true;
   }
 
-  /// True also where there is nothing to take.
+  /// True also where there is nothing to take. A folder that can't be reached may hold another decision, so
+  /// the set waits for it, but not longer than for runs whose end can't be seen.
   bool take_sibling(const Folder& folder, const Sibling& sibling) {
     auto opened = folder.open_beside(sibling.path);
     if (!opened) {
-      return true;
+      return shares_.front().file.has_rested(own_);
     }
     auto place = std::make_unique<Folder>(std::move(*opened));
     std::optional<FolderLock> lock;
@@ -149,6 +162,8 @@ LeftBehind& LeftBehind::operator+=(const LeftBehind& other) {
   files += other.files;
   completed += other.completed;
   put_back += other.put_back;
+  kept.insert(kept.end(), other.kept.begin(), other.kept.end());
+  changed.insert(changed.end(), other.changed.begin(), other.changed.end());
   return *this;
 }
 
@@ -167,6 +182,14 @@ std::string sentence(const LeftBehind& found, const std::filesystem::path& folde
   }
   if (found.put_back > 0) {
     text += ", and had replaced some files of a set only: they are as before";
+  }
+  if (!found.kept.empty()) {
+    text += ", and had replaced some files of a set only: " + names_and(found.kept, "is", "are") +
+            " new and can't be put back";
+  }
+  if (!found.changed.empty()) {
+    text += ", and hadn't put all files of a set in place, which stays so: " +
+            names_and(found.changed, "was", "were") + " changed since";
   }
   return text;
 }

@@ -24,11 +24,32 @@ constexpr std::chrono::milliseconds short_wait{1000};
 
 /// A folder may vanish between its opening and the first file in it, when another run had made it and has
 /// nothing to put there after all. That won't happen often in a row.
-constexpr int most_tries = 20;
+constexpr int most_vanished_folders = 20;
 
-[[noreturn]] void refuse(const fs::path& target, int error) {
+[[noreturn]] void refuse(const fs::path& target, int error, const std::string& more = {}) {
   throw Error(ErrorKind::cant_write,
-              "can't write " + target.lexically_normal().string() + ": " + std::strerror(error));
+              "can't write " + target.lexically_normal().string() + ": " + std::strerror(error) + more);
+}
+
+[[noreturn]] void refuse(const Failure& failure) {
+  std::vector<fs::path> stay = failure.before.kept;
+  stay.insert(stay.end(), failure.before.failed.begin(), failure.before.failed.end());
+  refuse(failure.target, failure.error,
+         stay.empty() ? "" : "; " + names_and(stay, "is", "are") + " new already and couldn't be put back");
+}
+
+/// The path by which the folder is found from the other one, if there is any. Above both a folder may be
+/// closed to the user: then the paths by which they were opened tell.
+std::optional<fs::path> path_between(const Folder& from, const Folder& to) {
+  std::error_code error;
+  for (const fs::path& path :
+       {fs::relative(to.path(), from.path(), error), to.path().lexically_relative(from.path())}) {
+    const auto found = path.empty() ? std::nullopt : from.open_beside(path);
+    if (found && found->key() == to.key()) {
+      return path;
+    }
+  }
+  return std::nullopt;
 }
 
 fs::path folder_of(const fs::path& target) {
@@ -62,6 +83,9 @@ void PendingFiles::create_folder(const fs::path& folder) {
     }
     if (::mkdir(so_far.c_str(), 0777) == 0) {
       folders_.push_back(so_far);
+      if (auto around = Folder::open(folder_of(so_far), setup_.before_step)) {
+        around->sync();  // or a power failure takes the folder, with files in it that the disk has
+      }
       continue;
     }
     const int reason = errno;
@@ -96,7 +120,7 @@ PendingFiles::Place& PendingFiles::place_for(const fs::path& target) {
         return places_.back();
       }
     }
-    if (error != ENOENT || tries == most_tries) {
+    if (error != ENOENT || tries == most_vanished_folders) {
       refuse(target, error);
     }
   }
@@ -201,11 +225,14 @@ void PendingFiles::complete_journals() {
       if (&other == &place) {
         continue;
       }
-      std::error_code error;
-      const fs::path path = fs::relative(other.folder->path(), place.folder->path(), error);
-      if (!error && !path.empty()) {
-        place.journal.siblings.push_back({path.string(), other.file.id()});
+      const auto path = path_between(*place.folder, *other.folder);
+      if (!path) {
+        // A later run that doesn't find one folder from the other would clear up half of the set.
+        throw Error(ErrorKind::cant_write, "can't write into both " + place.folder->path().string() +
+                                               " and " + other.folder->path().string() +
+                                               ": no path leads from one to the other");
       }
+      place.journal.siblings.push_back({path->string(), other.file.id()});
     }
   }
 }
@@ -218,29 +245,40 @@ std::vector<FolderShare> PendingFiles::shares() {
   return set;
 }
 
+void PendingFiles::note_left_behind() {
+  for (Place& place : places_) {
+    const LeftBehind found = std::exchange(place.left_behind, {});
+    if (std::string note = sentence(found, place.folder->path()); !note.empty()) {
+      notes_.push_back(std::move(note));
+    }
+  }
+}
+
+std::vector<std::string> PendingFiles::take_notes() {
+  const std::lock_guard guard(mutex_);
+  note_left_behind();
+  return std::exchange(notes_, {});
+}
+
 std::vector<std::string> PendingFiles::commit(const LastLook& look) {
   const std::lock_guard guard(mutex_);
   require_open();
   std::list<Place> done;  // the folders outlive their locks
   const std::vector<FolderLock> locks = lock_all();
+  note_left_behind();
   if (look) {
     note_removals(look());
   }
   complete_journals();
   const std::vector<FolderShare> set = shares();
   if (const auto failure = cli::exchange(set)) {
-    if (!failure->all_as_before) {
+    if (!failure->before.failed.empty()) {
       done.swap(places_);  // the hidden files stay: the next run into the folder tries again
     }
-    refuse(failure->target, failure->error);
+    refuse(*failure);
   }
   committed_ = true;
-  std::vector<std::string> notes;
-  for (const Place& place : places_) {
-    if (std::string note = sentence(place.left_behind, place.folder->path()); !note.empty()) {
-      notes.push_back(std::move(note));
-    }
-  }
+  std::vector<std::string> notes = std::exchange(notes_, {});
   for (std::string& note : remove_leftovers(set)) {
     notes.push_back(std::move(note));
   }
@@ -254,6 +292,7 @@ bool PendingFiles::discard() noexcept {
   cancelled_ = true;
   const std::lock_guard guard(mutex_);
   closed_ = true;
+  note_left_behind();
   remove_hidden(shares());
   places_.clear();
   for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) {

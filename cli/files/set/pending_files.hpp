@@ -53,13 +53,17 @@ class PendingFiles {
   /// Renames everything into place, then removes what is to go. Returns a sentence for each folder in which a
   /// killed run had left something, and for each file that couldn't be removed. Throws Error(cant_write) when
   /// a file can't get its name (those before it are put back to what they were as far as the file system
-  /// allows), or when another run doesn't give the folder free; Error(interrupted) after discard(); and what
-  /// `look` does.
+  /// allows; the sentence names those that stay new), or when another run doesn't give the folder free;
+  /// Error(interrupted) after discard(); and what `look` does.
   std::vector<std::string> commit(const LastLook& look = {});
 
   /// Removes everything that isn't committed; nothing can be added or committed any more. True when an
   /// earlier commit() has put files into place. Waits for a commit() that is at its renaming.
   bool discard() noexcept;
+
+  /// A sentence for each folder in which a killed run had left something, as far as commit() hasn't returned
+  /// it: what was cleared away is told also where this run comes to nothing.
+  [[nodiscard]] std::vector<std::string> take_notes();
 
  private:
   /// A folder that gets files, and this run's hidden files in it.
@@ -83,12 +87,14 @@ class PendingFiles {
   void note_removals(const std::vector<std::filesystem::path>& files);
   void complete_journals();
   std::vector<FolderShare> shares();
+  void note_left_behind();
 
   Setup setup_;
   std::mutex mutex_;
   std::atomic<bool> cancelled_ = false;
   std::list<Place> places_;
   std::vector<std::filesystem::path> folders_;  ///< made here, outer ones first
+  std::vector<std::string> notes_;              ///< not told yet
   bool closed_ = false;
   bool committed_ = false;
 };

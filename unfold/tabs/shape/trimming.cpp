@@ -16,7 +16,7 @@ namespace {
 constexpr double clearly_more = 1.0 + 1e-9;
 
 /// Corners nearer than this to a corner of the base are that corner, mm: rounding of the layout.
-constexpr double same_place_mm = 1e-6;
+constexpr double rounding_mm = 1e-6;
 
 using Kind = Obstacle::Kind;
 
@@ -33,12 +33,12 @@ double worth(const ConvexShape& shape) {
 /// p (given relative to that end) and has it on its left; nothing if there is none.
 std::optional<double> slope_past(Vec2 p, double clearance, bool shares) {
   const double r = length(p);
-  if (shares && r <= same_place_mm) {
+  if (shares && r <= rounding_mm) {
     return -INFINITY;
   }
   if (shares || clearance <= 0.0) {
-    if (p.y <= same_place_mm) {
-      return p.x > same_place_mm ? std::nullopt : std::optional(-INFINITY);
+    if (p.y <= rounding_mm) {
+      return p.x > rounding_mm ? std::nullopt : std::optional(-INFINITY);
     }
     // At height corner_zone the line is `clearance` away from the ray to p.
     return (p.x + (shares ? clearance / corner_zone_mm * r : 0.0)) / p.y;
@@ -140,14 +140,14 @@ ConvexShape trimmed(const ConvexShape& tab, const Obstacle& obstacle, double cle
     return tab;
   }
   // A hair more than needed, so that rounding doesn't make the result fail the same question.
-  const double clearance = obstacle.kind == Kind::target_edge ? 0.0 : clearance_mm + same_place_mm;
+  const double clearance = obstacle.kind == Kind::target_edge ? 0.0 : clearance_mm + rounding_mm;
   const Cuts cuts = candidate_cuts(tab, obstacle, clearance);
   ConvexShape best;
   double most = 0.0;
   for (std::uint32_t i = 0; i < cuts.count; ++i) {
     const HalfPlane& keep = cuts.lines[i];
-    if (dot(keep.normal, tab[0]) < keep.offset - touching_mm ||
-        dot(keep.normal, tab[1]) < keep.offset - touching_mm) {
+    if (dot(keep.normal, tab[0]) < keep.offset - rounding_mm ||
+        dot(keep.normal, tab[1]) < keep.offset - rounding_mm) {
       continue;
     }
     const ConvexShape shape = clipped(tab, {keep.normal, keep.offset - 1e-12});
