@@ -181,7 +181,7 @@ TEST_CASE("waiting for standard input ends with the time limit", "[streams]") {
   CHECK(std::stol(read_bytes(folder / "ended")) < std::stol(read_bytes(folder / "all")));
 }
 
-TEST_CASE("-q leaves out what isn't the result itself", "[streams]") {
+TEST_CASE("the option -q leaves out what isn't the result itself", "[streams]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   for (const std::vector<std::string>& arguments :
