@@ -54,7 +54,9 @@ void say_simplified(Summary& summary, const job::Paper& made) {
               100.0 * report.deviation_mm / largest));
     }
   }
-  if (report.evened_mm > 0.0) {
+  // Less is rounding in the file.
+  constexpr double seen_mm = 0.005;
+  if (report.evened_mm >= seen_mm) {
     summary.say(Line::simplified, "symmetric",
                 fmt::format("both sides are equal now; they differed by up to {:.2f} mm", report.evened_mm));
   }
