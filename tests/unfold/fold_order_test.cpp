@@ -533,7 +533,7 @@ TEST_CASE("meetings are counted as if each tree were folded afresh", "[unfold]")
         CHECK(meetings.after(net, *swap, limit) == std::min(limit, after));
       }
       if (random.below(3) > 0) {
-        meetings.keep();
+        meetings.keep(net);
         net.swap(swap->below, swap->side);
         CHECK(meetings.total() == after);
       }

@@ -5,22 +5,12 @@
 #include <cstdint>
 
 #include "base/context.hpp"
+#include "unfold/energy/annealing.hpp"
 #include "unfold/energy/cut_costs.hpp"
 #include "unfold/patch/room.hpp"
 #include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
-
-struct Annealing {
-  /// Swaps that are tried with tabs told by angles, overlaps allowed on the way.
-  std::uint64_t quick_trials = 0;
-  /// Swaps that are looked at afterwards with the tabs as they are, none with a new overlap.
-  std::uint64_t exact_trials = 0;
-};
-
-/// The trials for a net of so many faces of which each is worth `trials_per_face` (Options): fewer for each
-/// where there are many.
-[[nodiscard]] Annealing annealing_for(double trials_per_face, std::uint32_t faces);
 
 /// What a net knows of its sides, without mirror images. It must outlive the result.
 [[nodiscard]] CutFacts cut_facts(const ChangingNet& net, const TabOptions& options);
@@ -30,5 +20,10 @@ struct Annealing {
 /// Throws Error(interrupted).
 void anneal(ChangingNet& net, const CutFacts& facts, const Room& room, const Weights& weights,
             const Annealing& rules, std::uint64_t seed, const Context& context);
+
+/// The same among the trees of one piece that fold up with all creases together (folding_meetings.hpp). False
+/// where it came to none: the net is as it was then.
+bool anneal_folding_together(ChangingNet& net, const CutFacts& facts, const Room& room, const Weights& weights,
+                             const Annealing& rules, std::uint64_t seed, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -79,6 +79,9 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
     corner_angle_[side] = static_cast<float>(std::atan2(cross(a, b), dot(a, b)));
     price_[side] =
         patch.length[side] * (weights.seam + weights.open * openness(patch.fold_angle[side]));
+    if (!facts.image_outside.empty()) {
+      price_[side] -= weights.mirror * patch.length[side] * static_cast<double>(facts.image_outside[side]);
+    }
     if (!with_tabs_) {
       continue;
     }

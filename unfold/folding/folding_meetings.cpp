@@ -183,14 +183,14 @@ bool FoldingMeetings::meets(std::uint32_t f, const Samples<Motion>* motion, std:
 }
 
 /// How what a swap moves moves, in every sample.
-FoldingMeetings::Samples<Motion> FoldingMeetings::motions(const RootedNet& net, const Swap& swap) const {
+FoldingMeetings::Samples<Motion> FoldingMeetings::motions(const RootedNet& net, const Swap& swap) {
   const std::uint32_t twin = patch_.twin[swap.side];
   const bool side_moves = net.in_span(net.moved_span(swap.below), swap.side / 3);
-  const std::uint32_t outside = side_moves ? twin : swap.side;
-  const std::uint32_t inside = side_moves ? swap.side : twin;
+  new_fold_ = side_moves ? twin : swap.side;
+  const std::uint32_t inside = patch_.twin[new_fold_];
   Samples<Motion> motion;
   for (std::size_t t = 0; t < samples; ++t) {
-    motion[t] = frame_[outside / 3][t] * hinge_[outside][t] * frame_[inside / 3][t].inverse();
+    motion[t] = frame_[new_fold_ / 3][t] * hinge_[new_fold_][t] * frame_[inside / 3][t].inverse();
   }
   return motion;
 }
@@ -249,17 +249,35 @@ std::size_t FoldingMeetings::after(const RootedNet& net, const Swap& swap, std::
   return kept + made_.size();
 }
 
-void FoldingMeetings::keep() {
+void FoldingMeetings::keep(const RootedNet& net) {
   pairs_.erase(
       std::remove_if(pairs_.begin(), pairs_.end(), [&](const auto& pair) { return is_across(pair); }),
       pairs_.end());
   pairs_.insert(pairs_.end(), made_.begin(), made_.end());
-  for (const std::uint32_t f : moved_) {
-    for (std::size_t t = 0; t < samples; ++t) {
-      frame_[f][t] = motion_[t] * frame_[f][t];
-    }
+  // From face to face along the folds within what moved, which the swap leaves as they are. Moving each frame by
+  // motion_ would double its error with every swap.
+  place_beyond(new_fold_);
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    const std::uint32_t above = open_[i];
+    const std::uint32_t f = patch_.twin[above] / 3;
     settle(f);
+    for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+      if (side != patch_.twin[above] && net.folds()[side] != 0 && moves_[patch_.twin[side] / 3] != 0) {
+        place_beyond(side);
+      }
+    }
   }
+  open_.clear();
+}
+
+/// Places the face beyond a fold, and notes it.
+void FoldingMeetings::place_beyond(std::uint32_t fold) {
+  const std::uint32_t f = fold / 3;
+  const std::uint32_t g = patch_.twin[fold] / 3;
+  for (std::size_t t = 0; t < samples; ++t) {
+    frame_[g][t] = frame_[f][t] * hinge_[fold][t];
+  }
+  open_.push_back(fold);
 }
 
 }  // namespace ridgecraft::unfold

@@ -35,9 +35,9 @@ class FoldingMeetings {
   /// How many pairs the net would have after a swap; `limit` where it were that many or more. O(faces moved ·
   /// the others): about 0.02 ms for a piece of 50 faces.
   [[nodiscard]] std::size_t after(const RootedNet& net, const Swap& swap, std::size_t limit);
-  /// Takes the swap that was asked about last for made; its answer must have been below its limit. O(faces
-  /// moved + pairs).
-  void keep();
+  /// Takes the swap that was asked about last for made; its answer must have been below its limit. The net may
+  /// have made it or not yet. O(faces moved + pairs).
+  void keep(const RootedNet& net);
 
  private:
   /// All of a trial's but the folded piece itself.
@@ -53,7 +53,7 @@ class FoldingMeetings {
   void find_always(const RootedNet& net);
   void place_all(const RootedNet& net);
   void settle(std::uint32_t face);
-  [[nodiscard]] Samples<Motion> motions(const RootedNet& net, const Swap& swap) const;
+  [[nodiscard]] Samples<Motion> motions(const RootedNet& net, const Swap& swap);
   [[nodiscard]] bool always(std::uint32_t f, std::uint32_t g) const;
   [[nodiscard]] std::uint64_t near(std::uint32_t f, const Centres& centres_of_f, std::uint32_t g) const;
   [[nodiscard]] bool is_across(const std::pair<std::uint32_t, std::uint32_t>& pair) const {
@@ -61,6 +61,7 @@ class FoldingMeetings {
   }
   [[nodiscard]] bool meets(std::uint32_t f, const Samples<Motion>* motion, std::uint32_t g,
                            std::uint64_t near) const;
+  void place_beyond(std::uint32_t fold);
   void find_made(const RootedNet& net, const Swap& swap, std::size_t limit);
 
   const Patch& patch_;
@@ -80,6 +81,8 @@ class FoldingMeetings {
   std::vector<std::uint8_t> moves_;   ///< per face: is it one of these?
   FacePairs made_;                    ///< pairs that it makes meet
   Samples<Motion> motion_;            ///< of what it moves
+  std::uint32_t new_fold_ = nothing;  ///< the side, in what stays, of the fold that it makes
+  std::vector<std::uint32_t> open_;   ///< space to work in
 };
 
 }  // namespace ridgecraft::unfold

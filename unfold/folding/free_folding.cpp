@@ -104,7 +104,7 @@ class FreeFolding {
     const std::size_t limit = static_cast<std::size_t>(left) + 1;
     if (meetings_.after(net_, *swap, limit) < limit) {
       overlaps_.swap(swap->below, swap->side);
-      meetings_.keep();
+      meetings_.keep(net_);
       longer_mm_ += longer;
     }
   }

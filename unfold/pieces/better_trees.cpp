@@ -9,11 +9,12 @@
 
 #include "base/parallel.hpp"
 #include "base/random.hpp"
+#include "unfold/energy/anneal.hpp"
+#include "unfold/energy/net_energy.hpp"
 #include "unfold/folding/free_folding.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/tabs/trees/changing_net.hpp"
@@ -23,54 +24,67 @@ namespace {
 
 /// What a piece that folds freely may cost more, mm of seam (piece_rules.hpp).
 constexpr double worth_of_free_folding_mm = 100.0;
+/// From a tree that folds freely a better one is searched for by a share of the trials that the first search had,
+/// beginning with this heat, mm: it is near already.
+constexpr double trials_again = 0.4;
+constexpr double first_heat = 8.0;
 
 /// One piece and its tree.
 class PieceTree {
  public:
   PieceTree(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
             const Folds& folds, const std::vector<std::uint32_t>& faces,
-            const IdVector<EdgeId, EdgeId>& mirrored, const Options& options, const Room& room, Random random,
-            const Context& context)
+            const IdVector<EdgeId, EdgeId>& mirrored, const IdVector<EdgeId, InForest>& edges,
+            const Options& options, const Room& room, Random random, const Context& context)
       : options_(options),
         room_(room),
         context_(context),
         random_(random),
         piece_(sub_patch(patch, faces)),
-        panels_(panel_count(piece_)),
         mirror_(mirror_sides(surface, piece_, mirrored)),
+        outside_(images_outside(surface, piece_, mirrored, edges)),
         net_(surface, panels, piece_, sub_folds(patch, folds, faces), options.tabs,
              net_tolerance(piece_.extent)) {
-    // The sequence is used from its second number on: nets that people have already come from there.
-    static_cast<void>(random_.next());
-    fits_ = room_.holds(net_.hull(), panels_);
+    facts_ = cut_facts(net_, options.tabs);
+    facts_.mirror = mirror_;
+    facts_.image_outside = outside_;
   }
 
   Folds improved() {
-    PieceCost shape(piece_, one_part, options_.pieces.weights);
-    const double bare = options_.tabs.wanted ? options_.pieces.weights.bare : 0.0;
-    const auto cost = [&](ChangingNet& net) -> std::optional<double> {
-      const std::vector<Vec2> hull = net.hull();
-      if (fits_ && !room_.holds(hull, panels_)) {
-        return std::nullopt;
-      }
-      return shape.of(net.folds(), hull) - bare * net.held_mm() +
-             options_.pieces.weights.mirror * unevenness(net.folds());
-    };
-    const double worth =
-        options_.pieces.fold_linear ? std::numeric_limits<double>::infinity() : worth_of_free_folding_mm;
-    fold_freely(net_, cost, worth, random_.next(), context_);
-    return net_.folds();
+    if (folds_together(piece_, net_.folds(), context_)) {
+      return net_.folds();
+    }
+    const Folds given = net_.folds();
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double worth = options_.pieces.fold_linear ? infinite : worth_of_free_folding_mm;
+    const double most = cost(net_).value_or(infinite) + worth;
+    const auto own_cost = [this](ChangingNet& net) { return cost(net); };
+    if (!fold_freely(net_, own_cost, infinite, random_.next(), context_)) {
+      return given;
+    }
+    const Folds start = net_.folds();
+    anneal_folding_together(net_, facts_, room_, options_.pieces.weights, rules(), random_.next(), context_);
+    if (!folds_together(piece_, net_.folds(), context_)) {
+      net_.set_tree(start);
+    }
+    return cost(net_).value_or(infinite) <= most ? net_.folds() : given;
   }
 
  private:
-  /// Length of the cuts whose mirror image in this piece is none, mm.
-  [[nodiscard]] double unevenness(const Folds& folds) const {
-    double sum = 0.0;
-    for (std::uint32_t side = 0; side < folds.size(); ++side) {
-      const bool uneven = mirror_[side] != nothing && folds[side] == 0 && folds[mirror_[side]] != 0;
-      sum += uneven ? 0.5 * piece_.length[side] : 0.0;
+  [[nodiscard]] Annealing rules() const {
+    Annealing result = annealing_for(options_.pieces.trials_per_face, piece_.size());
+    result.quick_trials = static_cast<std::uint64_t>(trials_again * static_cast<double>(result.quick_trials));
+    result.first_heat = first_heat;
+    return result;
+  }
+
+  /// The energy of a net, mm; nothing where it doesn't fit.
+  std::optional<double> cost(ChangingNet& net) const {
+    NetEnergy energy(piece_, net.tree(), facts_, room_, options_.pieces.weights);
+    if (!energy.all_fit()) {
+      return std::nullopt;
     }
-    return sum;
+    return energy.total_without_bare() - options_.pieces.weights.bare * net.held_mm();
   }
 
   const Options& options_;
@@ -78,10 +92,10 @@ class PieceTree {
   const Context& context_;
   Random random_;
   const Patch piece_;
-  std::size_t panels_;
-  const std::vector<std::uint32_t> mirror_;  ///< per side (mirror_sides)
+  const std::vector<std::uint32_t> mirror_;   ///< per side (mirror_sides)
+  const std::vector<std::int8_t> outside_;    ///< per side (images_outside)
   ChangingNet net_;
-  bool fits_ = false;  ///< the piece, before its tree was changed
+  CutFacts facts_;
 };
 
 /// For each piece an earlier one that is its mirror image, faces and folds, or its own number.
@@ -137,13 +151,14 @@ Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels, 
     std::sort(faces.begin(), faces.end());
   }
   const std::vector<std::size_t> image = images_of_pieces(surface, patch, folds, pieces, mirrored);
+  const IdVector<EdgeId, InForest> edges = edges_in_forest(surface, patch, folds);
   std::vector<Folds> trees(pieces.size());
   const auto improve = [&](std::size_t i, const Context& own) {
     // Parts were unfolded with the streams of the seed itself.
     const Random random = Random::stream(~context.seed, i);
     trees[i] = own.out_of_grace()
                    ? sub_folds(patch, folds, pieces[i])
-                   : PieceTree(surface, panels, patch, folds, pieces[i], mirrored, options, room, random, own)
+                   : PieceTree(surface, panels, patch, folds, pieces[i], mirrored, edges, options, room, random, own)
                          .improved();
   };
   do_in_parallel(

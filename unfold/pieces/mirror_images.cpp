@@ -101,6 +101,31 @@ std::vector<std::uint32_t> mirror_sides(const mesh::Surface& surface, const Patc
   return result;
 }
 
+IdVector<EdgeId, InForest> edges_in_forest(const mesh::Surface& surface, const Patch& whole, const Folds& folds) {
+  IdVector<EdgeId, InForest> result(surface.edge_count(), InForest::fixed);
+  for (const auto& [edge, side] : exchangeable_sides(surface, whole)) {
+    result[edge] = folds[side] != 0 ? InForest::fold : InForest::cut;
+  }
+  return result;
+}
+
+std::vector<std::int8_t> images_outside(const mesh::Surface& surface, const Patch& patch,
+                                        const IdVector<EdgeId, EdgeId>& images,
+                                        const IdVector<EdgeId, InForest>& edges) {
+  std::vector<std::int8_t> result(patch.twin.size(), 0);
+  if (images.empty()) {
+    return result;
+  }
+  const std::map<EdgeId, std::uint32_t> side_of = exchangeable_sides(surface, patch);
+  for (const auto& [edge, side] : side_of) {
+    const EdgeId image = images[edge];
+    if (image.valid() && side_of.count(image) == 0) {
+      result[side] = result[patch.twin[side]] = static_cast<std::int8_t>(edges[image]);
+    }
+  }
+  return result;
+}
+
 std::optional<Folds> carried_over(const mesh::Surface& surface, const Patch& from, const Folds& tree,
                                   const Patch& to, const IdVector<EdgeId, EdgeId>& images) {
   if (images.empty() || from.size() != to.size()) {

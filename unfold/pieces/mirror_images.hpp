@@ -23,6 +23,19 @@ namespace ridgecraft::unfold {
 [[nodiscard]] std::vector<std::uint32_t> mirror_sides(const mesh::Surface& surface, const Patch& patch,
                                                       const IdVector<EdgeId, EdgeId>& images);
 
+/// What an edge is in a forest of the whole surface.
+enum class InForest : std::int8_t { fold = -1, fixed = 0, cut = 1 };
+
+/// What each edge is; `fixed` where it can't be exchanged. O(n log n).
+[[nodiscard]] IdVector<EdgeId, InForest> edges_in_forest(const mesh::Surface& surface, const Patch& whole,
+                                                         const Folds& folds);
+
+/// Per side of a patch: what the mirror image of its edge is, as InForest, where that lies outside the patch; 0
+/// for all others. O(n log n).
+[[nodiscard]] std::vector<std::int8_t> images_outside(const mesh::Surface& surface, const Patch& patch,
+                                                      const IdVector<EdgeId, EdgeId>& images,
+                                                      const IdVector<EdgeId, InForest>& edges);
+
 /// The folds of a patch as they are in the tree of its mirror image: where each of its edges that could be a cut
 /// has its image there. Nothing where that isn't so, or isn't a tree. O(n log n).
 [[nodiscard]] std::optional<Folds> carried_over(const mesh::Surface& surface, const Patch& from,

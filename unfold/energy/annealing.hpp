@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How long and how hot the search for a net of less energy is.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace ridgecraft::unfold {
+
+struct Annealing {
+  /// Swaps that are tried with tabs told by angles, overlaps allowed on the way.
+  std::uint64_t quick_trials = 0;
+  /// Swaps that are looked at afterwards with the tabs as they are, none with a new overlap.
+  std::uint64_t exact_trials = 0;
+  /// A swap that costs d, mm, is taken with probability exp(-d / heat): heat at the beginning.
+  double first_heat = 20.0;
+};
+
+/// The trials for a net of so many faces of which each is worth `trials_per_face` (Options): fewer for each
+/// where there are many.
+[[nodiscard]] Annealing annealing_for(double trials_per_face, std::uint32_t faces);
+
+/// A value between two, in equal ratios for equal steps.
+[[nodiscard]] inline double between(double first, double last, std::uint64_t trial, std::uint64_t trials) {
+  return first * std::pow(last / first, static_cast<double>(trial) / static_cast<double>(trials));
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/energy/quick_walk.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Paths between two looks at the clock.
+constexpr std::uint64_t paths_per_look = 64;
+/// Heat at the end, mm.
+constexpr double last_heat = 0.5;
+/// Cost of an overlap, mm, at first and at last.
+constexpr double first_overlap_price = 20.0;
+constexpr double last_overlap_price = 200.0;
+/// Cost of two faces that meet while the piece is folded, mm, at first and at last.
+constexpr double first_meeting_price = 10.0;
+constexpr double last_meeting_price = 100.0;
+/// A swap whose cuts cost more than may be spent is looked at no closer, but for so much, mm, and so many times
+/// the heat: its shape may make up for it.
+constexpr double least_slack = 4.0;
+constexpr double slack_of_heat = 2.0;
+/// Less than this is rounding, mm.
+constexpr double better_by = 1e-6;
+
+/// How many pairs more than none may come for so much, one too many: negative where some must go.
+std::int64_t limit_of(double may_cost, double price) {
+  return static_cast<std::int64_t>(std::floor(may_cost / price)) + 1;
+}
+
+}  // namespace
+
+QuickWalk::QuickWalk(ChangingNet& net, NetEnergy& energy, FoldingMeetings* meetings, std::uint64_t seed)
+    : Walk(net, energy, seed), pairs_(net.tree(), net.tolerance()), meetings_(meetings) {
+  pairs_.find_all();
+  if (meetings_ != nullptr) {
+    meetings_->count(net.tree());
+  }
+  if (is_allowed()) {
+    least_ = energy_.total();
+  }
+}
+
+std::optional<Folds> QuickWalk::run(const Annealing& rules, const Context& context) {
+  std::uint64_t paths = 0;
+  for (std::uint64_t trial = 0; trial < rules.quick_trials && !done();) {
+    if (paths++ % paths_per_look == 0) {
+      context.check();
+      if (context.out_of_time()) {
+        break;
+      }
+    }
+    heat_ = between(rules.first_heat, last_heat, trial, rules.quick_trials);
+    overlap_price_ = between(first_overlap_price, last_overlap_price, trial, rules.quick_trials);
+    meeting_price_ = between(first_meeting_price, last_meeting_price, trial, rules.quick_trials);
+    if (step(heat_, trial)) {
+      remember();
+    }
+  }
+  return std::move(best_);
+}
+
+// What is cheap to ask is asked first: angles, shape, overlap, folding.
+std::optional<double> QuickWalk::make(const Swap& swap, double most) {
+  // No swap wins back more than all pairs cost.
+  const double meetings =
+      meetings_ != nullptr ? meeting_price_ * static_cast<double>(meetings_->total()) : 0.0;
+  const double pairs = meetings + overlap_price_ * static_cast<double>(pairs_.total());
+  const std::optional<double> change = energy_.rate(swap, most + least_slack + slack_of_heat * heat_ + pairs);
+  if (!change) {
+    return std::nullopt;
+  }
+  const std::int64_t overlaps = limit_of(most + meetings - *change, overlap_price_);
+  const std::int64_t added =
+      overlaps <= 0 && pairs_.total() == 0 ? overlaps : pairs_.added(swap.below, swap.side, overlaps);
+  if (added >= overlaps) {
+    energy_.drop();
+    return std::nullopt;
+  }
+  double cost = *change + overlap_price_ * static_cast<double>(added);
+  if (meetings_ != nullptr) {
+    const auto before = static_cast<std::int64_t>(meetings_->total());
+    const std::int64_t limit = before + limit_of(most - cost, meeting_price_);
+    const auto after = limit <= 0 ? limit
+                                  : static_cast<std::int64_t>(meetings_->after(
+                                        net_.tree(), swap, static_cast<std::size_t>(limit)));
+    if (after >= limit) {
+      energy_.drop();
+      return std::nullopt;
+    }
+    cost += meeting_price_ * static_cast<double>(after - before);
+    meetings_->keep(net_.tree());
+  }
+  pairs_.swap(swap.below, swap.side);
+  energy_.keep();
+  return cost;
+}
+
+void QuickWalk::unmake(const Swap& back) {
+  static_cast<void>(energy_.rate(back, HUGE_VAL));
+  if (meetings_ != nullptr) {
+    static_cast<void>(meetings_->after(net_.tree(), back, std::numeric_limits<std::size_t>::max()));
+    meetings_->keep(net_.tree());
+  }
+  pairs_.swap(back.below, back.side);
+  energy_.keep();
+}
+
+bool QuickWalk::lacks_tab(std::uint32_t cut) {
+  return energy_.cut_costs().lacks_tab(cut);
+}
+
+void QuickWalk::remember() {
+  if (is_allowed() && energy_.total() < least_ - better_by && energy_.all_fit()) {
+    least_ = energy_.total();
+    best_ = net_.folds();
+  }
+}
+
+}  // namespace ridgecraft::unfold
