@@ -16,7 +16,6 @@ those of this one; --keep leaves the .fold files of the first seed in a folder. 
     seam    length of all joins, m; bare: without a tab; weak: with none, or one that is lower than 3 mm along more
             than half of the edge
     necks   folds that are three times narrower than what hangs on them is wide
-    twins   of the pieces that are told to be equal to another: how many are
     care    pieces for which no order of folding was found
     linear  share of the pieces that fold with all creases together
     cpu     seconds of the processor
@@ -228,32 +227,98 @@ def mirror_share(nets):
     return met / float(lengths.sum())
 
 
+def linear_share(nets):
+    """Of the pieces with folds: how many fold with all creases together."""
+    steps = nets.fold.get("ridgecraft:fold_order", [])
+    together = [len(order) <= 1 for order in steps if order]
+    return sum(together) / len(together) if together else None
+
+
 def measure(fold):
     nets = Nets(fold)
-    return {**shape_figures(nets), **seam_figures(nets), "necks": count_necks(nets), "mirror": mirror_share(nets)}
+    return {**shape_figures(nets), **seam_figures(nets), "necks": count_necks(nets), "mirror": mirror_share(nets),
+            "linear": linear_share(nets)}
 
 
 def run(task):
     program, model, seed, options, keep = task
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / f"{model.stem}.fold"
-        before = os.times()
         command = [program, str(model), "-o", str(file), "--json", "--seed", str(seed), "--threads", "1", *options]
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        output, errors = process.communicate()
-        del before
-        if process.returncode != 0:
-            return {"failed": (errors.strip().splitlines() or [""])[-1]}
-        told = json.loads(output)
+        with open(pathlib.Path(folder) / "told", "w+", encoding="utf-8") as told, \
+                open(pathlib.Path(folder) / "errors", "w+", encoding="utf-8") as errors:
+            process = subprocess.Popen(command, stdout=told, stderr=errors)
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            told.seek(0)
+            errors.seek(0)
+            if process.returncode != 0:
+                return {"failed": (errors.read().strip().splitlines() or [""])[-1]}
+            care = len(json.load(told).get("pieces_to_fold_with_care", []))
         text = file.read_text(encoding="utf-8")
         if keep and seed == 1:
             (pathlib.Path(keep) / file.name).write_text(text, encoding="utf-8")
-    return {**measure(json.loads(text)), "told": told}
+    return {**measure(json.loads(text)), "care": care, "cpu": usage.ru_utime + usage.ru_stime}
+
+
+def median(rows):
+    """Of the runs of one model; a column that one of them lacks is left out."""
+    return {c: None if any(r[c] is None for r in rows) else statistics.median(r[c] for r in rows) for c in COLUMNS}
+
+
+def mean(rows):
+    told = {c: [r[c] for r in rows if r[c] is not None] for c in COLUMNS}
+    return {c: statistics.fmean(v) if v else None for c, v in told.items()}
+
+
+def line(name, row):
+    def cell(column):
+        value = row.get(column)
+        return "-" if value is None else f"{value:.0f}" if column in ("necks", "care") else f"{value:.3g}" \
+            if column in ("pieces", "pages") else f"{value:.3f}"
+    return f"{name[:19]:20}" + "".join(f"{cell(c):>8}" for c in COLUMNS)
 
 
 def main():
-    pass
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("models", nargs="+", type=pathlib.Path)
+    parser.add_argument("--program", default="build/release/ridgecraft")
+    parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--against", type=pathlib.Path)
+    parser.add_argument("--json", type=pathlib.Path)
+    parser.add_argument("--keep", type=pathlib.Path)
+    arguments = sys.argv[1:]
+    own = arguments[:arguments.index("--")] if "--" in arguments else arguments
+    options = arguments[len(own) + 1:]
+    asked = parser.parse_args(own)
+    if asked.keep:
+        asked.keep.mkdir(parents=True, exist_ok=True)
+    models = [m for given in asked.models
+              for m in (sorted(given.iterdir()) if given.is_dir() else [given]) if m.suffix in SUFFIXES]
+    tasks = [(asked.program, m, seed, options, asked.keep) for m in models for seed in range(1, asked.seeds + 1)]
+    with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
+        runs = list(pool.map(run, tasks))
+    print(f"{asked.seeds} seeds, medians".ljust(20) + "".join(f"{c:>8}" for c in COLUMNS))
+    rows, failed = {}, 0
+    for number, model in enumerate(models):
+        of_model = runs[number * asked.seeds:(number + 1) * asked.seeds]
+        trouble = next((r["failed"] for r in of_model if "failed" in r), None)
+        if trouble is not None:
+            failed += 1
+            print(f"{model.name}: {trouble}")
+            continue
+        rows[model.name] = median(of_model)
+        print(line(model.name, rows[model.name]))
+    print(line(f"mean of {len(rows)}", mean(list(rows.values()))))
+    if asked.against:
+        before = json.loads(asked.against.read_text(encoding="utf-8"))["models"]
+        print(line(f"before, {len(before)}", mean(list(before.values()))))
+    if asked.json:
+        figures = {"seeds": asked.seeds, "options": options, "models": rows, "mean": mean(list(rows.values()))}
+        asked.json.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

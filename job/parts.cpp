@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "segment/segment.hpp"
+#include "unfold/even_parts.hpp"
 #include "unfold/panel_parts.hpp"
 
 namespace ridgecraft::job {
@@ -31,7 +32,10 @@ Parts find_parts(const prepare::Prepared& prepared, const Options& options, cons
   try {
     const segment::Segmentation found = segment::segment(surface, {}, {.concavity = options.concavity},
                                                          until_deadline(context, segmentation_share));
-    return {unfold::parts_of_whole_panels(surface, prepared.panels, found.part), false};
+    return {unfold::even_parts(surface, prepared.panels,
+                               unfold::parts_of_whole_panels(surface, prepared.panels, found.part),
+                               options.pieces.weights),
+            false};
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::out_of_time) {
       throw;

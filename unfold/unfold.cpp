@@ -16,6 +16,7 @@
 #include "unfold/pieces/better_borders.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
+#include "unfold/pieces/even_pieces.hpp"
 #include "unfold/linear_folding.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/part_merging.hpp"
@@ -78,11 +79,13 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Co
                            ? merge_parts(patch, asked.part.items(), parts.folds, plan.room, rules.weights,
                                          net_tolerance(patch.extent), context.seed, context)
                            : std::move(parts.folds);
-  const IdVector<EdgeId, EdgeId> mirrored =
-      context.out_of_time() ? IdVector<EdgeId, EdgeId>() : mirror_images(asked.surface, rules.weights);
+  const MirrorImages images =
+      context.out_of_time() ? MirrorImages() : mirror_images(asked.surface, rules.weights);
+  const Folds even = even_pieces(asked.surface, patch, merged, images, rules.weights,
+                                 plan.room, net_tolerance(patch.extent), context.seed, context);
   const Folds bordered =
-      better_borders(asked.surface, plan.whole, patch, merged, mirrored, asked.options, plan.room, context);
-  return {better_trees(asked.surface, plan.whole, patch, bordered, mirrored, asked.options, plan.room, context),
+      better_borders(asked.surface, plan.whole, patch, even, images.edge, asked.options, plan.room, context);
+  return {better_trees(asked.surface, plan.whole, patch, bordered, images.edge, asked.options, plan.room, context),
           std::move(parts.causes), std::move(parts.notes)};
 }
 

@@ -70,7 +70,7 @@ const std::vector<Folder>& folders() {
         {"folding", {"net", "patch", "search", "tabs/trees"}},
         {"energy", {"net", "patch", "search", "tabs/shape", "tabs/trees", "folding"}},
         {"pieces", {"net", "patch", "search", "tabs/place", "tabs/trees", "energy", "folding"}}},
-       {"unfold.hpp", "panel_parts.hpp", "net/nets.hpp", "net/options.hpp", "net/edge_wishes.hpp",
+       {"unfold.hpp", "even_parts.hpp", "panel_parts.hpp", "net/nets.hpp", "net/options.hpp", "net/edge_wishes.hpp",
         "net/piece_rules.hpp", "net/outline.hpp", "tabs/place/place_tabs.hpp"}},
       {"export",
        {"unfold", "prepare", "mesh"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/pieces/mirror_images.hpp"
 
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -15,6 +16,8 @@ namespace {
 constexpr double seen_as_mirrored = 0.02;
 /// Of the length of all edges so much has a mirror image, at least, where cuts are carried over.
 constexpr double least_share_mirrored = 0.4;
+/// Edges that are folded less are lines within flat regions (prepare/prepared/panels.hpp): 0.1 degrees.
+constexpr double flat = 0.0017453;
 /// Larger models are searched without regard to symmetry: finding it would take as long as all else.
 constexpr std::size_t most_faces_mirrored = 20'000;
 
@@ -49,7 +52,7 @@ bool is_tree(const Patch& patch, const Folds& folds) {
 
 }  // namespace
 
-IdVector<EdgeId, EdgeId> mirror_images(const mesh::Surface& surface, const Weights& weights) {
+MirrorImages mirror_images(const mesh::Surface& surface, const Weights& weights) {
   if (weights.mirror <= 0.0 || surface.face_count() > most_faces_mirrored) {
     return {};
   }
@@ -63,22 +66,25 @@ IdVector<EdgeId, EdgeId> mirror_images(const mesh::Surface& surface, const Weigh
   for (const prepare::Mirror& mirror : prepare::find_mirrors(surface, 1, {.near = seen_as_mirrored})) {
     planes.push_back(mirror.plane);
   }
+  // Lines within flat regions are no edges to those who see the model.
+  IdVector<EdgeId, double> seen(surface.edge_count(), 0.0);
   double all = 0.0;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    all += surface.length(e);
+    seen[e] = std::abs(surface.fold_angle(e)) > flat ? surface.length(e) : 0.0;
+    all += seen[e];
   }
-  IdVector<EdgeId, EdgeId> best;
+  MirrorImages best;
   double most = least_share_mirrored * all;
   for (const prepare::MirrorPlane& plane : planes) {
     IdVector<EdgeId, EdgeId> images = prepare::mirror_edges(surface, plane, seen_as_mirrored);
     double length = 0.0;
     for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-      length += images[e].valid() ? surface.length(e) : 0.0;
+      length += images[e].valid() ? seen[e] : 0.0;
     }
     if (length > most) {
       // A later plane has to be clearly better.
       most = 1.02 * length;
-      best = std::move(images);
+      best = {std::move(images), plane};
     }
   }
   return best;

@@ -8,15 +8,22 @@
 
 #include "base/id.hpp"
 #include "mesh/model/surface.hpp"
+#include "prepare/symmetry/isometry.hpp"
 #include "unfold/net/piece_rules.hpp"
 #include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
 
+/// What lies on what at the plane of a model.
+struct MirrorImages {
+  IdVector<EdgeId, EdgeId> edge;  ///< of each edge; empty where the model has no such plane
+  prepare::MirrorPlane plane;
+};
+
 /// For each edge its mirror image at the plane at which most of the model has one, the edge itself where it lies
 /// on the plane or crosses it upright, none where it has none. Empty where no plane mirrors a fair part of the
 /// model, or mirror images weigh nothing. O(n log n).
-[[nodiscard]] IdVector<EdgeId, EdgeId> mirror_images(const mesh::Surface& surface, const Weights& weights);
+[[nodiscard]] MirrorImages mirror_images(const mesh::Surface& surface, const Weights& weights);
 
 /// The same for the sides of a patch: one side of the image, `nothing` where that is no fold or cut within the
 /// patch that could be exchanged, or the side's own edge. O(n log n).

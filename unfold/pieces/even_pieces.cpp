@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/even_pieces.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/disjoint_sets.hpp"
+#include "base/random.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/objective.hpp"
+#include "unfold/patch/sub_patch.hpp"
+#include "unfold/pieces/mirror_units.hpp"
+#include "unfold/search/one_piece.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// How parts lie is told by their borders: what isn't even of them would speak against evening pieces.
+constexpr std::size_t one_part = 1;
+/// Less than this is rounding, mm.
+constexpr double better_by = 1e-6;
+
+using Faces = std::vector<std::uint32_t>;
+
+/// Length of the cuts whose mirror image is no cut, mm.
+double unevenness(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+                  const MirrorImages& images) {
+  const IdVector<EdgeId, InForest> edges = edges_in_forest(surface, patch, folds);
+  double sum = 0.0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    const EdgeId image = images.edge[e];
+    sum += image.valid() && edges[e] == InForest::cut && edges[image] == InForest::fold ? surface.length(e) : 0.0;
+  }
+  return sum;
+}
+
+class Evening {
+ public:
+  Evening(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+          const MirrorImages& images, const Weights& weights, const Room& room, double tolerance,
+          std::uint64_t seed, const Context& context)
+      : surface_(surface),
+        patch_(patch),
+        folds_(folds),
+        images_(images),
+        weights_(weights),
+        room_(room),
+        random_(seed),
+        context_(context),
+        units_(surface, patch, images),
+        layout_(lay_out(patch, folds)) {
+    search_.tolerance = tolerance;
+    crosses_ = units_.crossing(patch, folds_, layout_.piece);
+  }
+
+  Folds run() {
+    Folds best = folds_;
+    double least = cost_of(folds_);
+    for (const bool above : {true, false}) {
+      const std::optional<Folds> even = evened(above);
+      if (even) {
+        const double cost = cost_of(*even);
+        if (cost < least - better_by) {
+          least = cost;
+          best = *even;
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
+  /// The pieces to be, those that are mirror images of others last, with what each is.
+  [[nodiscard]] std::vector<std::pair<MirrorLabel, Faces>> pieces_of(bool above) const {
+    std::vector<std::pair<MirrorLabel, Faces>> pieces =
+        connected_labels(patch_, units_.carried_over(layout_.piece, crosses_, above));
+    std::stable_partition(pieces.begin(), pieces.end(), [](const auto& piece) { return !piece.first.is_image; });
+    return pieces;
+  }
+
+  /// The forest of these pieces; nothing where there are too many, or one has no net.
+  std::optional<Folds> evened(bool above) {
+    const std::vector<std::pair<MirrorLabel, Faces>> pieces = pieces_of(above);
+    if (pieces.size() > layout_.faces.size()) {
+      return std::nullopt;
+    }
+    Folds result(folds_.size(), 0);
+    std::map<std::uint32_t, Faces> original;
+    for (const auto& [label, faces] : pieces) {
+      const std::optional<Folds> tree =
+          label.is_image && original.count(label.of) != 0 ? image_of(original[label.of], faces, result)
+                                                           : net_of(faces);
+      if (!tree) {
+        return std::nullopt;
+      }
+      put_back(patch_, faces, *tree, result);
+      if (!label.is_image) {
+        original[label.of] = faces;
+      }
+    }
+    return result;
+  }
+
+  /// A piece that was one before keeps its tree.
+  std::optional<Folds> net_of(const Faces& faces) {
+    const std::uint32_t before = layout_.piece[faces.front()];
+    const bool same = layout_.faces[before].size() == faces.size() &&
+                      std::all_of(faces.begin(), faces.end(),
+                                  [&](std::uint32_t f) { return layout_.piece[f] == before; });
+    if (same) {
+      return sub_folds(patch_, folds_, faces);
+    }
+    return find_one_piece(sub_patch(patch_, faces), room_, search_, random_.next(), context_).tree;
+  }
+
+  std::optional<Folds> image_of(const Faces& original, const Faces& faces, const Folds& result) {
+    const Patch own = sub_patch(patch_, faces);
+    std::optional<Folds> tree = carried_over(surface_, sub_patch(patch_, original),
+                                             sub_folds(patch_, result, original), own, images_.edge);
+    // The image may be off by what the eye doesn't see, but a net may not.
+    if (tree && all_fit(own, *tree, room_) && find_overlaps(lay_out(own, *tree), search_.tolerance).empty()) {
+      return tree;
+    }
+    return find_one_piece(own, room_, search_, random_.next(), context_).tree;
+  }
+
+  [[nodiscard]] double cost_of(const Folds& folds) const {
+    double sum = weights_.mirror * unevenness(surface_, patch_, folds, images_);
+    for (Faces& faces : lay_out(patch_, folds).faces) {
+      std::sort(faces.begin(), faces.end());
+      sum += cost_of_piece(sub_patch(patch_, faces), sub_folds(patch_, folds, faces), one_part, weights_);
+    }
+    return sum;
+  }
+
+  const mesh::Surface& surface_;
+  const Patch& patch_;
+  const Folds& folds_;
+  const MirrorImages& images_;
+  const Weights& weights_;
+  const Room& room_;
+  Random random_;
+  const Context& context_;
+  OnePieceSearch search_;
+  const MirrorUnits units_;
+  const Layout layout_;
+  std::vector<std::uint8_t> crosses_;  ///< per piece of the forest that was given: does it lie on both sides?
+};
+
+}  // namespace
+
+Folds even_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds, const MirrorImages& images,
+                  const Weights& weights, const Room& room, double tolerance, std::uint64_t seed,
+                  const Context& context) {
+  if (images.edge.empty() || context.out_of_time()) {
+    return folds;
+  }
+  return Evening(surface, patch, folds, images, weights, room, tolerance, seed, context).run();
+}
+
+}  // namespace ridgecraft::unfold
