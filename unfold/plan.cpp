@@ -14,6 +14,7 @@
 #include "unfold/patch/patch.hpp"
 #include "unfold/pieces/fitting_panels.hpp"
 #include "unfold/pieces/kept_edges.hpp"
+#include "unfold/pieces/needles.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -43,13 +44,14 @@ Room room_of(const Options& options) {
 
 /// Keeps what can be kept of what is to be kept, and together what that holds together.
 void settle(const Asked& asked, const Context& context, Plan& plan) {
-  if (asked.options.wishes.empty()) {
+  const EdgeWishes wishes = with_needles_kept(asked.surface, plan.whole, asked.options.wishes);
+  if (wishes.empty()) {
     plan.group = asked.part;
     return;
   }
   const double tolerance = net_tolerance(asked.surface.bounds().largest_extent());
   KeptEdges kept =
-      settle_wishes(asked.surface, plan.whole, asked.options.wishes, plan.room, tolerance, context);
+      settle_wishes(asked.surface, plan.whole, wishes, plan.room, tolerance, context);
   plan.possible_wishes = std::move(kept.wishes);
   plan.group = parts_of_whole_panels(asked.surface, kept.groups, asked.part);
 }

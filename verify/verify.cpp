@@ -26,7 +26,8 @@ Report check(const File& file, const Options& options, const Context& context, c
   findings.figures().pieces = file.pieces.size();
   findings.figures().pages = file.pages.size();
   constexpr std::array steps = {check_lengths, check_coverage,   check_overlap,   check_bounds,
-                                check_patches, check_joins,      check_tabs,      check_refold,
+                                check_patches, check_joins,      check_tabs,      check_paper_behind_tabs,
+                                check_refold,
                                 measure_cuts,  check_statements, check_fold_order};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     context.check();

@@ -12,25 +12,27 @@ double side_length(const mesh::Surface& surface, FaceId f, unsigned k) {
 
 }  // namespace
 
+bool is_narrow(const mesh::Surface& surface, const Panels& panels, PanelId panel, double width) {
+  double area = 0.0;
+  double longest = 0.0;
+  double highest = 0.0;
+  for (const FaceId f : panels.faces[panel]) {
+    double side = 0.0;
+    for (unsigned k = 0; k < 3; ++k) {
+      side = std::max(side, side_length(surface, f, k));
+    }
+    highest = std::max(highest, side > 0.0 ? 2.0 * surface.area(f) / side : 0.0);
+    longest = std::max(longest, side);
+    area += surface.area(f);
+  }
+  // Faces side by side may be narrow each and wide together.
+  return highest < width && area < width * longest;
+}
+
 std::size_t count_narrow_faces(const mesh::Surface& surface, const Panels& panels, double width) {
   std::size_t narrow = 0;
   for (const PanelId p : ids<PanelId>(panels.count())) {
-    double area = 0.0;
-    double longest = 0.0;
-    double highest = 0.0;
-    for (const FaceId f : panels.faces[p]) {
-      double side = 0.0;
-      for (unsigned k = 0; k < 3; ++k) {
-        side = std::max(side, side_length(surface, f, k));
-      }
-      highest = std::max(highest, side > 0.0 ? 2.0 * surface.area(f) / side : 0.0);
-      longest = std::max(longest, side);
-      area += surface.area(f);
-    }
-    // Faces side by side may be narrow each and wide together.
-    if (highest < width && area < width * longest) {
-      narrow += panels.faces[p].size();
-    }
+    narrow += is_narrow(surface, panels, p, width) ? panels.faces[p].size() : 0;
   }
   return narrow;
 }

@@ -14,6 +14,9 @@ inline constexpr double narrow_mm = 0.05;
 /// Below this width, mm, a face is less than the thinnest line that a printer draws: not even the note helps.
 inline constexpr double nothing_mm = 0.005;
 
+/// Whether a panel is nowhere as wide as `width`, mm. O(its faces).
+[[nodiscard]] bool is_narrow(const mesh::Surface& surface, const Panels& panels, PanelId panel, double width);
+
 /// Faces whose panel is nowhere as wide as `width`.
 [[nodiscard]] std::size_t count_narrow_faces(const mesh::Surface& surface, const Panels& panels,
                                              double width);

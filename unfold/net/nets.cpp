@@ -62,6 +62,8 @@ std::string_view sentence(NoTab reason) {
       return "a tab on either side would lie over a face or another tab";
     case NoTab::target_too_small:
       return "a tab would stick out behind the face it is glued to";
+    case NoTab::too_little_paper:
+      return "a tab would hang on less than 2 mm of paper";
     case NoTab::beyond_sheet:
       return "the piece with the tab would not fit the paper";
     case NoTab::not_wanted:

@@ -62,6 +62,7 @@ enum class NoTab {
   edge_too_short,    ///< no trapezoid of usable size stands on it
   no_room,           ///< any tab would lie over a face or another tab, on either side
   target_too_small,  ///< no tab fits inside the face that it would be glued behind
+  too_little_paper,  ///< on either side a tab would hang on a strip or a point of paper
   beyond_sheet,      ///< the piece with this tab would not fit the sheet
   not_wanted,        ///< tabs are switched off
   time_up,           ///< the time given was up before a place was found

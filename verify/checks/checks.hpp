@@ -22,6 +22,8 @@ void check_patches(const Case& given, Findings& findings);
 void check_joins(const Case& given, Findings& findings);
 /// Promise 5: tabs.
 void check_tabs(const Case& given, Findings& findings);
+/// Promise 5: paper that tabs hang on.
+void check_paper_behind_tabs(const Case& given, Findings& findings);
 /// Promise 6.
 void check_refold(const Case& given, Findings& findings);
 /// Promise 7, where the file has a fold order. O(n log n).

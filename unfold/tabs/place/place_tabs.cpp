@@ -88,6 +88,9 @@ NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& opti
   if (time_up) {
     return NoTab::time_up;
   }
+  if (!a.has_paper && !b.has_paper) {
+    return NoTab::too_little_paper;
+  }
   for (const TabSite* site : {&a, &b}) {
     if (!low_tab_shape(site->length, target_outline(*site), options).outline.empty()) {
       return NoTab::no_room;

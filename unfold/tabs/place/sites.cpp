@@ -7,6 +7,7 @@
 
 #include "base/box_grid.hpp"
 #include "base/disjoint_sets.hpp"
+#include "unfold/tabs/place/paper_behind.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -61,7 +62,11 @@ class SiteFinder {
     site.area = regions_.area[regions_.region[mesh::face_of(side)]];
     site.ends = {vertices_[mesh::next(side).value()], vertices_[side.value()]};
     const ConvexShape widest = widest_tab(site.length, options_);
-    if (!widest.empty()) {
+    site.has_paper = enough_paper_behind(surface_, nets_, side);
+    if (!widest.empty() && !site.has_paper) {
+      site.obstacles.push_back(no_target(site.length));
+      site.region_outline = site.obstacles;
+    } else if (!widest.empty()) {
       if (options_.inside_target) {
         add_target(site, twin, widest);
       }

@@ -40,6 +40,7 @@ struct TabSite {
   double length = 0.0;                  ///< mm
   double area = 0.0;                    ///< of the flat region that the tab grows from, mm^2
   std::array<std::uint32_t, 2> ends{};  ///< net vertices at (0, 0) and (length, 0)
+  bool has_paper = true;                ///< behind it, for a tab to hang on (paper_behind.hpp)
   std::vector<Obstacle> obstacles;      ///< in the frame of tab shapes
   std::vector<Obstacle> region_outline;  ///< of the target region alone, near the edge; frame of tab shapes
 };

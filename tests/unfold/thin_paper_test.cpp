@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Needles stay with a neighbour, and tabs hang on paper.
+#include <algorithm>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "support/shapes.hpp"
+#include "unfold/nets_checks.hpp"
+#include "unfold/pieces/needles.hpp"
+#include "unfold/tabs/place/paper_behind.hpp"
+
+using namespace ridgecraft;
+using unfold::EdgeUse;
+using unfold::EdgeWish;
+using unfold::EdgeWishes;
+using unfold::Nets;
+
+namespace {
+
+/// A box of 40 by 30 mm and this height, its squares divided, each face in its flat region.
+mesh::Surface plate(double height) {
+  std::vector<Vec3> points;
+  const mesh::Surface cube = test::cube();
+  for (const Vec3 p : cube.points()) {
+    points.push_back({40.0 * p.x, 30.0 * p.y, height * p.z});
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(cube.face_count())) {
+    faces.push_back(cube.vertices(f));
+  }
+  return mesh::Surface(std::move(points), std::move(faces));
+}
+
+Nets nets_of(const mesh::Surface& surface, const prepare::Panels& panels) {
+  return unfold::unfold(surface, panels, test::one_part(surface), test::on_sheet(200.0, 200.0), Context());
+}
+
+}  // namespace
+
+TEST_CASE("a flat region too narrow to cut out keeps its longest edge", "[unfold]") {
+  const mesh::Surface surface = plate(0.6);
+  const prepare::Panels panels = test::flat_panels(surface);
+  const EdgeWishes wishes = unfold::with_needles_kept(surface, panels, {});
+  std::size_t kept = 0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    if (wishes[e] == EdgeWish::keep) {
+      ++kept;
+      CHECK(surface.length(e) >= 30.0);
+    }
+  }
+  CHECK(kept == 4);
+  const Nets nets = nets_of(surface, panels);
+  CHECK(test::faults_of(surface, nets, test::on_sheet(200.0, 200.0)).empty());
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    CHECK((wishes[e] != EdgeWish::keep || nets.use[e] == EdgeUse::fold));
+  }
+}
+
+TEST_CASE("what is wide enough, or wished for, isn't kept as a needle", "[unfold]") {
+  const mesh::Surface thick = plate(1.5);
+  CHECK(unfold::with_needles_kept(thick, test::flat_panels(thick), {}).empty());
+  const mesh::Surface thin = plate(0.6);
+  const EdgeWishes all_cut(thin.edge_count(), EdgeWish::cut);
+  const EdgeWishes wishes = unfold::with_needles_kept(thin, test::flat_panels(thin), all_cut);
+  CHECK(std::all_of(wishes.begin(), wishes.end(), [](EdgeWish wish) { return wish == EdgeWish::cut; }));
+}
+
+TEST_CASE("paper behind a cut is measured over folds, up to the next cut", "[unfold]") {
+  for (const double height : {1.5, 2.5}) {
+    const mesh::Surface surface = plate(height);
+    const Nets nets = nets_of(surface, test::flat_panels(surface));
+    std::size_t thin = 0;
+    for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+      for (const CornerId side : surface.sides(e)) {
+        thin += nets.use[e] == EdgeUse::cut && !unfold::enough_paper_behind(surface, nets, side) ? 1U : 0U;
+      }
+    }
+    // A wall hangs on a large square or ends at a cut on its other side, too; nothing else is thin.
+    CAPTURE(height);
+    CHECK((height > 2.0 ? thin == 0 : thin <= 8));
+  }
+}
+
+TEST_CASE("every tab hangs on paper", "[unfold]") {
+  Random random(3);
+  for (int round = 0; round < 6; ++round) {
+    const mesh::Surface surface = test::scaled(test::sphere(8 + round, 5), 4.0 + 4.0 * random.unit());
+    const prepare::Panels panels = test::no_panels(surface);
+    const Nets nets = nets_of(surface, panels);
+    for (const unfold::Tab& tab : nets.tabs) {
+      CHECK(unfold::enough_paper_behind(surface, nets, tab.side));
+    }
+  }
+}
