@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/polygon.hpp"
 #include "mesh/mesh.hpp"
 #include "prepare/prepare.hpp"
 #include "support/shapes.hpp"
@@ -308,7 +309,7 @@ TEST_CASE("a cube's net gets a tab as asked on every cut", "[tabs]") {
   check_tabs(cube, panels, nets, {});
   std::size_t as_asked = 0;
   for (const Tab& tab : nets.tabs) {
-    const double area = 0.5 * unfold::doubled_area(tab.polygon);
+    const double area = 0.5 * doubled_area(tab.polygon);
     as_asked += std::abs(area - 175.0) < 1e-6 ? 1U : 0U;
   }
   CHECK(as_asked == 7);

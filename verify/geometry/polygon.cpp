@@ -48,14 +48,6 @@ Box2 bounding_box(std::span<const Vec2> corners) {
   return box;
 }
 
-double doubled_area(std::span<const Vec2> polygon) {
-  double sum = 0.0;
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    sum += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
-  }
-  return sum;
-}
-
 bool is_convex(std::span<const Vec2> polygon) {
   const std::size_t n = polygon.size();
   double turned = 0.0;
