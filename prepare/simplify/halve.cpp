@@ -11,10 +11,8 @@
 #include "prepare/simplify/picture_at.hpp"
 
 namespace ridgecraft::prepare {
-
 namespace {
 
-constexpr std::uint32_t none = PointRules::none;
 /// So many faces without a partner are searched one by one.
 constexpr std::size_t most_alone = 3000;
 /// Cosine between a face and the image of another one, below which they don't belong together.
@@ -36,7 +34,7 @@ class Halver {
   /// no place for an image.
   std::optional<SymmetricShare> run() {
     find_sheets();
-    number_.assign(surface_.vertex_count(), none);
+    number_.assign(surface_.vertex_count(), PointRules::none);
     for (const FaceId f : ids<FaceId>(surface_.face_count())) {
       if (!add(f)) {
         return std::nullopt;
@@ -84,14 +82,14 @@ class Halver {
 
   std::uint32_t add_point(Vec3 p, std::uint32_t copies) {
     share_.faces.points.push_back(p);
-    share_.points.plane.push_back(none);
+    share_.points.plane.push_back(PointRules::none);
     share_.points.copies.push_back(copies);
     return static_cast<std::uint32_t>(share_.faces.points.size() - 1);
   }
 
   std::uint32_t vertex(VertexId v) {
     std::uint32_t& own = number_[v.value()];
-    if (own == none) {
+    if (own == PointRules::none) {
       const bool sheet = sheet_[surface_.component(mesh::face_of(surface_.corners_at(v)[0])).value()];
       own = add_point(side(v) == 0 ? plane_.foot(surface_.point(v)) : surface_.point(v), sheet ? 1 : 2);
     }
@@ -100,8 +98,8 @@ class Halver {
 
   /// Where an edge crosses the plane.
   std::uint32_t crossing(CornerId c) {
-    std::uint32_t& own = crossings_.try_emplace(surface_.edge(c), none).first->second;
-    if (own == none) {
+    std::uint32_t& own = crossings_.try_emplace(surface_.edge(c), PointRules::none).first->second;
+    if (own == PointRules::none) {
       const Vec3 a = surface_.point(surface_.vertex(c));
       const Vec3 b = surface_.point(surface_.vertex(mesh::next(c)));
       own = add_point(plane_.foot(a + plane_.height(a) / (plane_.height(a) - plane_.height(b)) * (b - a)), 2);

@@ -11,7 +11,7 @@
 #include "base/id.hpp"
 #include "base/vector.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/simplify/collapse_sequence.hpp"
+#include "prepare/simplify/collapses.hpp"
 #include "prepare/symmetry/isometry.hpp"
 
 namespace ridgecraft::prepare {

@@ -13,10 +13,8 @@
 #include "prepare/symmetry/mirrors.hpp"
 
 namespace ridgecraft::prepare {
-
 namespace {
 
-constexpr std::uint32_t none = PointRules::none;
 /// Corners so near to the plane, as a share of the extent, lie on it: cutting beside them would leave
 /// splinters.
 constexpr double on_plane = 1e-5;
@@ -31,9 +29,10 @@ SymmetricShare all_of(const mesh::LooseFaces& model) {
   share.faces.material.clear();
   for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
     share.faces.material.push_back(f);
-    share.origins.push_back({f, none, model.texture.empty() ? std::array<Vec2, 3>{} : model.texture[f], {}});
+    share.origins.push_back(
+        {f, PointRules::none, model.texture.empty() ? std::array<Vec2, 3>{} : model.texture[f], {}});
   }
-  share.points.plane.assign(model.points.size(), none);
+  share.points.plane.assign(model.points.size(), PointRules::none);
   share.points.copies.assign(model.points.size(), 1);
   return share;
 }

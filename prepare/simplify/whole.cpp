@@ -11,10 +11,7 @@
 #include "prepare/simplify/take_out.hpp"
 
 namespace ridgecraft::prepare {
-
 namespace {
-
-constexpr std::uint32_t none = PointRules::none;
 
 /// The same faces without the points of the cut that nothing needs. Points that went along to one place
 /// become one first.
@@ -45,8 +42,8 @@ class Placer {
   Placer(const SymmetricShare& share, const mesh::LooseFaces& model)
       : share_(share),
         model_(model),
-        own_(share.faces.points.size(), none),
-        image_(share.faces.points.size(), none) {}
+        own_(share.faces.points.size(), PointRules::none),
+        image_(share.faces.points.size(), PointRules::none) {}
 
   /// All faces where they are, and their mirror images.
   void place_all() {
@@ -61,13 +58,13 @@ class Placer {
   void place_copy(const SymmetricShare::Copy& copy, const std::vector<std::uint32_t>& faces) {
     for (const std::uint32_t f : faces) {
       for (const std::uint32_t v : share_.faces.faces[f]) {
-        own_[v] = none;
+        own_[v] = PointRules::none;
       }
     }
     std::vector<std::uint32_t> ranks;
     for (const std::uint32_t f : faces) {
       for (const std::uint32_t v : share_.faces.faces[f]) {
-        if (own_[v] == none) {
+        if (own_[v] == PointRules::none) {
           own_[v] = add_point(copy.motion(share_.faces.points[v]));
         }
       }
@@ -98,7 +95,7 @@ class Placer {
     }
     for (const std::uint32_t f : faces) {
       for (const std::uint32_t v : corners[f]) {
-        image_[v] = none;
+        image_[v] = PointRules::none;
       }
     }
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -112,8 +109,8 @@ class Placer {
   }
 
   std::uint32_t image(std::uint32_t v) {
-    if (image_[v] == none) {
-      image_[v] = share_.points.plane[v] == none
+    if (image_[v] == PointRules::none) {
+      image_[v] = share_.points.plane[v] == PointRules::none
                       ? add_point(share_.points.planes[0].image(result_.points[own_[v]]))
                       : own_[v];
     }
@@ -129,9 +126,9 @@ class Placer {
     }
     const bool moved = share_.faces.polygon[f] == mesh::Soup::none;
     result_.faces.push_back(face);
-    result_.polygon.push_back(moved || from == none ? mesh::Soup::none : model_.polygon[from]);
+    result_.polygon.push_back(moved || from == PointRules::none ? mesh::Soup::none : model_.polygon[from]);
     if (!model_.material.empty()) {
-      result_.material.push_back(model_.material[from == none ? like : from]);
+      result_.material.push_back(model_.material[from == PointRules::none ? like : from]);
     }
     if (!model_.texture.empty()) {
       result_.texture.push_back(texture);

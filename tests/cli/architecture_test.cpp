@@ -291,9 +291,12 @@ TEST_CASE("no two units include each other, nor more of them in a circle", "[arc
 }
 
 TEST_CASE("CGAL and OpenMesh stay behind plain headers", "[architecture]") {
+  // Read by nothing but the source files of their room.
+  const std::set<std::string> behind = {"prepare/simplify/edit_mesh.hpp",
+                                        "prepare/simplify/collapse_policies.hpp"};
   for (const Folder& folder : folders()) {
     for (const auto& [file, included, quoted] : includes_of(folder.name)) {
-      if (file.extension() == ".hpp" && file.filename() != "edit_mesh.hpp") {
+      if (file.extension() == ".hpp" && !behind.contains(file.generic_string())) {
         INFO(file << " includes " << included);
         CHECK_FALSE(included.starts_with("CGAL/"));
         CHECK_FALSE(included.starts_with("OpenMesh/"));
