@@ -13,6 +13,7 @@
 
 #include "base/printable.hpp"
 #include "cli/arguments/options.hpp"
+#include "cli/arguments/parse.hpp"
 #include "cli/early_end.hpp"
 #include "cli/files/formats.hpp"
 #include "cli/files/model_input.hpp"
@@ -25,7 +26,7 @@
 #include "cli/telling/progress.hpp"
 #include "cli/telling/remarks.hpp"
 #include "cli/telling/summary.hpp"
-#include "mesh/reading/read_soup.hpp"
+#include "mesh/reading/read_file.hpp"
 
 namespace ridgecraft::cli {
 namespace {

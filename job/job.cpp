@@ -13,6 +13,7 @@
 #include "job/settings.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
+#include "unfold/replace_tabs.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::job {

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/reading/read_file.hpp"
 #include "mesh/reading/read_soup.hpp"
 #include "mesh/repair/repair.hpp"
 

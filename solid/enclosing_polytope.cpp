@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/segment.hpp"
 #include "solid/convex_hull.hpp"
 #include "solid/enclosing_box.hpp"
 
@@ -103,11 +104,6 @@ std::optional<Polytope> clipped(const Polytope& body, const HalfSpace& half) {
 /// The point of a triangle that is nearest to p (Ericson, "Real-Time Collision Detection", 2005,
 /// section 5.1.5).
 Vec3 nearest_in_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
-  const auto on_side = [&](Vec3 from, Vec3 to) {
-    const double square = dot(to - from, to - from);
-    const double t = square > 0.0 ? std::clamp(dot(p - from, to - from) / square, 0.0, 1.0) : 0.0;
-    return from + t * (to - from);
-  };
   const Vec3 n = cross(b - a, c - a);
   const double square = dot(n, n);
   if (square > 0.0) {
@@ -118,8 +114,8 @@ Vec3 nearest_in_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
       return u * a + v * b + w * c;
     }
   }
-  Vec3 best = on_side(a, b);
-  for (const Vec3 q : {on_side(b, c), on_side(c, a)}) {
+  Vec3 best = nearest_on_segment(p, a, b);
+  for (const Vec3 q : {nearest_on_segment(p, b, c), nearest_on_segment(p, c, a)}) {
     best = length(q - p) < length(best - p) ? q : best;
   }
   return best;

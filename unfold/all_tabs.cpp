@@ -10,8 +10,8 @@
 #include "unfold/nets_of_folds.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/tab_split.hpp"
+#include "unfold/replace_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
-#include "unfold/unfold.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -9,7 +9,6 @@
 #include "base/parallel.hpp"
 #include "unfold/all_tabs.hpp"
 #include "unfold/folding/fold_order.hpp"
-#include "unfold/net/joins.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/nets_of_folds.hpp"
 #include "unfold/patch/check.hpp"
@@ -21,8 +20,7 @@
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/plan.hpp"
-#include "unfold/tabs/place/fit.hpp"
-#include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/replace_tabs.hpp"
 #include "unfold/unfolded_parts.hpp"
 
 namespace ridgecraft::unfold {
@@ -135,18 +133,6 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
     note_all_tabs(asked, split, nets);
   }
   return nets;
-}
-
-void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                  Nets& nets, const Context& context) {
-  nets.tabs = {};
-  number_joins(surface, nets);
-  if (options.tabs.wanted) {
-    place_tabs(surface, panels, options.tabs, nets, context);
-    if (options.sheet) {
-      fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context);
-    }
-  }
 }
 
 }  // namespace ridgecraft::unfold

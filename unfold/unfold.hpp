@@ -23,9 +23,4 @@ namespace ridgecraft::unfold {
                           const IdVector<FaceId, PartId>& part, const Options& options,
                           const Context& context);
 
-/// Gives finished nets new joins' numbers and new tabs, as options.tabs and options.sheet ask; their folds
-/// and cuts stay. About O(n log n). Throws Error(interrupted).
-void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                  Nets& nets, const Context& context);
-
 }  // namespace ridgecraft::unfold

@@ -130,7 +130,4 @@ struct PrintJob {
 using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, CageJob, ShellJob, DeformJob,
                          VerifyJob, FormatsJob, PrintJob>;
 
-/// Parses the arguments after the program's name. Throws Error(usage) with one sentence.
-[[nodiscard]] Job parse_arguments(const std::vector<std::string>& arguments);
-
 }  // namespace ridgecraft::cli

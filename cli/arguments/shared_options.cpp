@@ -28,7 +28,7 @@ void CommonTexts::add_to(Verb& verb, TimeUp time_up) {
             "Print no summary, notes or progress; errors only, and a result that goes into no file (info, "
             "formats).")
       .option("Common", "--seed", seed, "N",
-              "Seed of everything random; the same seed gives the same bytes (1).")
+              "Seed of the random searches; the same seed gives the same bytes (1).")
       .option("Common", "--threads", threads, "N",
               "Threads to use; the result doesn't depend on it (one per core).")
       .option(

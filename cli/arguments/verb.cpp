@@ -9,7 +9,6 @@
 
 #include "base/nearest_word.hpp"
 #include "cli/arguments/option_values.hpp"
-#include "cli/arguments/verbs.hpp"
 
 namespace ridgecraft::cli {
 
@@ -89,7 +88,7 @@ bool Verb::parse(Arguments arguments) {
     parser_->app.parse(arguments);
     take_positional(no_options);
   } catch (const CLI::ExtrasError&) {
-    refuse(unexpected(parser_->app.remaining()));
+    refuse_unexpected(parser_->app.remaining());
   } catch (const CLI::ParseError& error) {
     if (!help) {
       refuse(std::string(error.what()));
@@ -139,29 +138,34 @@ Manual Verb::manual() const {
   return whole;
 }
 
-std::string Verb::unexpected(const std::vector<std::string>& remaining) const {
+void Verb::refuse_unexpected(const std::vector<std::string>& remaining) const {
   const std::string word = as_given(remaining.empty() ? "" : remaining.front());
   if (!word.starts_with("-")) {
-    return "'" + word + "' is one argument too many" + takes() + "; see " + manual_.name + " --help";
+    refuse("'" + word + "' is one argument too many" + takes() + "; see " + manual_.name + " --help");
   }
+  const std::string option = word.starts_with("--") ? word.substr(0, word.find('=')) : "";
+  const std::string sentence = "there is no option '" + word + "'" + instead_of(word, option);
+  if (option.size() > 2) {
+    throw UnknownOption(sentence, option);
+  }
+  refuse(sentence);
+}
+
+/// How a sentence about an unknown word goes on; `option` is empty where the word is no long option.
+std::string Verb::instead_of(const std::string& word, const std::string& option) const {
   std::vector<std::string> known;
   for (const CLI::Option* o : parser_->app.get_options({})) {
     for (const std::string& name : o->get_lnames()) {
       known.push_back("--" + name);
     }
   }
-  const std::string option = word.starts_with("--") ? word.substr(0, word.find('=')) : "";
-  if (const std::string owners = option.size() > 2 ? verbs_with(option) : ""; !owners.empty()) {
-    return "there is no option '" + option + "' here; it belongs to " + owners;
-  }
-  const std::string sentence = "there is no option '" + word + "'";
   if (const std::string nearest = option.empty() ? "" : nearest_word(option, known); !nearest.empty()) {
-    return sentence + ", did you mean '" + nearest + "'?";
+    return ", did you mean '" + nearest + "'?";
   }
   if (word.find('.') != std::string::npos) {
-    return sentence + "; a file of this name stands behind --, as in: " + manual_.name + " -- " + word;
+    return "; a file of this name stands behind --, as in: " + manual_.name + " -- " + word;
   }
-  return sentence + "; see " + manual_.name + " --help";
+  return "; see " + manual_.name + " --help";
 }
 
 /// CLI11 takes "-h.obj" for "-h" and a rest, which it tells as "-.obj".

@@ -6,14 +6,27 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "cli/arguments/manual.hpp"
 #include "cli/arguments/options.hpp"
 
 namespace ridgecraft::cli {
 
 using Arguments = std::vector<std::string>;
+
+/// Thrown for a long option that the verb hasn't: another one may have it.
+class UnknownOption : public Error {
+ public:
+  UnknownOption(const std::string& sentence, std::string option)
+      : Error(ErrorKind::usage, sentence), option_(std::move(option)) {}
+  [[nodiscard]] const std::string& option() const { return option_; }  ///< "--pieces"
+
+ private:
+  std::string option_;
+};
 
 class Verb {
  public:
@@ -46,7 +59,8 @@ class Verb {
   bool parse(Arguments arguments);
   void take_positional(const Arguments& words);
   [[nodiscard]] Manual manual() const;
-  [[nodiscard]] std::string unexpected(const std::vector<std::string>& remaining) const;
+  [[noreturn]] void refuse_unexpected(const std::vector<std::string>& remaining) const;
+  [[nodiscard]] std::string instead_of(const std::string& word, const std::string& option) const;
   [[nodiscard]] std::string as_given(const std::string& word) const;
   [[nodiscard]] std::string takes() const;
 

@@ -20,10 +20,6 @@ namespace ridgecraft::cli {
 [[nodiscard]] Job build_verify(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_formats(const Arguments* arguments, Manual* manual);
 
-/// "the main job: ridgecraft MODEL --pieces few|parts|small", or the names of all verbs that have this option
-/// ("--pieces"); empty where none has it.
-[[nodiscard]] std::string verbs_with(const std::string& option);
-
 /// What build_paper returns for --man-page: the text is the caller's to make, from all manuals.
 inline constexpr const char* man_page_wanted = "man";
 

@@ -13,7 +13,7 @@
 #include "base/digest.hpp"
 #include "base/error.hpp"
 #include "mesh/model/file_format.hpp"
-#include "mesh/reading/read_soup.hpp"
+#include "mesh/reading/read_file.hpp"
 
 namespace ridgecraft::cli {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/sentence.hpp"
-#include "mesh/reading/read_soup.hpp"
+#include "mesh/reading/read_file.hpp"
 
 namespace ridgecraft::cli {
 

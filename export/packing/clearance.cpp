@@ -5,15 +5,10 @@
 #include <cmath>
 #include <set>
 
+#include "base/segment.hpp"
+
 namespace ridgecraft::paper {
 namespace {
-
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double size = dot(along, along);
-  const double t = size > 0.0 ? std::clamp(dot(p - a, along) / size, 0.0, 1.0) : 0.0;
-  return length(p - (a + t * along));
-}
 
 /// True where a line along a side of `a` has all of `b` beyond it.
 bool side_separates(std::span<const Vec2> a, std::span<const Vec2> b) {

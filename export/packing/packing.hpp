@@ -3,27 +3,13 @@
 // over orders. Knows nothing of nets.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "base/context.hpp"
-#include "export/packing/packing_shape.hpp"
+#include "export/packing/packing_task.hpp"
 
 namespace ridgecraft::paper {
-
-struct PackingTask {
-  std::vector<PackingShape> shapes;  ///< each fits the area in some turn
-  std::vector<std::uint32_t> group;  ///< of each shape; those of one group had better be on one page
-  Vec2 area;                         ///< of a page, mm
-  double gap = 0.0;                  ///< between shapes, mm; none to the border of the area
-};
-
-/// Where a shape lies: turned, then moved; the area's lower left corner is the origin.
-struct Packed {
-  std::uint32_t page = 0;
-  Turn turn;
-  Vec2 shift;
-};
 
 /// Packs all shapes on as few pages as it finds in a fixed amount of work. Deterministic, unless the
 /// context's deadline passes. Pages are in the order of the groups on them, one that is much emptier than the

@@ -6,8 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "export/packing/packing.hpp"
+#include "base/context.hpp"
 #include "export/packing/packing_page.hpp"
+#include "export/packing/packing_task.hpp"
 
 namespace ridgecraft::paper {
 

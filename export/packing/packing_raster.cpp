@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/polygon.hpp"
+
 namespace ridgecraft::paper {
 namespace {
 
@@ -27,12 +29,11 @@ class Reaches {
   void measure(std::span<const Vec2> polygon) {
     double low = INFINITY;
     double high = -INFINITY;
-    double doubled_area = 0.0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       low = std::min(low, polygon[i].y - gap_);
       high = std::max(high, polygon[i].y + gap_);
-      doubled_area += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
     }
+    const bool counterclockwise = doubled_area(polygon) > 0.0;
     first_ = row_of(low + touch);
     last_ = std::max(first_, row_of(high - touch));
     reach_.assign(static_cast<std::size_t>(last_ - first_) + 1, {});
@@ -43,7 +44,7 @@ class Reaches {
       if (gap_ == 0.0 || size == 0.0) {
         add_line(p, q);
       } else {
-        const Vec2 out = (doubled_area > 0.0 ? -gap_ : gap_) / size * perpendicular(q - p);
+        const Vec2 out = (counterclockwise ? -gap_ : gap_) / size * perpendicular(q - p);
         add_line(p + out, q + out);
       }
       if (gap_ > 0.0) {

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
 #include "base/sentence.hpp"
+#include "mesh/reading/foreign_content.hpp"
 #include "mesh/reading/stl_layout.hpp"
 #include "mesh/reading/text_scanner.hpp"
 

@@ -2,7 +2,7 @@
 // Which mesh format some bytes are, whatever the file is called.
 #pragma once
 
-#include <optional>
+#include <string_view>
 
 #include "mesh/reading/source.hpp"
 
@@ -18,8 +18,5 @@ namespace ridgecraft::mesh {
 
 /// True where the suffix of a file name is that of a mesh format other than this one.
 [[nodiscard]] bool suffix_contradicts(std::string_view file_name, FileFormat format);
-
-/// What a file that is no mesh of ours is, as "a PNG picture"; nothing where that can't be seen.
-[[nodiscard]] std::optional<std::string_view> foreign_content(std::string_view bytes);
 
 }  // namespace ridgecraft::mesh

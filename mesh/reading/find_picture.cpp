@@ -6,7 +6,7 @@
 #include "base/printable.hpp"
 #include "mesh/reading/check_picture.hpp"
 #include "mesh/reading/find_beside.hpp"
-#include "mesh/reading/read_soup.hpp"
+#include "mesh/reading/read_file.hpp"
 
 namespace ridgecraft::mesh {
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The files that people take for meshes, or that were given a mesh's name, known by their first bytes.
+#include "mesh/reading/foreign_content.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
-#include "mesh/reading/detect_format.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {

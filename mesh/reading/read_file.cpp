@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a whole regular file in one go, and nothing that could block or never end.
+#include "mesh/reading/read_file.hpp"
+
 #include <cerrno>
 #include <memory>
 #include <system_error>
@@ -11,7 +13,6 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -13,7 +13,7 @@
 #include "base/printable.hpp"
 #include "mesh/reading/find_beside.hpp"
 #include "mesh/reading/find_picture.hpp"
-#include "mesh/reading/read_soup.hpp"
+#include "mesh/reading/read_file.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {

@@ -13,7 +13,7 @@
 
 #include "base/printable.hpp"
 #include "mesh/reading/read_mtl.hpp"
-#include "mesh/reading/source.hpp"
+#include "mesh/reading/readers.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {

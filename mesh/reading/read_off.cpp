@@ -8,7 +8,7 @@
 #include "base/printable.hpp"
 #include "mesh/reading/detect_format.hpp"
 #include "mesh/reading/face_paint.hpp"
-#include "mesh/reading/source.hpp"
+#include "mesh/reading/readers.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {

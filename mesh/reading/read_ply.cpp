@@ -15,6 +15,7 @@
 #include "mesh/reading/ply_header.hpp"
 #include "mesh/reading/ply_roles.hpp"
 #include "mesh/reading/ply_values.hpp"
+#include "mesh/reading/readers.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

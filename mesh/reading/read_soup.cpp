@@ -2,11 +2,14 @@
 #include "mesh/reading/read_soup.hpp"
 
 #include <new>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
 #include "mesh/reading/detect_format.hpp"
+#include "mesh/reading/read_file.hpp"
+#include "mesh/reading/readers.hpp"
 #include "mesh/reading/source.hpp"
 
 namespace ridgecraft::mesh {

@@ -2,24 +2,13 @@
 // From a file to what it says: reads OBJ, STL, PLY and OFF into a Soup, whatever the file is called.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 #include "base/context.hpp"
 #include "mesh/model/soup.hpp"
 
 namespace ridgecraft::mesh {
-
-/// Larger files are refused before they are read (4 GiB): no paper model is near it.
-inline constexpr std::uint64_t largest_file_size = std::uint64_t{1} << 32U;
-/// More corners of faces than this are refused (2^31): indices of corners are 32 bits wide.
-inline constexpr std::uint64_t largest_corner_count = std::uint64_t{1} << 31U;
-
-/// All bytes of a regular file. Folders, pipes and devices are refused, so it never waits for input. Throws
-/// Error(unreadable_input).
-[[nodiscard]] std::string read_file(const std::filesystem::path& file);
 
 /// Reads a mesh file with its material files. The content decides on the format; the suffix helps only where
 /// the content could be several. Time and memory are linear in the size of the file; counts in headers are

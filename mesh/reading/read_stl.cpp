@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
-#include "mesh/reading/source.hpp"
+#include "mesh/reading/readers.hpp"
 #include "mesh/reading/stl_layout.hpp"
 #include "mesh/reading/text_scanner.hpp"
 

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "mesh/reading/read_soup.hpp"
-
 namespace ridgecraft::mesh {
 
 std::size_t Source::line(const char* place) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@ namespace ridgecraft::mesh {
 
 /// A texture coordinate beyond this many repetitions of the picture is taken for a mistake.
 inline constexpr double largest_texture_coordinate = 1e4;
+/// More corners of faces than this are refused (2^31): indices of corners are 32 bits wide.
+inline constexpr std::uint64_t largest_corner_count = std::uint64_t{1} << 31U;
 
 /// A file in memory.
 struct Source {
@@ -51,12 +54,5 @@ void check_corner_count(const Source& source, const Soup& soup);
 
 /// Zero bytes and DOS end marks after a text belong to no mesh: the text without them; they are remarked on.
 [[nodiscard]] std::string_view without_trailing_zeros(std::string_view text, RepairReport& remarks);
-
-// The formats. Each takes bytes that detect_format() found to be of it and fills the whole soup.
-[[nodiscard]] Soup read_obj(const Source& source);
-[[nodiscard]] Soup read_stl_ascii(const Source& source);
-[[nodiscard]] Soup read_stl_binary(const Source& source);
-[[nodiscard]] Soup read_ply(const Source& source);
-[[nodiscard]] Soup read_off(const Source& source);
 
 }  // namespace ridgecraft::mesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The half-edge mesh that CGAL's algorithms change. Private to prepare/, for .cpp files only: no header
-// includes it, and no file may include CGAL's OpenMesh traits but through it.
+// The half-edge mesh that CGAL's algorithms change. Private to prepare/simplify/, where only headers of what
+// works on this mesh include it; no file may include CGAL's OpenMesh traits but through it.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -24,12 +24,16 @@ struct EditTraits : OpenMesh::DefaultTraits {
 using EditMesh = OpenMesh::TriMesh_ArrayKernelT<EditTraits>;
 using EditKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
+[[nodiscard]] inline Vec3 to_vector(const EditMesh::Point& p) {
+  return {p[0], p[1], p[2]};
+}
+
 }  // namespace ridgecraft::prepare
 
 namespace CGAL {
 
 /// CGAL 5.5 writes points of every OpenMesh mesh through float. This stands in for its map, before anything
-/// uses it, and keeps doubles; tests/mesh/simplify_test.cpp holds it to that.
+/// uses it, and keeps doubles; tests/prepare/simplify_test.cpp holds it to that.
 template <>
 class OM_point_pmap<ridgecraft::prepare::EditMesh, ridgecraft::prepare::EditKernel::Point_3> {
   using Mesh = ridgecraft::prepare::EditMesh;

@@ -13,8 +13,6 @@
 namespace ridgecraft::prepare {
 namespace {
 
-constexpr std::uint32_t none = PointRules::none;
-
 class TwinSharer {
  public:
   TwinSharer(SymmetricShare& share, const mesh::Surface& model, const mesh::LooseFaces& faces)
@@ -63,7 +61,7 @@ class TwinSharer {
     const std::uint32_t usual = share_.symmetric() ? 2 : 1;
     for (std::size_t f = 0; f < share_.faces.faces.size(); ++f) {
       for (const std::uint32_t v : share_.faces.faces[f]) {
-        if (share_.points.plane[v] != none || share_.points.copies[v] != usual) {
+        if (share_.points.plane[v] != PointRules::none || share_.points.copies[v] != usual) {
           good[share_.body[share_.faces.material[f]]] = false;
         }
       }

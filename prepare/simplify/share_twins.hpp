@@ -5,7 +5,7 @@
 #include "base/context.hpp"
 #include "mesh/model/surface.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/simplify/symmetric_share.hpp"
+#include "prepare/simplify/share.hpp"
 
 namespace ridgecraft::prepare {
 

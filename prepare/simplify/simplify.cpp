@@ -13,6 +13,7 @@
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/simplify/collapse_sequence.hpp"
 #include "prepare/simplify/symmetric_share.hpp"
+#include "prepare/simplify/whole.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

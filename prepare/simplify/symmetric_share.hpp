@@ -1,65 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a model has to be simplified when the rest is its mirror image. Private to prepare/.
+// Which part of a model has to be simplified when the rest is its mirror image or its copy. Private to
+// prepare/.
 #pragma once
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
 
 #include "base/context.hpp"
 #include "mesh/model/model.hpp"
-#include "mesh/repair/loose_faces.hpp"
-#include "prepare/simplify/collapse_sequence.hpp"
+#include "prepare/simplify/share.hpp"
 
 namespace ridgecraft::prepare {
-
-/// Faces of a model and what they stand for. Where the model is mirrored onto itself these are the faces on
-/// one side of the plane, cut where they cross it, and sheets that lie in the plane; else all of them. Of
-/// components that are twins it is the first one.
-struct SymmetricShare {
-  /// What a face and its mirror image carry.
-  struct Origin {
-    std::uint32_t face = 0;   ///< of the model
-    std::uint32_t image = 0;  ///< face of the model that the mirror image lies on; PointRules::none: nothing
-    std::array<Vec2, 3> texture{};
-    std::array<Vec2, 3> image_texture{};  ///< at the images of corners 0, 1, 2
-  };
-  /// A twin of one of the bodies, moved.
-  struct Copy {
-    std::uint32_t body = 0;  ///< component of the model that it is a copy of
-    Isometry motion;
-    std::vector<Origin> origins;  ///< of the body's faces, by their rank
-  };
-  /// Without textures, and with numbers of origins for materials, so that what becomes of a face finds them.
-  mesh::LooseFaces faces;
-  PointRules points;  ///< one plane, or none
-  std::vector<Origin> origins;
-  std::vector<std::uint32_t> body;  ///< of each origin: the component of the model
-  std::vector<std::uint32_t> rank;  ///< of each origin: how many of its body come before it
-  std::vector<Copy> copies;         ///< each with a mirror image where the model is symmetric
-  IdVector<FaceId, FaceId> image;   ///< of the faces of a symmetric model
-  /// Greatest distance between a corner of the model and what its other side makes of it, in its unit.
-  double deviation = 0.0;
-
-  [[nodiscard]] bool symmetric() const { return !points.planes.empty(); }
-  /// Of the whole, about: as if all points of the cut were gone.
-  [[nodiscard]] std::size_t face_count() const;
-};
 
 /// Looks for a mirror plane of the model and for twins among its components. A plane will do that the model
 /// is mirrored at only nearly, off by up to `largest_deviation` (a share of the extent): then the side with
 /// more faces is kept. Materials and textures stay what they are on each side. O(n log n).
 [[nodiscard]] SymmetricShare symmetric_share(const mesh::Model& model, double largest_deviation,
                                              const Context& context);
-
-/// The share after some collapses.
-[[nodiscard]] SymmetricShare collapsed(const SymmetricShare& share, std::span<const Collapse> collapses);
-
-/// All faces that a share stands for, with the model's own materials and polygons. What lies on one side of a
-/// plane has its mirror image, with mirrored coordinates exactly, on the other. Points of the cut are gone
-/// where the faces across it are flat. O(n log n).
-[[nodiscard]] mesh::LooseFaces whole(const SymmetricShare& share, const mesh::LooseFaces& model);
 
 }  // namespace ridgecraft::prepare

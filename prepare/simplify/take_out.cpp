@@ -9,11 +9,11 @@
 namespace ridgecraft::prepare {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffU;
+constexpr std::uint32_t no_vertex = 0xffffffffU;
 /// A face may lean by this much (0.1 degrees, as within a panel).
 const double leaning_cosine = std::cos(0.1 * 3.14159265358979323846 / 180.0);
 /// Height over longest side below which a face is nothing but rounding.
-constexpr double thin = 1e-6;
+constexpr double thin_as_rounding = 1e-6;
 /// Places in a picture differ by no more than this share of the picture.
 constexpr double same_picture = 1e-3;
 
@@ -120,8 +120,8 @@ class Taker {
     if (faces_.points[v] == faces_.points[into]) {
       return true;
     }
-    return length(after) > thin * long_after * long_after &&
-           (length(before) <= thin * long_before * long_before ||
+    return length(after) > thin_as_rounding * long_after * long_after &&
+           (length(before) <= thin_as_rounding * long_before * long_before ||
             dot(before, after) >= leaning_cosine * length(before) * length(after));
   }
 
@@ -173,7 +173,7 @@ class Taker {
 void take_out(mesh::LooseFaces& faces, const std::vector<Between>& points) {
   Taker taker(faces);
   std::vector<Between> left = points;
-  for (std::size_t before = none; left.size() < before;) {
+  for (std::size_t before = no_vertex; left.size() < before;) {
     before = left.size();
     std::erase_if(left, [&](const Between& b) { return taker.merge(b.point, b.to); });
   }

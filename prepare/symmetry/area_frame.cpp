@@ -5,14 +5,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "prepare/symmetry/outer_product.hpp"
+
 namespace ridgecraft::prepare {
-namespace {
-
-Eigen::Matrix3d outer(Vec3 a, Vec3 b) {
-  return Eigen::Vector3d(a.x, a.y, a.z) * Eigen::RowVector3d(b.x, b.y, b.z);
-}
-
-}  // namespace
 
 AreaFrame area_frame(const mesh::Surface& surface) {
   AreaFrame frame;
@@ -33,7 +28,8 @@ AreaFrame area_frame(const mesh::Surface& surface) {
     // The integral of x x^T over a triangle: area / 12 times the sum over corners and over their sum.
     const Vec3 all = p[0] + p[1] + p[2];
     spread += surface.area(f) / 12.0 *
-              (outer(p[0], p[0]) + outer(p[1], p[1]) + outer(p[2], p[2]) + outer(all, all));
+              (outer_product(p[0], p[0]) + outer_product(p[1], p[1]) + outer_product(p[2], p[2]) +
+               outer_product(all, all));
   }
   const Eigen::Matrix3d v = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
   for (int i = 0; i < 3; ++i) {

@@ -11,13 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "prepare/symmetry/nearby_points.hpp"
 #include "base/same_place.hpp"
+#include "prepare/symmetry/nearby_points.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffU;
 /// Ends of an edge may be off by this share of its length: more would pair an edge with its neighbour.
 constexpr double edge_share = 1.0 / 3.0;
 /// Distances that differ by less than this share of the radius are the same, but for rounding.
@@ -52,7 +51,7 @@ class Nearest {
   /// The one with the smallest number among the nearest; none beyond the radius.
   [[nodiscard]] std::uint32_t operator()(Vec3 p, double radius) const {
     double least = radius * radius;
-    std::uint32_t best = none;
+    std::uint32_t best = no_point;
     tree_.search(
         p, [&](double distance) { return distance <= least; },
         [&](std::uint32_t i) {
@@ -98,14 +97,14 @@ class Matcher {
 
  private:
   void match_places() {
-    place_.assign(here_.points.size(), none);
+    place_.assign(here_.points.size(), no_point);
     const Nearest there(there_.points, there_.places);
     const Nearest here(here_.points, here_.places);
     const Isometry back = isometry_.inverse();
     for (const std::uint32_t p : here_.places) {
       const Vec3 image = isometry_(here_.points[p]);
       const std::uint32_t q = there(image, radius_);
-      if (q != none && here(back(there_.points[q]), radius_) == p) {
+      if (q != no_point && here(back(there_.points[q]), radius_) == p) {
         place_[p] = q;
         result_.farthest = std::max(result_.farthest, length(image - there_.points[q]));
       } else {
@@ -139,7 +138,7 @@ class Matcher {
              used[static_cast<std::size_t>(found - keys.begin())]) {
         ++found;
       }
-      if (image[2] != none && image[1] != none && found != keys.end() && found->first == image) {
+      if (image[2] != no_point && image[1] != no_point && found != keys.end() && found->first == image) {
         used[static_cast<std::size_t>(found - keys.begin())] = true;
         result_.face[f] = FaceId(found->second);
       }
@@ -174,7 +173,7 @@ class Matcher {
     };
     for (const VertexId v : ids<VertexId>(from_.vertex_count())) {
       const std::uint32_t q = place_[v.value()];
-      if (q == none) {
+      if (q == no_point) {
         continue;
       }
       if (here_.vertices[here_.first[v.value()]] == 1 && there_.vertices[q] == 1) {
@@ -316,8 +315,7 @@ std::vector<Pairing> near_pairs(const mesh::Surface& from, const mesh::Surface& 
     const double reach = std::min(radius, edge_share * from.length(e));
     const Vec3 own = isometry.turn(outwards(from, e));
     tree.search(
-        middle,
-        [&](double distance) { return distance <= reach * reach; },
+        middle, [&](double distance) { return distance <= reach * reach; },
         [&](std::uint32_t i) {
           const auto [p, q] = ends(to, EdgeId(i));
           const double straight = std::max(length(p - a), length(q - b));

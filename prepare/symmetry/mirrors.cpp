@@ -9,16 +9,17 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "prepare/symmetry/nearby_points.hpp"
 #include "base/same_place.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/symmetry/area_frame.hpp"
+#include "prepare/symmetry/nearby_points.hpp"
+#include "prepare/symmetry/outer_product.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
 /// Corners that a candidate is tried with at first.
-constexpr std::size_t first_tried = 64;
+constexpr std::size_t first_corners = 64;
 /// Corners that a plane is fitted to.
 constexpr std::size_t most_fitted = 4000;
 /// A candidate may be off by this share of the extent before it is fitted ...
@@ -36,14 +37,8 @@ constexpr std::size_t most_images = 64;
 /// A plane may hold the whole surface within so many times the near tolerance: then it mirrors nothing.
 constexpr double flat = 2.0;
 
-constexpr std::uint32_t none = 0xffffffffU;
-
 Vec3 column(const Eigen::Matrix3d& m, int i) {
   return {m(0, i), m(1, i), m(2, i)};
-}
-
-Eigen::Matrix3d outer(Vec3 a, Vec3 b) {
-  return Eigen::Vector3d(a.x, a.y, a.z) * Eigen::RowVector3d(b.x, b.y, b.z);
 }
 
 /// Ascending eigenvalues.
@@ -121,24 +116,9 @@ class MirrorSearch {
     return result;
   }
 
-  [[nodiscard]] std::uint32_t nearest(Vec3 p, double radius) const {
-    double least = radius * radius;
-    std::uint32_t best = none;
-    tree_.search(
-        p, [&](double distance) { return distance <= least; },
-        [&](std::uint32_t i) {
-          const Vec3 d = points_[i] - p;
-          if (dot(d, d) <= least) {
-            least = dot(d, d);
-            best = i;
-          }
-        });
-    return best;
-  }
-
   /// Distance of a point from the surface where it is more than `enough`.
   [[nodiscard]] double distance(Vec3 p, double enough) {
-    if (nearest(p, enough) != none) {
+    if (tree_.nearest(p, enough) != no_point) {
       return 0.0;
     }
     if (!faces_) {
@@ -157,7 +137,7 @@ class MirrorSearch {
 
   /// Do the images of some corners, spread over all, lie within `reach` of the surface?
   [[nodiscard]] bool worth_fitting(const MirrorPlane& plane, double reach) {
-    const std::size_t step = std::max<std::size_t>(1, places_.size() / first_tried);
+    const std::size_t step = std::max<std::size_t>(1, places_.size() / first_corners);
     for (std::size_t i = 0; i < places_.size(); i += step) {
       if (distance(plane.image(points_[places_[i]]), reach) > reach) {
         return false;
@@ -176,9 +156,9 @@ class MirrorSearch {
     std::size_t tried = 0;
     for (std::size_t i = 0; i < places_.size(); i += step) {
       const Vec3 p = points_[places_[i]];
-      const std::uint32_t q = nearest(plane.image(p), reach);
+      const std::uint32_t q = tree_.nearest(plane.image(p), reach);
       ++tried;
-      if (q != none) {
+      if (q != no_point) {
         pairs.push_back({places_[i], q});
         sum_p += p;
         sum_q += points_[q];
@@ -190,7 +170,7 @@ class MirrorSearch {
     const double count = static_cast<double>(pairs.size());
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const auto& [p, q] : pairs) {
-      spread += outer(points_[p] - sum_p / count, points_[q] - sum_q / count);
+      spread += outer_product(points_[p] - sum_p / count, points_[q] - sum_q / count);
     }
     const Vec3 normal = axes(spread + spread.transpose().eval())[0];
     // Few corners, or such in one line, say nothing about some directions.
@@ -231,8 +211,8 @@ class MirrorSearch {
     mirror.exact = true;
     for (const std::uint32_t v : places_) {
       const Vec3 image = plane.image(points_[v]);
-      const std::uint32_t partner = nearest(image, exact_);
-      if (partner != none) {
+      const std::uint32_t partner = tree_.nearest(image, exact_);
+      if (partner != no_point) {
         mirror.deviation = std::max(mirror.deviation, length(points_[partner] - image));
         continue;
       }

@@ -7,21 +7,46 @@
 #include <vector>
 
 #include "base/box_tree.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::prepare {
 
-/// A tree of boxes over the points with these numbers, each once.
+/// The number of none of them.
+inline constexpr std::uint32_t no_point = 0xffffffffU;
+
+/// A tree of boxes over the points with these numbers, each once. The points must outlive it.
 class NearbyPoints {
  public:
   /// O(n log n).
   NearbyPoints(const std::vector<Vec3>& points, std::vector<std::uint32_t> numbers)
-      : numbers_(std::move(numbers)),
+      : points_(&points),
+        numbers_(std::move(numbers)),
         tree_(
-            numbers_.size(), [&](std::uint32_t i) { return Box3{points[numbers_[i]], points[numbers_[i]]}; },
+            numbers_.size(),
+            [&](std::uint32_t i) {
+              return Box3{points[numbers_[i]], points[numbers_[i]]};
+            },
             [&](std::uint32_t i) { return points[numbers_[i]]; }) {}
 
-  /// Calls visit(number) for the points of all leaves that enter(squared distance of their box) lets in, those near
-  /// `from` first; what enter() says may change on the way.
+  /// The nearest point within the radius, no_point where there is none. Of several at one distance it is any,
+  /// but always the same.
+  [[nodiscard]] std::uint32_t nearest(Vec3 p, double radius) const {
+    double least = radius * radius;
+    std::uint32_t best = no_point;
+    search(
+        p, [&](double distance) { return distance <= least; },
+        [&](std::uint32_t i) {
+          const Vec3 d = (*points_)[i] - p;
+          if (dot(d, d) <= least) {
+            least = dot(d, d);
+            best = i;
+          }
+        });
+    return best;
+  }
+
+  /// Calls visit(number) for the points of all leaves that enter(squared distance of their box) lets in,
+  /// those near `from` first; what enter() says may change on the way.
   template <class Enter, class Visit>
   void search(Vec3 from, Enter enter, Visit visit) const {
     struct Nothing {};
@@ -31,6 +56,7 @@ class NearbyPoints {
   }
 
  private:
+  const std::vector<Vec3>* points_;
   std::vector<std::uint32_t> numbers_;
   BoxTree<Box3> tree_;
 };

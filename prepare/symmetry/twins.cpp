@@ -13,10 +13,11 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "prepare/symmetry/nearby_points.hpp"
 #include "base/same_place.hpp"
 #include "prepare/symmetry/correspondence.hpp"
 #include "prepare/symmetry/mirrors.hpp"
+#include "prepare/symmetry/nearby_points.hpp"
+#include "prepare/symmetry/outer_product.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -24,11 +25,10 @@ namespace {
 /// Pairs of corners that are tried as images of the first body's two; more are as good as equal.
 constexpr std::size_t most_tries = 128;
 /// Corners that a motion is tried with first.
-constexpr std::size_t first_tried = 16;
+constexpr std::size_t first_tries = 16;
 /// A second corner that is nearer to the line through the centre and the first one, as a share of the extent,
 /// tells no direction.
 constexpr double off_line = 0.01;
-constexpr std::uint32_t none = 0xffffffffU;
 
 /// One body with what twins have in common.
 struct Shape {
@@ -38,8 +38,8 @@ struct Shape {
   Vec3 centre;                       ///< of area: it doesn't depend on triangles
   double area = 0.0;
   double extent = 0.0;
-  std::uint32_t first = none;   ///< the farthest point from the centre
-  std::uint32_t second = none;  ///< the farthest from the line through both; none: all are on it
+  std::uint32_t first = no_point;   ///< the farthest point from the centre
+  std::uint32_t second = no_point;  ///< the farthest from the line through both; no_point: all are on it
 };
 
 double off_axis(const Shape& s, Vec3 axis, std::uint32_t i) {
@@ -74,7 +74,7 @@ Shape shape_of(const mesh::Surface& whole, const std::vector<FaceId>& faces) {
   const std::uint32_t second = *std::max_element(
       s.order.begin(), s.order.end(),
       [&](std::uint32_t i, std::uint32_t k) { return off_axis(s, axis, i) < off_axis(s, axis, k); });
-  s.second = off_axis(s, axis, second) > off_line * s.extent ? second : none;
+  s.second = off_axis(s, axis, second) > off_line * s.extent ? second : no_point;
   return s;
 }
 
@@ -89,20 +89,17 @@ std::array<Vec3, 3> frame(const Shape& s, std::uint32_t first, std::uint32_t sec
 class Aligner {
  public:
   Aligner(const Shape& from, const Shape& to, double radius)
-      : from_(from),
-        to_(to),
-        radius_(radius),
-        tree_(to.points, to.order) {}
+      : from_(from), to_(to), radius_(radius), tree_(to.points, to.order) {}
 
   [[nodiscard]] std::optional<Isometry> run() const {
-    if (from_.second == none || to_.second == none) {
+    if (from_.second == no_point || to_.second == no_point) {
       return std::nullopt;
     }
     const std::vector<std::array<std::uint32_t, 2>> images = possible_images();
     for (const bool mirrors : {false, true}) {
       for (const auto& [first, second] : images) {
         const Isometry rough = between(first, second, mirrors);
-        if (fits(rough, 3.0 * radius_, first_tried)) {
+        if (fits(rough, 3.0 * radius_, first_tries)) {
           const Isometry fine = fitted(rough);
           if (fits(fine, radius_, from_.points.size())) {
             return fine;
@@ -154,25 +151,10 @@ class Aligner {
     return result;
   }
 
-  [[nodiscard]] std::uint32_t nearest(Vec3 p, double radius) const {
-    double least = radius * radius;
-    std::uint32_t best = none;
-    tree_.search(
-        p, [&](double distance) { return distance <= least; },
-        [&](std::uint32_t i) {
-          const Vec3 d = to_.points[i] - p;
-          if (dot(d, d) <= least) {
-            least = dot(d, d);
-            best = i;
-          }
-        });
-    return best;
-  }
-
   [[nodiscard]] bool fits(const Isometry& motion, double radius, std::size_t tries) const {
     const std::size_t step = std::max<std::size_t>(1, from_.points.size() / tries);
     for (std::size_t i = 0; i < from_.points.size(); i += step) {
-      if (nearest(motion(from_.points[i]), radius) == none) {
+      if (tree_.nearest(motion(from_.points[i]), radius) == no_point) {
         return false;
       }
     }
@@ -185,8 +167,8 @@ class Aligner {
     Vec3 sum_p;
     Vec3 sum_q;
     for (const Vec3 p : from_.points) {
-      const std::uint32_t q = nearest(rough(p), 3.0 * radius_);
-      if (q != none) {
+      const std::uint32_t q = tree_.nearest(rough(p), 3.0 * radius_);
+      if (q != no_point) {
         pairs.push_back({p, to_.points[q]});
         sum_p += p;
         sum_q += to_.points[q];
@@ -197,7 +179,7 @@ class Aligner {
     for (const auto& [p, q] : pairs) {
       const Vec3 a = p - sum_p / count;
       const Vec3 b = q - sum_q / count;
-      spread += Eigen::Vector3d(b.x, b.y, b.z) * Eigen::RowVector3d(a.x, a.y, a.z);
+      spread += outer_product(b, a);
     }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Vector3d signs(1.0, 1.0, 1.0);

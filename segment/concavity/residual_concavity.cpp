@@ -3,15 +3,10 @@
 
 #include <algorithm>
 
+#include "base/segment.hpp"
+
 namespace ridgecraft::segment {
 namespace {
-
-double distance_to_bridge(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double squared = dot(d, d);
-  const double t = squared > 0.0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
-  return length(p - (a + t * d));
-}
 
 /// A corner of the new bridges, with the concavity of all pockets up to it.
 struct Corner {
@@ -38,7 +33,7 @@ void prefix_concavity(std::span<const Vec2> chain, std::vector<double>& prefix) 
     if (!stack.empty()) {
       const std::size_t top = stack.back().position;
       for (std::size_t i = top + 1; i < k; ++i) {
-        pocket = std::max(pocket, distance_to_bridge(chain[i], chain[top], q));
+        pocket = std::max(pocket, distance_to_segment(chain[i], chain[top], q));
       }
       pocket = std::max(pocket, stack.back().concavity);
     }

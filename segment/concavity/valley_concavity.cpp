@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "base/segment.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
@@ -20,17 +22,6 @@ constexpr int deepest_hierarchy = 8;
 
 double turn(Vec2 a, Vec2 b, Vec2 c) {
   return cross(b - a, c - a);
-}
-
-Vec2 nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double squared = dot(d, d);
-  const double t = squared > 0.0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
-  return a + t * d;
-}
-
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  return length(p - nearest_on_segment(p, a, b));
 }
 
 bool on_segment(Vec2 a, Vec2 b, Vec2 p) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/segment.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
@@ -13,13 +15,6 @@ struct Candidate {
   std::uint32_t to;
   float length;  ///< negative: no such arc
 };
-
-double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 d = b - a;
-  const double squared = dot(d, d);
-  const double t = squared > 0.0 ? std::min(1.0, std::max(0.0, dot(p - a, d) / squared)) : 0.0;
-  return length(p - (a + t * d));
-}
 
 /// The straight line between the corners opposite to side k of f and its neighbour g, if it crosses the open
 /// side.

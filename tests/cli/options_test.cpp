@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/arguments/options.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
+#include "cli/arguments/parse.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::cli;

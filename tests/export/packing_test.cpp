@@ -10,7 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "export/packing/clearance.hpp"
+#include "export/packing_checks.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::paper;
@@ -42,21 +42,9 @@ PackingTask bars(std::uint64_t seed, std::uint32_t count) {
 }
 
 std::size_t faults(const PackingTask& task, const std::vector<Packed>& packed, std::uint32_t pages) {
-  std::vector<std::vector<OwnedPolygon>> on_page(pages);
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < packed.size(); ++i) {
-    for (std::vector<Vec2> polygon : task.shapes[i].convex) {
-      for (Vec2& p : polygon) {
-        p = packed[i].turn(p) + packed[i].shift;
-        count += p.x < -1e-6 || p.y < -1e-6 || p.x > task.area.x + 1e-6 || p.y > task.area.y + 1e-6 ? 1U : 0U;
-      }
-      on_page.at(packed[i].page).push_back({i, std::move(polygon)});
-    }
-  }
-  for (auto& polygons : on_page) {
-    count += too_near(std::move(polygons), task.gap - 1e-6).size();
-  }
-  return count;
+  return test::packing_faults(
+      task, pages, [&](std::uint32_t i) { return packed[i].page; },
+      [&](std::uint32_t i, Vec2 p) { return packed[i].turn(p) + packed[i].shift; });
 }
 
 }  // namespace

@@ -4,37 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/flat_panels.hpp"
 #include "support/shapes.hpp"
 #include "support/simple_nets.hpp"
 #include "unfold/net/outline.hpp"
 
 namespace ridgecraft::test {
 namespace {
-
-/// Panels over edges that aren't folded: enough for shapes made of exact flat regions.
-prepare::Panels flat_panels(const mesh::Surface& surface) {
-  prepare::Panels panels;
-  panels.panel.resize(surface.face_count());
-  for (const FaceId seed : ids<FaceId>(surface.face_count())) {
-    if (panels.panel[seed].valid()) {
-      continue;
-    }
-    const PanelId panel = panels.faces.push_back({seed});
-    panels.panel[seed] = panel;
-    for (std::size_t i = 0; i < panels.faces[panel].size(); ++i) {
-      for (unsigned k = 0; k < 3; ++k) {
-        const CornerId c = mesh::corner(panels.faces[panel][i], k);
-        const FaceId next = surface.neighbor(c);
-        if (next.valid() && !panels.panel[next].valid() &&
-            std::abs(surface.fold_angle(surface.edge(c))) < 1e-6) {
-          panels.panel[next] = panel;
-          panels.faces[panel].push_back(next);
-        }
-      }
-    }
-  }
-  return panels;
-}
 
 /// Convex polygons share more than a border (separating axes).
 bool overlap(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {

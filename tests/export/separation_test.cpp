@@ -8,8 +8,8 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "export/packing/clearance.hpp"
 #include "export/packing/packing_separate.hpp"
+#include "export/packing_checks.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::paper;
@@ -27,25 +27,14 @@ PackingTask boxes(const std::vector<Vec2>& sizes) {
   return task;
 }
 
-/// Pairs that are too near each other and shapes that leave the page.
 std::size_t faults(const PackingTask& task, const PackingFill& fill, const std::vector<Place>& places,
                    std::uint32_t pages) {
-  std::size_t count = 0;
-  std::vector<std::vector<OwnedPolygon>> on_page(pages);
-  for (std::uint32_t i = 0; i < places.size(); ++i) {
-    const Raster& raster = fill.rasters(i)[places[i].turn];
-    for (std::vector<Vec2> polygon : task.shapes[i].convex) {
-      for (Vec2& p : polygon) {
-        p = raster.turn(p) - raster.low + fill.corner(places[i].spot);
-        count += p.x < -1e-6 || p.y < -1e-6 || p.x > task.area.x + 1e-6 || p.y > task.area.y + 1e-6 ? 1U : 0U;
-      }
-      on_page.at(places[i].page).push_back({i, std::move(polygon)});
-    }
-  }
-  for (auto& polygons : on_page) {
-    count += too_near(std::move(polygons), task.gap - 1e-6).size();
-  }
-  return count;
+  return test::packing_faults(
+      task, pages, [&](std::uint32_t i) { return places[i].page; },
+      [&](std::uint32_t i, Vec2 p) {
+        const Raster& raster = fill.rasters(i)[places[i].turn];
+        return raster.turn(p) - raster.low + fill.corner(places[i].spot);
+      });
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include "mesh/mesh.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepare.hpp"
+#include "prepare/simplify/collapse_sequence.hpp"
+#include "prepare/simplify/whole.hpp"
 #include "prepare/symmetry/mirrors.hpp"
 #include "prepare/symmetry/twins.hpp"
 #include "support/symmetric_shapes.hpp"

@@ -83,6 +83,11 @@ Outcome run_command(const std::vector<std::string>& command, const RunOptions& o
   const TemporaryFolder scratch;
   const std::filesystem::path out = options.out_file ? *options.out_file : scratch / "out";
   const std::filesystem::path err = scratch / "err";
+  // They are there before the child is: it may be killed before it opens them.
+  if (!options.out_file) {
+    write_bytes(out, "");
+  }
+  write_bytes(err, "");
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = ::fork();
   if (child < 0) {

@@ -241,33 +241,12 @@ prepare::Panels no_panels(const mesh::Surface& surface) {
   return panels;
 }
 
-prepare::Panels flat_panels(const mesh::Surface& surface) {
-  prepare::Panels panels;
-  panels.panel.resize(surface.face_count());
-  for (const FaceId seed : ids<FaceId>(surface.face_count())) {
-    if (panels.panel[seed].valid()) {
-      continue;
-    }
-    const PanelId id = panels.faces.push_back({seed});
-    panels.panel[seed] = id;
-    auto& faces = panels.faces[id];
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      for (unsigned k = 0; k < 3; ++k) {
-        const FaceId g = surface.neighbor(mesh::corner(faces[i], k));
-        if (g.valid() && !panels.panel[g].valid() &&
-            length(surface.normal(g) - surface.normal(seed)) < 1e-9) {
-          panels.panel[g] = id;
-          faces.push_back(g);
-        }
-      }
-    }
-    std::sort(faces.begin(), faces.end());
-  }
-  return panels;
-}
-
 IdVector<FaceId, PartId> one_part(const mesh::Surface& surface) {
   return IdVector<FaceId, PartId>(surface.face_count(), PartId(0));
+}
+
+unfold::Nets default_nets(const mesh::Surface& surface) {
+  return unfold::unfold(surface, flat_panels(surface), one_part(surface), {}, {});
 }
 
 mesh::Surface read_off(const std::string& path) {

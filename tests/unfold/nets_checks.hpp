@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prepare/prepared/panels.hpp"
+#include "support/flat_panels.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::test {
@@ -19,10 +20,10 @@ namespace ridgecraft::test {
 
 /// Every face in a panel of its own.
 [[nodiscard]] prepare::Panels no_panels(const mesh::Surface& surface);
-/// Panels by equal normals of neighbours (within 1e-9): enough for shapes made in code.
-[[nodiscard]] prepare::Panels flat_panels(const mesh::Surface& surface);
 /// All faces in part 0.
 [[nodiscard]] IdVector<FaceId, PartId> one_part(const mesh::Surface& surface);
+/// Of flat panels and one part, with default options.
+[[nodiscard]] unfold::Nets default_nets(const mesh::Surface& surface);
 /// The triangles of an OFF file.
 [[nodiscard]] mesh::Surface read_off(const std::string& path);
 /// The models of ../shared/models/unfold, or none where the folder is missing.

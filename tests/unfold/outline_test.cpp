@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/polygon.hpp"
 #include "support/shapes.hpp"
 #include "unfold/tree_nets.hpp"
 
@@ -45,7 +46,7 @@ double area_of_faces(const Surface& s) {
 double area_inside(const std::vector<Loop>& loops) {
   double sum = 0.0;
   for (const Loop& loop : loops) {
-    sum += 0.5 * unfold::doubled_area(loop);
+    sum += 0.5 * doubled_area(loop);
   }
   return sum;
 }
@@ -94,11 +95,11 @@ void check_outline(const Surface& s, const Nets& nets) {
   }
   CHECK(cut == Approx(length_of_boundary(s, nets)));
   CHECK(area_inside(exact) == Approx(area_of_faces(s)));
-  CHECK(unfold::doubled_area(exact[0]) > 0.0);
+  CHECK(doubled_area(exact[0]) > 0.0);
 
   double once = 0.0;
   for (std::size_t i = 0; i < lines.loops.size(); ++i) {
-    CHECK((unfold::doubled_area(lines.loops[i]) > 0.0) == (i == 0));
+    CHECK((doubled_area(lines.loops[i]) > 0.0) == (i == 0));
     CHECK(is_simple(lines.loops[i]));
     once += perimeter(lines.loops[i]);
   }
@@ -200,8 +201,8 @@ TEST_CASE("a flat ring has an outer loop and a hole", "[outline]") {
     }
     const auto loops = unfold::outline(ring, nets, PieceId(0));
     REQUIRE(loops.size() == 2);
-    CHECK(unfold::doubled_area(loops[0]) == Approx(2 * 3600.0));
-    CHECK(unfold::doubled_area(loops[1]) == Approx(-2 * 400.0));
+    CHECK(doubled_area(loops[0]) == Approx(2 * 3600.0));
+    CHECK(doubled_area(loops[1]) == Approx(-2 * 400.0));
     check_outline(ring, nets);
   }
 }
@@ -227,7 +228,7 @@ TEST_CASE("a tab is spliced into the outline", "[outline]") {
   nets.joins[JoinId(0)].tab = TabId(0);
   const auto loops = unfold::outline(cube, nets, PieceId(0));
   CHECK(loops[0].size() == before + (whole ? 2 : 3));
-  CHECK(area_inside(loops) == Approx(area + 0.5 * unfold::doubled_area(tab.polygon)));
+  CHECK(area_inside(loops) == Approx(area + 0.5 * doubled_area(tab.polygon)));
   const Box2 box = unfold::extent(cube, nets, PieceId(0));
   for (const Vec2 p : tab.polygon) {
     CHECK((p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y));

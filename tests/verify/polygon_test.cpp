@@ -117,9 +117,9 @@ TEST_CASE("convex parts are convex, apart, and together the polygon", "[verify]"
     double area = 0.0;
     for (const Polygon& part : parts) {
       CHECK(verify::is_convex(part));
-      area += verify::doubled_area(part);
+      area += doubled_area(part);
     }
-    CHECK(area == Approx(verify::doubled_area(polygon)));
+    CHECK(area == Approx(doubled_area(polygon)));
     for (std::size_t i = 0; i < parts.size(); ++i) {
       for (std::size_t j = i + 1; j < parts.size(); ++j) {
         CHECK(verify::penetration(parts[i], parts[j]) < 1e-9);
@@ -142,7 +142,7 @@ TEST_CASE("a turned round polygon is one part; a clockwise one is turned over", 
   Polygon square = {{0, 0}, {0, 2}, {2, 2}, {2, 0}};
   const std::vector<Polygon> parts = verify::convex_parts(square, {});
   REQUIRE(parts.size() == 1);
-  CHECK(verify::doubled_area(parts[0]) == 8.0);
+  CHECK(doubled_area(parts[0]) == 8.0);
 }
 
 TEST_CASE("simple polygons are told from those that cross or touch themselves", "[verify]") {

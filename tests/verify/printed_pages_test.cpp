@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
+#include "base/segment.hpp"
 #include "support/program.hpp"
 #include "verify/cube_file.hpp"
 #include "verify/written_job.hpp"
@@ -60,6 +62,26 @@ PrintedLine& bar(PrintedPage& of) {
   });
   REQUIRE(found != of.lines.end());
   return *found;
+}
+
+/// A way of 5 mm that leads at least 1 mm away from every line of the page. One that happens to lie on a line
+/// is that line drawn once more.
+Vec2 way_off(const PrintedPage& of, Vec2 from) {
+  for (int turn = 0; turn < 36; ++turn) {
+    const double angle = turn * std::numbers::pi / 18.0;
+    const Vec2 way = 5.0 * Vec2{std::cos(angle), std::sin(angle)};
+    bool is_off = true;
+    for (const PrintedLine& l : of.lines) {
+      for (std::size_t i = 1; is_off && i < l.points.size(); ++i) {
+        is_off = distance_to_segment(from + way, l.points[i - 1], l.points[i]) >= 1.0;
+      }
+    }
+    if (is_off) {
+      return way;
+    }
+  }
+  FAIL("lines all around");
+  return {};
 }
 
 /// Breaks page 1 of the whale in both formats: each time there has to be a fault with these words, of no
@@ -166,16 +188,45 @@ TEST_CASE("what a page has too little is found", "[pages]") {
 }
 
 TEST_CASE("what a page has too much is found", "[pages]") {
-  check_found("cut lines where the nets have none", [](PrintedPage& broken) {
-    const PrintedLine fold = line(broken, PrintedLayer::mountain);
-    broken.lines.push_back(
-        {PrintedLayer::cut, Pattern::solid, {fold.points[0], fold.points[0] + Vec2{3, 4}}});
-  });
+  // From where any of the mountain folds begins.
+  Pages pages = test::whale().pages(false);
+  const std::vector<PrintedLine> lines = page(pages, 1).lines;
+  const auto folds = std::count_if(lines.begin(), lines.end(),
+                                   [](const PrintedLine& l) { return l.layer == PrintedLayer::mountain; });
+  for (std::ptrdiff_t fold = 0; fold < folds; ++fold) {
+    check_found("cut lines where the nets have none", [&](PrintedPage& broken) {
+      auto at = broken.lines.begin();
+      for (std::ptrdiff_t before = fold; at->layer != PrintedLayer::mountain || before-- > 0;) {
+        ++at;
+        REQUIRE(at != broken.lines.end());
+      }
+      const Vec2 from = at->points[0];
+      broken.lines.push_back({PrintedLayer::cut, Pattern::solid, {from, from + way_off(broken, from)}});
+    });
+  }
   check_found("mountain fold lines where the nets have none", [](PrintedPage& broken) {
     const Vec2 middle =
         0.5 * (line(broken, PrintedLayer::cut).points[0] + line(broken, PrintedLayer::cut).points[2]);
     broken.lines.push_back({PrintedLayer::mountain, Pattern::dash_dot, {middle, middle + Vec2{7, 9}}});
   });
+}
+
+TEST_CASE("a stretch of a line that is drawn once more is the same line", "[pages]") {
+  for (const bool of_pdf : {false, true}) {
+    Pages pages = test::whale().pages(of_pdf);
+    PrintedPage& drawn = page(pages, 1);
+    const PrintedLine outline = line(drawn, PrintedLayer::cut);
+    const Vec2 from = outline.points[0];
+    const Vec2 way = 0.5 * (outline.points[1] - from);
+    const auto report_with = [&](Vec2 beside) {
+      Pages more = pages;
+      page(more, 1).lines.push_back({PrintedLayer::cut, Pattern::solid, {from, from + way + beside}});
+      return test::verify_pages(test::whale().fold, more);
+    };
+    const Vec2 across = perpendicular(way) / length(way);
+    CHECK(report_with(0.02 * across).sound());
+    CHECK(report_with(0.05 * across).faults.size() == 1);
+  }
 }
 
 TEST_CASE("a line of the wrong kind is found", "[pages]") {

@@ -267,3 +267,31 @@ TEST_CASE("a check that is stopped says so", "[verify]") {
   context.stop = source.get_token();
   CHECK_THROWS_AS(verify::verify(cube_file().dump(), {}, context), Error);
 }
+
+TEST_CASE("promise 5: a tab hangs on 2 mm of paper", "[verify]") {
+  // The cube is made so small that the arms of its cross are 1.6 mm wide.
+  Json json = cube_file();
+  const auto shrink = [](Json& p) {
+    for (Json& x : p) {
+      x = 0.04 * x.get<double>();
+    }
+  };
+  for (Json& p : json["vertices_coords"]) {
+    shrink(p);
+  }
+  for (Json& tab : json["ridgecraft:tabs"]) {
+    for (Json& p : tab["polygon"]) {
+      shrink(p);
+    }
+  }
+  for (Json& p : json["file_frames"][0]["vertices_coords"]) {
+    shrink(p);
+  }
+  const verify::Report report = verify_json(json);
+  const auto hangs = [](const verify::Fault& fault) {
+    return fault.message.find("hangs on less than 2 mm of paper") != std::string::npos;
+  };
+  CHECK(std::any_of(report.faults.begin(), report.faults.end(), hangs));
+  const verify::Report sound = verify_json(cube_file());
+  CHECK(std::none_of(sound.faults.begin(), sound.faults.end(), hangs));
+}

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/box_grid.hpp"
+#include "base/polygon.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <map>
 
-#include "unfold/net/cut_arrangement.hpp"
+#include "base/polygon.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -46,14 +46,6 @@ std::map<CornerId, const Tab*> tabs_of(const Nets& nets, PieceId piece) {
 }
 
 }  // namespace
-
-double doubled_area(const std::vector<Vec2>& polygon) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    sum += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
-  }
-  return sum;
-}
 
 std::vector<std::vector<Vec2>> outline(const mesh::Surface& surface, const Nets& nets, PieceId piece) {
   const std::map<CornerId, const Tab*> tabs = tabs_of(nets, piece);

@@ -6,6 +6,7 @@
 
 #include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
+#include "unfold/net/cut_arrangement.hpp"
 #include "unfold/net/nets.hpp"
 
 namespace ridgecraft::unfold {
@@ -24,16 +25,6 @@ inline constexpr double touch_tolerance_mm = 0.0105;
 [[nodiscard]] std::vector<std::vector<Vec2>> outline(const mesh::Surface& surface, const Nets& nets,
                                                      PieceId piece);
 
-/// What the knife follows, each line once.
-struct CutLines {
-  /// Simple closed polygons that don't share a stretch: the outer one first (counterclockwise), then holes
-  /// (clockwise), both of the patch and of the plane where the piece runs around a gap and touches itself.
-  /// Two of them may share single corners.
-  std::vector<std::vector<Vec2>> loops;
-  /// Open lines inside the piece where two parts of its outline lie on each other within touch_tolerance_mm.
-  std::vector<std::vector<Vec2>> slits;
-};
-
 /// The outline as lines: corners closer than touch_tolerance_mm become one, stretches that lie on each other
 /// become a slit, and where the outline touches itself it is taken apart into simple loops, each around one
 /// region outside the piece (the piece is connected, so there is always such a way). O(n log n).
@@ -41,8 +32,5 @@ struct CutLines {
 
 /// Smallest rectangle parallel to the axes around a piece with its tabs, mm. O(n).
 [[nodiscard]] Box2 extent(const mesh::Surface& surface, const Nets& nets, PieceId piece);
-
-/// Twice the signed area of a closed polygon, mm^2: positive when it runs counterclockwise.
-[[nodiscard]] double doubled_area(const std::vector<Vec2>& polygon);
 
 }  // namespace ridgecraft::unfold

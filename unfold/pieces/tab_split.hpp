@@ -3,27 +3,17 @@
 // found.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 
 #include "base/context.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/room.hpp"
+#include "unfold/pieces/split_forest.hpp"
 
 namespace ridgecraft::unfold {
-
-/// The nets of a forest with all their tabs, as they will be returned. Asked from several threads.
-using NetsOf = std::function<Nets(const Folds&)>;
-
-struct TabSplit {
-  Folds folds;
-  std::size_t missing = 0;  ///< joins that could have a usable tab (TabGaps::able) and have none
-};
 
 /// Cuts pieces of a clean forest until every join that can (TabGaps::able) has a usable tab, and unites what
 /// was cut again where all keep theirs, folded otherwise if need be. Each round cuts the folds that lie

@@ -6,7 +6,13 @@
 #include <cstdint>
 #include <span>
 
-#include "unfold/pieces/tab_split.hpp"
+#include "base/context.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/room.hpp"
+#include "unfold/pieces/split_forest.hpp"
 #include "unfold/tabs/place/missing_tabs.hpp"
 
 namespace ridgecraft::unfold {

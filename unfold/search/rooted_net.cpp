@@ -64,8 +64,7 @@ std::uint32_t RootedNet::swap(std::uint32_t below, std::uint32_t side) {
   return twin / 3;
 }
 
-/// Cuts the subtree's interval out of the cyclic order and puts it behind its new parent; what lies between
-/// closes up, on whichever way round is shorter.
+/// The subtree's interval of the cyclic order goes behind its new parent.
 void RootedNet::hang_subtree(std::uint32_t v, std::uint32_t side) {
   const std::uint32_t twin = patch_.twin[side];
   const std::uint32_t u = twin / 3;
@@ -77,48 +76,39 @@ void RootedNet::hang_subtree(std::uint32_t v, std::uint32_t side) {
   for (std::uint32_t q = u; !in_subtree(q, old_parent); q = parent(q)) {
     size_[q] += s;
   }
-  const std::uint32_t first = at_[v];
-  const std::uint32_t after = wrap(first + s);
-  const std::uint32_t until_u = steps(after, at_[u]) + 1;
-  const std::uint32_t beyond_u = n_ - s - until_u;
-  const Rigid placed = place_[u] * patch_.across[twin];
-  if (until_u <= beyond_u) {
-    shift_back(after, until_u, s);
-    traverse(side / 3, side, wrap(first + until_u), placed);
-    renew(first, s + until_u);
-  } else {
-    const std::uint32_t behind = wrap(at_[u] + 1);
-    shift_forward(behind, beyond_u, s);
-    traverse(side / 3, side, behind, placed);
-    renew(behind, s + beyond_u);
-  }
+  lay_behind(u, side, at_[v], s);
 }
 
 /// The rest is the smaller side: the subtree stays where it is and becomes the root's, the rest hangs below
 /// it.
 void RootedNet::hang_rest(std::uint32_t v, std::uint32_t side) {
   const std::uint32_t x = side / 3;
-  const std::uint32_t twin = patch_.twin[side];
   const std::uint32_t s = size_[v];
   const std::uint32_t rest = n_ - s;
-  const std::uint32_t until_x = steps(at_[v], at_[x]) + 1;
-  const std::uint32_t beyond_x = s - until_x;
   for (std::uint32_t q = x; q != v; q = parent(q)) {
     size_[q] += rest;
   }
   size_[v] = n_;
   up_[v] = nothing;
-  const Rigid placed = place_[x] * patch_.across[side];
-  if (until_x <= beyond_x) {
-    const std::uint32_t first = wrap(at_[v] + s);
-    shift_back(at_[v], until_x, rest);
-    traverse(twin / 3, twin, wrap(first + until_x), placed);
-    renew(first, rest + until_x);
+  lay_behind(x, patch_.twin[side], wrap(at_[v] + s), rest);
+}
+
+/// Takes the `moved` faces from position `hole` on out of the order and lays them behind face q, where they
+/// hang over their side `up`; what lies between closes up, on whichever way round is shorter.
+void RootedNet::lay_behind(std::uint32_t q, std::uint32_t up, std::uint32_t hole, std::uint32_t moved) {
+  const std::uint32_t kept = wrap(hole + moved);
+  const std::uint32_t until_q = steps(kept, at_[q]) + 1;
+  const std::uint32_t beyond_q = n_ - moved - until_q;
+  const Rigid placed = place_[q] * patch_.across[patch_.twin[up]];
+  if (until_q <= beyond_q) {
+    shift_back(kept, until_q, moved);
+    traverse(up / 3, up, wrap(hole + until_q), placed);
+    renew(hole, moved + until_q);
   } else {
-    const std::uint32_t behind = wrap(at_[x] + 1);
-    shift_forward(behind, beyond_x, rest);
-    traverse(twin / 3, twin, behind, placed);
-    renew(behind, rest + beyond_x);
+    const std::uint32_t behind = wrap(at_[q] + 1);
+    shift_forward(behind, beyond_q, moved);
+    traverse(up / 3, up, behind, placed);
+    renew(behind, moved + beyond_q);
   }
 }
 

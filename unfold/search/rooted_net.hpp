@@ -104,6 +104,7 @@ class RootedNet {
   }
   void hang_subtree(std::uint32_t below, std::uint32_t side);
   void hang_rest(std::uint32_t below, std::uint32_t side);
+  void lay_behind(std::uint32_t q, std::uint32_t up, std::uint32_t hole, std::uint32_t moved);
   void shift_back(std::uint32_t first, std::uint32_t count, std::uint32_t by);
   void shift_forward(std::uint32_t first, std::uint32_t count, std::uint32_t by);
   void traverse(std::uint32_t start, std::uint32_t up, std::uint32_t position, const Rigid& placed);

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/segment.hpp"
 #include "verify/file/settings_form.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/box_finder.hpp"
@@ -134,10 +135,7 @@ class Contradictions {
   /// Distance of two segments that don't cross.
   static double apart(const std::array<Vec2, 2>& s, const std::array<Vec2, 2>& t) {
     const auto from_point = [](Vec2 p, const std::array<Vec2, 2>& segment) {
-      const Vec2 along = segment[1] - segment[0];
-      const double square = dot(along, along);
-      const double share = square > 0.0 ? std::clamp(dot(p - segment[0], along) / square, 0.0, 1.0) : 0.0;
-      return length(p - (segment[0] + share * along));
+      return distance_to_segment(p, segment[0], segment[1]);
     };
     return std::min({from_point(s[0], t), from_point(s[1], t), from_point(t[0], s), from_point(t[1], s)});
   }

@@ -6,19 +6,12 @@
 #include <limits>
 #include <numbers>
 
+#include "base/segment.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/box_finder.hpp"
 
 namespace ridgecraft::verify {
 namespace {
-
-/// Distance of p from the segment a b.
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double squared = dot(along, along);
-  const double t = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return length(p - (a + t * along));
-}
 
 /// The two segments have a point in common, or come as near as `touch`.
 bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double touch) {
@@ -46,14 +39,6 @@ Box2 bounding_box(std::span<const Vec2> corners) {
     box.add(corner);
   }
   return box;
-}
-
-double doubled_area(std::span<const Vec2> polygon) {
-  double sum = 0.0;
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    sum += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
-  }
-  return sum;
 }
 
 bool is_convex(std::span<const Vec2> polygon) {

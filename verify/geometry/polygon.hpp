@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/polygon.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::verify {
@@ -14,10 +15,6 @@ namespace ridgecraft::verify {
 using Polygon = std::vector<Vec2>;
 
 [[nodiscard]] Box2 bounding_box(std::span<const Vec2> corners);
-
-/// Twice the signed area, positive when counterclockwise; measured from the first corner, so that a small
-/// polygon far from the origin keeps its digits.
-[[nodiscard]] double doubled_area(std::span<const Vec2> polygon);
 
 /// Turns left all the way round, once; corners may be straight within dent_tolerance_mm.
 [[nodiscard]] bool is_convex(std::span<const Vec2> polygon);

@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.hpp"
+
 namespace ridgecraft::verify {
 namespace {
 
 double square(Vec3 a) {
   return dot(a, a);
-}
-
-Vec3 nearest_on_segment(Vec3 a, Vec3 b, Vec3 p) {
-  const double size = square(b - a);
-  const double share = size > 0.0 ? std::clamp(dot(p - a, b - a) / size, 0.0, 1.0) : 0.0;
-  return a + share * (b - a);
 }
 
 Vec3 centre_of(const Triangle3& t) {
@@ -38,9 +34,9 @@ Vec3 nearest_on(const Triangle3& t, Vec3 p) {
   if (inside) {
     return p - (dot(p - t[0], normal) / square(normal)) * normal;
   }
-  Vec3 best = nearest_on_segment(t[0], t[1], p);
+  Vec3 best = nearest_on_segment(p, t[0], t[1]);
   for (std::size_t k = 1; k < 3; ++k) {
-    const Vec3 other = nearest_on_segment(t[k], t[(k + 1) % 3], p);
+    const Vec3 other = nearest_on_segment(p, t[k], t[(k + 1) % 3]);
     best = square(p - other) < square(p - best) ? other : best;
   }
   return best;

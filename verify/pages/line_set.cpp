@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.hpp"
+
 namespace ridgecraft::verify {
 namespace {
 
@@ -78,10 +80,7 @@ Stretch near_segment(Vec2 start, Vec2 along, const Segment& s, double radius) {
 }  // namespace
 
 double distance(Vec2 p, const Segment& s) {
-  const Vec2 along = s.b - s.a;
-  const double square = dot(along, along);
-  const double share = square > 0.0 ? std::clamp(dot(p - s.a, along) / square, 0.0, 1.0) : 0.0;
-  return length(p - (s.a + share * along));
+  return distance_to_segment(p, s.a, s.b);
 }
 
 LineSet::LineSet(std::vector<Segment> lines) : lines_(std::move(lines)), tree_(boxes_of(lines_)) {}

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ridgecraft::unfold {
+#include "base/segment.hpp"
 
+namespace ridgecraft::unfold {
 namespace {
 
 /// Largest gap beyond a side of a; stops early once it exceeds `enough`.
@@ -27,19 +28,12 @@ double gap_beyond(const ConvexShape& a, const ConvexShape& b, double enough) {
   return best;
 }
 
-double distance(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double square = dot(along, along);
-  const double t = square > 0.0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-  return length(p - (a + t * along));
-}
-
 /// Distance of the corners of a from the sides of b.
 double corner_distance(const ConvexShape& a, const ConvexShape& b) {
   double best = INFINITY;
   for (const Vec2 p : a) {
     for (std::uint32_t i = 0; i < b.size(); ++i) {
-      best = std::min(best, distance(p, b[i], b[(i + 1) % b.size()]));
+      best = std::min(best, distance_to_segment(p, b[i], b[(i + 1) % b.size()]));
     }
   }
   return best;

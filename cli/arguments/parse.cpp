@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arguments' first word decides which verb reads the others.
-#include "cli/arguments/options.hpp"
+#include "cli/arguments/parse.hpp"
 
 #include <filesystem>
 #include <string_view>
@@ -104,8 +104,8 @@ void refuse_mistaken_verb(const Arguments& arguments) {
   refuse_verb(arguments[0], "");
 }
 
-}  // namespace
-
+/// "the main job: ridgecraft MODEL --pieces few|parts|small", or the names of all verbs that have this option
+/// ("--pieces"); empty where none has it.
 std::string verbs_with(const std::string& option) {
   std::vector<std::string> names;
   std::string only;
@@ -122,6 +122,19 @@ std::string verbs_with(const std::string& option) {
   return listed(names, "and") + (names.size() == 1 ? only : "");
 }
 
+Job built(Builder build, const Arguments& arguments) {
+  try {
+    return build(&arguments, nullptr);
+  } catch (const UnknownOption& unknown) {
+    if (const std::string owners = verbs_with(unknown.option()); !owners.empty()) {
+      refuse("there is no option '" + unknown.option() + "' here; it belongs to " + owners);
+    }
+    throw;
+  }
+}
+
+}  // namespace
+
 Job parse_arguments(const std::vector<std::string>& arguments) {
   if (arguments.empty()) {
     refuse(
@@ -130,7 +143,7 @@ Job parse_arguments(const std::vector<std::string>& arguments) {
   const std::string& first = arguments.front();
   if (const Builder build = builder_of(first); build != nullptr) {
     const Arguments rest(arguments.begin() + 1, arguments.end());
-    return build(&rest, nullptr);
+    return built(build, rest);
   }
   if ((first == "help" || first == "version") && !std::filesystem::exists(first)) {
     return print_asked(arguments);
@@ -138,7 +151,7 @@ Job parse_arguments(const std::vector<std::string>& arguments) {
   if (first.find_first_of("./-") == std::string::npos && !std::filesystem::exists(first)) {
     refuse_mistaken_verb(arguments);
   }
-  Job job = build_paper(&arguments, nullptr);
+  Job job = built(build_paper, arguments);
   if (const auto* print = std::get_if<PrintJob>(&job); print != nullptr && print->text == man_page_wanted) {
     return PrintJob{whole_man_page()};
   }

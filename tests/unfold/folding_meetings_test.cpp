@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces that meet on the way, counted, and trees in which they do not.
+#include "unfold/folding/folding_meetings.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "support/shapes.hpp"
+#include "unfold/folding/face_meeting.hpp"
+#include "unfold/folding/fold_motion.hpp"
+#include "unfold/folding/free_folding.hpp"
+#include "unfold/folding/opening.hpp"
+#include "unfold/net/tolerance.hpp"
+#include "unfold/nets_checks.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/search/net_search.hpp"
+
+using namespace ridgecraft;
+using unfold::FoldMotion;
+using unfold::Nets;
+
+namespace {
+
+/// A net found with no thought of folding, from a start of long strips; without folds where there is none.
+std::pair<unfold::Patch, unfold::Folds> depth_first_net(const mesh::Surface& surface, std::uint64_t seed) {
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    faces.push_back(f);
+  }
+  unfold::Patch patch = unfold::make_patch(surface, test::flat_panels(surface), faces);
+  unfold::NetSearch search;
+  search.start = unfold::StartTree::depth_first;
+  search.tolerance = unfold::net_tolerance(patch.extent);
+  search.iterations = 2000;
+  unfold::NetFound net = unfold::find_net(patch, search, seed, {});
+  return {std::move(patch), net.overlaps == 0 ? std::move(net.folds) : unfold::Folds{}};
+}
+
+/// Pairs of faces that meet in a pose, all of them compared, but for those of one plate or beside one crease.
+std::set<std::pair<std::uint32_t, std::uint32_t>> pairs_in(const FoldMotion& motion,
+                                                           const std::vector<double>& share) {
+  FoldMotion::Pose pose;
+  motion.pose(share, pose);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t f = 0; f < motion.face_count(); ++f) {
+    for (std::uint32_t g = f + 1; g < motion.face_count(); ++g) {
+      const std::uint32_t p = motion.plate(f);
+      const std::uint32_t q = motion.plate(g);
+      unfold::Corners one = pose.corners[f];
+      unfold::Corners other = pose.corners[g];
+      if (p != q && !motion.hinged(p, q) && unfold::without_seam(one, one) &&
+          unfold::without_seam(other, other) && unfold::meet(one, other)) {
+        pairs.emplace(f, g);
+      }
+    }
+  }
+  return pairs;
+}
+
+/// Pairs that meet on the way when all creases are folded together, and not at its end.
+unfold::FacePairs pairs_that_meet(const FoldMotion& motion) {
+  const std::size_t creases = motion.creases().size();
+  const auto always = pairs_in(motion, std::vector<double>(creases, 1.0));
+  std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+  for (int sample = 1; sample < unfold::samples_of_motion; ++sample) {
+    found.merge(pairs_in(
+        motion, std::vector<double>(creases, static_cast<double>(sample) / unfold::samples_of_motion)));
+  }
+  unfold::FacePairs pairs;
+  std::set_difference(found.begin(), found.end(), always.begin(), always.end(), std::back_inserter(pairs));
+  return pairs;
+}
+
+/// Pairs that meet on the way when one crease is folded after the other.
+std::size_t meetings_in_order(const FoldMotion& motion, const std::vector<std::uint32_t>& order) {
+  std::vector<double> share(motion.creases().size(), 1.0);
+  const auto always = pairs_in(motion, share);
+  std::fill(share.begin(), share.end(), 0.0);
+  std::size_t count = 0;
+  for (const std::uint32_t crease : order) {
+    for (int sample = 1; sample <= unfold::samples_of_motion; ++sample) {
+      share[crease] = static_cast<double>(sample) / unfold::samples_of_motion;
+      for (const auto& pair : pairs_in(motion, share)) {
+        count += always.contains(pair) ? 0U : 1U;
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "[unfold]") {
+  // Long strips wound round a ball and round a knot of cubes: many of them run through themselves.
+  const std::vector<mesh::Surface> surfaces{
+      test::scaled(test::sphere(14, 9), 40.0),
+      test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, 2), 30.0)};
+  int stuck = 0;
+  int freed = 0;
+  for (const mesh::Surface& surface : surfaces) {
+    std::vector<FaceId> faces;
+    for (const FaceId f : ids<FaceId>(surface.face_count())) {
+      faces.push_back(f);
+    }
+    const unfold::Patch patch = unfold::make_patch(surface, test::flat_panels(surface), faces);
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      unfold::NetSearch search;
+      search.start = unfold::StartTree::depth_first;
+      search.tolerance = unfold::net_tolerance(patch.extent);
+      search.iterations = 2000;
+      const unfold::NetFound net = unfold::find_net(patch, search, seed, {});
+      if (net.overlaps > 0 || unfold::folds_together(patch, net.folds, {})) {
+        continue;
+      }
+      ++stuck;
+      // Trees with shorter cuts cost less.
+      const auto freed_for = [&](double worth) {
+        unfold::ChangingNet changing(patch, net.folds, search.tolerance);
+        const auto cost = [&](unfold::ChangingNet& of) -> std::optional<double> {
+          double sum = 0.0;
+          for (std::size_t side = 0; side < patch.length.size(); ++side) {
+            sum += of.folds()[side] == 0 ? patch.length[side] : 0.0;
+          }
+          return sum;
+        };
+        const double given = *cost(changing);
+        const bool changed = unfold::fold_freely(changing, cost, worth, seed, {});
+        CHECK(changed == (changing.folds() != net.folds));
+        CHECK((!changed || *cost(changing) <= given + worth));
+        return changing.folds();
+      };
+      const unfold::Folds other = freed_for(1e9);
+      CHECK(unfold::lay_out(patch, other).faces.size() == 1);
+      CHECK(unfold::find_overlaps(unfold::lay_out(patch, other), search.tolerance).empty());
+      for (std::size_t side = 0; side < other.size(); ++side) {
+        CHECK((patch.frozen[side] == 0 || other[side] == net.folds[side]));
+      }
+      CHECK((other == net.folds || unfold::folds_together(patch, other, {})));
+      freed += other != net.folds ? 1 : 0;
+      CHECK(freed_for(1e9) == other);
+      CHECK(freed_for(-1e9) == net.folds);
+    }
+  }
+  CHECK(stuck > 0);
+  CHECK(freed == stuck);
+}
+
+TEST_CASE("what opens backwards folds forwards", "[unfold]") {
+  // Nets that were searched without a thought of folding.
+  int opened = 0;
+  for (const mesh::Surface& surface :
+       {test::scaled(test::sphere(8, 5), 40.0), test::scaled(test::cube(), 50.0),
+        test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, 1), 30.0)}) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      const auto [patch, folds] = depth_first_net(surface, seed);
+      if (folds.empty()) {
+        continue;
+      }
+      const FoldMotion motion(unfold::flat_piece(patch, folds));
+      const Context context;
+      unfold::FoldTrial trial(motion, context);
+      const unfold::Opening opening = unfold::open_piece(motion, trial, context);
+      if (opening.opened.size() < motion.creases().size()) {
+        CHECK(opening.in_the_way.has_value());
+        continue;
+      }
+      ++opened;
+      std::set<std::uint32_t> each(opening.opened.begin(), opening.opened.end());
+      CHECK(each.size() == motion.creases().size());
+      std::vector<std::uint32_t> order(opening.opened.rbegin(), opening.opened.rend());
+      CHECK(trial.order_works(order));
+      CHECK(meetings_in_order(motion, order) == 0);
+      const unfold::Opening again = unfold::open_piece(motion, trial, context);
+      CHECK(again.opened == opening.opened);
+    }
+  }
+  CHECK(opened > 6);
+}
+
+TEST_CASE("meetings are counted as if each tree were folded afresh", "[unfold]") {
+  std::size_t most = 0;
+  for (const mesh::Surface& surface :
+       {test::scaled(test::sphere(8, 6), 40.0),
+        test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, 1), 30.0)}) {
+    const auto [patch, folds] = depth_first_net(surface, 3);
+    REQUIRE_FALSE(folds.empty());
+    unfold::RootedNet net(patch);
+    net.set_tree(folds);
+    unfold::FoldingMeetings meetings(patch);
+    meetings.count(net);
+    Random random(5);
+    unfold::Branch branch(patch);
+    for (int step = 0; step < 80; ++step) {
+      auto pairs = meetings.pairs();
+      std::sort(pairs.begin(), pairs.end());
+      CHECK(pairs == pairs_that_meet(FoldMotion(unfold::flat_piece(patch, net.folds()))));
+      most = std::max(most, pairs.size());
+      const std::uint32_t f = random.below(patch.size());
+      const auto swap = unfold::draw_swap_between(f, (f + 1) % patch.size(), net, branch, random);
+      if (!swap) {
+        continue;
+      }
+      const std::size_t after = meetings.after(net, *swap, 100000);
+      for (const std::size_t limit : {std::size_t{1}, after, after + 1}) {
+        CHECK(meetings.after(net, *swap, limit) == std::min(limit, after));
+      }
+      if (random.below(3) > 0) {
+        meetings.keep(net);
+        net.swap(swap->below, swap->side);
+        CHECK(meetings.total() == after);
+      }
+    }
+  }
+  CHECK(most > 0);
+}
+
+TEST_CASE("meetings stay as they are counted afresh over thousands of swaps", "[unfold]") {
+  const mesh::Surface surface = test::scaled(test::sphere(8, 6), 40.0);
+  const auto [patch, folds] = depth_first_net(surface, 3);
+  REQUIRE_FALSE(folds.empty());
+  unfold::RootedNet net(patch);
+  net.set_tree(folds);
+  unfold::FoldingMeetings meetings(patch);
+  meetings.count(net);
+  Random random(11);
+  unfold::Branch branch(patch);
+  for (int step = 0; step < 4000; ++step) {
+    const std::uint32_t f = random.below(patch.size());
+    const auto swap = unfold::draw_swap_between(f, random.below(patch.size()), net, branch, random);
+    if (swap) {
+      static_cast<void>(meetings.after(net, *swap, 1'000'000));
+      meetings.keep(net);
+      net.swap(swap->below, swap->side);
+    }
+  }
+  auto kept = meetings.pairs();
+  meetings.count(net);
+  auto counted = meetings.pairs();
+  std::sort(kept.begin(), kept.end());
+  std::sort(counted.begin(), counted.end());
+  CHECK(kept == counted);
+}
