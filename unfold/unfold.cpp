@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "unfold/all_tabs.hpp"
 #include "unfold/folding/fold_order.hpp"
+#include "unfold/linear_folding.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/nets_of_folds.hpp"
 #include "unfold/patch/check.hpp"
@@ -16,7 +17,6 @@
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/even_pieces.hpp"
-#include "unfold/linear_folding.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/plan.hpp"
@@ -79,11 +79,12 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Co
                            : std::move(parts.folds);
   const MirrorImages images =
       context.out_of_time() ? MirrorImages() : mirror_images(asked.surface, rules.weights);
-  const Folds even = even_pieces(asked.surface, patch, merged, images, rules.weights,
-                                 plan.room, net_tolerance(patch.extent), context.seed, context);
+  const Folds even = even_pieces(asked.surface, patch, merged, images, rules.weights, plan.room,
+                                 net_tolerance(patch.extent), context.seed, context);
   const Folds bordered =
       better_borders(asked.surface, plan.whole, patch, even, images.edge, asked.options, plan.room, context);
-  return {better_trees(asked.surface, plan.whole, patch, bordered, images.edge, asked.options, plan.room, context),
+  return {better_trees(asked.surface, plan.whole, patch, bordered, images.edge, asked.options, plan.room,
+                       context),
           std::move(parts.causes), std::move(parts.notes)};
 }
 
@@ -118,7 +119,8 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   AllTabs split = all_tabs ? give_all_tabs(asked, plan, patch, found.folds, found.causes, context)
                            : AllTabs{std::move(found.folds), std::move(found.causes)};
   if (options.pieces.fold_linear) {
-    LinearFolding linear = fold_together(plan, patch, std::move(split.folds), std::move(split.causes), context);
+    LinearFolding linear =
+        fold_together(plan, patch, std::move(split.folds), std::move(split.causes), context);
     split.folds = std::move(linear.folds);
     split.causes = std::move(linear.causes);
     notes.push_back(std::move(linear.note));

@@ -103,20 +103,24 @@ Outcome run_command(const std::vector<std::string>& command, const RunOptions& o
     ::kill(child, options.signal);
   }
   int status = 0;
+  rusage used{};
   if (options.kill_when) {
-    while (::waitpid(child, &status, WNOHANG) == 0) {
+    while (::wait4(child, &status, WNOHANG, &used) == 0) {
       if (options.kill_when()) {
         ::kill(child, SIGKILL);
-        ::waitpid(child, &status, 0);
+        ::wait4(child, &status, 0, &used);
         break;
       }
       std::this_thread::sleep_for(std::chrono::microseconds(100));
     }
   } else {
-    ::waitpid(child, &status, 0);
+    ::wait4(child, &status, 0, &used);
   }
   Outcome outcome;
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (const timeval& time : {used.ru_utime, used.ru_stime}) {
+    outcome.cpu_seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
   outcome.by_signal = WIFSIGNALED(status);
   outcome.exit_code = outcome.by_signal ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   if (!options.out_file) {

@@ -18,7 +18,8 @@ struct Outcome {
   bool by_signal = false;
   std::string out;
   std::string err;
-  double seconds = 0.0;
+  double seconds = 0.0;      ///< of the clock
+  double cpu_seconds = 0.0;  ///< of the processor
 };
 
 struct RunOptions {

@@ -84,7 +84,8 @@ TEST_CASE("parts of a symmetric model become even", "[unfold]") {
     Random random(seed);
     std::vector<Vec3> centres;
     for (int i = 0; i < 5; ++i) {
-      centres.push_back(surface.point(VertexId(random.below(static_cast<std::uint32_t>(surface.points().size())))));
+      centres.push_back(
+          surface.point(VertexId(random.below(static_cast<std::uint32_t>(surface.points().size())))));
     }
     IdVector<FaceId, PartId> part(surface.face_count());
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
@@ -131,8 +132,8 @@ TEST_CASE("evened pieces are clean nets, no more of them, each the image of one"
     if (!unfold::find_overlaps(unfold::lay_out(patch, folds), tolerance).empty()) {
       continue;
     }
-    const Folds even = unfold::even_pieces(surface, patch, folds, images, weights, unfold::Room(), tolerance, seed,
-                                           Context());
+    const Folds even = unfold::even_pieces(surface, patch, folds, images, weights, unfold::Room(), tolerance,
+                                           seed, Context());
     const unfold::Layout before = unfold::lay_out(patch, folds);
     const unfold::Layout after = unfold::lay_out(patch, even);
     CHECK(after.faces.size() <= before.faces.size());

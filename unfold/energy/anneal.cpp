@@ -47,7 +47,7 @@ CutFacts cut_facts(const ChangingNet& net, const TabOptions& options) {
   CutFacts facts;
   if (net.has_tabs()) {
     const TabState& tabs = net.tab_state();
-    facts = {tabs.candidates(), tabs.across(), tabs.seams(), options.clearance_mm, {}, {}};
+    facts = {tabs.candidates(), tabs.across(), tabs.seams(), options.clearance_mm};
   }
   return facts;
 }
@@ -57,8 +57,9 @@ void anneal(ChangingNet& net, const CutFacts& facts, const Room& room, const Wei
   walk(net, facts, room, weights, rules, nullptr, seed, context);
 }
 
-bool anneal_folding_together(ChangingNet& net, const CutFacts& facts, const Room& room, const Weights& weights,
-                             const Annealing& rules, std::uint64_t seed, const Context& context) {
+bool anneal_folding_together(ChangingNet& net, const CutFacts& facts, const Room& room,
+                             const Weights& weights, const Annealing& rules, std::uint64_t seed,
+                             const Context& context) {
   FoldingMeetings meetings(net.patch());
   return walk(net, facts, room, weights, rules, &meetings, seed, context);
 }

@@ -23,7 +23,8 @@ void anneal(ChangingNet& net, const CutFacts& facts, const Room& room, const Wei
 
 /// The same among the trees of one piece that fold up with all creases together (folding_meetings.hpp). False
 /// where it came to none: the net is as it was then.
-bool anneal_folding_together(ChangingNet& net, const CutFacts& facts, const Room& room, const Weights& weights,
-                             const Annealing& rules, std::uint64_t seed, const Context& context);
+bool anneal_folding_together(ChangingNet& net, const CutFacts& facts, const Room& room,
+                             const Weights& weights, const Annealing& rules, std::uint64_t seed,
+                             const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -6,8 +6,8 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// Nets of so many faces get all trials for each; those of more get as many in all as this power of their number:
-/// each trial takes longer there, too.
+/// Nets of so many faces get all trials for each; those of more get as many in all as this power of their
+/// number: each trial takes longer there, too.
 constexpr double ordinary_faces = 250.0;
 constexpr double growth = 0.4;
 /// Trials of the quick half for each one of the exact half.

@@ -77,8 +77,7 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
     const Vec2 a = t[(k + 1) % 3] - t[k];
     const Vec2 b = t[(k + 2) % 3] - t[k];
     corner_angle_[side] = static_cast<float>(std::atan2(cross(a, b), dot(a, b)));
-    price_[side] =
-        patch.length[side] * (weights.seam + weights.open * openness(patch.fold_angle[side]));
+    price_[side] = patch.length[side] * (weights.seam + weights.open * openness(patch.fold_angle[side]));
     if (!facts.image_outside.empty()) {
       price_[side] -= weights.mirror * patch.length[side] * static_cast<double>(facts.image_outside[side]);
     }
@@ -232,8 +231,8 @@ double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
   changed_fold_ = join_of(fold);
   note(cut);
   note_neighbours(cut);
-  const bool both_are_a_pair = !mirror_.empty() && mirror_[changed_cut_] != nothing &&
-                               join_of(mirror_[changed_cut_]) == changed_fold_;
+  const bool both_are_a_pair =
+      !mirror_.empty() && mirror_[changed_cut_] != nothing && join_of(mirror_[changed_cut_]) == changed_fold_;
   mirror_sum_ = both_are_a_pair ? 0.0 : -unevenness(changed_cut_) - unevenness(changed_fold_);
   set_cut(cut, 0);
   set_cut(fold, 1);

@@ -24,10 +24,10 @@ struct CutFacts {
   double clearance_mm = 0.0;  ///< of tabs
   /// Per side, or empty: a side of the edge that is its mirror image in the patch; `nothing` where there is
   /// none, or where it is its own.
-  std::span<const std::uint32_t> mirror;
-  /// Per side, or empty: 1 where the edge's mirror image lies outside the patch and is a cut, -1 where it is a
-  /// fold there, 0 for all others.
-  std::span<const std::int8_t> image_outside;
+  std::span<const std::uint32_t> mirror = {};
+  /// Per side, or empty: 1 where the edge's mirror image lies outside the patch and is a cut, -1 where it is
+  /// a fold there, 0 for all others.
+  std::span<const std::int8_t> image_outside = {};
 };
 
 /// The cuts of a net with what each costs, in mm, kept up to date while cuts and folds are swapped:
@@ -36,7 +36,8 @@ struct CutFacts {
 ///   A tab has room when it keeps clear of the two sides of the outline that meet its edge, taken as endless;
 ///   what lies farther off isn't seen. A hundred times as quick as TabState;
 /// - its length where it is a slit: its sides meet in the outline and open by less than 20 degrees (slits);
-/// - its length where its mirror image is no cut (mirror); where that lies outside the patch and is a cut it is
+/// - its length where its mirror image is no cut (mirror); where that lies outside the patch and is a cut it
+/// is
 ///   so much cheaper instead.
 class CutCosts {
  public:
@@ -125,7 +126,8 @@ class CutCosts {
   // The swap that was rated last.
   std::uint32_t changed_cut_ = nothing;
   std::uint32_t changed_fold_ = nothing;
-  std::vector<std::uint32_t> changed_;  ///< two edges, their neighbours on the outline, tabs that lie behind them
+  std::vector<std::uint32_t>
+      changed_;  ///< two edges, their neighbours on the outline, tabs that lie behind them
   std::vector<Cost> new_cost_;
   double sum_ = 0.0;
   double bare_sum_ = 0.0;

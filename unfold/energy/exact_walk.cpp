@@ -11,7 +11,8 @@ namespace {
 constexpr std::uint64_t paths_per_look = 64;
 /// Paths for each trial, at most: most find no clean swap that is worth it.
 constexpr std::uint64_t paths_per_trial = 10;
-/// Angles may be wrong about the tabs by as much, mm: what costs more than may be spent and this isn't looked at.
+/// Angles may be wrong about the tabs by as much, mm: what costs more than may be spent and this isn't looked
+/// at.
 constexpr double exact_slack = 15.0;
 /// Heats at the beginning and the end, mm.
 constexpr double first_heat = 1.0;

@@ -15,8 +15,8 @@ namespace ridgecraft::unfold {
 
 class ExactWalk : public Walk {
  public:
-  /// `bare`: what a millimetre of seam without a tab costs. `meetings`, where given, are of the net's patch: no
-  /// swap makes more of them. The net must have tabs.
+  /// `bare`: what a millimetre of seam without a tab costs. `meetings`, where given, are of the net's patch:
+  /// no swap makes more of them. The net must have tabs.
   ExactWalk(ChangingNet& net, NetEnergy& energy, FoldingMeetings* meetings, double bare, std::uint64_t seed);
 
   /// The best tree that it came to. Throws Error(interrupted).

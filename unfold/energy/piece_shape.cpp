@@ -9,7 +9,7 @@ namespace ridgecraft::unfold {
 namespace {
 
 /// Cosines and sines of the directions k * 22.5 degrees, k = 0 .. 7; those of 8 .. 15 are opposite.
-constexpr std::array<float, 8> cosines{1.0F, 0.92387953F, 0.70710678F, 0.38268343F,
+constexpr std::array<float, 8> cosines{1.0F, 0.92387953F,  0.70710678F,  0.38268343F,
                                        0.0F, -0.38268343F, -0.70710678F, -0.92387953F};
 constexpr std::array<float, 8> sines{0.0F, 0.38268343F, 0.70710678F, 0.92387953F,
                                      1.0F, 0.92387953F, 0.70710678F, 0.38268343F};
@@ -36,8 +36,8 @@ double area_within(const std::array<float, 16>& reach) {
   return 0.5 * twice;
 }
 
-/// The turn that lays the longer principal axis of these points along x: of a strip the polygon around it is the
-/// strip then, wherever it points.
+/// The turn that lays the longer principal axis of these points along x: of a strip the polygon around it is
+/// the strip then, wherever it points.
 Turn along_axes(const std::vector<Vec2>& points) {
   Vec2 mean;
   for (const Vec2 p : points) {

@@ -16,18 +16,20 @@
 namespace ridgecraft::unfold {
 
 /// Measures the pieces of a forest one by one. Costs in mm:
-/// - hollows: the area of the convex hull that is no paper (Weights::compact). The hull is taken as the polygon of 16 sides
+/// - hollows: the area of the convex hull that is no paper (Weights::compact). The hull is taken as the
+/// polygon of 16 sides
 ///   around the piece, one of them along its longer axis: a few percent too large, in O(n) without sorting;
 /// - outline: its square, so that ragged pieces cost more than several calm ones (Weights::outline);
-/// - necks: of each fold, by how much the branch behind it (the root of the smaller side's area) is wider than
+/// - necks: of each fold, by how much the branch behind it (the root of the smaller side's area) is wider
+/// than
 ///   three times the fold (Weights::thin);
 /// - what the piece hangs over the sheet, at the best of eight turns.
 class PieceShape {
  public:
   struct Measure {
-    double cost = 0.0;             ///< mm
-    std::size_t panels = 1;        ///< flat regions in it
-    bool surely_fits = true;       ///< at one of eight turns it lies on the sheet
+    double cost = 0.0;        ///< mm
+    std::size_t panels = 1;   ///< flat regions in it
+    bool surely_fits = true;  ///< at one of eight turns it lies on the sheet
   };
 
   /// The patch must outlive this.

@@ -17,8 +17,8 @@ constexpr double last_overlap_price = 200.0;
 /// Cost of two faces that meet while the piece is folded, mm, at first and at last.
 constexpr double first_meeting_price = 10.0;
 constexpr double last_meeting_price = 100.0;
-/// A swap whose cuts cost more than may be spent is looked at no closer, but for so much, mm, and so many times
-/// the heat: its shape may make up for it.
+/// A swap whose cuts cost more than may be spent is looked at no closer, but for so much, mm, and so many
+/// times the heat: its shape may make up for it.
 constexpr double least_slack = 4.0;
 constexpr double slack_of_heat = 2.0;
 /// Less than this is rounding, mm.
@@ -82,9 +82,10 @@ std::optional<double> QuickWalk::make(const Swap& swap, double most) {
   if (meetings_ != nullptr) {
     const auto before = static_cast<std::int64_t>(meetings_->total());
     const std::int64_t limit = before + limit_of(most - cost, meeting_price_);
-    const auto after = limit <= 0 ? limit
-                                  : static_cast<std::int64_t>(meetings_->after(
-                                        net_.tree(), swap, static_cast<std::size_t>(limit)));
+    const auto after =
+        limit <= 0
+            ? limit
+            : static_cast<std::int64_t>(meetings_->after(net_.tree(), swap, static_cast<std::size_t>(limit)));
     if (after >= limit) {
       energy_.drop();
       return std::nullopt;

@@ -67,8 +67,8 @@ std::uint32_t Walk::draw_cut() {
   const auto count = static_cast<std::uint32_t>(cuts_.size());
   std::uint32_t at = random_.below(count);
   if (random_.unit() < chosen_share) {
-    for (int draw = 0;
-         draw < draws && !lacks_tab(cuts_[at]) && !energy_.cut_costs().is_uneven(cuts_[at]); ++draw) {
+    for (int draw = 0; draw < draws && !lacks_tab(cuts_[at]) && !energy_.cut_costs().is_uneven(cuts_[at]);
+         ++draw) {
       at = random_.below(count);
     }
   }
@@ -95,8 +95,8 @@ bool Walk::make_one(const Swap& swap, double may_cost) {
   return true;
 }
 
-/// The mirror image of a swap, named as before that is made (its `below` is one of two faces still): where both
-/// edges have one that is what they are, but not each other.
+/// The mirror image of a swap, named as before that is made (its `below` is one of two faces still): where
+/// both edges have one that is what they are, but not each other.
 std::optional<Swap> Walk::mirror_image(const Swap& swap) const {
   const CutCosts& costs = energy_.cut_costs();
   const std::uint32_t fold = net_.tree().side_above(swap.below);

@@ -12,7 +12,8 @@
 
 namespace ridgecraft::unfold {
 
-/// A net that is walked through: how a swap is made, and what it then costs, is up to those that derive from it.
+/// A net that is walked through: how a swap is made, and what it then costs, is up to those that derive from
+/// it.
 class Walk {
  public:
   /// Net and energy must outlive this, and be of one tree.
@@ -22,8 +23,8 @@ class Walk {
   virtual ~Walk() = default;
 
  protected:
-  /// Makes a swap that costs no more than `most`, mm, and says what it costs; nothing, and no change, where it
-  /// costs more or can't be made.
+  /// Makes a swap that costs no more than `most`, mm, and says what it costs; nothing, and no change, where
+  /// it costs more or can't be made.
   virtual std::optional<double> make(const Swap& swap, double most) = 0;
   /// Makes the swap that takes the last one back.
   virtual void unmake(const Swap& back) = 0;

@@ -254,8 +254,8 @@ void FoldingMeetings::keep(const RootedNet& net) {
       std::remove_if(pairs_.begin(), pairs_.end(), [&](const auto& pair) { return is_across(pair); }),
       pairs_.end());
   pairs_.insert(pairs_.end(), made_.begin(), made_.end());
-  // From face to face along the folds within what moved, which the swap leaves as they are. Moving each frame by
-  // motion_ would double its error with every swap.
+  // From face to face along the folds within what moved, which the swap leaves as they are. Moving each frame
+  // by motion_ would double its error with every swap.
   place_beyond(new_fold_);
   for (std::size_t i = 0; i < open_.size(); ++i) {
     const std::uint32_t above = open_[i];

@@ -35,8 +35,8 @@ class FoldingMeetings {
   /// How many pairs the net would have after a swap; `limit` where it were that many or more. O(faces moved ·
   /// the others): about 0.02 ms for a piece of 50 faces.
   [[nodiscard]] std::size_t after(const RootedNet& net, const Swap& swap, std::size_t limit);
-  /// Takes the swap that was asked about last for made; its answer must have been below its limit. The net may
-  /// have made it or not yet. O(faces moved + pairs).
+  /// Takes the swap that was asked about last for made; its answer must have been below its limit. The net
+  /// may have made it or not yet. O(faces moved + pairs).
   void keep(const RootedNet& net);
 
  private:

@@ -35,9 +35,8 @@ std::vector<Group> groups_of(const Patch& patch, const Layout& layout) {
       sides.push_back(side);
     }
   }
-  std::stable_sort(sides.begin(), sides.end(), [&](std::uint32_t s, std::uint32_t t) {
-    return patch.length[s] > patch.length[t];
-  });
+  std::stable_sort(sides.begin(), sides.end(),
+                   [&](std::uint32_t s, std::uint32_t t) { return patch.length[s] > patch.length[t]; });
   DisjointSets sets(layout.faces.size());
   std::vector<std::size_t> links(layout.faces.size(), 0);  // of each set, at its first
   std::vector<std::uint32_t> chosen;
@@ -65,8 +64,8 @@ std::vector<Group> groups_of(const Patch& patch, const Layout& layout) {
 
 /// The trees of one group with less energy, as folds of its sub-patch.
 Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& whole,
-               const Folds& folds, const Group& group, const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,
-               const Room& room, std::uint64_t seed, const Context& context) {
+               const Folds& folds, const Group& group, const IdVector<EdgeId, EdgeId>& mirrored,
+               const Options& options, const Room& room, std::uint64_t seed, const Context& context) {
   const Patch patch = sub_patch(whole, group.faces);
   Folds tree = sub_folds(whole, folds, group.faces);
   std::vector<std::uint32_t> links;
@@ -78,7 +77,8 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
   for (const std::uint32_t side : links) {
     set_fold(patch, tree, side, true);
   }
-  ChangingNet net(surface, panels, linked.apart, linked.joined, tree, options.tabs, net_tolerance(patch.extent));
+  ChangingNet net(surface, panels, linked.apart, linked.joined, tree, options.tabs,
+                  net_tolerance(patch.extent));
   CutFacts facts = cut_facts(net, options.tabs);
   const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart, mirrored);
   facts.mirror = mirror;

@@ -13,8 +13,9 @@
 namespace ridgecraft::unfold {
 
 /// Brings a clean forest to less energy (energy/anneal.hpp), groups of pieces that meet by groups. Pieces may
-/// hand faces to each other; their number stays, they stay clean and fit the room if they did. `mirrored`: mirror_images.
-/// The patch is the whole surface. Deterministic for one seed but for the deadline; one group is one task.
+/// hand faces to each other; their number stays, they stay clean and fit the room if they did. `mirrored`:
+/// mirror_images. The patch is the whole surface. Deterministic for one seed but for the deadline; one group
+/// is one task.
 [[nodiscard]] Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels,
                                    const Patch& patch, const Folds& folds,
                                    const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,

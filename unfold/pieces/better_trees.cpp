@@ -24,8 +24,8 @@ namespace {
 
 /// What a piece that folds freely may cost more, mm of seam (piece_rules.hpp).
 constexpr double worth_of_free_folding_mm = 100.0;
-/// From a tree that folds freely a better one is searched for by a share of the trials that the first search had,
-/// beginning with this heat, mm: it is near already.
+/// From a tree that folds freely a better one is searched for by a share of the trials that the first search
+/// had, beginning with this heat, mm: it is near already.
 constexpr double trials_again = 0.4;
 constexpr double first_heat = 8.0;
 
@@ -92,14 +92,15 @@ class PieceTree {
   const Context& context_;
   Random random_;
   const Patch piece_;
-  const std::vector<std::uint32_t> mirror_;   ///< per side (mirror_sides)
-  const std::vector<std::int8_t> outside_;    ///< per side (images_outside)
+  const std::vector<std::uint32_t> mirror_;  ///< per side (mirror_sides)
+  const std::vector<std::int8_t> outside_;   ///< per side (images_outside)
   ChangingNet net_;
   CutFacts facts_;
 };
 
 /// For each piece an earlier one that is its mirror image, faces and folds, or its own number.
-std::vector<std::size_t> images_of_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+std::vector<std::size_t> images_of_pieces(const mesh::Surface& surface, const Patch& patch,
+                                          const Folds& folds,
                                           const std::vector<std::vector<std::uint32_t>>& pieces,
                                           const IdVector<EdgeId, EdgeId>& mirrored) {
   std::vector<std::size_t> image(pieces.size());
@@ -156,10 +157,10 @@ Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels, 
   const auto improve = [&](std::size_t i, const Context& own) {
     // Parts were unfolded with the streams of the seed itself.
     const Random random = Random::stream(~context.seed, i);
-    trees[i] = own.out_of_grace()
-                   ? sub_folds(patch, folds, pieces[i])
-                   : PieceTree(surface, panels, patch, folds, pieces[i], mirrored, edges, options, room, random, own)
-                         .improved();
+    trees[i] = own.out_of_grace() ? sub_folds(patch, folds, pieces[i])
+                                  : PieceTree(surface, panels, patch, folds, pieces[i], mirrored, edges,
+                                              options, room, random, own)
+                                        .improved();
   };
   do_in_parallel(
       pieces.size(), context,
@@ -179,7 +180,8 @@ Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels, 
     const std::optional<Folds> tree =
         carried_over(surface, sub_patch(patch, pieces[image[i]]), trees[image[i]], own, mirrored);
     // The image may be off by what the eye doesn't see, but a net may not.
-    if (tree && all_fit(own, *tree, room) && find_overlaps(lay_out(own, *tree), net_tolerance(own.extent)).empty()) {
+    if (tree && all_fit(own, *tree, room) &&
+        find_overlaps(lay_out(own, *tree), net_tolerance(own.extent)).empty()) {
       trees[i] = *tree;
     } else {
       improve(i, context);

@@ -11,11 +11,11 @@
 
 namespace ridgecraft::unfold {
 
-/// Changes the tree of each piece of a clean forest so that it doesn't run through itself while all creases are
-/// folded together (free_folding.hpp), where that costs little (energy/net_energy.hpp), or whatever it costs where
-/// that is the rule. The pieces keep their faces, stay free of overlap and fit the room if they did; of two that are mirror images the second gets what the first got.
-/// `mirrored`: mirror_images. The patch is
-/// the whole surface. Deterministic for one seed but for the deadline; one piece is one task.
+/// Changes the tree of each piece of a clean forest so that it doesn't run through itself while all creases
+/// are folded together (free_folding.hpp), where that costs little (energy/net_energy.hpp), or whatever it
+/// costs where that is the rule. The pieces keep their faces, stay free of overlap and fit the room if they
+/// did; of two that are mirror images the second gets what the first got. `mirrored`: mirror_images. The
+/// patch is the whole surface. Deterministic for one seed but for the deadline; one piece is one task.
 [[nodiscard]] Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels,
                                  const Patch& patch, const Folds& folds,
                                  const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,

@@ -34,16 +34,17 @@ double unevenness(const mesh::Surface& surface, const Patch& patch, const Folds&
   double sum = 0.0;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const EdgeId image = images.edge[e];
-    sum += image.valid() && edges[e] == InForest::cut && edges[image] == InForest::fold ? surface.length(e) : 0.0;
+    sum += image.valid() && edges[e] == InForest::cut && edges[image] == InForest::fold ? surface.length(e)
+                                                                                        : 0.0;
   }
   return sum;
 }
 
 class Evening {
  public:
-  Evening(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-          const MirrorImages& images, const Weights& weights, const Room& room, double tolerance,
-          std::uint64_t seed, const Context& context)
+  Evening(const mesh::Surface& surface, const Patch& patch, const Folds& folds, const MirrorImages& images,
+          const Weights& weights, const Room& room, double tolerance, std::uint64_t seed,
+          const Context& context)
       : surface_(surface),
         patch_(patch),
         folds_(folds),
@@ -79,7 +80,8 @@ class Evening {
   [[nodiscard]] std::vector<std::pair<MirrorLabel, Faces>> pieces_of(bool above) const {
     std::vector<std::pair<MirrorLabel, Faces>> pieces =
         connected_labels(patch_, units_.carried_over(layout_.piece, crosses_, above));
-    std::stable_partition(pieces.begin(), pieces.end(), [](const auto& piece) { return !piece.first.is_image; });
+    std::stable_partition(pieces.begin(), pieces.end(),
+                          [](const auto& piece) { return !piece.first.is_image; });
     return pieces;
   }
 
@@ -92,9 +94,9 @@ class Evening {
     Folds result(folds_.size(), 0);
     std::map<std::uint32_t, Faces> original;
     for (const auto& [label, faces] : pieces) {
-      const std::optional<Folds> tree =
-          label.is_image && original.count(label.of) != 0 ? image_of(original[label.of], faces, result)
-                                                           : net_of(faces);
+      const std::optional<Folds> tree = label.is_image && original.count(label.of) != 0
+                                            ? image_of(original[label.of], faces, result)
+                                            : net_of(faces);
       if (!tree) {
         return std::nullopt;
       }
@@ -109,9 +111,9 @@ class Evening {
   /// A piece that was one before keeps its tree.
   std::optional<Folds> net_of(const Faces& faces) {
     const std::uint32_t before = layout_.piece[faces.front()];
-    const bool same = layout_.faces[before].size() == faces.size() &&
-                      std::all_of(faces.begin(), faces.end(),
-                                  [&](std::uint32_t f) { return layout_.piece[f] == before; });
+    const bool same =
+        layout_.faces[before].size() == faces.size() &&
+        std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return layout_.piece[f] == before; });
     if (same) {
       return sub_folds(patch_, folds_, faces);
     }
@@ -154,9 +156,9 @@ class Evening {
 
 }  // namespace
 
-Folds even_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds, const MirrorImages& images,
-                  const Weights& weights, const Room& room, double tolerance, std::uint64_t seed,
-                  const Context& context) {
+Folds even_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+                  const MirrorImages& images, const Weights& weights, const Room& room, double tolerance,
+                  std::uint64_t seed, const Context& context) {
   if (images.edge.empty() || context.out_of_time()) {
     return folds;
   }

@@ -13,13 +13,13 @@
 
 namespace ridgecraft::unfold {
 
-/// Carries the pieces of one side of the mirror plane over to the other: those that a fold joins across the plane
-/// become their own mirror image, of the others each gets one. Both sides are tried; the one that costs less
-/// (objective.hpp, and Weights::mirror for each mm of cut whose mirror image is none) is taken if it makes no more
-/// pieces and costs no more than the forest as it was, every piece has a net without overlap (deeper than
-/// `tolerance`, mm), and those that fitted the room do. Faces without a mirror image stay with what they were
-/// with. The patch is the whole surface. Deterministic for one seed but for the
-/// deadline. O(n log n) beside the search for nets of the pieces that change.
+/// Carries the pieces of one side of the mirror plane over to the other: those that a fold joins across the
+/// plane become their own mirror image, of the others each gets one. Both sides are tried; the one that costs
+/// less (objective.hpp, and Weights::mirror for each mm of cut whose mirror image is none) is taken if it
+/// makes no more pieces and costs no more than the forest as it was, every piece has a net without overlap
+/// (deeper than `tolerance`, mm), and those that fitted the room do. Faces without a mirror image stay with
+/// what they were with. The patch is the whole surface. Deterministic for one seed but for the deadline. O(n
+/// log n) beside the search for nets of the pieces that change.
 [[nodiscard]] Folds even_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
                                 const MirrorImages& images, const Weights& weights, const Room& room,
                                 double tolerance, std::uint64_t seed, const Context& context);

@@ -12,7 +12,8 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// How far a mirror image may be off, as a share of the model's extent, for cuts to be carried over: hardly seen.
+/// How far a mirror image may be off, as a share of the model's extent, for cuts to be carried over: hardly
+/// seen.
 constexpr double seen_as_mirrored = 0.02;
 /// Of the length of all edges so much has a mirror image, at least, where cuts are carried over.
 constexpr double least_share_mirrored = 0.4;
@@ -56,8 +57,8 @@ MirrorImages mirror_images(const mesh::Surface& surface, const Weights& weights)
   if (weights.mirror <= 0.0 || surface.face_count() > most_faces_mirrored) {
     return {};
   }
-  // People model along axes, and what isn't symmetric as a whole, such as a face with one scar, mostly is in its
-  // middle; so these come first.
+  // People model along axes, and what isn't symmetric as a whole, such as a face with one scar, mostly is in
+  // its middle; so these come first.
   std::vector<prepare::MirrorPlane> planes;
   const Box3 box = surface.bounds();
   for (const Vec3 normal : {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
@@ -107,7 +108,8 @@ std::vector<std::uint32_t> mirror_sides(const mesh::Surface& surface, const Patc
   return result;
 }
 
-IdVector<EdgeId, InForest> edges_in_forest(const mesh::Surface& surface, const Patch& whole, const Folds& folds) {
+IdVector<EdgeId, InForest> edges_in_forest(const mesh::Surface& surface, const Patch& whole,
+                                           const Folds& folds) {
   IdVector<EdgeId, InForest> result(surface.edge_count(), InForest::fixed);
   for (const auto& [edge, side] : exchangeable_sides(surface, whole)) {
     result[edge] = folds[side] != 0 ? InForest::fold : InForest::cut;

@@ -29,7 +29,8 @@ MirrorUnits::MirrorUnits(const mesh::Surface& surface, const Patch& patch, const
   find_images(surface, patch, images);
 }
 
-void MirrorUnits::find_heights(const mesh::Surface& surface, const Patch& patch, const prepare::MirrorPlane& plane) {
+void MirrorUnits::find_heights(const mesh::Surface& surface, const Patch& patch,
+                               const prepare::MirrorPlane& plane) {
   for (std::uint32_t f = 0; f < patch.size(); ++f) {
     double height = 0.0;
     for (const VertexId v : surface.vertices(patch.face[f])) {

@@ -22,8 +22,8 @@ struct MirrorLabel {
   friend auto operator<=>(const MirrorLabel&, const MirrorLabel&) = default;
 };
 
-/// Units are faces that stay together whatever the tree (flat regions), the others one by one; each with the unit
-/// that is its mirror image.
+/// Units are faces that stay together whatever the tree (flat regions), the others one by one; each with the
+/// unit that is its mirror image.
 class MirrorUnits {
  public:
   /// O(n log n).
@@ -34,10 +34,11 @@ class MirrorUnits {
   [[nodiscard]] std::vector<std::uint8_t> crossing(const Patch& patch, std::span<const std::uint8_t> joined,
                                                    std::span<const std::uint32_t> set_of_face) const;
 
-  /// The division (per face) with that of one side of the plane carried over to the other. Sets that cross the
-  /// plane become their own mirror images; faces without an image stay in their set.
+  /// The division (per face) with that of one side of the plane carried over to the other. Sets that cross
+  /// the plane become their own mirror images; faces without an image stay in their set.
   [[nodiscard]] std::vector<MirrorLabel> carried_over(std::span<const std::uint32_t> set_of_face,
-                                                      std::span<const std::uint8_t> crosses, bool above) const;
+                                                      std::span<const std::uint8_t> crosses,
+                                                      bool above) const;
 
  private:
   [[nodiscard]] bool is_above(std::uint32_t unit) const { return height_[unit] > 0.0; }

@@ -20,8 +20,8 @@ EdgeWishes with_needles_kept(const mesh::Surface& surface, const prepare::Panels
         const CornerId side = mesh::corner(f, k);
         const EdgeId e = surface.edge(side);
         const FaceId beyond = surface.neighbor(side);
-        const bool free = beyond.valid() && panels.panel[beyond] != p &&
-                          (wishes.empty() || wishes[e] == EdgeWish::none);
+        const bool free =
+            beyond.valid() && panels.panel[beyond] != p && (wishes.empty() || wishes[e] == EdgeWish::none);
         if (free && (!longest.valid() || surface.length(e) > surface.length(longest))) {
           longest = e;
         }

@@ -11,8 +11,9 @@ namespace ridgecraft::unfold {
 /// Flat regions narrower than this can't be cut out and glued, mm.
 inline constexpr double needle_mm = 1.0;
 
-/// What is wished for, and that each flat region narrower than needle_mm keeps the longest edge that it shares
-/// with another and nobody has a wish for. The wishes as they were where there is no such region. O(n).
+/// What is wished for, and that each flat region narrower than needle_mm keeps the longest edge that it
+/// shares with another and nobody has a wish for. The wishes as they were where there is no such region.
+/// O(n).
 [[nodiscard]] EdgeWishes with_needles_kept(const mesh::Surface& surface, const prepare::Panels& panels,
                                            const EdgeWishes& wishes);
 

@@ -40,8 +40,7 @@ double reach(const mesh::Surface& surface, const Nets& nets, CornerId side, doub
     if (gone >= far) {
       return far;
     }
-    if (!leaves.valid() || !surface.twin(leaves).valid() ||
-        nets.use[surface.edge(leaves)] != EdgeUse::fold) {
+    if (!leaves.valid() || !surface.twin(leaves).valid() || nets.use[surface.edge(leaves)] != EdgeUse::fold) {
       return gone;
     }
     entered = surface.twin(leaves);

@@ -12,8 +12,8 @@ namespace ridgecraft::unfold {
 /// nothing to press on.
 inline constexpr double least_paper_mm = 2.0;
 
-/// Does enough paper lie behind a cut for a tab to hang on it? Looks from nine places on the edge straight into
-/// the piece, over folds, until a cut. O(faces within least_paper_mm).
+/// Does enough paper lie behind a cut for a tab to hang on it? Looks from nine places on the edge straight
+/// into the piece, over folds, until a cut. O(faces within least_paper_mm).
 [[nodiscard]] bool enough_paper_behind(const mesh::Surface& surface, const Nets& nets, CornerId side);
 
 }  // namespace ridgecraft::unfold

@@ -76,8 +76,8 @@ class SiteFinder {
   }
 
  private:
-  /// The outline of what lies behind the tab: the flat region at the edge and those that hang on it by folds so
-  /// slight that a tab bends with them.
+  /// The outline of what lies behind the tab: the flat region at the edge and those that hang on it by folds
+  /// so slight that a tab bends with them.
   void add_target(TabSite& site, CornerId twin, const ConvexShape& widest) const {
     struct Behind {
       double bend;  // against the region at the edge, over all folds between

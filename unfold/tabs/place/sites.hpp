@@ -15,8 +15,9 @@
 
 namespace ridgecraft::unfold {
 
-/// A rigid frame of the plane: local (x, y) is the point origin + x * axis + y * (axis turned left). No Rigid, whose
-/// inverse turns before it shifts: here points of the x axis come in with y = 0 but for one rounding.
+/// A rigid frame of the plane: local (x, y) is the point origin + x * axis + y * (axis turned left). No
+/// Rigid, whose inverse turns before it shifts: here points of the x axis come in with y = 0 but for one
+/// rounding.
 struct Frame {
   Vec2 origin;
   Vec2 axis{1.0, 0.0};
@@ -34,22 +35,22 @@ struct TabSite {
   CornerId side;
   PieceId piece;
   PieceId target_piece;
-  std::uint32_t target_region = 0;      ///< of FlatRegions: the tab is glued behind it
-  Frame own;                            ///< of tab shapes, in the piece's plane
-  Frame target;                         ///< the same over the target, in the target's plane
-  double length = 0.0;                  ///< mm
-  double area = 0.0;                    ///< of the flat region that the tab grows from, mm^2
-  std::array<std::uint32_t, 2> ends{};  ///< net vertices at (0, 0) and (length, 0)
-  bool has_paper = true;                ///< behind it, for a tab to hang on (paper_behind.hpp)
-  std::vector<Obstacle> obstacles;      ///< in the frame of tab shapes
+  std::uint32_t target_region = 0;       ///< of FlatRegions: the tab is glued behind it
+  Frame own;                             ///< of tab shapes, in the piece's plane
+  Frame target;                          ///< the same over the target, in the target's plane
+  double length = 0.0;                   ///< mm
+  double area = 0.0;                     ///< of the flat region that the tab grows from, mm^2
+  std::array<std::uint32_t, 2> ends{};   ///< net vertices at (0, 0) and (length, 0)
+  bool has_paper = true;                 ///< behind it, for a tab to hang on (paper_behind.hpp)
+  std::vector<Obstacle> obstacles;       ///< in the frame of tab shapes
   std::vector<Obstacle> region_outline;  ///< of the target region alone, near the edge; frame of tab shapes
 };
 
 /// Of a site's obstacles the outline of its target.
 [[nodiscard]] std::vector<Obstacle> target_outline(const TabSite& site);
 
-/// Is the flat region behind wide enough for a usable tab, whatever is a fold and if nothing else stood in its way? Where one over the whole
-/// edge doesn't fit, none on a part of it does.
+/// Is the flat region behind wide enough for a usable tab, whatever is a fold and if nothing else stood in
+/// its way? Where one over the whole edge doesn't fit, none on a part of it does.
 [[nodiscard]] bool target_allows_usable(const TabSite& site, const TabOptions& options);
 
 /// Faces that lie in one panel and are connected by folds inside it: what a tab may be glued behind as one
