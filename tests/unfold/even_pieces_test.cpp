@@ -2,6 +2,7 @@
 // What one side of a symmetric model is divided into, the other side is, too.
 #include "unfold/pieces/even_pieces.hpp"
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <vector>
@@ -25,24 +26,37 @@ using unfold::Patch;
 
 namespace {
 
-/// An egg that only the plane x = 0 mirrors onto itself.
+/// An egg that only the plane x = 0 mirrors onto itself: half of one, and its mirror image.
 mesh::Surface egg() {
+  const mesh::Surface ball = test::sphere(16, 9);
+  std::map<std::array<long, 3>, VertexId> at;
   std::vector<Vec3> points;
-  const mesh::Surface ball = test::sphere(14, 9);
-  for (const Vec3 p : ball.points()) {
-    points.push_back({30.0 * p.x, 40.0 * p.y + 6.0 * p.z * p.z, 50.0 * p.z + 8.0 * p.y});
-  }
+  const auto vertex = [&](Vec3 p) {
+    const auto [found, is_new] = at.try_emplace(
+        {std::lround(1e6 * p.x), std::lround(1e6 * p.y), std::lround(1e6 * p.z)}, VertexId(points.size()));
+    if (is_new) {
+      points.push_back({30.0 * p.x, 40.0 * p.y + 6.0 * p.z * p.z, 50.0 * p.z + 8.0 * p.y});
+    }
+    return found->second;
+  };
   std::vector<std::array<VertexId, 3>> faces;
   for (const FaceId f : ids<FaceId>(ball.face_count())) {
-    faces.push_back(ball.vertices(f));
+    const auto [a, b, c] = ball.vertices(f);
+    const std::array corners{ball.point(a), ball.point(b), ball.point(c)};
+    if (corners[0].x + corners[1].x + corners[2].x > 0.0) {
+      const auto mirrored = [](Vec3 p) { return Vec3{-p.x, p.y, p.z}; };
+      faces.push_back({vertex(corners[0]), vertex(corners[1]), vertex(corners[2])});
+      faces.push_back(
+          {vertex(mirrored(corners[0])), vertex(mirrored(corners[2])), vertex(mirrored(corners[1]))});
+    }
   }
   return mesh::Surface(std::move(points), std::move(faces));
 }
 
-/// Per face the face whose corners are its mirror image's; itself where there is none.
+/// Per face the face whose corners are its mirror image's.
 std::vector<std::uint32_t> image_of_faces(const mesh::Surface& surface) {
   const auto key = [&](FaceId f, double sign) {
-    std::multiset<std::array<long, 3>> corners;
+    std::multiset<std::array<long, 3>> corners;  // rounding makes 0 of -0
     for (const VertexId v : surface.vertices(f)) {
       const Vec3 p = surface.point(v);
       corners.insert({std::lround(1e4 * sign * p.x), std::lround(1e4 * p.y), std::lround(1e4 * p.z)});
@@ -55,8 +69,7 @@ std::vector<std::uint32_t> image_of_faces(const mesh::Surface& surface) {
   }
   std::vector<std::uint32_t> image;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const auto found = at.find(key(f, -1.0));
-    image.push_back(found != at.end() ? found->second : f.value());
+    image.push_back(at.at(key(f, -1.0)));
   }
   return image;
 }

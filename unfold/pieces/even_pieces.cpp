@@ -105,7 +105,9 @@ class Evening {
         original[label.of] = faces;
       }
     }
-    return result;
+    return all_fit(patch_, result, room_) || !all_fit(patch_, folds_, room_)
+               ? std::optional(std::move(result))
+               : std::nullopt;
   }
 
   /// A piece that was one before keeps its tree.

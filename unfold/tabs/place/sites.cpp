@@ -63,10 +63,10 @@ class SiteFinder {
     site.ends = {vertices_[mesh::next(side).value()], vertices_[side.value()]};
     const ConvexShape widest = widest_tab(site.length, options_);
     site.has_paper = enough_paper_behind(surface_, nets_, side);
-    if (!widest.empty() && !site.has_paper) {
-      site.obstacles.push_back(no_target(site.length));
-      site.region_outline = site.obstacles;
-    } else if (!widest.empty()) {
+    if (!widest.empty()) {
+      if (!site.has_paper) {
+        site.obstacles.push_back(no_target(site.length));
+      }
       if (options_.inside_target) {
         add_target(site, twin, widest);
       }
