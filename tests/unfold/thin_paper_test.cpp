@@ -45,7 +45,7 @@ TEST_CASE("a flat region too narrow to cut out keeps its longest edge", "[unfold
   const EdgeWishes wishes = unfold::with_needles_kept(surface, panels, {});
   std::size_t kept = 0;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    if (wishes[e] == EdgeWish::keep) {
+    if (wishes[e] == EdgeWish::needle) {
       ++kept;
       CHECK(surface.length(e) >= 30.0);
     }
@@ -54,7 +54,7 @@ TEST_CASE("a flat region too narrow to cut out keeps its longest edge", "[unfold
   const Nets nets = nets_of(surface, panels);
   CHECK(test::faults_of(surface, nets, test::on_sheet(200.0, 200.0)).empty());
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    CHECK((wishes[e] != EdgeWish::keep || nets.use[e] == EdgeUse::fold));
+    CHECK((wishes[e] != EdgeWish::needle || nets.use[e] == EdgeUse::fold));
   }
 }
 

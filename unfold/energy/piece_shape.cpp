@@ -88,7 +88,7 @@ void PieceShape::collect(const Folds& folds, std::uint32_t root) {
         faces_.push_back(twin / 3);
         parent_.push_back(i);
         up_.push_back(twin);
-        panels_ += patch_.frozen[side] == 0 ? 1U : 0U;
+        panels_ += patch_.frozen[side] != frozen_in_panel ? 1U : 0U;
       }
       outline_ += folds[side] == 0 && patch_.frozen[side] == 0 ? patch_.length[side] : 0.0;
     }

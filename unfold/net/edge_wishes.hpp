@@ -14,11 +14,12 @@
 
 namespace ridgecraft::unfold {
 
-/// What a user wants of an edge of the surface.
+/// What a user wants of an edge of the surface, or its faces do.
 enum class EdgeWish : std::uint8_t {
   none,
-  cut,   ///< never a fold
-  keep,  ///< a fold
+  cut,     ///< never a fold
+  keep,    ///< a fold
+  needle,  ///< a fold: beside it lies a face too narrow to be cut out (pieces/needles.hpp)
 };
 using EdgeWishes = IdVector<EdgeId, EdgeWish>;  ///< per edge of a surface, or empty
 

@@ -53,8 +53,7 @@ double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights&
     // Each cut has two sides; those of another piece count there.
     outline += piece.twin[side] == nothing ? 0.5 * piece.length[side] : 0.0;
   }
-  return weights.pieces + weights.seam * outline +
-         weights.parts * static_cast<double>(parts - 1) +
+  return weights.pieces + weights.seam * outline + weights.parts * static_cast<double>(parts - 1) +
          weights.small * std::max(0.0, 1.0 - std::sqrt(area_of(piece)) / handy_mm) +
          weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
 }

@@ -95,7 +95,9 @@ Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, st
       const std::uint32_t j = t.value() % 3;
       patch.twin[side] = 3 * g + j;
       const bool within = panels.panel[patch.face[f]] == panels.panel[patch.face[g]];
-      patch.frozen[side] = within || wish == EdgeWish::keep ? 1 : 0;
+      patch.frozen[side] = within || wish == EdgeWish::keep ? frozen_in_panel
+                           : wish == EdgeWish::needle       ? frozen_at_needle
+                                                            : 0;
       const Triangle& here = patch.shape[f];
       const Triangle& there = patch.shape[g];
       patch.across[side] = lay_across(here[k], here[(k + 1) % 3], there[j], there[(j + 1) % 3]);

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "base/motion.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/edge_wishes.hpp"
-#include "base/motion.hpp"
 #include "unfold/patch/triangle.hpp"
 
 namespace ridgecraft::unfold {
@@ -18,14 +18,19 @@ namespace ridgecraft::unfold {
 /// Marks "no face", "no side".
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
+/// Patch::frozen of sides whose faces count as one flat region, and of those that hold a needle to its
+/// neighbour: a region more.
+inline constexpr std::uint8_t frozen_in_panel = 1;
+inline constexpr std::uint8_t frozen_at_needle = 2;
+
 /// Faces 0 .. size()-1; side 3 f + k of face f runs from its corner k to its corner k + 1.
 struct Patch {
   std::vector<FaceId> face;  ///< of the surface, ascending
   std::vector<std::uint32_t>
       twin;  ///< per side: the side on the other face; nothing at a border of the patch
-  std::vector<std::uint8_t>
-      frozen;  ///< per side: always a fold; both its faces lie in one panel, or a user wants it
-  std::vector<Triangle> shape;  ///< per face: its corners in its own frame, mm
+  std::vector<std::uint8_t> frozen;  ///< per side: 0, or always a fold, since both its faces lie in one
+                                     ///< panel, a user wants it, or one of them is a needle
+  std::vector<Triangle> shape;       ///< per face: its corners in its own frame, mm
   std::vector<Rigid>
       across;  ///< per side: the neighbour's frame seen from this face's, laid flat over the side
   std::vector<double> length;      ///< per side, mm
@@ -46,6 +51,11 @@ struct Patch {
 [[nodiscard]] std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface,
                                                          std::span<const FaceId> faces,
                                                          std::span<const EdgeWish> wishes = {});
+
+/// 1 where the faces on both sides of a side count as one flat region, otherwise 0.
+[[nodiscard]] inline std::size_t within_panel(const Patch& patch, std::uint32_t side) {
+  return patch.frozen[side] == frozen_in_panel ? 1 : 0;
+}
 
 /// One flag per side: is it a fold? Both sides of an edge have the same flag. The folds of a patch make a
 /// forest.

@@ -30,7 +30,8 @@ std::size_t panel_count(const Patch& patch) {
   DisjointSets sets(patch.size());
   std::size_t panels = patch.size();
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (patch.frozen[side] != 0 && side < patch.twin[side] && sets.join(side / 3, patch.twin[side] / 3)) {
+    if (patch.frozen[side] == frozen_in_panel && side < patch.twin[side] &&
+        sets.join(side / 3, patch.twin[side] / 3)) {
       --panels;
     }
   }
@@ -41,7 +42,8 @@ std::size_t panels_of(const Patch& patch, const Folds& folds, const std::vector<
   std::size_t panels = 1;
   for (const std::uint32_t f : faces) {
     for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      panels += folds[side] != 0 && patch.frozen[side] == 0 && side < patch.twin[side] ? 1U : 0U;
+      panels +=
+          folds[side] != 0 && patch.frozen[side] != frozen_in_panel && side < patch.twin[side] ? 1U : 0U;
     }
   }
   return panels;

@@ -17,6 +17,7 @@ class Keeper {
          const Room& room, double tolerance, const Context& context)
       : surface_(surface),
         panels_(panels),
+        asked_(wishes),
         room_{room.sheet, room.strip, 0},
         tolerance_(tolerance),
         context_(context) {
@@ -25,7 +26,7 @@ class Keeper {
       const auto [c, d] = surface.sides(e);
       if (!d.valid() || panel(c) == panel(d)) {
         result_.wishes[e] = EdgeWish::none;
-      } else if (wishes[e] == EdgeWish::keep) {
+      } else if (wishes[e] == EdgeWish::keep || wishes[e] == EdgeWish::needle) {
         wanted_.push_back(e);
         result_.wishes[e] = EdgeWish::none;
       }
@@ -44,9 +45,9 @@ class Keeper {
       }
     }
     for (const auto& [edges, faces] : groups_of(tree, sets)) {
-      set(edges, EdgeWish::keep);
+      grant(edges);
       if (!lies_well(faces)) {
-        set(edges, EdgeWish::none);
+        refuse(edges);
         keep_singly(edges);
       }
     }
@@ -81,9 +82,14 @@ class Keeper {
     return all;
   }
 
-  void set(const std::vector<EdgeId>& edges, EdgeWish wish) {
+  void grant(const std::vector<EdgeId>& edges) {
     for (const EdgeId e : edges) {
-      result_.wishes[e] = wish;
+      result_.wishes[e] = asked_[e];
+    }
+  }
+  void refuse(const std::vector<EdgeId>& edges) {
+    for (const EdgeId e : edges) {
+      result_.wishes[e] = EdgeWish::none;
     }
   }
 
@@ -102,7 +108,7 @@ class Keeper {
       std::vector<FaceId> both;
       std::merge(faces[a].begin(), faces[a].end(), faces[b].begin(), faces[b].end(),
                  std::back_inserter(both));
-      result_.wishes[e] = EdgeWish::keep;
+      result_.wishes[e] = asked_[e];
       if (!lies_well(both)) {
         result_.wishes[e] = EdgeWish::none;
         continue;
@@ -122,7 +128,7 @@ class Keeper {
   [[nodiscard]] prepare::Panels groups() const {
     DisjointSets sets(panels_.count());
     for (const EdgeId e : wanted_) {
-      if (result_.wishes[e] == EdgeWish::keep) {
+      if (result_.wishes[e] != EdgeWish::none) {
         sets.join(panel(surface_.sides(e)[0]), panel(surface_.sides(e)[1]));
       }
     }
@@ -142,6 +148,7 @@ class Keeper {
 
   const mesh::Surface& surface_;
   const prepare::Panels& panels_;
+  const EdgeWishes& asked_;
   const Room room_;
   const double tolerance_;
   const Context& context_;

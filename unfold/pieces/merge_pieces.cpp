@@ -71,7 +71,7 @@ class Merger {
     for (const Vec2 p : hulls_[moves]) {
       points.push_back(motion(p));
     }
-    const std::size_t panels = panels_[stays] + panels_[moves] - patch_.frozen[side];
+    const std::size_t panels = panels_[stays] + panels_[moves] - within_panel(patch_, side);
     std::vector<Vec2> hull = convex_hull(std::move(points));
     if (!room_.holds(hull, panels) || collides(stays, moves, motion)) {
       return false;

@@ -48,7 +48,7 @@ EdgeWishes with_needles_kept(const mesh::Surface& surface, const prepare::Panels
       if (result.empty()) {
         result = EdgeWishes(surface.edge_count(), EdgeWish::none);
       }
-      result[longest] = EdgeWish::keep;
+      result[longest] = EdgeWish::needle;
     }
   }
   return result;

@@ -66,6 +66,9 @@ void peel(const Patch& patch, const Layout& layout, const RootedTree& tree, cons
     const Triangle& flat = layout.flat[tree.order[i]];
     own[top[i]].insert(own[top[i]].end(), flat.begin(), flat.end());
     branch[top[i]].area += area_of(flat);
+    if (i > 0 && top[i] != i) {
+      branch[top[i]].panels += 1 - within_panel(patch, tree.up[i]);
+    }
     if (i > 0 && top[i] == i) {
       children[top[tree.parent[i]]].push_back(i);
     }
@@ -120,7 +123,7 @@ Sides measure_sides(const Patch& patch, std::span<const Triangle> laid, const Ro
       const std::uint32_t p = tree.parent[i];
       children[p].push_back(static_cast<std::uint32_t>(i));
       sides.area_below[p] += sides.area_below[i];
-      sides.panels_below[p] += sides.panels_below[i] - patch.frozen[tree.up[i]];
+      sides.panels_below[p] += sides.panels_below[i] - within_panel(patch, tree.up[i]);
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -173,7 +176,7 @@ bool move_cut(const Patch& patch, const Room& room, std::uint32_t side, Folds& f
   for (std::uint32_t i = 1; i < n; ++i) {
     if (!room.holds(sides.below[i], sides.panels_below[i]) ||
         !room.holds(sides.above[i],
-                    sides.panels_below[0] - sides.panels_below[i] + patch.frozen[tree.up[i]])) {
+                    sides.panels_below[0] - sides.panels_below[i] + within_panel(patch, tree.up[i]))) {
       continue;
     }
     const double bad =
@@ -223,7 +226,7 @@ SplitCost cost_of(const Patch& patch, const Folds& folds) {
     } else {
       cost.cut_mm += patch.length[side];
       // Frozen sides that no tree could fold too (a fan around a vertex) count alike for all trees.
-      cost.cut_panels += patch.frozen[side];
+      cost.cut_panels += patch.frozen[side] != 0 ? 1U : 0U;
     }
   }
   cost.pieces = patch.size() - tree_folds;
