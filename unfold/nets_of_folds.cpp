@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -35,19 +36,36 @@ PieceReason most_frequent_cause(const Causes& causes, const std::vector<std::uin
   return most == count.end() ? otherwise : most->first;
 }
 
-/// The largest piece of each part stands for it; why is any other one there?
+/// A part that some of these faces belong to and that no piece stands for so far; taken from `free`.
+bool take_free_part(const IdVector<FaceId, PartId>& part, const std::vector<std::uint32_t>& faces,
+                    std::set<PartId>& free) {
+  return std::any_of(faces.begin(), faces.end(),
+                     [&](std::uint32_t f) { return free.erase(part[FaceId(f)]) > 0; });
+}
+
+/// The largest piece of each part stands for it; why is any other one there? Where borders have moved, a part may
+/// have no piece that is mostly its own, and one that has faces of it stands for it all the same.
 void find_reasons(const Causes& causes, const IdVector<FaceId, PartId>& part, std::vector<Draft>& drafts) {
   std::map<PartId, std::vector<std::uint32_t>> faces_of;
+  std::set<PartId> free;
+  std::vector<std::uint32_t> all;
   for (const FaceId f : ids<FaceId>(part.size())) {
     faces_of[part[f]].push_back(f.value());
+    free.insert(part[f]);
+    all.push_back(f.value());
   }
-  std::map<PartId, PieceReason> usual;
-  for (const auto& [p, faces] : faces_of) {
-    usual[p] = most_frequent_cause(causes, faces, PieceReason::page);
+  for (const Draft& draft : drafts) {
+    free.erase(draft.part);
   }
   for (std::size_t i = 1; i < drafts.size(); ++i) {
-    if (drafts[i].part == drafts[i - 1].part) {
-      drafts[i].reason = most_frequent_cause(causes, drafts[i].faces, usual[drafts[i].part]);
+    Draft& draft = drafts[i];
+    if (draft.part != drafts[i - 1].part) {
+      continue;
+    }
+    draft.reason = most_frequent_cause(causes, draft.faces,
+                                       most_frequent_cause(causes, faces_of[draft.part], PieceReason::part));
+    if (draft.reason == PieceReason::part && !take_free_part(part, draft.faces, free)) {
+      draft.reason = most_frequent_cause(causes, all, PieceReason::part);
     }
   }
 }

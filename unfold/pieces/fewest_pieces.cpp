@@ -27,10 +27,8 @@ constexpr std::uint64_t merge_pairs = 4'000'000;
 constexpr std::uint64_t proof_pairs = 10'000'000;
 /// Patches of more panels have too many forests.
 constexpr std::size_t most_proven_panels = 64;
-/// Of the trials that a single net is worth, what all searches for linked trees get together.
-constexpr double linked_share = 1.0;
-/// Each number of trees is tried with this share of them at most.
-constexpr double one_number_share = 0.5;
+/// Each number of linked trees gets this part of the trials that a single net is worth.
+constexpr std::uint64_t shares_of_linked = 3;
 
 class Search {
  public:
@@ -40,7 +38,7 @@ class Search {
   FewestPieces run(const NetFound& failed) {
     cut(failed.folds);
     prove();
-    if (finished_ || failed.hopeless || context_.out_of_time()) {
+    if (finished_ || context_.out_of_time()) {
       return std::move(result_);
     }
     Folds best = failed.folds;
@@ -97,27 +95,28 @@ class Search {
     return true;
   }
 
-  /// Two trees, then three ...: fewer than the cuts left.
+  /// Fewer trees than the cuts left. More are found sooner, so the number is halved in: each that is found is
+  /// the most from then on.
   void search_linked(const Folds& best) {
-    const auto all = static_cast<std::uint64_t>(linked_share * static_cast<double>(heated_trials(patch_.size())));
-    const auto each = static_cast<std::uint64_t>(one_number_share * static_cast<double>(all));
-    std::vector<std::uint32_t> cuts = places_to_part(best);
-    std::uint64_t spent = 0;
-    for (std::size_t trees = std::max<std::size_t>(2, result_.proven_least);
-         trees < result_.pieces && trees - 1 <= std::min(cuts.size(), LinkedPatch::most_links) && spent < all &&
-         !context_.out_of_time();
-         ++trees) {
-      const std::vector<std::uint32_t> links(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(trees - 1));
+    const std::vector<std::uint32_t> places = places_to_part(best);
+    const std::uint64_t trials = heated_trials(patch_.size()) / shares_of_linked;
+    const std::size_t most_trees = std::min(places.size(), LinkedPatch::most_links) + 1;
+    std::size_t least = std::max<std::size_t>(2, result_.proven_least);
+    for (std::size_t most = std::min(result_.pieces, most_trees + 1); least < most && !context_.out_of_time();) {
+      const std::size_t trees = least + (most - least) / 2;
+      const std::vector<std::uint32_t> links(places.begin(),
+                                             places.begin() + static_cast<std::ptrdiff_t>(trees - 1));
       const LinkedPatch linked = linked_patch(patch_, links);
-      HeatedFound found = heated_search(linked.joined, best, {tolerance_, std::min(each, all - spent)},
-                                        random_.next(), context_);
-      spent += found.trials;
+      HeatedFound found =
+          heated_search(linked.joined, best, {tolerance_, trials}, random_.next(), context_);
       for (const std::uint32_t side : links) {
         set_fold(patch_, found.folds, side, false);
       }
       if (found.overlaps == 0 && is_clean(found.folds)) {
         keep(std::move(found.folds));
-        return;
+        most = trees;
+      } else {
+        least = trees + 1;
       }
     }
   }

@@ -20,8 +20,8 @@ struct FewestPieces {
 
 /// In this order: the best tree is cut where it overlaps (overlap_split.hpp), and joined where that is possible;
 /// all forests are looked at, where the patch is small enough (least_forest.hpp); one tree is searched for with
-/// patience (heated_search.hpp), then two that are linked (linked_patch.hpp), so that branches go from one to
-/// the other, then three and so on, as long as that gives fewer than the cuts did. About two seconds at most.
+/// patience (heated_search.hpp), then two or more that are linked (linked_patch.hpp), so that branches go from
+/// one to the other, fewer than the cuts left. About two seconds at most.
 /// `failed`: the best tree that find_net found. Deterministic for one seed but for the deadline.
 [[nodiscard]] FewestPieces fewest_pieces(const Patch& patch, const NetFound& failed, double tolerance,
                                          std::uint64_t seed, const Context& context);

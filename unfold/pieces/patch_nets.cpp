@@ -39,6 +39,9 @@ constexpr std::uint64_t fit_trials = 400;
 /// time.
 constexpr std::uint64_t attempts_cost = 2'000'000;
 
+/// Pieces that overlap has left aren't united afresh where they are no more than this.
+constexpr std::size_t most_searched_together = 3;
+
 /// Rounds of taking pieces apart and joining them anew: fewer where each takes long.
 int refine_rounds(std::uint32_t faces) {
   return faces <= 500 ? 30 : faces <= 1500 ? 15 : 5;
@@ -62,7 +65,7 @@ class PatchUnfolder {
         effort_(effort),
         context_(context),
         least_pieces_(least_pieces(patch, room)) {
-    has_panels_ =
+    whole_panels_ = has_panels_ =
         std::any_of(patch.frozen.begin(), patch.frozen.end(), [](std::uint8_t f) { return f != 0; });
   }
 
@@ -74,6 +77,7 @@ class PatchUnfolder {
       loose = patch_;
       std::fill(loose.frozen.begin(), loose.frozen.end(), std::uint8_t{0});
       searched = &loose;
+      whole_panels_ = false;
       failed = try_nets(loose, loose.size());
     }
     if (failed) {
@@ -169,7 +173,9 @@ class PatchUnfolder {
 
   /// Neighbours are unfolded afresh together, where that makes one piece of two.
   void unite() {
-    if (best_->cost.pieces <= least_pieces_ || context_.out_of_time()) {
+    // So few that overlap alone has left were searched for together.
+    const bool in_vain = best_->cost.pieces == clean_pieces_ && clean_pieces_ <= most_searched_together;
+    if (best_->cost.pieces <= least_pieces_ || in_vain || context_.out_of_time()) {
       return;
     }
     Folds folds = unite_pieces(patch_, best_->folds, room_, tolerance_, random_.next(), context_);
@@ -236,7 +242,7 @@ class PatchUnfolder {
     if (clean_pieces_ == 1 || pieces == 1) {
       return;
     }
-    const std::string whole = has_panels_ ? " with all flat regions whole" : "";
+    const std::string whole = whole_panels_ ? " with all flat regions whole" : "";
     const std::string becomes = "so it becomes " + std::to_string(pieces) + " pieces";
     if (proven_least_ > 1) {
       notes_.push_back("proven: no single net" + whole + " exists, " + becomes +
@@ -271,6 +277,7 @@ class PatchUnfolder {
   const Context& context_;
   std::size_t least_pieces_;  ///< that no arrangement can do without
   bool has_panels_ = false;
+  bool whole_panels_ = false;  ///< they stay whole in the search for a net that may be as large as it likes
   bool out_of_time_ = false;
   std::size_t proven_least_ = 1;  ///< no forest without overlap has fewer trees
   std::optional<Proposal> best_;

@@ -16,10 +16,10 @@ namespace {
 
 /// Heat in pairs of faces. On bodies with long spikes one of 4.5 to 6.5 finds nets within a second, one of 3 or
 /// less stays where it is, one of 10 never settles. So it falls through these again and again.
-constexpr double first_heat = 7.0;
-constexpr double last_heat = 4.0;
+constexpr double first_heat = 6.3;
+constexpr double last_heat = 4.7;
 /// Trials of one fall, for each face.
-constexpr std::uint64_t trials_per_fall = 300;
+constexpr std::uint64_t trials_per_fall = 500;
 /// Share of the trials in which the new fold is a side of the faces at the removed one.
 constexpr double local_share = 0.8;
 /// Draws to find a cut across a fold anywhere.
@@ -27,8 +27,13 @@ constexpr int draws = 12;
 /// Trials between two looks at the clock and changes of the heat.
 constexpr std::uint64_t trials_per_look = 512;
 
+/// After these falls a walk that had more pairs left than this for each face is given up: what ended with a net
+/// had 0.06 at most.
+constexpr std::uint64_t falls_to_judge = 2;
+constexpr double hopeless_pairs_per_face = 0.1;
+
 constexpr std::uint64_t trials_per_face = 4000;
-constexpr std::uint64_t most_trials = 1'200'000;
+constexpr std::uint64_t most_trials = 1'600'000;
 
 class Walk {
  public:
@@ -135,7 +140,9 @@ HeatedFound heated_search(const Patch& patch, const Folds& from, const HeatedSea
                           std::uint64_t seed, const Context& context) {
   Walk walk(patch, from, options.tolerance, seed);
   const std::uint64_t fall = trials_per_fall * patch.size();
-  while (walk.trials() < options.trials && !context.out_of_time()) {
+  const auto hopeless = static_cast<std::uint64_t>(hopeless_pairs_per_face * patch.size());
+  while (walk.trials() < options.trials && !context.out_of_time() &&
+         (walk.trials() < falls_to_judge * fall || walk.least() <= hopeless)) {
     if (walk.cool(std::min(fall, options.trials - walk.trials()), context)) {
       break;
     }
