@@ -36,15 +36,8 @@ PieceReason most_frequent_cause(const Causes& causes, const std::vector<std::uin
   return most == count.end() ? otherwise : most->first;
 }
 
-/// A part that some of these faces belong to and that no piece stands for so far; taken from `free`.
-bool take_free_part(const IdVector<FaceId, PartId>& part, const std::vector<std::uint32_t>& faces,
-                    std::set<PartId>& free) {
-  return std::any_of(faces.begin(), faces.end(),
-                     [&](std::uint32_t f) { return free.erase(part[FaceId(f)]) > 0; });
-}
-
 /// The largest piece of each part stands for it; why is any other one there? Where borders have moved, a part may
-/// have no piece that is mostly its own, and one that has faces of it stands for it all the same.
+/// have no piece that is mostly its own, and another one stands for it.
 void find_reasons(const Causes& causes, const IdVector<FaceId, PartId>& part, std::vector<Draft>& drafts) {
   std::map<PartId, std::vector<std::uint32_t>> faces_of;
   std::set<PartId> free;
@@ -64,8 +57,12 @@ void find_reasons(const Causes& causes, const IdVector<FaceId, PartId>& part, st
     }
     draft.reason = most_frequent_cause(causes, draft.faces,
                                        most_frequent_cause(causes, faces_of[draft.part], PieceReason::part));
-    if (draft.reason == PieceReason::part && !take_free_part(part, draft.faces, free)) {
-      draft.reason = most_frequent_cause(causes, all, PieceReason::part);
+    if (draft.reason == PieceReason::part) {
+      if (free.empty()) {
+        draft.reason = most_frequent_cause(causes, all, PieceReason::part);
+      } else {
+        free.erase(free.begin());
+      }
     }
   }
 }

@@ -204,15 +204,15 @@ class StatementCheck {
     }
   }
 
-  /// Whether a piece has faces of a part that no piece is mostly of.
-  [[nodiscard]] static bool has_free_part(const Piece& piece, const std::vector<Share>& share) {
-    return std::any_of(piece.parts.begin(), piece.parts.end(), [&](std::int64_t part) {
+  /// Whether no piece is mostly of some part.
+  [[nodiscard]] bool has_free_part(const std::vector<Share>& share) const {
+    return std::any_of(file_.model.face_part.begin(), file_.model.face_part.end(), [&](std::int64_t part) {
       return std::none_of(share.begin(), share.end(), [&](const Share& s) { return s.part == part; });
     });
   }
 
   /// The largest piece of a part stands for it, and comes first; others say why they are there. Where no piece is
-  /// mostly of a part, one that has some of it may stand for it.
+  /// mostly of a part, another one may stand for it.
   void check_reason(std::size_t i, const std::vector<Share>& share) {
     const Piece& piece = file_.pieces[i];
     const auto name = [&] { return piece_name(file_, static_cast<Index>(i)); };
@@ -228,7 +228,7 @@ class StatementCheck {
       return file_.settings.find(setting) != nullptr || searched_with(file_.settings, setting) != nullptr;
     };
     const bool stands = piece.reason == "part";
-    const bool impossible = (certain && (stands ? follows && !has_free_part(piece, share) : !follows)) ||
+    const bool impossible = (certain && (stands ? follows && !has_free_part(share) : !follows)) ||
                             (piece.reason == "page" && !file_.pages[piece.page].bounded) ||
                             (piece.reason == "tabs" && !asks("all_tabs")) ||
                             (piece.reason == "faces" && file_.settings.number("max_faces") == 0.0) ||
