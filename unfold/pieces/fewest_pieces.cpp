@@ -30,9 +30,9 @@ constexpr std::size_t most_proven_panels = 64;
 /// Each number of linked trees gets this part of the trials that a single net is worth.
 constexpr std::uint64_t shares_of_linked = 3;
 
-class Search {
+class FewestSearch {
  public:
-  Search(const Patch& patch, double tolerance, std::uint64_t seed, const Context& context)
+  FewestSearch(const Patch& patch, double tolerance, std::uint64_t seed, const Context& context)
       : patch_(patch), tolerance_(tolerance), random_(seed), context_(context) {}
 
   FewestPieces run(const NetFound& failed) {
@@ -157,7 +157,7 @@ class Search {
 
 FewestPieces fewest_pieces(const Patch& patch, const NetFound& failed, double tolerance, std::uint64_t seed,
                            const Context& context) {
-  return Search(patch, tolerance, seed, context).run(failed);
+  return FewestSearch(patch, tolerance, seed, context).run(failed);
 }
 
 }  // namespace ridgecraft::unfold

@@ -16,28 +16,28 @@ namespace {
 
 /// Heat in pairs of faces. On bodies with long spikes one of 4.5 to 6.5 finds nets within a second, one of 3 or
 /// less stays where it is, one of 10 never settles. So it falls through these again and again.
-constexpr double first_heat = 6.3;
-constexpr double last_heat = 4.7;
+constexpr double hottest = 6.3;
+constexpr double coolest = 4.7;
 /// Trials of one fall, for each face.
 constexpr std::uint64_t trials_per_fall = 500;
 /// Share of the trials in which the new fold is a side of the faces at the removed one.
 constexpr double local_share = 0.8;
 /// Draws to find a cut across a fold anywhere.
-constexpr int draws = 12;
+constexpr int most_draws = 12;
 /// Trials between two looks at the clock and changes of the heat.
-constexpr std::uint64_t trials_per_look = 512;
+constexpr std::uint64_t swaps_per_look = 512;
 
 /// After these falls a walk that had more pairs left than this for each face is given up: what ended with a net
 /// had 0.06 at most.
 constexpr std::uint64_t falls_to_judge = 2;
-constexpr double hopeless_pairs_per_face = 0.1;
+constexpr double most_pairs_per_face = 0.1;
 
 constexpr std::uint64_t trials_per_face = 4000;
 constexpr std::uint64_t most_trials = 1'600'000;
 
-class Walk {
+class HeatedWalk {
  public:
-  Walk(const Patch& patch, const Folds& from, double tolerance, std::uint64_t seed)
+  HeatedWalk(const Patch& patch, const Folds& from, double tolerance, std::uint64_t seed)
       : patch_(patch), random_(seed), net_(patch), pairs_(net_, tolerance) {
     net_.set_tree(from);
     pairs_.find_all();
@@ -47,15 +47,15 @@ class Walk {
 
   /// Cools down once. True when nothing overlaps.
   bool cool(std::uint64_t trials, const Context& context) {
-    double heat = first_heat;
+    double heat = hottest;
     for (std::uint64_t trial = 0; trial < trials && pairs_.total() > 0; ++trial) {
-      if (trial % trials_per_look == 0) {
+      if (trial % swaps_per_look == 0) {
         context.check();
         if (context.out_of_time()) {
           return false;
         }
         const double done = static_cast<double>(trial) / static_cast<double>(trials);
-        heat = first_heat * std::pow(last_heat / first_heat, done);
+        heat = hottest * std::pow(coolest / hottest, done);
       }
       ++trials_;
       try_swap(heat);
@@ -111,7 +111,7 @@ class Walk {
   /// The same for a side of any face of the smaller half.
   [[nodiscard]] std::uint32_t side_across(std::uint32_t below) {
     const RootedNet::Span moved = net_.moved_span(below);
-    for (int i = 0; i < draws; ++i) {
+    for (int i = 0; i < most_draws; ++i) {
       const std::uint32_t side =
           3 * net_.face_in(moved, random_.below(moved.count)) + random_.below(3);
       if (is_free_cut(side) && !net_.in_span(moved, patch_.twin[side] / 3)) {
@@ -138,9 +138,9 @@ std::uint64_t heated_trials(std::uint32_t faces) {
 
 HeatedFound heated_search(const Patch& patch, const Folds& from, const HeatedSearch& options,
                           std::uint64_t seed, const Context& context) {
-  Walk walk(patch, from, options.tolerance, seed);
+  HeatedWalk walk(patch, from, options.tolerance, seed);
   const std::uint64_t fall = trials_per_fall * patch.size();
-  const auto hopeless = static_cast<std::uint64_t>(hopeless_pairs_per_face * patch.size());
+  const auto hopeless = static_cast<std::uint64_t>(most_pairs_per_face * patch.size());
   while (walk.trials() < options.trials && !context.out_of_time() &&
          (walk.trials() < falls_to_judge * fall || walk.least() <= hopeless)) {
     if (walk.cool(std::min(fall, options.trials - walk.trials()), context)) {

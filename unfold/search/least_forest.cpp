@@ -10,6 +10,7 @@
 #include "unfold/patch/forest.hpp"
 #include "unfold/search/circle_tree.hpp"
 #include "unfold/search/edged_triangle.hpp"
+#include "unfold/search/plates.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -17,29 +18,14 @@ namespace {
 /// Steps between two looks at the clock.
 constexpr std::uint64_t steps_per_look = 256;
 
-/// A panel: faces that never part.
-struct Plate {
-  std::vector<std::uint32_t> faces;
-  std::vector<EdgedTriangle> flat;  ///< in the frame of the first one
-  std::vector<Circle> circle;
-};
-
-/// An edge between two panels.
-struct Arc {
-  std::uint32_t side = nothing;
-  std::uint32_t a = 0, b = 0;  ///< panels
-  Rigid across;                ///< b's frame seen from a's
-  bool open = true;            ///< neither cut nor folded yet
-  bool fold = false;
-};
-
 class ForestSearch {
  public:
   ForestSearch(const Patch& patch, const LeastForestSearch& options, const Context& context)
-      : patch_(patch), options_(options), context_(context) {
-    make_plates();
-    make_arcs();
-  }
+      : patch_(patch),
+        options_(options),
+        context_(context),
+        plates_(plates_of(patch)),
+        arcs_(arcs_between(patch, plates_)) {}
 
   LeastForest run() {
     LeastForest result;
@@ -65,55 +51,6 @@ class ForestSearch {
     std::uint32_t stays = 0, moves = 0;  ///< trees
     std::size_t size = 0;                ///< of the one that stays, before
   };
-
-  void make_plates() {
-    DisjointSets sets(patch_.size());
-    for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-      if (patch_.frozen[side] != 0) {
-        static_cast<void>(sets.join(side / 3, patch_.twin[side] / 3));
-      }
-    }
-    plate_of_.assign(patch_.size(), nothing);
-    place_.resize(patch_.size());
-    for (std::uint32_t f = 0; f < patch_.size(); ++f) {
-      if (plate_of_[f] == nothing) {
-        lay_plate(f);
-      }
-    }
-  }
-
-  void lay_plate(std::uint32_t first) {
-    const auto number = static_cast<std::uint32_t>(plates_.size());
-    Plate& plate = plates_.emplace_back();
-    plate.faces.push_back(first);
-    plate_of_[first] = number;
-    for (std::size_t i = 0; i < plate.faces.size(); ++i) {
-      const std::uint32_t f = plate.faces[i];
-      const auto corners = placed(patch_.shape[f], place_[f]);
-      plate.flat.push_back(edged(corners));
-      plate.circle.push_back(smallest_circle(corners[0], corners[1], corners[2]));
-      for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-        if (patch_.frozen[side] != 0 && plate_of_[patch_.twin[side] / 3] == nothing) {
-          const std::uint32_t g = patch_.twin[side] / 3;
-          plate_of_[g] = number;
-          place_[g] = place_[f] * patch_.across[side];
-          plate.faces.push_back(g);
-        }
-      }
-    }
-  }
-
-  void make_arcs() {
-    for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-      const std::uint32_t twin = patch_.twin[side];
-      if (twin != nothing && side < twin && plate_of_[side / 3] != plate_of_[twin / 3]) {
-        arcs_.push_back({side, plate_of_[side / 3], plate_of_[twin / 3],
-                         place_[side / 3] * patch_.across[side] * place_[twin / 3].inverse()});
-      }
-    }
-  }
-
-  static Triangle placed(const Triangle& t, const Rigid& at) { return {at(t[0]), at(t[1]), at(t[2])}; }
 
   /// Every panel by itself, every edge open.
   void begin() {
@@ -303,22 +240,7 @@ class ForestSearch {
   }
 
   [[nodiscard]] Folds folds() const {
-    Folds folds(patch_.twin.size(), 0);
-    // Inside a panel those by which it was laid: a tree, whatever loops its frozen sides make.
-    for (const Plate& plate : plates_) {
-      DisjointSets sets(plate.faces.size());
-      for (std::uint32_t i = 0; i < plate.faces.size(); ++i) {
-        for (std::uint32_t side = 3 * plate.faces[i]; side < 3 * plate.faces[i] + 3; ++side) {
-          if (patch_.frozen[side] == 0) {
-            continue;
-          }
-          const auto other = std::find(plate.faces.begin(), plate.faces.end(), patch_.twin[side] / 3);
-          if (sets.join(i, static_cast<std::uint32_t>(other - plate.faces.begin()))) {
-            set_fold(patch_, folds, side, true);
-          }
-        }
-      }
-    }
+    Folds folds = folds_of_plates(patch_, plates_);
     for (const Arc& arc : arcs_) {
       if (arc.fold) {
         set_fold(patch_, folds, arc.side, true);
@@ -331,8 +253,6 @@ class ForestSearch {
   const LeastForestSearch& options_;
   const Context& context_;
   std::vector<Plate> plates_;
-  std::vector<std::uint32_t> plate_of_;  ///< of each face
-  std::vector<Rigid> place_;             ///< of each face in its panel's frame
   std::vector<Arc> arcs_;
 
   std::size_t allowed_ = 1;
