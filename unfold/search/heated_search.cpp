@@ -23,12 +23,12 @@ constexpr std::uint64_t trials_per_fall = 500;
 /// Share of the trials in which the new fold is a side of the faces at the removed one.
 constexpr double local_share = 0.8;
 /// Draws to find a cut across a fold anywhere.
-constexpr int most_draws = 12;
+constexpr int draws_for_a_cut = 12;
 /// Trials between two looks at the clock and changes of the heat.
 constexpr std::uint64_t swaps_per_look = 512;
 
-/// After these falls a walk that had more pairs left than this for each face is given up: what ended with a net
-/// had 0.06 at most.
+/// After these falls a walk that never had fewer pairs left than this for each face is given up, as in
+/// tree_search.cpp.
 constexpr std::uint64_t falls_to_judge = 2;
 constexpr double most_pairs_per_face = 0.1;
 
@@ -111,7 +111,7 @@ class HeatedWalk {
   /// The same for a side of any face of the smaller half.
   [[nodiscard]] std::uint32_t side_across(std::uint32_t below) {
     const RootedNet::Span moved = net_.moved_span(below);
-    for (int i = 0; i < most_draws; ++i) {
+    for (int i = 0; i < draws_for_a_cut; ++i) {
       const std::uint32_t side =
           3 * net_.face_in(moved, random_.below(moved.count)) + random_.below(3);
       if (is_free_cut(side) && !net_.in_span(moved, patch_.twin[side] / 3)) {
