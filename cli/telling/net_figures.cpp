@@ -42,7 +42,9 @@ std::string sentence_of_several(unfold::PieceReason reason) {
     case PieceReason::page:
       return "their parts don't fit the paper in one piece";
     case PieceReason::overlap:
-      return "their parts would overlap themselves in one piece";
+      return "no nets of their parts were found that don't overlap themselves";
+    case PieceReason::no_net:
+      return "their parts have no nets that don't overlap themselves (proven)";
     case PieceReason::tabs:
       return "their parts have no room for tabs in one piece";
     case PieceReason::faces:
