@@ -6,6 +6,7 @@
 
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/panels.hpp"
+#include "prepare/prepared/twin_bodies.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -27,6 +28,7 @@ struct SimplifyReport {
 struct Prepared {
   mesh::Model model;  ///< in mm, centred on the origin; not turned, not mirrored
   Panels panels;      ///< flat regions of model.surface; those that no page holds in cells that pages hold
+  TwinBodies twins;     ///< components that are equal; they are exact copies of each other
   double mm_per_unit = 1.0;
   SimplifyReport simplified;
   std::size_t divided_panels = 0;  ///< flat regions that are in cells
