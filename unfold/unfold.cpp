@@ -11,6 +11,7 @@
 #include "base/parallel.hpp"
 #include "unfold/all_tabs.hpp"
 #include "unfold/folding/fold_order.hpp"
+#include "unfold/net/equal_pieces.hpp"
 #include "unfold/net/joins.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/nets_of_folds.hpp"
@@ -174,6 +175,7 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
     split.split_pieces += more_pieces(originals, nets, PieceReason::tabs);
     split_off_to_fold += more_pieces(originals, nets, PieceReason::folding);
   }
+  nets.equal = find_equal_pieces(surface, nets);
   note_result(whole, split, split_off_to_fold, nets);
   return nets;
 }
@@ -194,6 +196,7 @@ void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, c
   } else {
     give_tabs(surface, panels, options, nets, context);
   }
+  nets.equal = find_equal_pieces(surface, nets);
 }
 
 }  // namespace ridgecraft::unfold

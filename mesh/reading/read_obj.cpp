@@ -61,6 +61,8 @@ class ObjReader {
   std::map<std::string_view, std::uint32_t> material_number_;
   /// From this polygon on this material.
   std::vector<std::pair<std::size_t, std::uint32_t>> material_from_;
+  /// From this polygon on this object, this group.
+  std::vector<std::pair<std::uint32_t, std::string>> objects_, groups_;
   std::vector<std::string_view> material_names_;  ///< of soup_.materials, as the file has them
 
   struct Line {
@@ -110,13 +112,16 @@ void ObjReader::read_line() {
 /// What is neither point nor face. False for words that aren't part of the format.
 bool ObjReader::read_element(std::string_view keyword) {
   static constexpr std::string_view silent[] = {
-      "vn",    "vp",       "g",        "o",          "s",         "mg",     "lod", "usemap", "maplib",
+      "vn",    "vp",       "s",         "mg",     "lod", "usemap", "maplib",
       "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg", "bmat",   "step",
       "parm",  "trim",     "hole",     "scrv",       "sp",        "end",    "con", "ctech",  "stech"};
   static constexpr std::string_view counted[] = {"p",   "curv", "curv2", "surf", "call", "csh",
                                                  "bzp", "bsp",  "cdc",   "cdp",  "res"};
   if (keyword == "usemtl") {
     read_usemtl();
+  } else if (keyword == "o" || keyword == "g") {
+    (keyword == "o" ? objects_ : groups_)
+        .emplace_back(static_cast<std::uint32_t>(soup_.polygon_count()), text_.rest_of_line());
   } else if (keyword == "l") {
     read_lines();
   } else if (keyword == "mtllib") {
@@ -285,6 +290,7 @@ void ObjReader::finish() {
   unknown_.report(RepairKind::element_ignored, source_, soup_.remarks);
   finish_textures();
   finish_materials();
+  soup_.objects = std::move(objects_.empty() ? groups_ : objects_);
 }
 
 /// A polygon has texture coordinates at all of its corners or at none: the rest couldn't be drawn.
