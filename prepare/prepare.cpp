@@ -55,8 +55,8 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
   prepared.model = std::move(model);
   prepared.mm_per_unit = resize(prepared.model, size);
   const std::size_t faces_before = prepared.model.surface.face_count();
-  remesh_panels(prepared.model, context);
   const BodyNames names(prepared.model);
+  remesh_panels(prepared.model, context);
   prepared.simplified = prepare::simplify(prepared.model, simplify, context);
   prepared.simplified.faces_before = faces_before;
   if (prepared.simplified.faces_after < prepared.simplified.faces_before && !size.mm_per_unit) {
@@ -73,9 +73,7 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
     renew_copies(prepared, context);
   }
   const mesh::Surface& surface = prepared.model.surface;
-  if (prepared.simplified.faces_after < prepared.simplified.faces_before) {
-    prepared.body_names = names.of(surface);
-  }
+  prepared.body_names = names.of(surface);
   if (count_narrow_faces(surface, prepared.panels, nothing_mm) == surface.face_count()) {
     throw Error(ErrorKind::no_nets, "every face is too narrow to be cut from paper at this size");
   }

@@ -23,6 +23,7 @@
 #include "unfold/one_of_each.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/part_merging.hpp"
+#include "unfold/pieces/twin_pieces.hpp"
 #include "unfold/plan.hpp"
 #include "unfold/tabs/place/fit.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
@@ -107,9 +108,15 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Mi
                            : std::move(parts.folds);
   const IdVector<EdgeId, EdgeId> mirrored =
       context.out_of_time() ? IdVector<EdgeId, EdgeId>() : mirror_images_here();
+  const auto twins_of = [&](const Folds& folds) {
+    return context.out_of_time() ? TwinPieces() : find_twin_pieces(asked.surface, patch, folds, context);
+  };
+  const Patch apart = with_twins_apart(patch, merged, twins_of(merged));
   const Folds bordered =
-      better_borders(asked.surface, plan.whole, patch, merged, mirrored, asked.options, plan.room, context);
-  return {better_trees(asked.surface, plan.whole, patch, bordered, mirrored, asked.options, plan.room, context),
+      better_borders(asked.surface, plan.whole, apart, merged, mirrored, asked.options, plan.room, context);
+  const Folds better =
+      better_trees(asked.surface, plan.whole, patch, bordered, mirrored, asked.options, plan.room, context);
+  return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
           std::move(parts.causes), std::move(parts.notes)};
 }
 

@@ -38,14 +38,19 @@ class Names {
     std::set<std::string> names;
     for (const unfold::EqualPiece& equal : kind) {
       for (const FaceId f : nets_.pieces[equal.piece].faces) {
-        names.insert(without_number(bodies_.empty() ? model_.object_of(model_.polygon[f])
-                                                    : bodies_[model_.surface.component(f)]));
+        names.insert(without_number(name_of(f)));
         if (names.size() > 1) {
           return {};
         }
       }
     }
     return *names.begin();
+  }
+
+  /// Faces that were made on the way are of no polygon.
+  [[nodiscard]] std::string name_of(FaceId f) const {
+    return model_.polygon[f] != mesh::Soup::none || bodies_.empty() ? model_.object_of(model_.polygon[f])
+                                                                    : bodies_[model_.surface.component(f)];
   }
 
   [[nodiscard]] std::string of_material(const std::vector<unfold::EqualPiece>& kind) const {

@@ -30,7 +30,8 @@ struct Prepared {
   mesh::Model model;  ///< in mm, centred on the origin; not turned, not mirrored
   Panels panels;      ///< flat regions of model.surface; those that no page holds in cells that pages hold
   TwinBodies twins;     ///< components that are equal; they are exact copies of each other
-  /// What the file calls each component where simplification has left it faces of no polygon; else empty.
+  /// What the file calls each component: for faces that are of no polygon any more. Empty where there is one
+  /// component or name.
   IdVector<ComponentId, std::string> body_names;
   double mm_per_unit = 1.0;
   SimplifyReport simplified;

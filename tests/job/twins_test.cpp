@@ -16,6 +16,7 @@
 #include "mesh/mesh.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
+#include "unfold/net/equal_pieces.hpp"
 
 using namespace ridgecraft;
 
@@ -233,6 +234,44 @@ TEST_CASE("twins keep equal tabs when tabs are given anew", "[job][twins]") {
   CHECK(all_twins_are_equal(again, 3));
   CHECK(again.fold != made.fold);
   CHECK(job::with_tabs(again, made.options.tabs, {}).nets.tabs.size() == made.nets.tabs.size());
+}
+
+TEST_CASE("the four legs of a table have one net", "[job][twins]") {
+  // Legs of one body: cubes below a board, tapered.
+  std::vector<std::array<int, 3>> cells;
+  for (int x = 0; x < 7; ++x) {
+    for (int y = 0; y < 7; ++y) {
+      cells.push_back({x, y, 0});
+    }
+  }
+  for (const auto& [x, y] : {std::array{0, 0}, {0, 6}, {6, 0}, {6, 6}}) {
+    for (int z = 1; z <= 5; ++z) {
+      cells.push_back({x, y, -z});
+    }
+  }
+  ObjText table(11);
+  const mesh::Surface body = test::mapped(test::voxels(cells), [](Vec3 p) {
+    // Towards a line near its outer corner, more in one direction: no leg has a symmetry of its own.
+    const auto towards = [&](double at, double taper) {
+      const double line = at < 3.5 ? 0.3 : 6.7;
+      return p.z < 0.0 ? line + (1.0 + taper * p.z) * (at - line) : at;
+    };
+    return Vec3{towards(p.x, 0.06), towards(p.y, 0.1), p.z < 0.0 ? 1.5 * p.z : p.z};
+  });
+  table.add("table", body, any_turn(table.random()), {}, false);
+  const job::Paper made = job::paper(table.model(), keeping_faces(), {});
+  const auto most_equal = [&](const unfold::Nets& nets) {
+    std::size_t most = 0;
+    for (const auto& kind : unfold::find_equal_pieces(made.prepared.model.surface, nets)) {
+      most = std::max(most, kind.size());
+    }
+    return most;
+  };
+  unfold::Nets bare = made.nets;
+  bare.tabs = {};
+  CHECK(most_equal(bare) == 4);
+  // Each leg is glued to its own corner of the board, so not every tab can be where another one's is.
+  CHECK(most_equal(made.nets) >= 3);
 }
 
 TEST_CASE("bodies that are nearly equal keep their own nets", "[job][twins]") {
