@@ -319,10 +319,11 @@ TEST_CASE("a file that calls pieces equal that aren't is found", "[job][twins]")
     other = equal ? other : p;
   }
   REQUIRE(other.valid());
+  REQUIRE(other < kind[0].piece);
   const std::string first = entry(kind[0].piece, false);
   CHECK(said("[[" + first + "," + entry(kind[1].piece, false) + "]]").sound());
   CHECK(said("[]").sound());
-  for (const std::string& wrong : {"[[" + first + "," + entry(other, false) + "]]",
+  for (const std::string& wrong : {"[[" + entry(other, false) + "," + entry(kind[0].piece, false) + "]]",
                                    "[[" + first + "," + entry(kind[1].piece, true) + "]]"}) {
     const verify::Report report = said(wrong);
     REQUIRE(report.faults.size() == 1);

@@ -16,18 +16,20 @@ using namespace ridgecraft;
 
 namespace {
 
-/// The same surface several times, far from each other.
-mesh::Surface several(const mesh::Surface& one, std::size_t count) {
+/// The same surface twice, far from each other, the second time mirrored if asked.
+mesh::Surface twice(const mesh::Surface& one, bool mirrored) {
   std::vector<Vec3> points;
   std::vector<std::array<VertexId, 3>> faces;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (const bool second : {false, true}) {
+    const bool turns = second && mirrored;
     const auto first = static_cast<std::uint32_t>(points.size());
     for (const Vec3 p : one.points()) {
-      points.push_back(p + Vec3{1000.0 * static_cast<double>(i), 0.0, 0.0});
+      points.push_back(second ? Vec3{1000.0 + (turns ? -p.x : p.x), p.y, p.z} : p);
     }
     for (const FaceId f : ids<FaceId>(one.face_count())) {
       const auto [a, b, c] = one.vertices(f);
-      faces.push_back({VertexId(first + a.value()), VertexId(first + b.value()), VertexId(first + c.value())});
+      const auto moved = [&](VertexId v) { return VertexId(first + v.value()); };
+      faces.push_back({moved(a), moved(turns ? c : b), moved(turns ? b : c)});
     }
   }
   return {points, faces};
@@ -39,7 +41,7 @@ mesh::Surface odd() {
   });
 }
 
-/// Nets of one body, and of a copy of it with the same folds that is turned and moved, and turned over if asked.
+/// Nets of one body, and of a copy of it, mirrored if it is, whose nets are moved.
 unfold::Nets with_moved_copy(const mesh::Surface& two, bool mirrored, Rigid motion) {
   unfold::Options options;
   options.sheet.reset();
@@ -47,6 +49,7 @@ unfold::Nets with_moved_copy(const mesh::Surface& two, bool mirrored, Rigid moti
   const auto half = static_cast<std::uint32_t>(two.face_count() / 2);
   for (const std::uint32_t first : {0U, half}) {
     prepare::TwinBody& body = twins[0].emplace_back();
+    body.mirrored = mirrored && first == half;
     for (std::uint32_t f = first; f < first + half; ++f) {
       body.faces.emplace_back(f);
     }
@@ -57,18 +60,17 @@ unfold::Nets with_moved_copy(const mesh::Surface& two, bool mirrored, Rigid moti
     part[f] = PartId(f.value() < half ? 0 : 1);
   }
   unfold::Nets nets = unfold::unfold(two, test::no_panels(two), part, options, {});
-  const auto place = [&](Vec2 p) { return motion(mirrored ? Vec2{-p.x, p.y} : p); };
   for (const FaceId f : ids<FaceId>(two.face_count())) {
     if (f.value() >= half) {
       for (Vec2& p : nets.flat[f]) {
-        p = place(p);
+        p = motion(p);
       }
     }
   }
   for (unfold::Tab& tab : nets.tabs) {
     if (mesh::face_of(tab.side).value() >= half) {
       for (Vec2& p : tab.polygon) {
-        p = place(p);
+        p = motion(p);
       }
     }
   }
@@ -78,7 +80,7 @@ unfold::Nets with_moved_copy(const mesh::Surface& two, bool mirrored, Rigid moti
 }  // namespace
 
 TEST_CASE("a copy gets the nets of its original, and both are known as equal", "[equal]") {
-  const mesh::Surface two = several(odd(), 2);
+  const mesh::Surface two = twice(odd(), false);
   const unfold::Nets nets = with_moved_copy(two, false, {});
   CHECK(test::faults_of(two, nets, {}).empty());
   REQUIRE(nets.pieces.size() % 2 == 0);
@@ -90,9 +92,9 @@ TEST_CASE("a copy gets the nets of its original, and both are known as equal", "
 }
 
 TEST_CASE("pieces are equal after any motion, and turned over", "[equal]") {
-  const mesh::Surface two = several(odd(), 2);
   Random random(3);
   for (const bool mirrored : {false, true}) {
+    const mesh::Surface two = twice(odd(), mirrored);
     for (int i = 0; i < 5; ++i) {
       const double angle = 6.28 * random.unit();
       const Rigid motion{std::cos(angle), std::sin(angle), {100.0 * random.unit(), -70.0 * random.unit()}};
@@ -109,7 +111,7 @@ TEST_CASE("pieces are equal after any motion, and turned over", "[equal]") {
           for (std::size_t k = 0; k < 3; ++k) {
             Vec2 p = nets.flat[f][k];
             p = kind[1].motion(mirrored ? Vec2{-p.x, p.y} : p);
-            CHECK(length(p - image[k]) < 1e-6);
+            CHECK(length(p - image[mirrored ? (3 - k) % 3 : k]) < 1e-6);
           }
         }
       }
@@ -118,7 +120,7 @@ TEST_CASE("pieces are equal after any motion, and turned over", "[equal]") {
 }
 
 TEST_CASE("a tab or a fold more makes pieces unequal", "[equal]") {
-  const mesh::Surface two = several(odd(), 2);
+  const mesh::Surface two = twice(odd(), false);
   unfold::Nets nets = with_moved_copy(two, false, {});
   REQUIRE_FALSE(nets.tabs.empty());
   const std::size_t kinds = unfold::find_equal_pieces(two, nets).size();

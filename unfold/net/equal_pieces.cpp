@@ -43,6 +43,9 @@ struct Lines {
 std::vector<Lines> lines_of(const mesh::Surface& surface, const Nets& nets) {
   std::vector<Lines> result(nets.pieces.size());
   for (const FaceId f : ids<FaceId>(nets.piece.size())) {
+    if (!nets.piece[f].valid() || nets.piece[f].value() >= result.size()) {
+      continue;  // of nets of a few pieces, as searches make them
+    }
     Lines& lines = result[nets.piece[f].value()];
     for (unsigned k = 0; k < 3; ++k) {
       const CornerId side = mesh::corner(f, k);

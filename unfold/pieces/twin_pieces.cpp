@@ -27,6 +27,8 @@ bool has_choices(const Patch& patch, const std::vector<std::uint32_t>& faces) {
 
 /// A pair keeps equal by its mirror plane, if at all, and its borders may move together; of three, two would.
 constexpr std::size_t fewest_kept_apart = 4;
+/// In larger models equal pieces aren't looked for: nobody builds them, and there are thousands.
+constexpr std::size_t most_faces_of_twins = 20'000;
 
 /// Costs that differ by less than this share are equal but for rounding.
 constexpr double same_cost = 1e-9;
@@ -36,20 +38,46 @@ bool is_clean(const Patch& patch, const Folds& folds, const Room& room) {
          find_overlaps(lay_out(patch, folds), net_tolerance(patch.extent)).empty();
 }
 
-IdVector<EdgeId, EdgeId> inverse_of(const IdVector<EdgeId, EdgeId>& image) {
-  IdVector<EdgeId, EdgeId> result(image.size());
-  for (const EdgeId e : ids<EdgeId>(image.size())) {
-    if (image[e].valid()) {
-      result[image[e]] = e;
+/// Carries trees over by the edges of twins; one table serves all of them.
+class EdgeImages {
+ public:
+  explicit EdgeImages(const mesh::Surface& surface) : surface_(surface), image_(surface.edge_count()) {}
+
+  [[nodiscard]] std::optional<Folds> carried_over_to(const Patch& first, const Folds& tree, const Patch& own,
+                                                     const TwinPiece& twin) {
+    for (const auto& [original, edge] : twin.edges) {
+      image_[edge] = original;
     }
+    std::optional<Folds> result = carried_over(surface_, first, tree, own, image_);
+    for (const auto& [original, edge] : twin.edges) {
+      image_[edge] = EdgeId();
+    }
+    return result;
   }
-  return result;
-}
+  [[nodiscard]] std::optional<Folds> carried_over_back(const Patch& own, const Folds& tree, const Patch& first,
+                                                       const TwinPiece& twin) {
+    for (const auto& [original, edge] : twin.edges) {
+      image_[original] = edge;
+    }
+    std::optional<Folds> result = carried_over(surface_, own, tree, first, image_);
+    for (const auto& [original, edge] : twin.edges) {
+      image_[original] = EdgeId();
+    }
+    return result;
+  }
+
+ private:
+  const mesh::Surface& surface_;
+  IdVector<EdgeId, EdgeId> image_;
+};
 
 }  // namespace
 
 TwinPieces find_twin_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
                             const Context& context) {
+  if (patch.size() > most_faces_of_twins) {
+    return {};
+  }
   std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;
   std::erase_if(pieces, [&](const auto& faces) { return !has_choices(patch, faces); });
   std::vector<std::vector<FaceId>> bodies;
@@ -67,13 +95,10 @@ TwinPieces find_twin_pieces(const mesh::Surface& surface, const Patch& patch, co
       continue;
     }
     std::vector<TwinPiece>& twins = result.emplace_back();
-    for (const prepare::Twin& twin : kind) {
+    for (prepare::Twin& twin : kind) {
       TwinPiece& piece = twins.emplace_back();
       piece.faces = std::move(pieces[twin.body]);
-      piece.image = IdVector<EdgeId, EdgeId>(surface.edge_count());
-      for (const auto& [first, own] : twin.edges) {
-        piece.image[own] = first;
-      }
+      piece.edges = std::move(twin.edges);
     }
   }
   return result;
@@ -103,6 +128,10 @@ Patch with_twins_apart(const Patch& patch, const Folds& folds, const TwinPieces&
 Folds with_equal_twins(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
                        const TwinPieces& twins, const Room& room, const Weights& weights) {
   Folds result = folds;
+  if (twins.empty()) {
+    return result;
+  }
+  EdgeImages images(surface);
   for (const std::vector<TwinPiece>& kind : twins) {
     // Trees are laid on the first piece, where the best one is chosen, and from there on all others.
     const Patch first = sub_patch(patch, kind[0].faces);
@@ -111,7 +140,7 @@ Folds with_equal_twins(const mesh::Surface& surface, const Patch& patch, const F
     for (std::size_t i = 1; i < kind.size(); ++i) {
       const Folds tree = sub_folds(patch, folds, kind[i].faces);
       std::optional<Folds> copy =
-          carried_over(surface, sub_patch(patch, kind[i].faces), tree, first, inverse_of(kind[i].image));
+          images.carried_over_back(sub_patch(patch, kind[i].faces), tree, first, kind[i]);
       if (copy && is_clean(first, *copy, room)) {
         if (const double cost = cost_of_piece(first, *copy, 1, weights); cost < (1.0 - same_cost) * least) {
           least = cost;
@@ -122,7 +151,7 @@ Folds with_equal_twins(const mesh::Surface& surface, const Patch& patch, const F
     put_back(patch, kind[0].faces, best, result);
     for (std::size_t i = 1; i < kind.size(); ++i) {
       const Patch own = sub_patch(patch, kind[i].faces);
-      const std::optional<Folds> copy = carried_over(surface, first, best, own, kind[i].image);
+      const std::optional<Folds> copy = images.carried_over_to(first, best, own, kind[i]);
       if (copy && is_clean(own, *copy, room)) {
         put_back(patch, kind[i].faces, *copy, result);
       }

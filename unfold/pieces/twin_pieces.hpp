@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "base/context.hpp"
@@ -16,7 +17,7 @@ namespace ridgecraft::unfold {
 /// A piece whose faces lie like those of the first of its kind.
 struct TwinPiece {
   std::vector<std::uint32_t> faces;  ///< of the whole patch, ascending
-  IdVector<EdgeId, EdgeId> image;    ///< of its edges: that of the first piece; none elsewhere
+  std::vector<std::pair<EdgeId, EdgeId>> edges;  ///< of the first piece, and of this one
 };
 
 /// Kinds of two or more pieces.

@@ -106,6 +106,9 @@ void read_equal_pieces(const Json& json, File& file) {
       if (named[piece]) {
         refuse("piece {} is named twice among equal pieces", piece);
       }
+      if (!pieces.empty() && piece < pieces.back().piece) {
+        refuse("the pieces of {} are not in their order", where);
+      }
       named[piece] = true;
       pieces.push_back({piece, mirrored.get<bool>()});
     }

@@ -118,6 +118,13 @@ class TabCopier {
 
 void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector<TabSite>& sites,
                const TabOptions& options, std::vector<std::optional<ChosenTab>>& chosen) {
+  std::size_t faces = 0;
+  for (const Piece& piece : nets.pieces) {
+    faces += piece.faces.size();
+  }
+  if (faces < nets.piece.size()) {
+    return;  // a few pieces of a search
+  }
   const std::vector<std::vector<EqualPiece>> kinds = find_equal_pieces(surface, nets);
   if (kinds.empty()) {
     return;
