@@ -99,7 +99,7 @@ Laying laying(DrawnLine from, const DrawnLine& to, bool mirrored) {
   return result;
 }
 
-bool near(Vec2 p, Vec2 q) {
+bool lie_together(Vec2 p, Vec2 q) {
   return length(p - q) <= equal_pieces_mm;
 }
 
@@ -114,7 +114,7 @@ bool all_lie_on(const std::vector<DrawnLine>& lines, const std::vector<DrawnLine
         [](const DrawnLine& other, double x) { return other.from.x + other.to.x < x; });
     for (auto at = first; at != others.end() && at->from.x + at->to.x <= middle + 2.0 * equal_pieces_mm; ++at) {
       if (std::abs(at->fold - line.fold) <= equal_folds &&
-          ((near(from, at->from) && near(to, at->to)) || (near(from, at->to) && near(to, at->from)))) {
+          ((lie_together(from, at->from) && lie_together(to, at->to)) || (lie_together(from, at->to) && lie_together(to, at->from)))) {
         return true;
       }
     }
