@@ -187,6 +187,34 @@ void add_extra_pieces(Summary& summary, const unfold::Nets& nets) {
   }
 }
 
+void add_equal_pieces(Summary& summary, const unfold::Nets& nets, const std::vector<paper::PieceKind>& kinds) {
+  constexpr std::size_t most_kinds = 8;
+  constexpr std::size_t most_names = 8;
+  Value list(Value::List{});
+  std::string text;
+  const auto names = [&](const std::vector<PieceId>& pieces) {
+    Value all(Value::List{});
+    for (const PieceId piece : pieces) {
+      all.add(nets.pieces[piece].name);
+    }
+    return all;
+  };
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const paper::PieceKind& kind = kinds[i];
+    list.add(Value::Object{{"count", kind.count()},
+                           {"of", kind.name.empty() ? Value() : Value(kind.name)},
+                           {"pieces", names(kind.pieces)},
+                           {"mirrored", names(kind.mirrored)}});
+    if (i < most_kinds) {
+      text += (i == 0 ? "" : "; ") + paper::kind_words(nets, kind, most_names);
+    }
+  }
+  if (kinds.size() > most_kinds) {
+    text += fmt::format("; {} more kinds", kinds.size() - most_kinds);
+  }
+  summary.add("equal_pieces", std::move(list), Line::equal, "equal", std::move(text));
+}
+
 TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,
                        const unfold::TabOptions& options) {
   return {nets.tabs.size(), unfold::tabs_usable(surface, nets, options),

@@ -7,18 +7,14 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// Paths between two looks at the clock.
-constexpr std::uint64_t paths_per_look = 64;
 /// Paths for each trial, at most: most find no clean swap that is worth it.
 constexpr std::uint64_t paths_per_trial = 10;
 /// Angles may be wrong about the tabs by as much, mm: what costs more than may be spent and this isn't looked
 /// at.
 constexpr double exact_slack = 15.0;
 /// Heats at the beginning and the end, mm.
-constexpr double first_heat = 1.0;
-constexpr double last_heat = 0.3;
-/// Less than this is rounding, mm.
-constexpr double better_by = 1e-6;
+constexpr double exact_first_heat = 1.0;
+constexpr double exact_last_heat = 0.3;
 
 }  // namespace
 
@@ -43,7 +39,7 @@ Folds ExactWalk::run(const Annealing& rules, const Context& context) {
       }
     }
     std::uint64_t trials = 0;
-    if (step(between(first_heat, last_heat, made_, rules.exact_trials), trials)) {
+    if (step(between(exact_first_heat, exact_last_heat, made_, rules.exact_trials), trials)) {
       remember();
     }
   }

@@ -7,8 +7,6 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// Paths between two looks at the clock.
-constexpr std::uint64_t paths_per_look = 64;
 /// Heat at the end, mm.
 constexpr double last_heat = 0.5;
 /// Cost of an overlap, mm, at first and at last.
@@ -21,8 +19,6 @@ constexpr double last_meeting_price = 100.0;
 /// times the heat: its shape may make up for it.
 constexpr double least_slack = 4.0;
 constexpr double slack_of_heat = 2.0;
-/// Less than this is rounding, mm.
-constexpr double better_by = 1e-6;
 
 /// How many pairs more than none may come for so much, one too many: negative where some must go.
 std::int64_t limit_of(double may_cost, double price) {

@@ -15,7 +15,7 @@ constexpr double chosen_share = 0.4;
 constexpr int draws = 6;
 /// The first of two swaps that are made together may cost so much more, mm, than both: the second may win it
 /// back.
-constexpr double least_slack = 4.0;
+constexpr double slack_of_pair = 4.0;
 
 /// One side of each cut that could be a fold.
 std::vector<std::uint32_t> cuts_of(const Patch& patch, const Folds& folds) {
@@ -125,7 +125,7 @@ bool Walk::make_both(const Swap& swap, const Swap& image, double may_cost) {
   // Alone it costs what makes the net uneven; that is won back by its image.
   const std::uint32_t fold = net_.tree().side_above(swap.below);
   const double uneven = energy_.cut_costs().mirror_price(swap.side) + energy_.cut_costs().mirror_price(fold);
-  const std::optional<double> first = make(swap, uneven + std::max(0.0, may_cost) + least_slack);
+  const std::optional<double> first = make(swap, uneven + std::max(0.0, may_cost) + slack_of_pair);
   if (!first) {
     return false;
   }

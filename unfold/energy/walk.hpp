@@ -12,6 +12,11 @@
 
 namespace ridgecraft::unfold {
 
+/// Paths between two looks at the clock.
+inline constexpr std::uint64_t paths_per_look = 64;
+/// A tree is better by more than this, mm: less is rounding.
+inline constexpr double better_by = 1e-6;
+
 /// A net that is walked through: how a swap is made, and what it then costs, is up to those that derive from
 /// it.
 class Walk {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/id.hpp"
+#include "base/motion.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::unfold {
@@ -89,6 +90,14 @@ struct Tab {
   std::vector<Vec2> polygon;
 };
 
+/// A piece that is equal on paper to the first of its kind, turned over where it is its mirror image.
+struct EqualPiece {
+  PieceId piece;
+  bool mirrored = false;
+  /// Lays the first piece of its kind on this one, after x is -x for all of it where it is mirrored.
+  Rigid motion = {};
+};
+
 struct Nets {
   IdVector<EdgeId, EdgeUse> use;               ///< of each edge of the surface
   IdVector<FaceId, PieceId> piece;             ///< of each face
@@ -96,6 +105,8 @@ struct Nets {
   IdVector<PieceId, Piece> pieces;
   IdVector<JoinId, Join> joins;  ///< one for each cut edge, in the order of their numbers
   IdVector<TabId, Tab> tabs;
+  /// Kinds of pieces that there are several of, tabs and folds and all (equal_pieces.hpp).
+  std::vector<std::vector<EqualPiece>> equal;
   /// Facts about the search that a report tells: seconds are kept out, so that two runs give the same bytes.
   std::vector<std::string> notes;
 };

@@ -20,10 +20,8 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// How parts lie is told by their borders: what isn't even of them would speak against evening pieces.
-constexpr std::size_t one_part = 1;
 /// Less than this is rounding, mm.
-constexpr double better_by = 1e-6;
+constexpr double cheaper_by = 1e-6;
 
 using Faces = std::vector<std::uint32_t>;
 
@@ -66,7 +64,7 @@ class Evening {
       const std::optional<Folds> even = evened(above);
       if (even) {
         const double cost = cost_of(*even);
-        if (cost < least - better_by) {
+        if (cost < least - cheaper_by) {
           least = cost;
           best = *even;
         }
@@ -137,6 +135,7 @@ class Evening {
     double sum = weights_.mirror * unevenness(surface_, patch_, folds, images_);
     for (Faces& faces : lay_out(patch_, folds).faces) {
       std::sort(faces.begin(), faces.end());
+      // How parts lie is told by their borders: what isn't even of them would speak against evening pieces.
       sum += cost_of_piece(sub_patch(patch_, faces), sub_folds(patch_, folds, faces), one_part, weights_);
     }
     return sum;

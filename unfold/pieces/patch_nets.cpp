@@ -222,6 +222,11 @@ class PatchUnfolder {
 
   /// No single net was found so far. `searched`: the patch, or the same with loose panels.
   void cut_conflicts(const Patch& searched, const NetFound& failed) {
+    if (effort_ == Effort::brief) {
+      const Folds cut = split_overlaps(searched, failed.folds, tolerance_);
+      propose(merge_pieces(searched, cut, Room(), tolerance_, merge_budget, context_));
+      return;
+    }
     const FewestPieces few = fewest_pieces(searched, failed, tolerance_, random_.next(), context_);
     proven_least_ = few.proven_least;
     out_of_time_ = effort_ == Effort::full && context_.out_of_time();
