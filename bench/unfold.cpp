@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How surely and how fast models become one net:
 //
-//   bench_unfold [--seeds N] [--json FILE] [--check] [--psb FOLDER] [--parts FOLDER] [--limit SECONDS]
-//   MODEL...
+//   bench_unfold [--seeds N] [--json FILE] [--check] [--spiky] [--psb FOLDER] [--parts FOLDER]
+//   [--limit SECONDS] MODEL...
 //
-// Each MODEL is unfolded as it is, panels loose. --psb names the folder of the Princeton benchmark's meshes
+// Each MODEL is unfolded as it is, panels loose; --spiky adds the family of bench/spiky_bodies.hpp. --psb names the folder of the Princeton benchmark's meshes
 // (1.off, 3.off, ...): the 3rd, 9th and 15th of each category are simplified to 200, 500, 1000, 2000 and 5000
 // faces and unfolded. --parts names it too: the 3rd of each category is segmented as it is, and its parts
 // with 2000 to 7000 faces are unfolded within --limit seconds (10). One thread; seconds are CPU time of one
@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "bench/spiky_bodies.hpp"
 #include "bench/unfold_runs.hpp"
 #include "mesh/mesh.hpp"
 #include "prepare/prepare.hpp"
@@ -33,6 +34,7 @@ namespace fs = std::filesystem;
 
 struct Settings {
   Runs runs;
+  bool spiky = false;
   std::string json;
   std::string psb;
   std::string parts;
@@ -57,6 +59,22 @@ std::vector<Row> run_models(const Settings& settings) {
     row.faces = surface.face_count();
     run(surface, all_faces(surface), settings.runs, row);
     print(row);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<Row> run_spiky(const Settings& settings) {
+  std::vector<Row> rows;
+  for (const SpikyBody& body : spiky_family()) {
+    Row row;
+    row.name = "spiky " + body.name;
+    row.faces = body.surface.face_count();
+    run(body.surface, all_faces(body.surface), settings.runs, row);
+    print(row);
+    for (const std::size_t pieces : row.pieces_left) {
+      std::printf("%-22s becomes %zu pieces\n", "", pieces);
+    }
     rows.push_back(std::move(row));
   }
   return rows;
@@ -172,6 +190,8 @@ Settings parse(int argc, char** argv) {
     const bool has_value = i + 1 < argc;
     if (word == "--check") {
       settings.runs.check = true;
+    } else if (word == "--spiky") {
+      settings.spiky = true;
     } else if (word == "--seeds" && has_value) {
       settings.runs.seeds = std::stoi(argv[++i]);
     } else if (word == "--json" && has_value) {
@@ -198,6 +218,10 @@ int main(int argc, char** argv) {
                 "90 % s", "max s", "iterations");
     std::vector<Row> rows = run_models(settings);
     double growth = 0.0;
+    if (settings.spiky) {
+      const std::vector<Row> more = run_spiky(settings);
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
     if (!settings.psb.empty()) {
       std::vector<Row> more = run_benchmark(settings);
       growth = exponent(more);

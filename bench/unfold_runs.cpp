@@ -7,10 +7,7 @@
 #include <limits>
 
 #include "unfold/net/tolerance.hpp"
-#include "unfold/patch/layout.hpp"
-#include "unfold/pieces/merge_pieces.hpp"
-#include "unfold/pieces/overlap_split.hpp"
-#include "unfold/pieces/page_split.hpp"
+#include "unfold/pieces/fewest_pieces.hpp"
 #include "unfold/search/net_search.hpp"
 
 namespace ridgecraft::bench {
@@ -20,14 +17,6 @@ double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Pieces that the best tree is cut into where it overlaps.
-std::size_t pieces_of(const unfold::Patch& patch, const unfold::Folds& folds, double tolerance) {
-  const unfold::Folds cut = unfold::split_overlaps(patch, folds, tolerance);
-  const unfold::Room anywhere;
-  const unfold::Folds merged = unfold::merge_pieces(patch, cut, anywhere, tolerance, 100'000'000, {});
-  return unfold::lay_out(patch, merged).faces.size();
 }
 
 }  // namespace
@@ -55,18 +44,23 @@ void run(const mesh::Surface& surface, std::span<const FaceId> faces, const Runs
     unfold::NetSearch options;
     options.tolerance = unfold::search_tolerance * patch.extent;
     options.iterations = unfold::iteration_budget(patch.size());
+    options.idle = unfold::idle_iterations(patch.size());
     const unfold::NetFound found =
         unfold::find_net(patch, options, static_cast<std::uint64_t>(seed), context);
+    unfold::FewestPieces few{found.folds, 1, 1};
+    if (found.overlaps > 0) {
+      few = unfold::fewest_pieces(patch, found, options.tolerance, static_cast<std::uint64_t>(seed), context);
+    }
     row.seconds.push_back(cpu_seconds() - start);
     row.iterations.push_back(static_cast<double>(found.iterations));
-    if (found.overlaps > 0) {
-      row.pieces_left.push_back(pieces_of(patch, found.folds, options.tolerance));
+    if (few.pieces > 1) {
+      row.pieces_left.push_back(few.pieces);
       continue;
     }
     ++row.solved;
     if (runs.check) {
       ++row.checked;
-      row.false_successes += is_net(surface, patch, found.folds, options.tolerance) ? 0U : 1U;
+      row.false_successes += is_net(surface, patch, few.folds, options.tolerance) ? 0U : 1U;
     }
   }
 }

@@ -27,12 +27,13 @@ struct Row {
   std::size_t false_successes = 0;
   std::vector<double> seconds;
   std::vector<double> iterations;
-  std::vector<std::size_t> pieces_left;  ///< per run that wasn't solved: pieces of its best tree
+  std::vector<std::size_t> pieces_left;  ///< per run that wasn't solved: the fewest pieces that were found
 };
 
 [[nodiscard]] std::vector<FaceId> all_faces(const mesh::Surface& surface);
 
-/// Searches a net of these faces with seeds 1 .. runs.seeds, panels loose, and adds the runs to the row.
+/// Searches a net of these faces with seeds 1 .. runs.seeds, panels loose, as long as the program does, and adds
+/// the runs to the row.
 void run(const mesh::Surface& surface, std::span<const FaceId> faces, const Runs& runs, Row& row);
 
 void add(const Row& from, Row& to);

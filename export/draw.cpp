@@ -10,16 +10,24 @@
 #include "export/page/piece_drawing.hpp"
 #include "export/page/text_placement.hpp"
 #include "export/sheet/bodies.hpp"
+#include "export/sheet/piece_kinds.hpp"
 
 namespace ridgecraft::paper {
 
 namespace {
 
-/// For each piece the words that say which of several separate bodies it belongs to, and, where no number
-/// does, beside which piece. O(pieces + joins).
-IdVector<PieceId, std::vector<std::string>> body_notes(const mesh::Surface& surface, const unfold::Nets& nets,
-                                                       const std::vector<Body>& bodies) {
+/// For each piece the words that say which others are equal, which of several separate bodies it belongs to,
+/// and, where no number does, beside which piece. O(pieces + joins).
+IdVector<PieceId, std::vector<std::string>> piece_notes(const mesh::Surface& surface, const unfold::Nets& nets,
+                                                        const std::vector<Body>& bodies,
+                                                        const std::vector<PieceKind>& kinds) {
+  constexpr std::size_t most_names = 4;  // as many as find room on a small piece
   IdVector<PieceId, std::vector<std::string>> notes(nets.pieces.size());
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    for (const unfold::EqualPiece& equal : nets.equal[i]) {
+      notes[equal.piece].push_back(kind_words(nets, kinds[i], most_names));
+    }
+  }
   IdVector<PieceId, bool> joined(nets.pieces.size());
   for (const unfold::Join& join : nets.joins) {
     for (const CornerId side : surface.sides(join.edge)) {
@@ -43,7 +51,8 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
                           const Style& style, DrawReport* report, const Context& context) {
   DrawReport sum;
   sum.bodies = find_bodies(model, nets);
-  const auto notes = body_notes(model.model.surface, nets, sum.bodies);
+  sum.kinds = find_piece_kinds(model, nets);
+  const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds);
   const auto neighbours = find_neighbours(model.model.surface, nets);
   std::vector<std::vector<Text>> indices;
   const auto contents = piece_contents(model.model.surface, nets);
@@ -58,7 +67,7 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   for (std::size_t i = 0; i < pages.count; ++i) {
     context.check();
     place_texts(pieces[i], pages.paper.size, piece_box(pages.paper), style, sum, context);
-    indices.push_back(page_index(nets, pages, PageId(i), neighbours, pieces[i]));
+    indices.push_back(page_index(nets, pages, PageId(i), neighbours, sum.kinds, pieces[i]));
     Drawing drawing;
     drawing.size = pages.paper.size;
     drawing.title = printable_utf8(model.model.name);

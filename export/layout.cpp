@@ -10,6 +10,7 @@
 #include "export/export.hpp"
 #include "export/packing/clearance.hpp"
 #include "export/packing/packing.hpp"
+#include "export/packing/rows.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -108,6 +109,20 @@ PackingTask task_of(const Nets& nets, const Paper& paper) {
   return task;
 }
 
+/// Equal pieces as the packer sees them.
+std::vector<AlikeShapes> alike_shapes(const Nets& nets) {
+  std::vector<AlikeShapes> kinds;
+  for (const std::vector<unfold::EqualPiece>& equal : nets.equal) {
+    AlikeShapes& kind = kinds.emplace_back();
+    for (const unfold::EqualPiece& piece : equal) {
+      kind.shapes.push_back(piece.piece.value());
+      kind.motion.push_back(piece.motion.inverse());
+      kind.mirrored.push_back(piece.mirrored);
+    }
+  }
+  return kinds;
+}
+
 }  // namespace
 
 Pages layout(const Nets& nets, const Paper& paper, const Context& context) {
@@ -117,7 +132,7 @@ Pages layout(const Nets& nets, const Paper& paper, const Context& context) {
   Pages pages;
   pages.paper = paper;
   const Vec2 corner = piece_box(paper).low;
-  for (const Packed& packed : pack(task, context)) {
+  for (const Packed& packed : pack_in_rows(task, alike_shapes(nets), context)) {
     Placement placement;
     placement.page = PageId(packed.page);
     placement.cosine = packed.turn.cosine;

@@ -32,7 +32,8 @@ prepare::PanelRoom panel_room(const Options& options) {
   return {area.x, area.y, options.paper && options.tabs.wanted ? options.tabs.height_mm : 0.0};
 }
 
-unfold::Options unfold_options(const Options& options, unfold::EdgeWishes wishes) {
+unfold::Options unfold_options(const Options& options, const prepare::Prepared& prepared,
+                               unfold::EdgeWishes wishes) {
   unfold::Options unfolding;
   if (options.paper) {
     const Vec2 area = room_for_pieces(options);
@@ -42,6 +43,7 @@ unfold::Options unfold_options(const Options& options, unfold::EdgeWishes wishes
   unfolding.panel_cuts = options.panel_cuts;
   unfolding.pieces = options.pieces;
   unfolding.wishes = std::move(wishes);
+  unfolding.twins = prepared.twins;
   return unfolding;
 }
 
@@ -148,7 +150,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   made.part_count = count_parts(made.part);
   made.nets = clock("unfold", context, [&] {
     return unfold::unfold(surface, made.prepared.panels, made.part,
-                          unfold_options(options, std::move(wishes)), context);
+                          unfold_options(options, made.prepared, std::move(wishes)), context);
   });
   made.nets.notes.insert(made.nets.notes.begin(), notes.begin(), notes.end());
   if (options.paper) {
@@ -169,8 +171,8 @@ Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& conte
   made.options.tabs.split_pieces = were_split;
   StageClock clock = clock_of(made);
   clock("tabs", context, [&] {
-    unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels, unfold_options(made.options, {}),
-                         made.nets, context);
+    unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels,
+                         unfold_options(made.options, made.prepared, {}), made.nets, context);
     return true;
   });
   return with_new_nets(std::move(made), std::move(clock), context);

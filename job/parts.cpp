@@ -2,6 +2,8 @@
 #include "job/parts.hpp"
 
 #include <algorithm>
+#include <map>
+#include <vector>
 
 #include "base/error.hpp"
 #include "segment/segment.hpp"
@@ -22,6 +24,28 @@ IdVector<FaceId, PartId> one_part_per_component(const mesh::Surface& surface) {
   return part;
 }
 
+/// Copies of a body get its parts, where these are its own; all are numbered by their smallest faces again.
+void copy_parts(const prepare::TwinBodies& twins, IdVector<FaceId, PartId>& part) {
+  if (twins.empty()) {
+    return;
+  }
+  std::size_t next = part.size();
+  for (const std::vector<prepare::TwinBody>& kind : twins) {
+    for (std::size_t b = 1; b < kind.size(); ++b) {
+      std::map<PartId, PartId> image;
+      for (std::size_t i = 0; i < kind[b].faces.size(); ++i) {
+        const auto [at, fresh] = image.try_emplace(part[kind[0].faces[i]], PartId(next));
+        next += fresh ? 1U : 0U;
+        part[kind[b].faces[i]] = at->second;
+      }
+    }
+  }
+  std::map<PartId, PartId> number;
+  for (PartId& p : part) {
+    p = number.try_emplace(p, PartId(number.size())).first->second;
+  }
+}
+
 }  // namespace
 
 Parts find_parts(const prepare::Prepared& prepared, const Options& options, const Context& context) {
@@ -32,10 +56,12 @@ Parts find_parts(const prepare::Prepared& prepared, const Options& options, cons
   try {
     const segment::Segmentation found = segment::segment(surface, {}, {.concavity = options.concavity},
                                                          until_deadline(context, segmentation_share));
-    return {unfold::even_parts(surface, prepared.panels,
-                               unfold::parts_of_whole_panels(surface, prepared.panels, found.part),
-                               options.pieces.weights),
-            false};
+    Parts parts{unfold::even_parts(surface, prepared.panels,
+                                   unfold::parts_of_whole_panels(surface, prepared.panels, found.part),
+                                   options.pieces.weights),
+                false};
+    copy_parts(prepared.twins, parts.of_face);
+    return parts;
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::out_of_time) {
       throw;

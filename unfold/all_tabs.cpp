@@ -10,7 +10,7 @@
 #include "unfold/nets_of_folds.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/tab_split.hpp"
-#include "unfold/replace_tabs.hpp"
+#include "unfold/give_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 
 namespace ridgecraft::unfold {
@@ -35,7 +35,7 @@ AllTabs give_all_tabs(const Asked& asked, const Plan& plan, const Patch& patch, 
   const NetsOf nets_of = [&](const Folds& tried) {
     Nets nets = nets_of_folds(asked.surface, asked.part, patch, tried, causes);
     close_flat_cuts(asked.surface, asked.panels, plan.possible_wishes, nets);
-    replace_tabs(asked.surface, asked.panels, asked.options, nets, context);
+    give_tabs(asked.surface, asked.panels, asked.options, nets, context);
     return nets;
   };
   TabSplit split = split_for_tabs(asked.surface, asked.panels, patch, folds, plan.room, asked.options.tabs,

@@ -2,6 +2,7 @@
 #include "unfold/linear_folding.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "unfold/net/tolerance.hpp"
@@ -14,16 +15,16 @@ LinearFolding fold_together(const Plan& plan, const Patch& patch, Folds folds, C
                             const Context& context) {
   LinearSplit split =
       split_to_fold_together(patch, folds, plan.room, net_tolerance(patch.extent), context.seed, context);
-  LinearFolding result{std::move(split.folds), std::move(causes), {}};
-  const std::size_t pieces = blame(patch, folds, result.folds, PieceReason::folding, result.causes);
-  result.note = (pieces == 0   ? std::string("no piece had to be")
-                 : pieces == 1 ? std::string("1 piece was")
-                               : std::to_string(pieces) + " pieces were") +
-                " split off so that all fold up with all creases together";
+  LinearFolding result{std::move(split.folds), std::move(causes)};
+  result.split_pieces = blame(patch, folds, result.folds, PieceReason::folding, result.causes);
   return result;
 }
 
-void note_not_linear(Nets& nets) {
+void note_linear_folding(std::size_t split_pieces, Nets& nets) {
+  nets.notes.push_back((split_pieces == 0   ? std::string("no piece had to be")
+                        : split_pieces == 1 ? std::string("1 piece was")
+                                            : std::to_string(split_pieces) + " pieces were") +
+                       " split off so that all fold up with all creases together");
   const auto others = std::count_if(nets.pieces.begin(), nets.pieces.end(), [](const Piece& piece) {
     return piece.folding.way != FoldWay::together;
   });

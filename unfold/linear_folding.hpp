@@ -2,7 +2,7 @@
 // Pieces are split until each folds up with all creases together, where that is the rule.
 #pragma once
 
-#include <string>
+#include <cstddef>
 
 #include "base/context.hpp"
 #include "unfold/net/nets.hpp"
@@ -14,15 +14,16 @@ namespace ridgecraft::unfold {
 
 struct LinearFolding {
   Folds folds;
-  Causes causes;     ///< pieces that were split off are there for folding
-  std::string note;  ///< how many there are
+  Causes causes;  ///< pieces that were split off are there for folding
+  std::size_t split_pieces = 0;  ///< how many there are
 };
 
 /// Splits pieces of these folds as pieces/linear_split.hpp does. `patch`: whole_patch. Throws Error(interrupted).
 [[nodiscard]] LinearFolding fold_together(const Plan& plan, const Patch& patch, Folds folds, Causes causes,
                                           const Context& context);
 
-/// Pieces that don't fold so all the same, of finished nets, as a note of theirs; none where there are none.
-void note_not_linear(Nets& nets);
+/// What that came to, of finished nets, as notes of theirs: how many pieces were split off, and how many don't
+/// fold so all the same.
+void note_linear_folding(std::size_t split_pieces, Nets& nets);
 
 }  // namespace ridgecraft::unfold

@@ -35,20 +35,37 @@ PieceReason most_frequent_cause(const Causes& causes, const std::vector<std::uin
   return most == count.end() ? otherwise : most->first;
 }
 
-/// The largest piece of each part stands for it; why is any other one there?
+/// Share of these faces that a step cut off.
+double share_cut_off(const Causes& causes, const std::vector<std::uint32_t>& faces) {
+  const auto cut = std::count_if(faces.begin(), faces.end(),
+                                 [&](std::uint32_t f) { return causes[f] != PieceReason::part; });
+  return static_cast<double>(cut) / static_cast<double>(faces.size());
+}
+
+/// The largest piece of each part stands for it; why is any other one there? Where borders have moved, a part may
+/// have no piece that is mostly its own: then another one stands for it, those that least was cut off of.
 void find_reasons(const Causes& causes, const IdVector<FaceId, PartId>& part, std::vector<Draft>& drafts) {
   std::map<PartId, std::vector<std::uint32_t>> faces_of;
+  std::vector<std::uint32_t> all;
   for (const FaceId f : ids<FaceId>(part.size())) {
     faces_of[part[f]].push_back(f.value());
+    all.push_back(f.value());
   }
-  std::map<PartId, PieceReason> usual;
-  for (const auto& [p, faces] : faces_of) {
-    usual[p] = most_frequent_cause(causes, faces, PieceReason::page);
-  }
+  std::vector<std::size_t> others;
   for (std::size_t i = 1; i < drafts.size(); ++i) {
     if (drafts[i].part == drafts[i - 1].part) {
-      drafts[i].reason = most_frequent_cause(causes, drafts[i].faces, usual[drafts[i].part]);
+      others.push_back(i);
     }
+  }
+  const std::size_t parts_without = faces_of.size() - (drafts.size() - others.size());
+  std::stable_sort(others.begin(), others.end(), [&](std::size_t i, std::size_t j) {
+    return share_cut_off(causes, drafts[i].faces) < share_cut_off(causes, drafts[j].faces);
+  });
+  for (std::size_t i = parts_without; i < others.size(); ++i) {
+    Draft& draft = drafts[others[i]];
+    const PieceReason anywhere = most_frequent_cause(causes, all, PieceReason::part);
+    draft.reason = most_frequent_cause(causes, draft.faces,
+                                       most_frequent_cause(causes, faces_of[draft.part], anywhere));
   }
 }
 

@@ -23,21 +23,6 @@ namespace {
 /// search would take all the time it may, some twenty seconds for 800 polygons, and nobody builds the result.
 constexpr std::size_t most_flat_faces = 300;
 
-/// Faces that no sheet holds can't be cut from any.
-void refuse_large_faces(const mesh::Surface& surface, const std::optional<Sheet>& sheet) {
-  if (!sheet) {
-    return;
-  }
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const auto [a, b, c] = surface.vertices(f);
-    const Triangle t = flat_shape(surface.point(a), surface.point(b), surface.point(c));
-    if (!angle_to_fit(convex_hull({t.begin(), t.end()}), *sheet)) {
-      throw Error(ErrorKind::no_nets,
-                  "face " + std::to_string(f.value()) + " is larger than the printable area of the paper");
-    }
-  }
-}
-
 Room room_of(const Options& options) {
   return {options.sheet, options.tabs.wanted ? options.tabs.height_mm : 0.0, options.pieces.max_panels};
 }
@@ -70,8 +55,23 @@ void look_for_flatness(const mesh::Surface& surface, Plan& plan) {
 
 }  // namespace
 
+void refuse_large_faces(const Asked& asked) {
+  const mesh::Surface& surface = asked.surface;
+  const std::optional<Sheet>& sheet = asked.options.sheet;
+  if (!sheet) {
+    return;
+  }
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const auto [a, b, c] = surface.vertices(f);
+    const Triangle t = flat_shape(surface.point(a), surface.point(b), surface.point(c));
+    if (!angle_to_fit(convex_hull({t.begin(), t.end()}), *sheet)) {
+      throw Error(ErrorKind::no_nets,
+                  "face " + std::to_string(f.value()) + " is larger than the printable area of the paper");
+    }
+  }
+}
+
 Plan make_plan(const Asked& asked, const Context& context) {
-  refuse_large_faces(asked.surface, asked.options.sheet);
   Plan plan;
   plan.room = room_of(asked.options);
   plan.whole = fitting_panels(asked.surface, asked.panels, plan.room, context, plan.notes);

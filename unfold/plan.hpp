@@ -39,8 +39,10 @@ struct Plan {
   std::vector<std::string> notes;  ///< for Nets::notes
 };
 
-/// O(n) but for regions that have to be divided and wishes. Throws Error(no_nets) where a face is larger than
-/// the sheet, Error(interrupted).
+/// Throws Error(no_nets) where a face is larger than the sheet: it can't be cut from any. O(n).
+void refuse_large_faces(const Asked& asked);
+
+/// O(n) but for regions that have to be divided and wishes. Throws Error(interrupted).
 [[nodiscard]] Plan make_plan(const Asked& asked, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -1,22 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/replace_tabs.hpp"
 
+#include <optional>
+
+#include "unfold/give_tabs.hpp"
+#include "unfold/net/equal_pieces.hpp"
 #include "unfold/net/joins.hpp"
-#include "unfold/tabs/place/fit.hpp"
-#include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/one_of_each.hpp"
+#include "unfold/plan.hpp"
 
 namespace ridgecraft::unfold {
 
 void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
                   Nets& nets, const Context& context) {
-  nets.tabs = {};
-  number_joins(surface, nets);
-  if (options.tabs.wanted) {
-    place_tabs(surface, panels, options.tabs, nets, context);
-    if (options.sheet) {
-      fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context);
-    }
+  IdVector<FaceId, PartId> part(surface.face_count());  // that each body has its own is all that counts
+  for (const FaceId f : ids<FaceId>(part.size())) {
+    part[f] = PartId(surface.component(f).value());
   }
+  const Asked whole{surface, panels, part, options};
+  const std::optional<OneOfEach> each = one_of_each(whole);
+  std::optional<Nets> originals = each ? without_copies(whole, *each, nets) : std::nullopt;
+  if (originals) {
+    give_tabs(each->kept.surface, each->panels, each->options, *originals, context);
+    number_joins(surface, nets);
+    copy_tabs(whole, *each, *originals, nets);
+  } else {
+    give_tabs(surface, panels, options, nets, context);
+  }
+  nets.equal = find_equal_pieces(surface, nets);
 }
 
 }  // namespace ridgecraft::unfold

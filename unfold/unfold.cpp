@@ -2,6 +2,8 @@
 // The stage as a whole: parts by themselves, then one set of pieces, then what belongs on each.
 #include "unfold/unfold.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -9,7 +11,8 @@
 #include "base/parallel.hpp"
 #include "unfold/all_tabs.hpp"
 #include "unfold/folding/fold_order.hpp"
-#include "unfold/linear_folding.hpp"
+#include "unfold/give_tabs.hpp"
+#include "unfold/net/equal_pieces.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/nets_of_folds.hpp"
 #include "unfold/patch/check.hpp"
@@ -17,10 +20,12 @@
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/even_pieces.hpp"
+#include "unfold/linear_folding.hpp"
+#include "unfold/one_of_each.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/part_merging.hpp"
+#include "unfold/pieces/twin_pieces.hpp"
 #include "unfold/plan.hpp"
-#include "unfold/replace_tabs.hpp"
 #include "unfold/unfolded_parts.hpp"
 
 namespace ridgecraft::unfold {
@@ -62,6 +67,26 @@ void insist_on_no_overlap(const Nets& nets) {
   }
 }
 
+/// How many pieces that are there for a reason came with copies of bodies.
+std::size_t more_pieces(const Nets& originals, const Nets& all, PieceReason reason) {
+  const auto count = [&](const Nets& nets) {
+    return std::count_if(nets.pieces.begin(), nets.pieces.end(),
+                         [&](const Piece& piece) { return piece.reason == reason; });
+  };
+  return static_cast<std::size_t>(count(all) - count(originals));
+}
+
+/// What is told of finished nets.
+void note_result(const Asked& asked, const AllTabs& split, std::size_t split_off_to_fold, Nets& nets) {
+  note_broken_wishes(asked.options.wishes, nets);
+  if (asked.options.pieces.fold_linear) {
+    note_linear_folding(split_off_to_fold, nets);
+  }
+  if (wants_all_tabs(asked.options)) {
+    note_all_tabs(asked, split, nets);
+  }
+}
+
 /// Which faces make a piece, and over which edges: first each part, then neighbours in one, then other trees
 /// of the same faces.
 struct Search {
@@ -70,34 +95,40 @@ struct Search {
   std::vector<std::string> notes;
 };
 
-Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Context& context) {
+/// `mirrored`: which edges are mirror images of each other; asked for when it is needed.
+template <class FindImages>
+Search search(const Asked& asked, const Plan& plan, const Patch& patch, const FindImages& mirror_images_here,
+              const Context& context) {
   UnfoldedParts parts = unfold_parts(asked, plan, context);
   const PieceRules& rules = asked.options.pieces;
   const Folds merged = rules.merge
                            ? merge_parts(patch, asked.part.items(), parts.folds, plan.room, rules.weights,
                                          net_tolerance(patch.extent), context.seed, context)
                            : std::move(parts.folds);
-  const MirrorImages images =
-      context.out_of_time() ? MirrorImages() : mirror_images(asked.surface, rules.weights);
+  const MirrorImages images = context.out_of_time() ? MirrorImages() : mirror_images_here();
   const Folds even = even_pieces(asked.surface, patch, merged, images, rules.weights, plan.room,
                                  net_tolerance(patch.extent), context.seed, context);
+  const auto twins_of = [&](const Folds& folds) {
+    return context.out_of_time() ? TwinPieces() : find_twin_pieces(asked.surface, patch, folds, context);
+  };
+  const Patch apart = with_twins_apart(patch, even, twins_of(even));
   const Folds bordered =
-      better_borders(asked.surface, plan.whole, patch, even, images.edge, asked.options, plan.room, context);
-  return {better_trees(asked.surface, plan.whole, patch, bordered, images.edge, asked.options, plan.room,
-                       context),
+      better_borders(asked.surface, plan.whole, apart, even, images.edge, asked.options, plan.room, context);
+  const Folds better =
+      better_trees(asked.surface, plan.whole, patch, bordered, images.edge, asked.options, plan.room, context);
+  return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
           std::move(parts.causes), std::move(parts.notes)};
 }
 
 /// Everything of a piece but its faces and folds.
 void finish(const Asked& asked, const Plan& plan, const Context& context, Nets& nets) {
   close_flat_cuts(asked.surface, asked.panels, plan.possible_wishes, nets);
-  note_broken_wishes(asked.options.wishes, nets);
   count_holes(asked.surface, nets);
   insist_on_no_overlap(nets);
   do_in_parallel(nets.pieces.size(), context, [&](std::size_t i, const Context& own) {
     nets.pieces[PieceId(i)].folding = find_fold_order(asked.surface, nets, PieceId(i), own);
   });
-  replace_tabs(asked.surface, asked.panels, asked.options, nets, context);
+  give_tabs(asked.surface, asked.panels, asked.options, nets, context);
 }
 
 }  // namespace
@@ -106,34 +137,40 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
             const Options& options, const Context& context) {
   context.check();
   context.report("unfold", 0.0);
-  const Asked asked{surface, panels, part, options};
+  const Asked whole{surface, panels, part, options};
+  refuse_large_faces(whole);
+  const std::optional<OneOfEach> each = one_of_each(whole);
+  const Asked asked = each ? each->asked() : whole;
   const Plan plan = make_plan(asked, context);
   const Patch patch = whole_patch(asked, plan);
-  Search found = search(asked, plan, patch, for_searches(plan, context));
+  const auto mirror_images_here = [&] {
+    return each ? mirror_images_of(whole, *each) : mirror_images(surface, options.pieces.weights);
+  };
+  Search found = search(asked, plan, patch, mirror_images_here, for_searches(plan, context));
   std::vector<std::string> notes = plan.notes;
   notes.insert(notes.end(), found.notes.begin(), found.notes.end());
   if (options.tabs.wanted && context.out_of_time()) {
     notes.emplace_back("the time given was up before all nets with more tabs were tried");
   }
-  const bool all_tabs = wants_all_tabs(options);
-  AllTabs split = all_tabs ? give_all_tabs(asked, plan, patch, found.folds, found.causes, context)
-                           : AllTabs{std::move(found.folds), std::move(found.causes)};
+  AllTabs split = wants_all_tabs(options) ? give_all_tabs(asked, plan, patch, found.folds, found.causes, context)
+                                          : AllTabs{std::move(found.folds), std::move(found.causes)};
+  std::size_t split_off_to_fold = 0;
   if (options.pieces.fold_linear) {
-    LinearFolding linear =
-        fold_together(plan, patch, std::move(split.folds), std::move(split.causes), context);
+    LinearFolding linear = fold_together(plan, patch, std::move(split.folds), std::move(split.causes), context);
     split.folds = std::move(linear.folds);
     split.causes = std::move(linear.causes);
-    notes.push_back(std::move(linear.note));
+    split_off_to_fold = linear.split_pieces;
   }
-  Nets nets = nets_of_folds(surface, part, patch, split.folds, split.causes);
+  Nets nets = nets_of_folds(asked.surface, asked.part, patch, split.folds, split.causes);
   nets.notes = std::move(notes);
   finish(asked, plan, context, nets);
-  if (options.pieces.fold_linear) {
-    note_not_linear(nets);
+  if (each) {
+    const Nets originals = std::exchange(nets, with_copies(whole, *each, nets));
+    split.split_pieces += more_pieces(originals, nets, PieceReason::tabs);
+    split_off_to_fold += more_pieces(originals, nets, PieceReason::folding);
   }
-  if (all_tabs) {
-    note_all_tabs(asked, split, nets);
-  }
+  nets.equal = find_equal_pieces(surface, nets);
+  note_result(whole, split, split_off_to_fold, nets);
   return nets;
 }
 

@@ -21,6 +21,7 @@ enum class Line {
   nets,
   hint,
   pieces,
+  equal,
   tabs,
   lines,
   numbers,

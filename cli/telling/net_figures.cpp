@@ -42,7 +42,9 @@ std::string sentence_of_several(unfold::PieceReason reason) {
     case PieceReason::page:
       return "their parts don't fit the paper in one piece";
     case PieceReason::overlap:
-      return "their parts would overlap themselves in one piece";
+      return "no nets of their parts were found that don't overlap themselves";
+    case PieceReason::no_net:
+      return "their parts have no nets that don't overlap themselves (proven)";
     case PieceReason::tabs:
       return "their parts have no room for tabs in one piece";
     case PieceReason::faces:
@@ -183,6 +185,34 @@ void add_extra_pieces(Summary& summary, const unfold::Nets& nets) {
                 piece_names(nets, pieces) + ": " +
                     (pieces.size() == 1 ? sentence_of_one(reason) : sentence_of_several(reason)));
   }
+}
+
+void add_equal_pieces(Summary& summary, const unfold::Nets& nets, const std::vector<paper::PieceKind>& kinds) {
+  constexpr std::size_t most_kinds = 8;
+  constexpr std::size_t most_names = 8;
+  Value list(Value::List{});
+  std::string text;
+  const auto names = [&](const std::vector<PieceId>& pieces) {
+    Value all(Value::List{});
+    for (const PieceId piece : pieces) {
+      all.add(nets.pieces[piece].name);
+    }
+    return all;
+  };
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const paper::PieceKind& kind = kinds[i];
+    list.add(Value::Object{{"count", kind.count()},
+                           {"of", kind.name.empty() ? Value() : Value(kind.name)},
+                           {"pieces", names(kind.pieces)},
+                           {"mirrored", names(kind.mirrored)}});
+    if (i < most_kinds) {
+      text += (i == 0 ? "" : "; ") + paper::kind_words(nets, kind, most_names);
+    }
+  }
+  if (kinds.size() > most_kinds) {
+    text += fmt::format("; {} more kinds", kinds.size() - most_kinds);
+  }
+  summary.add("equal_pieces", std::move(list), Line::equal, "equal", std::move(text));
 }
 
 TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,

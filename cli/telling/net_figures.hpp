@@ -22,6 +22,9 @@ namespace ridgecraft::cli {
 /// The pieces that aren't there because of a part alone.
 void add_extra_pieces(Summary& summary, const unfold::Nets& nets);
 
+/// The pieces that there are several of, kind by kind.
+void add_equal_pieces(Summary& summary, const unfold::Nets& nets, const std::vector<paper::PieceKind>& kinds);
+
 /// Joins and tabs, counted.
 struct TabFigures {
   std::size_t tabs = 0;

@@ -130,6 +130,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
                           counted(made.pages.count, "page"), job.paper_name));
   add_page_saving(summary, made);
   add_extra_pieces(summary, nets);
+  add_equal_pieces(summary, nets, made.drawn.kinds);
   add_size(summary, made, job.size_asked.words);
   summary.add("tabs", tabs.tabs, Line::tabs, "tabs", tabs_text(tabs, nets, job.options.tabs));
   summary.add("tabs_usable", tabs.usable);

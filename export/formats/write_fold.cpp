@@ -117,6 +117,18 @@ void write_fold_order(JsonText& json, const Nets& nets, const NetFrame& frame) {
   });
 }
 
+void write_equal_pieces(JsonText& json, const Nets& nets) {
+  json.list("ridgecraft:equal_pieces", nets.equal.size(), [&](std::size_t i) {
+    const std::vector<unfold::EqualPiece>& kind = nets.equal[i];
+    for (std::size_t k = 0; k < kind.size(); ++k) {
+      json.raw(k == 0 ? "\n[{\"piece\":" : ",{\"piece\":");
+      json.number(kind[k].piece.value());
+      json.raw(kind[k].mirrored ? ",\"mirrored\":true}" : ",\"mirrored\":false}");
+    }
+    json.raw("]");
+  });
+}
+
 void write_pages(JsonText& json, const NetFrame& frame, const Pages* pages) {
   json.list("ridgecraft:pages", frame.origins.size(), [&](std::size_t i) {
     json.raw("\n{\"origin\":");
@@ -244,6 +256,7 @@ std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, Pa
             [&](std::size_t i) { json.number(nets.piece[FaceId(i)].value()); });
   write_pieces(json, nets, frame);
   write_fold_order(json, nets, frame);
+  write_equal_pieces(json, nets);
   write_pages(json, frame, pages);
   write_joins(json, surface, nets, frame, glue);
   write_model(json, surface, part);

@@ -82,14 +82,14 @@ bool within(const Box2& bounds, const Box2& area) {
          bounds.high.y <= area.high.y;
 }
 
-/// A name of this height with its notes below it, the middle of the name at the origin.
-std::vector<Text> label(const PieceDrawing& piece, double height, double degrees, bool with_notes) {
+/// A name of this height with the first of its notes below it, the middle of the name at the origin.
+std::vector<Text> label(const PieceDrawing& piece, double height, double degrees, std::size_t notes) {
   const double angle = degrees * std::numbers::pi / 180.0;
   // The line under a name tells which side is up: N and Z, M and W, H and I lie on the table in all turns.
   std::vector<Text> texts{{Layer::piece_name, piece.name, {}, height, angle, true}};
   const Vec2 down{std::sin(angle), -std::cos(angle)};
   double at = (0.5 + underline_drop) * height + note_gap;
-  for (std::size_t i = 0; with_notes && i < piece.notes.size(); ++i) {
+  for (std::size_t i = 0; i < notes; ++i) {
     texts.push_back(
         {Layer::piece_name, piece.notes[i], (at + 0.5 * note_height) * down, note_height, angle, false});
     at += note_height + note_gap;
@@ -153,7 +153,7 @@ std::optional<Vec2> roomiest(const std::vector<Site>& sites, const std::vector<T
 }
 
 bool place_inside(PieceDrawing& piece, Obstacles& obstacles, const std::vector<Site>& sites, double smallest,
-                  bool with_notes, std::span<const double> directions = angles) {
+                  std::size_t notes, std::span<const double> directions = angles) {
   // Parallel to the page first, unless that would make the name small.
   for (const bool level : {true, false}) {
     for (const double height : heights) {
@@ -164,7 +164,7 @@ bool place_inside(PieceDrawing& piece, Obstacles& obstacles, const std::vector<S
         if (level && angle != 0.0) {
           break;
         }
-        const std::vector<Text> texts = label(piece, height, angle, with_notes);
+        const std::vector<Text> texts = label(piece, height, angle, notes);
         if (const auto centre = roomiest(sites, texts, obstacles)) {
           put(piece, obstacles, moved(texts, *centre));
           return true;
@@ -216,7 +216,7 @@ bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, c
   }
   const Vec2 along = (edge.b - edge.a) / size;
   const Vec2 out = -perpendicular(along);
-  const std::vector<Text> texts = label(piece, 3.0, 0.0, true);
+  const std::vector<Text> texts = label(piece, 3.0, 0.0, piece.notes.size());
   const Box2 at_origin = bounds_of(texts);
   const Vec2 to_middle = -0.5 * (at_origin.low + at_origin.high);
   for (double reach = 3.0; reach < 16.0; reach += 1.0) {
@@ -243,24 +243,26 @@ bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, c
 
 bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, bool hurried) {
   const std::vector<Site> sites = sites_of(piece, obstacles);
-  const bool has_notes = !piece.notes.empty();
+  const std::size_t notes = piece.notes.size();
   if (hurried) {
-    return place_inside(piece, obstacles, sites, 0.0, has_notes, std::span(angles).first(1));
+    return place_inside(piece, obstacles, sites, 0.0, notes, std::span(angles).first(1));
   }
-  if (place_inside(piece, obstacles, sites, readable_height, has_notes)) {
+  if (place_inside(piece, obstacles, sites, readable_height, notes)) {
     return true;
   }
   // Numbers tell where a piece belongs; a piece without any has nothing but its notes.
-  if (has_notes && !piece.seams.empty() && place_inside(piece, obstacles, sites, readable_height, false)) {
-    return true;
+  for (std::size_t fewer = notes; fewer-- > 0 && !piece.seams.empty();) {
+    if (place_inside(piece, obstacles, sites, readable_height, fewer)) {
+      return true;
+    }
   }
   for (const Segment2& edge : leader_edges(piece)) {
     if (place_beside(piece, obstacles, area, edge)) {
       return true;
     }
   }
-  return place_inside(piece, obstacles, sites, 0.0, has_notes) ||
-         (has_notes && place_inside(piece, obstacles, sites, 0.0, false));
+  return place_inside(piece, obstacles, sites, 0.0, notes) ||
+         (notes > 0 && place_inside(piece, obstacles, sites, 0.0, 0));
 }
 
 }  // namespace ridgecraft::paper

@@ -81,6 +81,22 @@ std::vector<Text> table(const std::vector<std::string>& rows) {
   return texts;
 }
 
+/// Which pieces of the page there are several of, on whatever page.
+std::vector<std::string> kinds_on_page(const unfold::Nets& nets, const Pages& pages, PageId page,
+                                       const std::vector<PieceKind>& kinds) {
+  constexpr std::size_t most_names = 12;
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const bool here = std::ranges::any_of(nets.equal[i], [&](const unfold::EqualPiece& equal) {
+      return pages.placements[equal.piece].page == page;
+    });
+    if (here) {
+      rows.push_back(kind_words(nets, kinds[i], most_names));
+    }
+  }
+  return rows;
+}
+
 /// All that is drawn on the page, and where its pieces are.
 class PageRoom {
  public:
@@ -147,6 +163,7 @@ class PageRoom {
 
 std::vector<Text> page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
                              const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
+                             const std::vector<PieceKind>& kinds,
                              const std::vector<PieceDrawing>& pieces) {
   std::vector<PieceId> listed;
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
@@ -154,14 +171,21 @@ std::vector<Text> page_index(const unfold::Nets& nets, const Pages& pages, PageI
       listed.push_back(piece);
     }
   }
-  if (listed.empty()) {
+  const std::vector<std::string> equal = kinds_on_page(nets, pages, page, kinds);
+  if (listed.empty() && equal.empty()) {
     return {};
   }
   const PageRoom room(pages.paper, pieces);
   for (const bool with_numbers : {true, false}) {
     for (const double share : widths) {
       const double width = share * piece_area(pages.paper).x;
-      std::vector<std::string> rows{std::string(with_numbers ? full_heading : brief_heading)};
+      std::vector<std::string> rows;
+      for (const std::string& kind : equal) {
+        append_wrapped(rows, kind, width);
+      }
+      if (!listed.empty()) {
+        rows.emplace_back(with_numbers ? full_heading : brief_heading);
+      }
       for (const PieceId piece : listed) {
         const std::string& name = nets.pieces[piece].name;
         append_wrapped(rows, name + ": " + partners(nets, pages, page, neighbours[piece], with_numbers),

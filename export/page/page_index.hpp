@@ -16,6 +16,7 @@ namespace ridgecraft::paper {
 /// page, with their texts. O(places tried x lines).
 [[nodiscard]] std::vector<Text> page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
                                            const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
+                                           const std::vector<PieceKind>& kinds,
                                            const std::vector<PieceDrawing>& pieces);
 
 }  // namespace ridgecraft::paper

@@ -13,6 +13,7 @@
 #include "base/vector.hpp"
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/paper.hpp"
+#include "export/sheet/piece_kinds.hpp"
 #include "prepare/prepared/options.hpp"
 
 namespace ridgecraft::paper {
@@ -46,6 +47,7 @@ struct DrawReport {
   std::size_t labels_outside = 0;  ///< numbers that stand beside their piece, with a leader
   std::size_t names_left_out = 0;  ///< pieces whose name found no place
   std::vector<Body> bodies;        ///< separate ones, if there are several (export/sheet/bodies.hpp)
+  std::vector<PieceKind> kinds;    ///< of pieces that there are several of, as Nets::equal
 };
 
 }  // namespace ridgecraft::paper

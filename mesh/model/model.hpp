@@ -2,9 +2,12 @@
 // A model: its surface, where each face came from, and what was done to it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/id.hpp"
@@ -31,6 +34,9 @@ struct Model {
   /// Per face: texture coordinates of its corners; empty when the model has none.
   IdVector<FaceId, std::array<Vec2, 3>> texture;
 
+  /// Names that the file has for its objects: from this polygon on; ascending.
+  std::vector<std::pair<std::uint32_t, std::string>> objects;
+
   /// Edges that the file marks (Soup::lines), from point to point; they needn't be edges of the surface any
   /// more.
   std::vector<std::array<Vec3, 2>> lines;
@@ -43,6 +49,13 @@ struct Model {
   double file_scale = 1.0;
 
   RepairReport repairs;
+
+  /// The object that a polygon belongs to; empty where the file has no name for it. O(log n).
+  [[nodiscard]] std::string object_of(std::uint32_t polygon_of_file) const {
+    const auto after = std::upper_bound(objects.begin(), objects.end(), polygon_of_file,
+                                        [](std::uint32_t p, const auto& object) { return p < object.first; });
+    return polygon_of_file == Soup::none || after == objects.begin() ? std::string() : std::prev(after)->second;
+  }
 };
 
 }  // namespace ridgecraft::mesh

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -41,6 +42,9 @@ struct Soup {
       corner_texture;  ///< index into texture_points or none; empty when no corner has one
   std::vector<std::uint32_t>
       polygon_material;  ///< index into materials or none; empty when no polygon has one
+
+  /// Names that a file has for its objects (those of groups where it names no objects): from this polygon on.
+  std::vector<std::pair<std::uint32_t, std::string>> objects;
 
   /// Edges that the lines of an OBJ file (l) or the edges of a PLY file name: indices into points, in range.
   /// Editors mark seams by them.

@@ -40,6 +40,7 @@ class ObjReader {
   void finish_lines();
   void add_texture_corner(std::int64_t number);
   void read_usemtl();
+  std::string read_name();
   void finish();
   void finish_textures();
   void finish_materials();
@@ -61,6 +62,8 @@ class ObjReader {
   std::map<std::string_view, std::uint32_t> material_number_;
   /// From this polygon on this material.
   std::vector<std::pair<std::size_t, std::uint32_t>> material_from_;
+  /// From this polygon on this object, this group.
+  std::vector<std::pair<std::uint32_t, std::string>> objects_, groups_;
   std::vector<std::string_view> material_names_;  ///< of soup_.materials, as the file has them
 
   struct Line {
@@ -107,16 +110,30 @@ void ObjReader::read_line() {
   text_.next_line();
 }
 
+/// The rest of a line, and of those that a backslash continues it on.
+std::string ObjReader::read_name() {
+  std::string name(text_.rest_of_line());
+  while (name.ends_with('\\') && !text_.done()) {
+    name.pop_back();
+    text_.next_line();
+    name += text_.rest_of_line();
+  }
+  return name;
+}
+
 /// What is neither point nor face. False for words that aren't part of the format.
 bool ObjReader::read_element(std::string_view keyword) {
   static constexpr std::string_view silent[] = {
-      "vn",    "vp",       "g",        "o",          "s",         "mg",     "lod", "usemap", "maplib",
+      "vn",    "vp",       "s",         "mg",     "lod", "usemap", "maplib",
       "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg", "bmat",   "step",
       "parm",  "trim",     "hole",     "scrv",       "sp",        "end",    "con", "ctech",  "stech"};
   static constexpr std::string_view counted[] = {"p",   "curv", "curv2", "surf", "call", "csh",
                                                  "bzp", "bsp",  "cdc",   "cdp",  "res"};
   if (keyword == "usemtl") {
     read_usemtl();
+  } else if (keyword == "o" || keyword == "g") {
+    (keyword == "o" ? objects_ : groups_)
+        .emplace_back(static_cast<std::uint32_t>(soup_.polygon_count()), read_name());
   } else if (keyword == "l") {
     read_lines();
   } else if (keyword == "mtllib") {
@@ -285,6 +302,7 @@ void ObjReader::finish() {
   unknown_.report(RepairKind::element_ignored, source_, soup_.remarks);
   finish_textures();
   finish_materials();
+  soup_.objects = std::move(objects_.empty() ? groups_ : objects_);
 }
 
 /// A polygon has texture coordinates at all of its corners or at none: the rest couldn't be drawn.

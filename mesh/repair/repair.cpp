@@ -125,6 +125,7 @@ Model build(const Soup& soup, TriangleList list) {
   model.surface = Surface(std::move(points), std::move(faces));
   model.polygon_count = soup.polygon_count();
   model.materials = soup.materials;
+  model.objects = soup.objects;
   return model;
 }
 

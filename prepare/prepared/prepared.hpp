@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/panels.hpp"
+#include "prepare/prepared/twin_bodies.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -27,6 +29,10 @@ struct SimplifyReport {
 struct Prepared {
   mesh::Model model;  ///< in mm, centred on the origin; not turned, not mirrored
   Panels panels;      ///< flat regions of model.surface; those that no page holds in cells that pages hold
+  TwinBodies twins;     ///< components that are equal; they are exact copies of each other
+  /// What the file calls each component: for faces that are of no polygon any more. Empty where there is one
+  /// component or name.
+  IdVector<ComponentId, std::string> body_names;
   double mm_per_unit = 1.0;
   SimplifyReport simplified;
   std::size_t divided_panels = 0;  ///< flat regions that are in cells

@@ -24,6 +24,8 @@ namespace {
 
 /// Pairs of corners that are tried as images of the first body's two; more are as good as equal.
 constexpr std::size_t most_tries = 128;
+/// Motions of either turn that are asked whether they keep the triangles, too.
+constexpr std::size_t most_motions = 4;
 /// Corners that a motion is tried with first.
 constexpr std::size_t first_tries = 16;
 /// A second corner that is nearer to the line through the centre and the first one, as a share of the extent,
@@ -91,23 +93,29 @@ class Aligner {
   Aligner(const Shape& from, const Shape& to, double radius)
       : from_(from), to_(to), radius_(radius), tree_(to.points, to.order) {}
 
-  [[nodiscard]] std::optional<Isometry> run() const {
+  /// Gives motions that do, until one is accepted; not more than a few of them.
+  template <class Accept>
+  void run(const Accept& accept) const {
     if (from_.second == no_point || to_.second == no_point) {
-      return std::nullopt;
+      return;
     }
     const std::vector<std::array<std::uint32_t, 2>> images = possible_images();
     for (const bool mirrors : {false, true}) {
+      std::size_t found = 0;
       for (const auto& [first, second] : images) {
         const Isometry rough = between(first, second, mirrors);
-        if (fits(rough, 3.0 * radius_, first_tries)) {
-          const Isometry fine = fitted(rough);
-          if (fits(fine, radius_, from_.points.size())) {
-            return fine;
+        if (found == most_motions || !fits(rough, 3.0 * radius_, first_tries)) {
+          continue;
+        }
+        const Isometry fine = fitted(rough);
+        if (fits(fine, radius_, from_.points.size())) {
+          ++found;
+          if (accept(fine)) {
+            return;
           }
         }
       }
     }
-    return std::nullopt;
   }
 
  private:
@@ -213,24 +221,33 @@ std::vector<std::pair<I, I>> pairs(const IdVector<I, I>& partner, const IdVector
   return result;
 }
 
-std::optional<Twin> match(const Shape& from, const Shape& to, double tolerance) {
-  const double radius = tolerance * from.extent;
-  std::optional<Isometry> motion = Aligner(from, to, radius).run();
-  if (!motion) {
-    return std::nullopt;
-  }
-  const Correspondence maps = correspond(from.part.surface, to.part.surface, *motion, radius);
-  if (!(maps.farthest <= radius)) {
-    return std::nullopt;
-  }
+Twin twin_by(const Isometry& motion, const Correspondence& maps, const PartOf& from, const PartOf& to) {
   Twin twin;
-  twin.motion = *motion;
+  twin.motion = motion;
   twin.deviation = maps.farthest;
   twin.whole = maps.whole;
-  twin.vertices = pairs(maps.vertex, from.part.vertex, to.part.vertex);
-  twin.edges = pairs(maps.edge, from.part.edge, to.part.edge);
-  twin.faces = pairs(maps.face, from.part.face, to.part.face);
+  twin.vertices = pairs(maps.vertex, from.vertex, to.vertex);
+  twin.edges = pairs(maps.edge, from.edge, to.edge);
+  twin.faces = pairs(maps.face, from.face, to.face);
   return twin;
+}
+
+std::optional<Twin> match(const Shape& from, const Shape& to, double tolerance) {
+  const double radius = tolerance * from.extent;
+  // A body that is symmetric as a set of points may be so in its triangles, too: then there is a motion that
+  // keeps these, or more of them, and it is the better one.
+  std::optional<Twin> best;
+  Aligner(from, to, radius).run([&](const Isometry& motion) {
+    const Correspondence maps = correspond(from.part.surface, to.part.surface, motion, radius);
+    if (maps.farthest <= radius) {
+      Twin twin = twin_by(motion, maps, from.part, to.part);
+      if (!best || twin.whole || twin.faces.size() > best->faces.size()) {
+        best = std::move(twin);
+      }
+    }
+    return best && best->whole;
+  });
+  return best;
 }
 
 /// The first body of a group, and its twins so far.

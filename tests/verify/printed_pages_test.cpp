@@ -152,7 +152,7 @@ TEST_CASE("both formats have the same lines", "[pages]") {
 }
 
 TEST_CASE("an outline that lies 0.05 mm beside its place is found", "[pages]") {
-  check_found("beside a cut", [](PrintedPage& broken) {
+  check_found("of cut lines where the nets have", [](PrintedPage& broken) {
     for (Vec2& p : line(broken, PrintedLayer::cut).points) {
       p += Vec2{0.03, 0.04};
     }

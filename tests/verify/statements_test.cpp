@@ -297,7 +297,11 @@ const std::set<std::string> free_paths = {
     "/ridgecraft:settings/gap_mm", "/ridgecraft:settings/tab_height_mm", "/ridgecraft:settings/tab_angle_deg",
     "/ridgecraft:settings/hide_folds_deg",
     // A tab may have any convex shape as high as the settings allow; the printed pages know which.
-    "/ridgecraft:tabs/#/polygon", "/ridgecraft:tabs/#/polygon/#", "/ridgecraft:tabs/#/polygon/#/#"};
+    "/ridgecraft:tabs/#/polygon", "/ridgecraft:tabs/#/polygon/#", "/ridgecraft:tabs/#/polygon/#/#",
+    // Equal pieces needn't be told.
+    "/ridgecraft:equal_pieces", "/ridgecraft:equal_pieces/#", "/ridgecraft:equal_pieces/#/#",
+    // One that is symmetric itself is a mirror image as well.
+    "/ridgecraft:equal_pieces/#/#/mirrored"};
 
 /// What pieces cost has shaped the search, too.
 bool is_free(const std::string& path) {

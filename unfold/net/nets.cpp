@@ -12,6 +12,7 @@ std::string_view name(PieceReason reason) {
     case PieceReason::page:
       return "page";
     case PieceReason::overlap:
+    case PieceReason::no_net:
       return "overlap";
     case PieceReason::tabs:
       return "tabs";
@@ -35,7 +36,9 @@ std::string_view sentence(PieceReason reason) {
     case PieceReason::page:
       return "its part doesn't fit the paper in one piece";
     case PieceReason::overlap:
-      return "its part would overlap itself in one piece";
+      return "no net of its part was found that doesn't overlap itself";
+    case PieceReason::no_net:
+      return "its part has no net that doesn't overlap itself (proven)";
     case PieceReason::tabs:
       return "its part has no room for tabs in one piece";
     case PieceReason::faces:

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/id.hpp"
+#include "base/motion.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::unfold {
@@ -21,9 +22,9 @@ enum class EdgeUse : std::uint8_t {
   border,  ///< one face only
 };
 
-/// Why a piece is a piece of its own.
-enum class PieceReason { part, page, overlap, tabs, faces, time, request, component, folding };
-/// The words of nets-contract `reason`; `folding` is a request there.
+/// Why a piece is a piece of its own. `no_net`: overlap, and that no net exists is proven.
+enum class PieceReason { part, page, overlap, no_net, tabs, faces, time, request, component, folding };
+/// The words of nets-contract `reason`; `folding` is a request there, `no_net` an overlap.
 [[nodiscard]] std::string_view name(PieceReason reason);
 /// The same as a sentence for people.
 [[nodiscard]] std::string_view sentence(PieceReason reason);
@@ -89,6 +90,14 @@ struct Tab {
   std::vector<Vec2> polygon;
 };
 
+/// A piece that is equal on paper to the first of its kind, turned over where it is its mirror image.
+struct EqualPiece {
+  PieceId piece;
+  bool mirrored = false;
+  /// Lays the first piece of its kind on this one, after x is -x for all of it where it is mirrored.
+  Rigid motion = {};
+};
+
 struct Nets {
   IdVector<EdgeId, EdgeUse> use;               ///< of each edge of the surface
   IdVector<FaceId, PieceId> piece;             ///< of each face
@@ -96,6 +105,8 @@ struct Nets {
   IdVector<PieceId, Piece> pieces;
   IdVector<JoinId, Join> joins;  ///< one for each cut edge, in the order of their numbers
   IdVector<TabId, Tab> tabs;
+  /// Kinds of pieces that there are several of, tabs and folds and all (equal_pieces.hpp).
+  std::vector<std::vector<EqualPiece>> equal;
   /// Facts about the search that a report tells: seconds are kept out, so that two runs give the same bytes.
   std::vector<std::string> notes;
 };

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/rectangle.hpp"
+#include "prepare/prepared/twin_bodies.hpp"
 #include "unfold/net/edge_wishes.hpp"
 #include "unfold/net/piece_rules.hpp"
 
@@ -43,6 +44,8 @@ struct Options {
   /// fold unless that would close a loop, overlap or fit no sheet (kept_edges.hpp); a note counts what
   /// couldn't be.
   EdgeWishes wishes;
+  /// Bodies of the surface that get one net each, and copies of it (prepare::Prepared::twins).
+  prepare::TwinBodies twins = {};
 };
 
 }  // namespace ridgecraft::unfold

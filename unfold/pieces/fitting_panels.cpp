@@ -48,7 +48,7 @@ prepare::Panels fitting_panels(const mesh::Surface& surface, const prepare::Pane
       for (const std::vector<FaceId>& component : connected(surface, faces)) {
         const Patch patch = make_patch(surface, single, component);
         const PatchNets nets = unfold_patch(patch, bits, PanelCuts::only_if_too_large,
-                                            net_tolerance(patch.extent), 1, Effort::full, context);
+                                            net_tolerance(patch.extent), 1, Effort::brief, context);
         for (const auto& piece : lay_out(patch, nets.folds).faces) {
           std::vector<FaceId>& share = shares.emplace_back();
           for (const std::uint32_t f : piece) {

@@ -8,8 +8,10 @@
 #include "base/random.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
+#include "unfold/pieces/fewest_pieces.hpp"
 #include "unfold/pieces/merge_pieces.hpp"
 #include "unfold/pieces/overlap_split.hpp"
+#include "unfold/pieces/piece_reasons.hpp"
 #include "unfold/pieces/unite_pieces.hpp"
 #include "unfold/search/fit_search.hpp"
 #include "unfold/search/net_search.hpp"
@@ -37,8 +39,8 @@ constexpr std::uint64_t fit_trials = 400;
 /// time.
 constexpr std::uint64_t attempts_cost = 2'000'000;
 
-/// Start trees before a patch counts as having no single net.
-constexpr int starts_tried = 3;
+/// Pieces that overlap has left aren't united afresh where they are no more than this.
+constexpr std::size_t most_searched_together = 3;
 
 /// Rounds of taking pieces apart and joining them anew: fewer where each takes long.
 int refine_rounds(std::uint32_t faces) {
@@ -49,7 +51,6 @@ int refine_rounds(std::uint32_t faces) {
 struct Proposal {
   Folds folds;
   SplitCost cost;
-  std::vector<std::uint32_t> net;  ///< per face: its net before any was split for the sheet
 };
 
 class PatchUnfolder {
@@ -64,71 +65,71 @@ class PatchUnfolder {
         effort_(effort),
         context_(context),
         least_pieces_(least_pieces(patch, room)) {
-    has_panels_ =
+    whole_panels_ = has_panels_ =
         std::any_of(patch.frozen.begin(), patch.frozen.end(), [](std::uint8_t f) { return f != 0; });
   }
 
   PatchNets run() {
-    try_nets(patch_, static_cast<std::uint32_t>(panel_count(patch_)));
-    if (!best_ && has_panels_ && cuts_ == PanelCuts::before_pieces && !context_.out_of_time()) {
-      Patch loose = patch_;
+    std::optional<NetFound> failed = try_nets(patch_, static_cast<std::uint32_t>(panel_count(patch_)));
+    const Patch* searched = &patch_;
+    Patch loose;
+    if (failed && has_panels_ && cuts_ == PanelCuts::before_pieces && !context_.out_of_time()) {
+      loose = patch_;
       std::fill(loose.frozen.begin(), loose.frozen.end(), std::uint8_t{0});
-      try_nets(loose, loose.size());
-      if (best_) {
-        notes_.emplace_back("no single net with all flat regions whole was found, so some are cut");
-      }
+      searched = &loose;
+      whole_panels_ = false;
+      failed = try_nets(loose, loose.size());
     }
-    if (!best_) {
-      cut_conflicts();
+    if (failed) {
+      cut_conflicts(*searched, *failed);
+    }
+    if (searched == &loose && clean_pieces_ == 1) {
+      notes_.emplace_back("no single net with all flat regions whole was found, so some are cut");
     }
     if (best_->cost.pieces > 1) {
-      propose(merge_pieces(patch_, panel_folds(), room_, tolerance_, merge_budget, context_), best_->net);
+      propose(merge_pieces(patch_, panel_folds(), room_, tolerance_, merge_budget, context_));
     }
     refine();
     unite();
     insist_on_clean();
-    const std::size_t pieces = cost_of(patch_, best_->folds).pieces;
-    if (no_single_net_ && pieces > 1) {
-      notes_.push_back("no single net" + std::string(has_panels_ ? " with all flat regions whole" : "") +
-                       " was found" + (out_of_time_ ? " in the time given" : "") + ", so it becomes " +
-                       std::to_string(pieces) + " pieces");
-    }
-    return {best_->folds, reasons(), std::move(notes_)};
+    note_pieces();
+    return {best_->folds, piece_reasons(patch_, best_->folds, pieces_without()), std::move(notes_)};
   }
 
  private:
   /// Single nets from several start trees; keeps the best. Gives up when the first search fails with its full
-  /// budget; later ones may take twice as long as it took, since there is a net to fall back on.
-  void try_nets(const Patch& patch, std::uint32_t panels) {
+  /// budget, and returns what it found; later ones may take twice as long as it took, since there is a net to
+  /// fall back on.
+  std::optional<NetFound> try_nets(const Patch& patch, std::uint32_t panels) {
     NetSearch options;
     options.tolerance = tolerance_;
     // Where a piece more is the alternative, whole panels are worth the trouble.
-    options.starts = has_panels_ && cuts_ == PanelCuts::only_if_too_large ? 2 * starts_tried : starts_tried;
+    options.starts *= has_panels_ && cuts_ == PanelCuts::only_if_too_large ? 2 : 1;
     options.iterations = iteration_budget(panels);
     options.idle = idle_iterations(panels);
     std::uint64_t cost = 0;
     for (std::size_t attempt = 0; attempt < attempts_for(patch.size()); ++attempt) {
       if (attempt > 0 && (cost > attempts_cost || context_.out_of_time())) {
-        return;
+        break;
       }
       options.start = attempt_kinds[attempt];
       NetFound found = find_net(patch, options, random_.next(), context_);
       cost += found.iterations * patch.size();
       if (found.overlaps == 0) {
-        propose(found.folds, std::vector<std::uint32_t>(patch.size(), 0));
+        propose(found.folds);
       } else if (attempt == 0) {
-        failed_.push_back(std::move(found));
-        return;
+        return found;
       }
       if (attempt == 0) {
         options.starts = 1;
         options.iterations = 2 * found.iterations + patch.size();
       }
     }
+    return std::nullopt;
   }
 
   /// Makes a clean forest fit the room and keeps it if it is better than the best so far.
-  void propose(const Folds& clean, std::vector<std::uint32_t> net) {
+  void propose(const Folds& clean) {
     Folds folds = clean;
     const bool single = cost_of(patch_, folds).pieces == 1;
     if (single && room_.sheet && !all_fit(patch_, folds, room_)) {
@@ -137,14 +138,17 @@ class PatchUnfolder {
         folds = shrink_to_fit(patch_, folds, room_, tolerance_, fit_trials, random_.next(), context_);
       }
     }
-    too_many_panels_ = too_many_panels_ || (single && all_fit(patch_, folds, {room_.sheet, room_.strip, 0}));
+    if (!clean_ || cost_of(patch_, clean) < cost_of(patch_, *clean_)) {
+      clean_ = clean;
+      clean_pieces_ = cost_of(patch_, clean).pieces;
+    }
     if (!all_fit(patch_, folds, room_)) {
       folds = split_to_fit(patch_, folds, room_, random_, context_);
       folds = merge_pieces(patch_, folds, room_, tolerance_, merge_budget, context_);
     }
     const SplitCost cost = cost_of(patch_, folds);
     if (!best_ || cost < best_->cost) {
-      best_ = {std::move(folds), cost, std::move(net)};
+      best_ = {std::move(folds), cost};
     }
   }
 
@@ -169,7 +173,9 @@ class PatchUnfolder {
 
   /// Neighbours are unfolded afresh together, where that makes one piece of two.
   void unite() {
-    if (best_->cost.pieces <= least_pieces_ || context_.out_of_time()) {
+    // So few that overlap alone has left were searched for together.
+    const bool in_vain = best_->cost.pieces == clean_pieces_ && clean_pieces_ <= most_searched_together;
+    if (best_->cost.pieces <= least_pieces_ || in_vain || context_.out_of_time()) {
       return;
     }
     Folds folds = unite_pieces(patch_, best_->folds, room_, tolerance_, random_.next(), context_);
@@ -211,25 +217,20 @@ class PatchUnfolder {
   void insist_on_clean() {
     while (!find_overlaps(lay_out(patch_, best_->folds), 2.0 * tolerance_).empty()) {
       best_->folds = split_overlaps(patch_, best_->folds, 2.0 * tolerance_);
-      best_->net = lay_out(patch_, best_->folds).piece;
     }
   }
 
-  /// No single net was found: the best trees are cut where they overlap and joined where that is possible.
-  void cut_conflicts() {
-    const Room anywhere;
-    std::optional<Folds> fewest;
-    for (const NetFound& found : failed_) {
-      Folds folds = split_overlaps(patch_, found.folds, tolerance_);
-      folds = merge_pieces(patch_, folds, anywhere, tolerance_, merge_budget, context_);
-      if (!fewest || cost_of(patch_, folds) < cost_of(patch_, *fewest)) {
-        fewest = std::move(folds);
-      }
+  /// No single net was found so far. `searched`: the patch, or the same with loose panels.
+  void cut_conflicts(const Patch& searched, const NetFound& failed) {
+    if (effort_ == Effort::brief) {
+      const Folds cut = split_overlaps(searched, failed.folds, tolerance_);
+      propose(merge_pieces(searched, cut, Room(), tolerance_, merge_budget, context_));
+      return;
     }
+    const FewestPieces few = fewest_pieces(searched, failed, tolerance_, random_.next(), context_);
+    proven_least_ = few.proven_least;
     out_of_time_ = effort_ == Effort::full && context_.out_of_time();
-    const Layout layout = lay_out(patch_, *fewest);
-    no_single_net_ = true;
-    propose(*fewest, layout.piece);
+    propose(few.folds);
   }
 
   [[nodiscard]] Folds panel_folds() {
@@ -241,29 +242,35 @@ class PatchUnfolder {
     return folds;
   }
 
-  /// The largest piece stands for the patch; the largest of each net that overlap forced apart is there for
-  /// that, any other is there for the page.
-  [[nodiscard]] std::vector<PieceReason> reasons() const {
-    const Layout layout = lay_out(patch_, best_->folds);
-    std::vector<PieceReason> reason(layout.faces.size(),
-                                    too_many_panels_ ? PieceReason::faces : PieceReason::page);
-    std::vector<std::uint32_t> by_size(layout.faces.size());
-    for (std::uint32_t i = 0; i < by_size.size(); ++i) {
-      by_size[i] = i;
+  void note_pieces() {
+    const std::size_t pieces = cost_of(patch_, best_->folds).pieces;
+    if (clean_pieces_ == 1 || pieces == 1) {
+      return;
     }
-    std::stable_sort(by_size.begin(), by_size.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return layout.faces[a].size() > layout.faces[b].size();
-    });
-    std::vector<std::uint8_t> seen(patch_.size(), 0);
-    for (const std::uint32_t piece : by_size) {
-      const std::uint32_t net = best_->net[layout.faces[piece].front()];
-      if (seen[net] == 0) {
-        seen[net] = 1;
-        reason[piece] = out_of_time_ ? PieceReason::time : PieceReason::overlap;
-      }
+    const std::string whole = whole_panels_ ? " with all flat regions whole" : "";
+    const std::string becomes = "so it becomes " + std::to_string(pieces) + " pieces";
+    if (proven_least_ > 1) {
+      notes_.push_back("proven: no single net" + whole + " exists, " + becomes +
+                       (proven_least_ == pieces ? ", the fewest possible" : ""));
+    } else {
+      notes_.push_back("no single net" + whole + " was found" + (out_of_time_ ? " in the time given" : "") +
+                       ", " + becomes);
     }
-    reason[by_size.front()] = PieceReason::part;
-    return reason;
+  }
+
+  /// What there would be with other limits.
+  [[nodiscard]] PiecesWithout pieces_without() {
+    const std::size_t pieces = cost_of(patch_, best_->folds).pieces;
+    PiecesWithout without;
+    without.overlap = out_of_time_ ? PieceReason::time
+                      : proven_least_ > 1 ? PieceReason::no_net
+                                          : PieceReason::overlap;
+    without.limits = room_.sheet || room_.max_panels > 0 ? std::min(pieces, clean_pieces_) : pieces;
+    without.paper = pieces;
+    if (room_.sheet && pieces > without.limits) {
+      without.paper = pieces_without_paper(patch_, *clean_, room_, tolerance_, random_, context_);
+    }
+    return without;
   }
 
   const Patch& patch_;
@@ -275,11 +282,12 @@ class PatchUnfolder {
   const Context& context_;
   std::size_t least_pieces_;  ///< that no arrangement can do without
   bool has_panels_ = false;
+  bool whole_panels_ = false;  ///< they stay whole in the search for a net that may be as large as it likes
   bool out_of_time_ = false;
-  bool no_single_net_ = false;
-  bool too_many_panels_ = false;  ///< a net fits the sheet, but has more panels than a piece may have
+  std::size_t proven_least_ = 1;  ///< no forest without overlap has fewer trees
   std::optional<Proposal> best_;
-  std::vector<NetFound> failed_;
+  std::optional<Folds> clean_;     ///< the fewest pieces without overlap, as large as they like
+  std::size_t clean_pieces_ = 0;   ///< their number
   std::vector<std::string> notes_;
 };
 

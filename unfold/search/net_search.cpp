@@ -171,10 +171,9 @@ class Race {
 }  // namespace
 
 std::uint64_t idle_iterations(std::uint32_t faces) {
-  // Solved nets need about half an iteration per face, spiky solids seven; hopeless small parts are common
-  // and must not hold up the rest.
-  const std::uint64_t n = faces;
-  return std::max(std::clamp<std::uint64_t>(10 * n, 500, 4000), 4 * n);
+  // Solved nets need about half an iteration per face. Spiky solids need many more, but another search finds
+  // theirs sooner (heated_search.hpp); hopeless small parts are common and must not hold up the rest.
+  return std::max<std::uint64_t>(500, 4 * std::uint64_t{faces});
 }
 
 std::uint64_t iteration_budget(std::uint32_t faces) {

@@ -13,7 +13,7 @@ namespace ridgecraft::unfold {
 struct NetSearch {
   StartTree start = StartTree::short_cuts;  ///< later starts: the other kinds in turn
   double tolerance = 0.0;                   ///< mm
-  int starts = 4;                           ///< start trees, at least 1: searched in turns
+  int starts = 3;                           ///< start trees, at least 1: searched in turns
   std::uint64_t iterations = 0;             ///< of all starts together
   std::uint64_t idle = 0;  ///< a start ends after so many without a better tree; 0: idle_iterations
 };

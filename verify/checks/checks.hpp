@@ -32,6 +32,8 @@ void check_fold_order(const Case& given, Findings& findings);
 void check_fold_motion(const Case& given, Findings& findings);
 /// Promise 8: what the file says of itself.
 void check_statements(const Case& given, Findings& findings);
+/// The same: pieces that are said to be equal are. O(n log n) for each.
+void check_equal_pieces(const Case& given, Findings& findings);
 /// Promise 9.
 void check_model(const Case& given, const ModelSurface& surface, Findings& findings);
 /// What the knife cuts and what is folded.

@@ -204,7 +204,15 @@ class StatementCheck {
     }
   }
 
-  /// The largest piece of a part stands for it, and comes first; others say why they are there.
+  /// Whether no piece is mostly of some part.
+  [[nodiscard]] bool has_free_part(const std::vector<Share>& share) const {
+    return std::any_of(file_.model.face_part.begin(), file_.model.face_part.end(), [&](std::int64_t part) {
+      return std::none_of(share.begin(), share.end(), [&](const Share& s) { return s.part == part; });
+    });
+  }
+
+  /// The largest piece of a part stands for it, and comes first; others say why they are there. Where no piece is
+  /// mostly of a part, another one may stand for it.
   void check_reason(std::size_t i, const std::vector<Share>& share) {
     const Piece& piece = file_.pieces[i];
     const auto name = [&] { return piece_name(file_, static_cast<Index>(i)); };
@@ -219,7 +227,9 @@ class StatementCheck {
     const auto asks = [&](std::string_view setting) {
       return file_.settings.find(setting) != nullptr || searched_with(file_.settings, setting) != nullptr;
     };
-    const bool impossible = (certain && (piece.reason == "part") == follows) ||
+    const bool stands = piece.reason == "part";
+    const bool impossible = (certain && (stands ? follows && !has_free_part(share) : !follows)) ||
+                            (piece.reason == "page" && !file_.pages[piece.page].bounded) ||
                             (piece.reason == "tabs" && !asks("all_tabs")) ||
                             (piece.reason == "faces" && file_.settings.number("max_faces") == 0.0) ||
                             (piece.reason == "request" && !asks("cuts") && !asks("keep") && !asks("from") &&

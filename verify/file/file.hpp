@@ -41,6 +41,12 @@ struct Piece {
   std::string reason;
 };
 
+/// A piece that is said to be equal to the first of its kind, turned over where it is its mirror image.
+struct EqualPiece {
+  Index piece = 0;
+  bool mirrored = false;
+};
+
 struct Join {
   std::int64_t number = 1;
   std::array<Index, 2> edges{};
@@ -104,6 +110,7 @@ struct File {
   /// Per piece the folds in the order in which they are made, those of one list together; nothing where the
   /// file doesn't tell.
   std::optional<std::vector<std::vector<std::vector<Index>>>> fold_order;
+  std::vector<std::vector<EqualPiece>> equal;  ///< kinds of two or more; no piece is in two of them
 
   [[nodiscard]] std::vector<Vec2> polygon(Index face) const;
   /// Whether this program says that it made the file; then all of our own keys have to be there.

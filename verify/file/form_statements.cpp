@@ -78,6 +78,43 @@ void read_fold_order(const Json& json, File& file) {
   }
 }
 
+/// Kinds of pieces that are said to be equal; a file needn't tell any.
+void read_equal_pieces(const Json& json, File& file) {
+  const auto found = json.find("ridgecraft:equal_pieces");
+  if (found == json.end()) {
+    return;
+  }
+  if (!found->is_array()) {
+    refuse("\"ridgecraft:equal_pieces\" of the file is not a list");
+  }
+  std::vector<bool> named(file.pieces.size(), false);
+  for (const Json& kind : *found) {
+    const std::string where = fmt::format("kind {} of equal pieces", file.equal.size());
+    if (!kind.is_array() || kind.size() < 2) {
+      refuse("{} is not a list of two pieces or more", where);
+    }
+    std::vector<EqualPiece>& pieces = file.equal.emplace_back();
+    for (const Json& entry : kind) {
+      if (!entry.is_object()) {
+        refuse("{} has an entry that is not an object", where);
+      }
+      const Json& mirrored = member(entry, "mirrored", where);
+      if (!mirrored.is_boolean() || (pieces.empty() && mirrored.get<bool>())) {
+        refuse("\"mirrored\" of {} is not true or false, false for the first", where);
+      }
+      const Index piece = index_below(member(entry, "piece", where), file.pieces.size(), {where, "piece"});
+      if (named[piece]) {
+        refuse("piece {} is named twice among equal pieces", piece);
+      }
+      if (!pieces.empty() && piece < pieces.back().piece) {
+        refuse("the pieces of {} are not in their order", where);
+      }
+      named[piece] = true;
+      pieces.push_back({piece, mirrored.get<bool>()});
+    }
+  }
+}
+
 class KeyWatch {
  public:
   explicit KeyWatch(std::vector<std::string>& unknown) : unknown_(unknown) {}
@@ -105,10 +142,12 @@ class KeyWatch {
 };
 
 void note_unknown_keys(const Json& json, File& file) {
-  constexpr std::array<std::string_view, 9> top = {
+  constexpr std::array<std::string_view, 10> top = {
       "ridgecraft:faces_model", "ridgecraft:faces_piece",  "ridgecraft:pieces",
       "ridgecraft:fold_order",  "ridgecraft:pages",        "ridgecraft:joins",
-      "ridgecraft:tabs",        "ridgecraft:model_digest", "ridgecraft:settings"};
+      "ridgecraft:tabs",        "ridgecraft:model_digest", "ridgecraft:settings",
+      "ridgecraft:equal_pieces"};
+  constexpr std::array<std::string_view, 2> equal = {"piece", "mirrored"};
   constexpr std::array<std::string_view, 1> model = {"ridgecraft:faces_part"};
   constexpr std::array<std::string_view, 6> piece = {"name", "part", "parts", "page", "holes", "reason"};
   constexpr std::array<std::string_view, 3> page = {"origin", "size", "margins"};
@@ -121,6 +160,11 @@ void note_unknown_keys(const Json& json, File& file) {
   watch.look_at_all(json.at("ridgecraft:pages"), page, "page");
   watch.look_at_all(json.at("ridgecraft:joins"), join, "join");
   watch.look_at_all(json.at("ridgecraft:tabs"), tab, "tab");
+  if (const auto kinds = json.find("ridgecraft:equal_pieces"); kinds != json.end()) {
+    for (const Json& kind : *kinds) {
+      watch.look_at_all(kind, equal, "equal piece");
+    }
+  }
 }
 
 }  // namespace
@@ -141,6 +185,7 @@ void read_statements(const Json& json, File& file) {
   read_settings(json, file);
   read_digest(json, file);
   read_fold_order(json, file);
+  read_equal_pieces(json, file);
   note_unknown_keys(json, file);
 }
 

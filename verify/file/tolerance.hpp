@@ -92,6 +92,13 @@ constexpr double touch_share = 1e-12;
 /// up to it.
 constexpr double dent_tolerance_mm = 1e-9;
 
+/// Lines of pieces that are said to be equal lie within this distance of each other, mm: nobody cuts more
+/// exactly.
+constexpr double equal_pieces_tolerance_mm = 0.05;
+/// Their folds differ by no more than this, degrees, and slighter ones than the second needn't be on both.
+constexpr double equal_folds_tolerance_deg = 0.5;
+constexpr double slightest_fold_deg = 0.25;
+
 /// JSON deeper than this is refused before it takes memory; the contract needs 5.
 constexpr int max_json_depth = 64;
 /// Work for the depths of overlaps, in distances between a corner and a side, after which the count is given

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "unfold/tabs/place/assignment.hpp"
+#include "unfold/tabs/place/even_tabs.hpp"
 #include "unfold/tabs/place/sites.hpp"
 
 namespace ridgecraft::unfold {
@@ -138,7 +139,8 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
       add_walls(*rooms[site.piece.value()], options, site);
     }
   }
-  const auto chosen = assign_tabs(sites, preferred_sides(sites), options, context);
+  auto chosen = assign_tabs(sites, preferred_sides(sites), options, context);
+  even_tabs(surface, nets, sites, options, chosen);
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];
     const auto& tab = chosen[j.value()];

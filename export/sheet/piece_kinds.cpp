@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/sheet/piece_kinds.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/utf8.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+/// Objects of one kind are mostly numbered: wheel.001, wheel_2.
+std::string without_number(const std::string& name) {
+  const std::size_t last = name.find_last_not_of("0123456789");
+  if (last == std::string::npos) {
+    return {};
+  }
+  const std::size_t end = name.find_last_not_of("0123456789._- #");
+  return last + 1 == name.size() ? name : name.substr(0, end + 1);
+}
+
+/// Who is called what, face by face.
+class Names {
+ public:
+  Names(const prepare::Prepared& prepared, const unfold::Nets& nets)
+      : model_(prepared.model), bodies_(prepared.body_names), nets_(nets) {
+    const mesh::Model& model = prepared.model;
+    for (const FaceId f : ids<FaceId>(model.material.size())) {
+      if (model.material[f] != mesh::Soup::none) {
+        pieces_of_material_[model.material[f]].insert(nets.piece[f]);
+      }
+    }
+  }
+
+  /// The name that all faces of these pieces share; empty where there is none.
+  [[nodiscard]] std::string of_objects(const std::vector<unfold::EqualPiece>& kind) const {
+    std::set<std::string> names;
+    for (const unfold::EqualPiece& equal : kind) {
+      for (const FaceId f : nets_.pieces[equal.piece].faces) {
+        names.insert(without_number(name_of(f)));
+        if (names.size() > 1) {
+          return {};
+        }
+      }
+    }
+    return *names.begin();
+  }
+
+  /// Faces that were made on the way are of no polygon.
+  [[nodiscard]] std::string name_of(FaceId f) const {
+    return model_.polygon[f] != mesh::Soup::none || bodies_.empty() ? model_.object_of(model_.polygon[f])
+                                                                    : bodies_[model_.surface.component(f)];
+  }
+
+  [[nodiscard]] std::string of_material(const std::vector<unfold::EqualPiece>& kind) const {
+    if (model_.material.empty()) {
+      return {};
+    }
+    const std::uint32_t material = model_.material[nets_.pieces[kind.front().piece].faces.front()];
+    std::set<PieceId> pieces;
+    for (const unfold::EqualPiece& equal : kind) {
+      pieces.insert(equal.piece);
+      for (const FaceId f : nets_.pieces[equal.piece].faces) {
+        if (model_.material[f] != material) {
+          return {};
+        }
+      }
+    }
+    const auto found = pieces_of_material_.find(material);
+    return found != pieces_of_material_.end() && found->second == pieces
+               ? without_number(model_.materials[material].name)
+               : std::string();
+  }
+
+ private:
+  const mesh::Model& model_;
+  const IdVector<ComponentId, std::string>& bodies_;
+  const unfold::Nets& nets_;
+  std::map<std::uint32_t, std::set<PieceId>> pieces_of_material_;
+};
+
+std::string listed(const unfold::Nets& nets, const std::vector<PieceId>& pieces, std::size_t most) {
+  if (pieces.size() > 2 && pieces.back().value() - pieces.front().value() + 1 == pieces.size()) {
+    return nets.pieces[pieces.front()].name + " to " + nets.pieces[pieces.back()].name;
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, pieces.size()); ++i) {
+    text += (i == 0 ? "" : ", ") + nets.pieces[pieces[i]].name;
+  }
+  return text + (pieces.size() > most ? ", ..." : "");
+}
+
+}  // namespace
+
+std::vector<PieceKind> find_piece_kinds(const prepare::Prepared& model, const unfold::Nets& nets) {
+  std::vector<PieceKind> kinds;
+  const Names names(model, nets);
+  for (const std::vector<unfold::EqualPiece>& equal : nets.equal) {
+    PieceKind& kind = kinds.emplace_back();
+    for (const unfold::EqualPiece& piece : equal) {
+      (piece.mirrored ? kind.mirrored : kind.pieces).push_back(piece.piece);
+    }
+    const std::string object = names.of_objects(equal);
+    kind.name = printable_utf8(object.empty() ? names.of_material(equal) : object);
+  }
+  return kinds;
+}
+
+std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most) {
+  std::string text = std::to_string(kind.count());
+  text += kind.name.empty() ? " equal" : " \u00d7 " + kind.name;
+  text += ": " + listed(nets, kind.pieces, most);
+  return text + (kind.mirrored.empty() ? "" : ", mirrored: " + listed(nets, kind.mirrored, most));
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/search/least_forest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include "base/disjoint_sets.hpp"
+#include "base/random.hpp"
+#include "bench/spiky_bodies.hpp"
+#include "support/shapes.hpp"
+#include "unfold/nets_checks.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/sub_patch.hpp"
+#include "unfold/pieces/page_split.hpp"
+#include "unfold/search/net_search.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::unfold;
+
+namespace {
+
+constexpr double tolerance = 1e-5;
+
+Patch patch_of(const mesh::Surface& s, const prepare::Panels& panels) {
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    faces.push_back(f);
+  }
+  return make_patch(s, panels, faces);
+}
+
+/// Faces of a patch that grow from one of them at random.
+std::vector<std::uint32_t> grown(const Patch& patch, std::size_t size, Random& random) {
+  std::vector<std::uint32_t> faces{random.below(patch.size())};
+  while (faces.size() < size) {
+    const std::uint32_t from = faces[random.below(static_cast<std::uint32_t>(faces.size()))];
+    const std::uint32_t twin = patch.twin[3 * from + random.below(3)];
+    if (twin != nothing && std::find(faces.begin(), faces.end(), twin / 3) == faces.end()) {
+      faces.push_back(twin / 3);
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/// The fewest trees of any forest without overlap, by trying all sets of folds.
+std::size_t by_trying_all(const Patch& patch) {
+  std::vector<std::uint32_t> sides;
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (patch.twin[side] != nothing && side < patch.twin[side]) {
+      sides.push_back(side);
+    }
+  }
+  std::size_t fewest = patch.size();
+  for (std::uint32_t set = 0; set < (1U << sides.size()); ++set) {
+    DisjointSets trees(patch.size());
+    Folds folds(patch.twin.size(), 0);
+    std::size_t left = patch.size();
+    bool forest = true;
+    for (std::size_t i = 0; i < sides.size() && forest; ++i) {
+      if (((set >> i) & 1U) != 0) {
+        forest = trees.join(sides[i] / 3, patch.twin[sides[i]] / 3);
+        set_fold(patch, folds, sides[i], true);
+        --left;
+      }
+    }
+    if (forest && left < fewest && find_overlaps(lay_out(patch, folds), tolerance).empty()) {
+      fewest = left;
+    }
+  }
+  return fewest;
+}
+
+/// Two pyramids over a star with five tips.
+mesh::Surface star_bipyramid(double height) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 10; ++i) {
+    const double radius = i % 2 == 0 ? 100.0 : 30.0;
+    const double angle = i * std::numbers::pi / 5.0;
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.0});
+  }
+  points.push_back({0.0, 0.0, height});
+  points.push_back({0.0, 0.0, -height});
+  std::vector<std::array<VertexId, 3>> faces;
+  for (unsigned i = 0; i < 10; ++i) {
+    const unsigned next = (i + 1) % 10;
+    faces.push_back({VertexId(i), VertexId(next), VertexId(10U)});
+    faces.push_back({VertexId(next), VertexId(i), VertexId(11U)});
+  }
+  return {std::move(points), std::move(faces)};
+}
+
+}  // namespace
+
+TEST_CASE("the least number of nets is what trying all sets of folds gives", "[proof]") {
+  const mesh::Surface ball = bench::spiky_ball(1, 80, 6.0, 1);
+  const Patch whole = patch_of(ball, test::no_panels(ball));
+  Random random(3);
+  std::size_t several = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Patch patch = sub_patch(whole, grown(whole, 9 + random.below(3), random));
+    const std::size_t least = by_trying_all(patch);
+    const LeastForest found = least_forest(patch, {tolerance, patch.size(), 100'000'000}, {});
+    INFO("patch " << i << " of " << patch.size() << " faces");
+    REQUIRE(found.finished);
+    CHECK(found.at_least == least);
+    CHECK(cost_of(patch, found.folds).pieces == least);
+    CHECK(find_overlaps(lay_out(patch, found.folds), tolerance).empty());
+    several += least > 1 ? 1 : 0;
+  }
+  CHECK(several > 5);
+}
+
+TEST_CASE("the bipyramid over a star has no net", "[proof]") {
+  const mesh::Surface star = star_bipyramid(20.0);
+  const Patch patch = patch_of(star, test::no_panels(star));
+  const LeastForest none = least_forest(patch, {tolerance, 1, 10'000'000}, {});
+  CHECK(none.finished);
+  CHECK(none.folds.empty());
+  CHECK(none.at_least == 2);
+
+  const Nets nets = unfold::unfold(star, test::flat_panels(star), test::one_part(star), {}, {});
+  CHECK(test::faults_of(star, nets, {}).empty());
+  REQUIRE(nets.pieces.size() == 2);
+  CHECK(nets.pieces[PieceId(1)].reason == PieceReason::no_net);
+  REQUIRE(nets.notes.size() == 1);
+  CHECK(nets.notes[0].find("proven: no single net") != std::string::npos);
+  CHECK(nets.notes[0].find("2 pieces, the fewest possible") != std::string::npos);
+  // A higher one has nets.
+  const mesh::Surface high = star_bipyramid(100.0);
+  const Patch other = patch_of(high, test::no_panels(high));
+  const LeastForest one = least_forest(other, {tolerance, 1, 10'000'000}, {});
+  CHECK(one.at_least == 1);
+  CHECK(cost_of(other, one.folds).pieces == 1);
+}
+
+TEST_CASE("panels stay whole in a proof", "[proof]") {
+  const mesh::Surface frame =
+      test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}});
+  const Patch patch = patch_of(frame, test::flat_panels(frame));
+  const LeastForest found = least_forest(patch, {tolerance, 4, 10'000'000}, {});
+  REQUIRE(found.finished);
+  // The hole of a ring has room for one of the four inner walls.
+  CHECK(found.at_least == 2);
+  CHECK(cost_of(patch, found.folds).pieces == 2);
+  CHECK(find_overlaps(lay_out(patch, found.folds), tolerance).empty());
+  const Patch loose = patch_of(frame, test::no_panels(frame));
+  CHECK(least_forest(loose, {tolerance, 4, 10'000'000}, {}).at_least == 1);
+}
+
+TEST_CASE("a proof ends when its work is spent, and no net was found where it says that there is none", "[proof]") {
+  const mesh::Surface ball = bench::spiky_ball(1, 64, 3.0, 1);
+  const Patch whole = patch_of(ball, test::no_panels(ball));
+  const LeastForest cut_short = least_forest(whole, {tolerance, 1, 100'000}, {});
+  CHECK_FALSE(cut_short.finished);
+  CHECK(cut_short.at_least == 1);
+  CHECK(cut_short.folds.empty());
+  CHECK(cut_short.work < 200'000);
+  Random random(5);
+  for (int i = 0; i < 60; ++i) {
+    const Patch patch = sub_patch(whole, grown(whole, 26, random));
+    NetSearch search;
+    search.tolerance = tolerance;
+    search.iterations = iteration_budget(patch.size());
+    const bool found = find_net(patch, search, 1, {}).overlaps == 0;
+    const LeastForest least = least_forest(patch, {tolerance, 1, 10'000'000}, {});
+    INFO("patch " << i);
+    REQUIRE(least.finished);
+    CHECK(least.work < 1'000'000);
+    CHECK((!found || least.at_least == 1));
+  }
+}

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/net/equal_pieces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "base/motion.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Flatter folds aren't compared, radians: where the triangles of a flat region differ they come and go.
+constexpr double flat_fold = 0.5 * std::numbers::pi / 180.0;
+/// Folds of equal pieces differ by no more, radians.
+constexpr double equal_folds = 0.2 * std::numbers::pi / 180.0;
+/// More ways to lay a piece on another aren't tried.
+constexpr std::size_t most_tries = 400;
+
+enum class LineKind : std::size_t { outline, fold, tab };
+
+struct DrawnLine {
+  Vec2 from, to;
+  double fold = 0.0;  ///< angle, radians, where it is a fold
+};
+
+/// All lines of a piece by their kinds.
+struct Lines {
+  std::array<std::vector<DrawnLine>, 3> of;
+  double length = 0.0;  ///< of the outline
+
+  [[nodiscard]] std::vector<DrawnLine>& operator[](LineKind kind) { return of[static_cast<std::size_t>(kind)]; }
+  [[nodiscard]] const std::vector<DrawnLine>& operator[](LineKind kind) const {
+    return of[static_cast<std::size_t>(kind)];
+  }
+  [[nodiscard]] std::array<std::size_t, 3> counts() const { return {of[0].size(), of[1].size(), of[2].size()}; }
+};
+
+std::vector<Lines> lines_of(const mesh::Surface& surface, const Nets& nets) {
+  std::vector<Lines> result(nets.pieces.size());
+  for (const FaceId f : ids<FaceId>(nets.piece.size())) {
+    if (!nets.piece[f].valid() || nets.piece[f].value() >= result.size()) {
+      continue;  // of nets of a few pieces, as searches make them
+    }
+    Lines& lines = result[nets.piece[f].value()];
+    for (unsigned k = 0; k < 3; ++k) {
+      const CornerId side = mesh::corner(f, k);
+      const EdgeId e = surface.edge(side);
+      const Vec2 from = nets.flat[f][k];
+      const Vec2 to = nets.flat[f][(k + 1) % 3];
+      if (nets.use[e] != EdgeUse::fold) {
+        lines[LineKind::outline].push_back({from, to});
+        lines.length += length(to - from);
+      } else if (side < surface.twin(side) && std::abs(surface.fold_angle(e)) >= flat_fold) {
+        lines[LineKind::fold].push_back({from, to, surface.fold_angle(e)});
+      }
+    }
+  }
+  for (const Tab& tab : nets.tabs) {
+    Lines& lines = result[nets.piece[mesh::face_of(tab.side)].value()];
+    for (std::size_t i = 0; i < tab.polygon.size(); ++i) {
+      lines[LineKind::tab].push_back({tab.polygon[i], tab.polygon[(i + 1) % tab.polygon.size()]});
+    }
+  }
+  for (Lines& lines : result) {
+    for (std::vector<DrawnLine>& some : lines.of) {
+      std::sort(some.begin(), some.end(), [](const DrawnLine& a, const DrawnLine& b) {
+        return a.from.x + a.to.x < b.from.x + b.to.x;
+      });
+    }
+  }
+  return result;
+}
+
+/// Turns over where it has to, then moves.
+struct Laying {
+  bool mirrored = false;
+  Rigid motion;
+
+  [[nodiscard]] Vec2 operator()(Vec2 p) const { return motion(mirrored ? Vec2{-p.x, p.y} : p); }
+};
+
+/// Takes one directed line to another: their middles, and their directions as nearly as they go.
+Laying laying(DrawnLine from, const DrawnLine& to, bool mirrored) {
+  Laying result{mirrored, {}};
+  if (mirrored) {
+    from = {{-from.to.x, from.to.y}, {-from.from.x, from.from.y}};
+  }
+  const Vec2 a = from.to - from.from;
+  const Vec2 b = to.to - to.from;
+  const double lengths = length(a) * length(b);
+  result.motion.cosine = dot(a, b) / lengths;
+  result.motion.sine = cross(a, b) / lengths;
+  result.motion.shift = 0.5 * (to.from + to.to) - result.motion.turn(0.5 * (from.from + from.to));
+  return result;
+}
+
+bool lie_together(Vec2 p, Vec2 q) {
+  return length(p - q) <= equal_pieces_mm;
+}
+
+/// Whether each line lies on one of the other's, both ways round. The lines are ascending by their middles.
+bool all_lie_on(const std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& others, const Laying& laid) {
+  return std::all_of(lines.begin(), lines.end(), [&](const DrawnLine& line) {
+    const Vec2 from = laid(line.from);
+    const Vec2 to = laid(line.to);
+    const double middle = from.x + to.x;
+    const auto first = std::lower_bound(
+        others.begin(), others.end(), middle - 2.0 * equal_pieces_mm,
+        [](const DrawnLine& other, double x) { return other.from.x + other.to.x < x; });
+    for (auto at = first; at != others.end() && at->from.x + at->to.x <= middle + 2.0 * equal_pieces_mm; ++at) {
+      if (std::abs(at->fold - line.fold) <= equal_folds &&
+          ((lie_together(from, at->from) && lie_together(to, at->to)) || (lie_together(from, at->to) && lie_together(to, at->from)))) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
+bool lies_on(const Lines& piece, const Lines& other, const Laying& laid) {
+  for (std::size_t kind = 0; kind < piece.of.size(); ++kind) {
+    if (!all_lie_on(piece.of[kind], other.of[kind], laid)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// How one piece lies on another, as it is or mirrored; nothing where it doesn't.
+std::optional<Laying> laid_on(const Lines& piece, const Lines& other) {
+  const std::vector<DrawnLine>& outline = piece[LineKind::outline];
+  if (piece.counts() != other.counts() || outline.empty() ||
+      std::abs(piece.length - other.length) > equal_pieces_mm * static_cast<double>(outline.size())) {
+    return std::nullopt;
+  }
+  const auto size = [](const DrawnLine& line) { return length(line.to - line.from); };
+  const DrawnLine& longest = *std::max_element(
+      outline.begin(), outline.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
+  for (const bool mirrored : {false, true}) {
+    std::size_t tries = 0;
+    for (const DrawnLine& line : other[LineKind::outline]) {
+      if (std::abs(size(line) - size(longest)) > 2.0 * equal_pieces_mm || ++tries > most_tries) {
+        continue;
+      }
+      const Laying laid = laying(longest, line, mirrored);
+      if (lies_on(piece, other, laid)) {
+        return laid;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::vector<EqualPiece>> find_equal_pieces(const mesh::Surface& surface, const Nets& nets) {
+  const std::vector<Lines> lines = lines_of(surface, nets);
+  std::vector<std::vector<EqualPiece>> kinds;
+  std::map<std::array<std::size_t, 3>, std::vector<std::size_t>> by_counts;  // indices into kinds
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    const Lines& own = lines[p.value()];
+    std::vector<std::size_t>& alike = by_counts[own.counts()];
+    const auto found = std::find_if(alike.begin(), alike.end(), [&](std::size_t kind) {
+      const std::optional<Laying> laid = laid_on(lines[kinds[kind].front().piece.value()], own);
+      if (laid) {
+        kinds[kind].push_back({p, laid->mirrored, laid->motion});
+      }
+      return laid.has_value();
+    });
+    if (found == alike.end()) {
+      alike.push_back(kinds.size());
+      kinds.push_back({{p}});
+    }
+  }
+  std::erase_if(kinds, [](const auto& kind) { return kind.size() < 2; });
+  return kinds;
+}
+
+}  // namespace ridgecraft::unfold

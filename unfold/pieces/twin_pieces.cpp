@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/twin_pieces.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "prepare/symmetry/twins.hpp"
+#include "unfold/net/equal_pieces.hpp"
+#include "unfold/net/tolerance.hpp"
+#include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/objective.hpp"
+#include "unfold/patch/sub_patch.hpp"
+#include "unfold/pieces/mirror_images.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// Where no fold of a piece could be anywhere else it has one net in any case.
+bool has_choices(const Patch& patch, const std::vector<std::uint32_t>& faces) {
+  return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+    return std::any_of(patch.frozen.begin() + 3 * f, patch.frozen.begin() + 3 * f + 3,
+                       [](std::uint8_t frozen) { return frozen == 0; });
+  }) && faces.size() > 2;
+}
+
+/// A pair keeps equal by its mirror plane, if at all, and its borders may move together; of three, two would.
+constexpr std::size_t fewest_kept_apart = 4;
+/// In larger models equal pieces aren't looked for: nobody builds them, and there are thousands.
+constexpr std::size_t most_faces_of_twins = 20'000;
+
+/// Costs that differ by less than this share are equal but for rounding.
+constexpr double same_cost = 1e-9;
+
+bool is_clean(const Patch& patch, const Folds& folds, const Room& room) {
+  return all_fit(patch, folds, room) &&
+         find_overlaps(lay_out(patch, folds), net_tolerance(patch.extent)).empty();
+}
+
+/// Carries trees over by the edges of twins; one table serves all of them.
+class EdgeImages {
+ public:
+  explicit EdgeImages(const mesh::Surface& surface) : surface_(surface), image_(surface.edge_count()) {}
+
+  [[nodiscard]] std::optional<Folds> carried_over_to(const Patch& first, const Folds& tree, const Patch& own,
+                                                     const TwinPiece& twin) {
+    for (const auto& [original, edge] : twin.edges) {
+      image_[edge] = original;
+    }
+    std::optional<Folds> result = carried_over(surface_, first, tree, own, image_);
+    for (const auto& [original, edge] : twin.edges) {
+      image_[edge] = EdgeId();
+    }
+    return result;
+  }
+  [[nodiscard]] std::optional<Folds> carried_over_back(const Patch& own, const Folds& tree, const Patch& first,
+                                                       const TwinPiece& twin) {
+    for (const auto& [original, edge] : twin.edges) {
+      image_[original] = edge;
+    }
+    std::optional<Folds> result = carried_over(surface_, own, tree, first, image_);
+    for (const auto& [original, edge] : twin.edges) {
+      image_[original] = EdgeId();
+    }
+    return result;
+  }
+
+ private:
+  const mesh::Surface& surface_;
+  IdVector<EdgeId, EdgeId> image_;
+};
+
+}  // namespace
+
+TwinPieces find_twin_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+                            const Context& context) {
+  if (patch.size() > most_faces_of_twins) {
+    return {};
+  }
+  std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;
+  std::erase_if(pieces, [&](const auto& faces) { return !has_choices(patch, faces); });
+  std::vector<std::vector<FaceId>> bodies;
+  for (std::vector<std::uint32_t>& faces : pieces) {
+    std::sort(faces.begin(), faces.end());
+    std::vector<FaceId>& body = bodies.emplace_back();
+    for (const std::uint32_t f : faces) {
+      body.push_back(patch.face[f]);
+    }
+  }
+  TwinPieces result;
+  for (std::vector<prepare::Twin>& kind : prepare::find_twins(surface, bodies, context)) {
+    std::erase_if(kind, [](const prepare::Twin& twin) { return twin.deviation > equal_pieces_mm; });
+    if (kind.size() < 2) {
+      continue;
+    }
+    std::vector<TwinPiece>& twins = result.emplace_back();
+    for (prepare::Twin& twin : kind) {
+      TwinPiece& piece = twins.emplace_back();
+      piece.faces = std::move(pieces[twin.body]);
+      piece.edges = std::move(twin.edges);
+    }
+  }
+  return result;
+}
+
+Patch with_twins_apart(const Patch& patch, const Folds& folds, const TwinPieces& twins) {
+  Patch result = patch;
+  const std::vector<std::uint32_t> piece = lay_out(patch, folds).piece;
+  for (const std::vector<TwinPiece>& kind : twins) {
+    if (kind.size() < fewest_kept_apart) {
+      continue;
+    }
+    for (const TwinPiece& twin : kind) {
+      for (const std::uint32_t f : twin.faces) {
+        for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+          const std::uint32_t other = patch.twin[side];
+          if (other != nothing && piece[other / 3] != piece[f]) {
+            result.twin[side] = result.twin[other] = nothing;
+          }
+        }
+      }
+    }
+  }
+  return result;
+}
+
+Folds with_equal_twins(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+                       const TwinPieces& twins, const Room& room, const Weights& weights) {
+  Folds result = folds;
+  if (twins.empty()) {
+    return result;
+  }
+  EdgeImages images(surface);
+  for (const std::vector<TwinPiece>& kind : twins) {
+    // Trees are laid on the first piece, where the best one is chosen, and from there on all others.
+    const Patch first = sub_patch(patch, kind[0].faces);
+    Folds best = sub_folds(patch, folds, kind[0].faces);
+    double least = cost_of_piece(first, best, 1, weights);
+    for (std::size_t i = 1; i < kind.size(); ++i) {
+      const Folds tree = sub_folds(patch, folds, kind[i].faces);
+      std::optional<Folds> copy =
+          images.carried_over_back(sub_patch(patch, kind[i].faces), tree, first, kind[i]);
+      if (copy && is_clean(first, *copy, room)) {
+        if (const double cost = cost_of_piece(first, *copy, 1, weights); cost < (1.0 - same_cost) * least) {
+          least = cost;
+          best = std::move(*copy);
+        }
+      }
+    }
+    put_back(patch, kind[0].faces, best, result);
+    for (std::size_t i = 1; i < kind.size(); ++i) {
+      const Patch own = sub_patch(patch, kind[i].faces);
+      const std::optional<Folds> copy = images.carried_over_to(first, best, own, kind[i]);
+      if (copy && is_clean(own, *copy, room)) {
+        put_back(patch, kind[i].faces, *copy, result);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/tabs/place/even_tabs.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "unfold/net/equal_pieces.hpp"
+#include "unfold/tabs/shape/trimming.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+using Chosen = std::vector<std::optional<ChosenTab>>;
+
+/// Pieces of a kind that are tried as the model for the others.
+constexpr std::size_t most_models = 6;
+
+/// What was cut back to the clearance on one piece keeps it but for rounding on the other, mm.
+constexpr double equal_clearance_mm = 1e-6;
+
+/// For each site of the first piece of a kind the same place on another: empty where there isn't exactly one.
+using Images = std::vector<std::uint32_t>;
+
+Vec2 middle_of(const TabSite& site) {
+  return site.own.out(Vec2{0.5 * site.length, 0.0});
+}
+
+Images images_of(const std::vector<TabSite>& sites, const std::vector<std::uint32_t>& first,
+                 const std::vector<std::uint32_t>& other, const EqualPiece& equal) {
+  std::vector<std::pair<double, std::uint32_t>> by_x;
+  for (const std::uint32_t s : other) {
+    by_x.emplace_back(middle_of(sites[s]).x, s);
+  }
+  std::sort(by_x.begin(), by_x.end());
+  Images images;
+  for (const std::uint32_t s : first) {
+    Vec2 p = middle_of(sites[s]);
+    p = equal.motion(equal.mirrored ? Vec2{-p.x, p.y} : p);
+    // Two sides of a slit that is closed lie in one place: they run against each other.
+    Vec2 axis = sites[s].own.axis;
+    axis = equal.motion.turn(equal.mirrored ? Vec2{axis.x, -axis.y} : axis);
+    std::uint32_t found = 0;
+    std::size_t count = 0;
+    for (auto at = std::lower_bound(by_x.begin(), by_x.end(), std::pair(p.x - 2.0 * equal_pieces_mm, 0U));
+         at != by_x.end() && at->first <= p.x + 2.0 * equal_pieces_mm; ++at) {
+      const TabSite& site = sites[at->second];
+      if (length(middle_of(site) - p) <= 2.0 * equal_pieces_mm && dot(site.own.axis, axis) > 0.9 &&
+          std::abs(site.length - sites[s].length) <= 2.0 * equal_pieces_mm) {
+        found = at->second;
+        ++count;
+      }
+    }
+    if (count != 1) {
+      return {};
+    }
+    images.push_back(found);
+  }
+  return images;
+}
+
+ConvexShape turned_over(const ConvexShape& shape, double length) {
+  ConvexShape result;
+  for (std::uint32_t i = 0; i < shape.size(); ++i) {
+    // The corners stay counterclockwise, and the first two on the base.
+    const Vec2 p = shape[(shape.size() + 1 - i) % shape.size()];
+    result.push_back({length - p.x, p.y});
+  }
+  return result;
+}
+
+class TabCopier {
+ public:
+  TabCopier(const std::vector<TabSite>& sites, const TabOptions& options) : sites_(sites), options_(options) {}
+
+  /// The tabs of one piece on another; nothing where a join would lose its tab, or a tab would be in something's
+  /// way. `from`, `to`: sites of either that belong together.
+  [[nodiscard]] std::optional<Chosen> copied(const Chosen& chosen, const Images& from, const Images& to,
+                                             bool mirrored) const {
+    Chosen result = chosen;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const std::optional<ChosenTab>& tab = chosen[from[i] / 2];
+      std::optional<ChosenTab>& own = result[to[i] / 2];
+      if (tab && tab->site == from[i]) {
+        ChosenTab copy{to[i], tab->shape};
+        if (mirrored) {
+          copy.shape.outline = turned_over(copy.shape.outline, sites_[to[i]].length);
+        }
+        if (!is_clear(sites_[to[i]], copy.shape.outline)) {
+          return std::nullopt;
+        }
+        own = copy;
+      } else if (const std::optional<ChosenTab>& before = chosen[to[i] / 2];
+                 before && before->site == to[i] && !gets_another(chosen, from[i])) {
+        return std::nullopt;
+      }
+    }
+    return result;
+  }
+
+ private:
+  /// Whether the join of a site has its tab at its other side, and both sides belong to one piece.
+  [[nodiscard]] bool gets_another(const Chosen& chosen, std::uint32_t site) const {
+    return chosen[site / 2] && sites_[site].piece == sites_[site].target_piece;
+  }
+  [[nodiscard]] bool is_clear(const TabSite& site, const ConvexShape& shape) const {
+    return std::all_of(site.obstacles.begin(), site.obstacles.end(), [&](const Obstacle& obstacle) {
+      return clear_of(shape, obstacle, options_.clearance_mm - equal_clearance_mm);
+    });
+  }
+
+  const std::vector<TabSite>& sites_;
+  const TabOptions& options_;
+};
+
+}  // namespace
+
+void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector<TabSite>& sites,
+               const TabOptions& options, std::vector<std::optional<ChosenTab>>& chosen) {
+  std::size_t faces = 0;
+  for (const Piece& piece : nets.pieces) {
+    faces += piece.faces.size();
+  }
+  if (faces < nets.piece.size()) {
+    return;  // a few pieces of a search
+  }
+  const std::vector<std::vector<EqualPiece>> kinds = find_equal_pieces(surface, nets);
+  if (kinds.empty()) {
+    return;
+  }
+  IdVector<PieceId, std::vector<std::uint32_t>> of_piece(nets.pieces.size());
+  for (std::uint32_t s = 0; s < sites.size(); ++s) {
+    of_piece[sites[s].piece].push_back(s);
+  }
+  const TabCopier copier(sites, options);
+  for (const std::vector<EqualPiece>& kind : kinds) {
+    std::vector<std::pair<Images, bool>> members;  // in the order of the first one's sites, mirrored
+    for (const EqualPiece& equal : kind) {
+      Images images = images_of(sites, of_piece[kind[0].piece], of_piece[equal.piece], equal);
+      if (!images.empty()) {
+        members.emplace_back(std::move(images), equal.mirrored);
+      }
+    }
+    Chosen best = chosen;
+    std::size_t most = 0;
+    for (std::size_t m = 0; m < std::min(members.size(), most_models) && most + 1 < members.size(); ++m) {
+      Chosen evened = chosen;
+      std::size_t alike = 0;
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        if (i == m) {
+          continue;
+        }
+        const bool mirrored = members[i].second != members[m].second;
+        if (auto copy = copier.copied(evened, members[m].first, members[i].first, mirrored)) {
+          evened = std::move(*copy);
+          ++alike;
+        }
+      }
+      if (alike > most) {
+        most = alike;
+        best = std::move(evened);
+      }
+    }
+    chosen = std::move(best);
+  }
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Promise 8: pieces that are said to be equal can be laid on each other, with their folds and tabs.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "verify/checks/checks.hpp"
+#include "verify/file/tolerance.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+struct Stroke {
+  Vec2 from, to;
+  double angle_deg = 0.0;  ///< of a fold; what isn't one has an angle that no fold has
+};
+
+constexpr double cut_angle = 1000.0;
+constexpr double tab_angle = 2000.0;
+
+/// A motion of the plane, after turning it over or not.
+struct Overlay {
+  bool turned_over = false;
+  Vec2 x_axis{1.0, 0.0};
+  Vec2 origin;
+
+  [[nodiscard]] Vec2 operator()(Vec2 p) const {
+    const double x = turned_over ? -p.x : p.x;
+    return origin + Vec2{x_axis.x * x - x_axis.y * p.y, x_axis.y * x + x_axis.x * p.y};
+  }
+};
+
+/// What can be seen of a piece: its cuts first, then folds that show, then tabs.
+struct Sheet {
+  std::vector<Stroke> strokes;
+  std::size_t cuts = 0;
+  std::vector<std::size_t> order;  ///< strokes ascending by the x of their middles
+};
+
+double key(const Stroke& stroke) {
+  return stroke.from.x + stroke.to.x;
+}
+
+class EqualPieceCheck {
+ public:
+  EqualPieceCheck(const Case& given, Findings& findings)
+      : file_(given.file), relations_(given.relations), findings_(findings) {}
+
+  void run() {
+    if (file_.equal.empty()) {
+      return;
+    }
+    gather();
+    for (const std::vector<EqualPiece>& kind : file_.equal) {
+      for (std::size_t i = 1; i < kind.size(); ++i) {
+        const Index first = kind.front().piece;
+        const Index piece = kind[i].piece;
+        if (!are_equal(sheets_[first], sheets_[piece], kind[i].mirrored)) {
+          findings_.add(Promise::statements, {{"piece", first}, {"piece", piece}}, [&] {
+            return fmt::format("{} is said to be {} {}, and isn't", piece_name(file_, piece),
+                               kind[i].mirrored ? "a mirror image of" : "equal to", piece_name(file_, first));
+          });
+        }
+      }
+    }
+  }
+
+ private:
+  void gather() {
+    sheets_.resize(file_.pieces.size());
+    for (const bool cuts : {true, false}) {
+      for (Index e = 0; e < file_.edges.size(); ++e) {
+        const Edge& edge = file_.edges[e];
+        const auto sides = relations_.sides_of(e);
+        if (sides.empty() || (edge.assignment == Assignment::cut) != cuts ||
+            (!cuts && std::abs(edge.angle_deg) < slightest_fold_deg)) {
+          continue;
+        }
+        Sheet& sheet = sheets_[file_.face_piece[file_.faces.face(sides.front())]];
+        sheet.strokes.push_back({file_.points[file_.faces.tail(sides.front())],
+                                 file_.points[file_.faces.head(sides.front())],
+                                 cuts ? cut_angle : edge.angle_deg});
+        sheet.cuts += cuts ? 1U : 0U;
+      }
+    }
+    for (Index t = 0; t < file_.tabs.size(); ++t) {
+      const std::vector<Vec2>& polygon = file_.tabs[t].polygon;
+      if (relations_.sides_of(file_.tabs[t].edge).empty()) {
+        continue;
+      }
+      Sheet& sheet = sheets_[file_.face_piece[face_of_tab(file_, relations_, t)]];
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        sheet.strokes.push_back({polygon[i], polygon[(i + 1) % polygon.size()], tab_angle});
+      }
+    }
+    for (Sheet& sheet : sheets_) {
+      for (std::size_t i = 0; i < sheet.strokes.size(); ++i) {
+        sheet.order.push_back(i);
+      }
+      std::sort(sheet.order.begin(), sheet.order.end(),
+                [&](std::size_t i, std::size_t k) { return key(sheet.strokes[i]) < key(sheet.strokes[k]); });
+    }
+  }
+
+  /// Folds that are so slight that one of two equal pieces may lack them aren't asked for.
+  static bool is_asked_for(const Stroke& stroke) {
+    return std::abs(stroke.angle_deg) >= 2.0 * slightest_fold_deg;
+  }
+
+  static bool has(const Sheet& sheet, const Stroke& wanted) {
+    const auto near = [](Vec2 p, Vec2 q) { return length(p - q) <= equal_pieces_tolerance_mm; };
+    const double low = key(wanted) - 2.0 * equal_pieces_tolerance_mm;
+    const auto begin =
+        std::lower_bound(sheet.order.begin(), sheet.order.end(), low,
+                         [&](std::size_t i, double x) { return key(sheet.strokes[i]) < x; });
+    for (auto at = begin; at != sheet.order.end(); ++at) {
+      const Stroke& stroke = sheet.strokes[*at];
+      if (key(stroke) > low + 4.0 * equal_pieces_tolerance_mm) {
+        break;
+      }
+      const bool same_ends = (near(stroke.from, wanted.from) && near(stroke.to, wanted.to)) ||
+                             (near(stroke.from, wanted.to) && near(stroke.to, wanted.from));
+      if (same_ends && std::abs(stroke.angle_deg - wanted.angle_deg) <= equal_folds_tolerance_deg) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static Stroke laid(const Stroke& stroke, const Overlay& overlay) {
+    return {overlay(stroke.from), overlay(stroke.to), stroke.angle_deg};
+  }
+
+  static bool covers(const Sheet& a, const Sheet& b, const Overlay& overlay) {
+    return std::all_of(a.strokes.begin(), a.strokes.end(), [&](const Stroke& stroke) {
+      return !is_asked_for(stroke) || has(b, laid(stroke, overlay));
+    });
+  }
+
+  /// Lays a cut of one piece along a cut of another, so that their paper lies on the same side.
+  static Overlay along(const Stroke& a, const Stroke& b, bool turned_over) {
+    Overlay overlay{turned_over, {}, {}};
+    Vec2 from = a.from;
+    Vec2 to = a.to;
+    if (turned_over) {
+      from = {-a.to.x, a.to.y};
+      to = {-a.from.x, a.from.y};
+    }
+    const Vec2 p = to - from;
+    const Vec2 q = b.to - b.from;
+    overlay.x_axis = Vec2{dot(p, q), cross(p, q)} / (length(p) * length(q));
+    const Vec2 middle = 0.5 * (from + to);
+    const Vec2 turned{overlay.x_axis.x * middle.x - overlay.x_axis.y * middle.y,
+                      overlay.x_axis.y * middle.x + overlay.x_axis.x * middle.y};
+    overlay.origin = 0.5 * (b.from + b.to) - turned;
+    return overlay;
+  }
+
+  static bool are_equal(const Sheet& a, const Sheet& b, bool mirrored) {
+    if (a.cuts != b.cuts || a.cuts == 0) {
+      return false;
+    }
+    const auto size = [](const Stroke& stroke) { return length(stroke.to - stroke.from); };
+    const Stroke& longest = *std::max_element(
+        a.strokes.begin(), a.strokes.begin() + static_cast<std::ptrdiff_t>(a.cuts),
+        [&](const Stroke& s, const Stroke& t) { return size(s) < size(t); });
+    for (std::size_t i = 0; i < b.cuts; ++i) {
+      const Stroke& cut = b.strokes[i];
+      if (std::abs(size(cut) - size(longest)) > 2.0 * equal_pieces_tolerance_mm) {
+        continue;
+      }
+      const Overlay there = along(longest, cut, mirrored);
+      if (covers(a, b, there) && covers(b, a, along(cut, longest, mirrored))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const File& file_;
+  const Relations& relations_;
+  Findings& findings_;
+  std::vector<Sheet> sheets_;
+};
+
+}  // namespace
+
+void check_equal_pieces(const Case& given, Findings& findings) {
+  EqualPieceCheck(given, findings).run();
+}
+
+}  // namespace ridgecraft::verify
