@@ -14,6 +14,8 @@ struct Annealing {
   std::uint64_t exact_trials = 0;
   /// A swap that costs d, mm, is taken with probability exp(-d / heat): heat at the beginning.
   double first_heat = 20.0;
+  /// The quick half ends with the first clean net that fits the room and costs less than the one given.
+  bool until_it_fits = false;
 };
 
 /// The trials for a net of so many faces of which each is worth `trials_per_face` (Options): fewer for each

@@ -68,7 +68,9 @@ bool NetEnergy::rate_shapes(std::uint32_t below) {
     second_root_ = other_end(fold_);
     second_ = shape_.measure(net_, folds_, second_root_, &moved, motion);
     shapes_change_ += second_.cost - pieces_[b].shape.cost;
-    few_panels = room_.max_panels == 0 || std::max(first_.panels, second_.panels) <= room_.max_panels;
+    const std::size_t before = std::max(pieces_[a].shape.panels, pieces_[b].shape.panels);
+    few_panels = room_.max_panels == 0 ||
+                 std::max(first_.panels, second_.panels) <= std::max(room_.max_panels, before);
   }
   set_fold(cut_, 0);
   set_fold(fold_, 1);
@@ -109,9 +111,6 @@ void NetEnergy::relabel(std::uint32_t root, std::uint32_t number) {
 }
 
 bool NetEnergy::all_fit() {
-  if (!room_.sheet) {
-    return true;
-  }
   return std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
     if (piece.shape.surely_fits) {
       return true;

@@ -21,6 +21,8 @@ constexpr double hollow_unit_mm2 = 100.0;
 constexpr double outline_unit_mm = 1000.0;
 /// What a millimetre beyond the sheet costs, mm: more than any seam would save by it.
 constexpr double overhang_price = 20.0;
+/// What a flat region more than a piece may have costs, mm: the same.
+constexpr double panel_price = 50.0;
 
 /// Area of the polygon around a convex set with these reaches in 16 directions, from that set's own.
 double area_within(const std::array<float, 16>& reach) {
@@ -171,6 +173,10 @@ PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds
     const double over = overhang(reach);
     result.surely_fits = over <= 0.0;
     result.cost += overhang_price * over;
+  }
+  if (room_.max_panels > 0 && panels_ > room_.max_panels) {
+    result.surely_fits = false;
+    result.cost += panel_price * static_cast<double>(panels_ - room_.max_panels);
   }
   return result;
 }

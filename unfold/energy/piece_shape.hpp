@@ -23,13 +23,13 @@ namespace ridgecraft::unfold {
 /// - necks: of each fold, by how much the branch behind it (the root of the smaller side's area) is wider
 /// than
 ///   three times the fold (Weights::thin);
-/// - what the piece hangs over the sheet, at the best of eight turns.
+/// - what the piece hangs over the sheet, at the best of eight turns, and panels beyond what it may have.
 class PieceShape {
  public:
   struct Measure {
     double cost = 0.0;        ///< mm
     std::size_t panels = 1;   ///< flat regions in it
-    bool surely_fits = true;  ///< at one of eight turns it lies on the sheet
+    bool surely_fits = true;  ///< at one of eight turns it lies on the sheet, with few enough panels
   };
 
   /// The patch must outlive this.

@@ -52,6 +52,9 @@ std::optional<Folds> QuickWalk::run(const Annealing& rules, const Context& conte
     meeting_price_ = between(first_meeting_price, last_meeting_price, trial, rules.quick_trials);
     if (step(heat_, trial)) {
       remember();
+      if (rules.until_it_fits && best_) {
+        break;
+      }
     }
   }
   return std::move(best_);
