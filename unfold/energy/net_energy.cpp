@@ -31,8 +31,8 @@ void NetEnergy::set_tree() {
     const auto number = static_cast<std::uint32_t>(pieces_.size());
     pieces_.push_back({f, shape_.measure(net_, folds_, f, nullptr, {})});
     shape_cost_ += pieces_.back().shape.cost;
-    for (const std::uint32_t g : shape_.faces()) {
-      piece_[g] = number;
+    for (const PieceShape::Member& member : shape_.faces()) {
+      piece_[member.face] = number;
     }
   }
 }
@@ -79,9 +79,11 @@ bool NetEnergy::rate_shapes(std::uint32_t below) {
 
 /// Of the two faces at the new cut the one that isn't in the piece that was measured last.
 std::uint32_t NetEnergy::other_end(std::uint32_t fold) const {
-  const auto& faces = shape_.faces();
+  const auto faces = shape_.faces();
   const std::uint32_t f = fold / 3;
-  return std::find(faces.begin(), faces.end(), f) == faces.end() ? f : patch_.twin[fold] / 3;
+  return std::none_of(faces.begin(), faces.end(), [f](const auto& member) { return member.face == f; })
+             ? f
+             : patch_.twin[fold] / 3;
 }
 
 void NetEnergy::keep() {
@@ -105,8 +107,8 @@ void NetEnergy::drop() {
 
 void NetEnergy::relabel(std::uint32_t root, std::uint32_t number) {
   static_cast<void>(shape_.measure(net_, folds_, root, nullptr, {}));
-  for (const std::uint32_t f : shape_.faces()) {
-    piece_[f] = number;
+  for (const PieceShape::Member& member : shape_.faces()) {
+    piece_[member.face] = number;
   }
 }
 
@@ -117,8 +119,8 @@ bool NetEnergy::all_fit() {
     }
     static_cast<void>(shape_.measure(net_, folds_, piece.face, nullptr, {}));
     std::vector<Vec2> points;
-    for (const std::uint32_t f : shape_.faces()) {
-      points.insert(points.end(), net_.flat(f).begin(), net_.flat(f).end());
+    for (const PieceShape::Member& member : shape_.faces()) {
+      points.insert(points.end(), net_.flat(member.face).begin(), net_.flat(member.face).end());
     }
     return room_.holds(convex_hull(std::move(points)), piece.shape.panels);
   });
