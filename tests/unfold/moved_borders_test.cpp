@@ -74,6 +74,7 @@ Options options_with(std::optional<Sheet> sheet, std::size_t max_panels) {
   options.sheet = sheet;
   options.pieces = rules_of(PieceMode::parts);
   options.pieces.max_panels = max_panels;
+  options.pieces.weights.pieces = 10'000.0;  // whatever saves a piece is worth it
   return options;
 }
 
@@ -110,6 +111,29 @@ TEST_CASE("borders that move save pieces, and nets stay clean and fit", "[border
   INFO(saved << " of " << surplus);
   CHECK(surplus > 5);
   CHECK(2 * saved > surplus);
+}
+
+TEST_CASE("a piece that isn't worth what its faces cost elsewhere stays", "[borders]") {
+  const auto pieces_with = [](double weight) {
+    std::size_t pieces = 0;
+    for (const Case& c : cases()) {
+      Options options = options_with({}, 0);
+      options.pieces.weights.pieces = weight;
+      const Asked asked{c.surface, c.panels, c.part, options};
+      const Plan plan = make_plan(asked, {});
+      const Patch patch = whole_patch(asked, plan);
+      const UnfoldedParts parts = unfold_parts(asked, plan, {});
+      std::vector<PieceReason> cause;
+      for (const Cause& why : parts.causes) {
+        cause.push_back(why.reason);
+      }
+      const MovedBorders moved = move_borders(c.surface, plan.whole, patch, c.part.items(), parts.folds,
+                                              cause, options, plan.room, {});
+      pieces += lay_out(patch, moved.folds).faces.size();
+    }
+    return pieces;
+  };
+  CHECK(pieces_with(0.0) > pieces_with(10'000.0));
 }
 
 TEST_CASE("a surface without a part too many stays as it is", "[borders]") {

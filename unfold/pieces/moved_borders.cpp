@@ -8,38 +8,25 @@
 #include <set>
 #include <utility>
 
-#include "base/disjoint_sets.hpp"
-#include "base/random.hpp"
-#include "unfold/energy/anneal.hpp"
 #include "unfold/net/tolerance.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/linked_patch.hpp"
 #include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/joined_nets.hpp"
-#include "unfold/search/heated_search.hpp"
-#include "unfold/search/least_trees.hpp"
+#include "unfold/pieces/trees_together.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// Faces of all pieces that are laid against each other as they are, and swaps of all searches: about half a
-/// second, and one each.
+/// Faces of all pieces that are laid against each other as they are: about half a second.
 constexpr std::size_t join_budget = 300'000;
-constexpr std::uint64_t heat_budget = 400'000;
-constexpr std::uint64_t fit_budget = 400'000;
-/// Swaps for each face of pieces that are searched for a net, and of such as don't fit yet.
-constexpr std::uint64_t heat_per_face = 1200;
-constexpr double fit_per_face = 1500.0;
+/// What a net that saves a piece may cost more than the two before, as a share of what a piece counts. More
+/// saves pieces that are easy to cut for the sake of one that isn't: a vase's foot and neck in one ragged
+/// net.
+constexpr double share_of_a_piece = 1.0 / 3.0;
 /// What has no more flat regions than this share of what a piece may have is a crumb.
 constexpr std::size_t crumbs_per_piece = 4;
-/// Larger unions take too long.
-constexpr std::size_t most_faces = 600;
-/// What a proof that a union needs as many pieces may take: pairs of faces, panels of a block.
-constexpr std::uint64_t proof_pairs = 500'000;
-constexpr std::size_t most_proven_panels = 30;
 
 using Faces = std::vector<std::uint32_t>;
 
@@ -49,36 +36,19 @@ struct Around {
   std::vector<std::uint32_t> foreign;  ///< of other parts, long borders first
 };
 
-/// A few pieces as one patch. The first of them is to be joined to another one.
-struct Union {
-  Faces faces;  ///< ascending
-  Patch patch;
-  Folds apart;
-  std::size_t trees = 0;    ///< that it has
-  std::uint32_t first = 0;  ///< one of the first piece's faces, of the patch
-};
-
-/// Sides at which its trees meet, as many as make one tree of them, and the fold that makes them one fewer.
-struct Links {
-  std::uint32_t joint = nothing;
-  std::vector<std::uint32_t> sides;
-};
-
 class BorderMover {
  public:
   BorderMover(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
               std::span<const PartId> part, const Folds& folds, std::span<const PieceReason> cause,
               const Options& options, const Room& room, const Context& context)
-      : surface_(surface),
-        panels_(panels),
-        patch_(patch),
+      : patch_(patch),
         part_(part),
         cause_(cause),
         options_(options),
         room_(room),
         context_(context),
         tolerance_(net_tolerance(patch.extent)),
-        random_(context.seed),
+        trees_(surface, panels, options, room, tolerance_, context),
         result_{folds, {}} {
     look();
   }
@@ -238,8 +208,8 @@ class BorderMover {
     return sets;
   }
 
-  [[nodiscard]] Union united(const std::vector<std::uint32_t>& pieces) const {
-    Union all;
+  [[nodiscard]] PiecesTogether united(const std::vector<std::uint32_t>& pieces) const {
+    PiecesTogether all;
     for (const std::uint32_t p : pieces) {
       all.faces.insert(all.faces.end(), layout_.faces[p].begin(), layout_.faces[p].end());
     }
@@ -253,20 +223,28 @@ class BorderMover {
     return all;
   }
 
-  void keep(const Union& all, const Folds& folds) {
-    put_back(patch_, all.faces, folds, result_.folds);
+  /// Takes these trees, one fewer, unless they are much more ragged.
+  bool keep_if_better(const PiecesTogether& all, const Folds& folds) {
+    const SettledTrees fewer = trees_.settled(all.patch, folds);
+    const double most = share_of_a_piece * options_.pieces.weights.pieces;
+    if (fewer.energy >= trees_.settled(all.patch, all.apart).energy + most) {
+      failed_.insert(all.faces);
+      return false;
+    }
+    put_back(patch_, all.faces, fewer.folds, result_.folds);
     look();
+    return true;
   }
 
   bool lay_against_cheapest(std::uint32_t p, const std::vector<std::uint32_t>& foreign) {
     double least = std::numeric_limits<double>::infinity();
-    std::optional<std::pair<Union, Folds>> best;
+    std::optional<std::pair<PiecesTogether, Folds>> best;
     for (const std::uint32_t q : foreign) {
       if (border_[p].count(q) == 0) {
         continue;
       }
-      Union both = united({p, q});
-      if (least_pieces(both.patch, room_) > 1) {
+      PiecesTogether both = united({p, q});
+      if (failed_.contains(both.faces) || least_pieces(both.patch, room_) > 1) {
         continue;
       }
       const std::optional<Folds> tree =
@@ -280,17 +258,14 @@ class BorderMover {
         }
       }
     }
-    if (best) {
-      keep(best->first, best->second);
-    }
-    return best.has_value();
+    return best && keep_if_better(best->first, best->second);
   }
 
   [[nodiscard]] double cost(const Patch& patch, const Folds& tree) const {
     return cost_of_piece(patch, tree, one_part, options_.pieces.weights);
   }
 
-  [[nodiscard]] double cost_apart(const Union& all) const {
+  [[nodiscard]] double cost_apart(const PiecesTogether& all) const {
     double sum = 0.0;
     for (Faces& faces : lay_out(all.patch, all.apart).faces) {
       std::sort(faces.begin(), faces.end());
@@ -301,109 +276,18 @@ class BorderMover {
 
   /// One tree fewer for the faces of these pieces.
   bool search(const std::vector<std::uint32_t>& pieces) {
-    const Union all = united(pieces);
-    const std::size_t wanted = all.trees - 1;
-    if (wanted > LinkedPatch::most_links || all.faces.size() > most_faces || failed_.contains(all.faces) ||
-        least_pieces(all.patch, room_) > wanted ||
-        least_trees(all.patch, {tolerance_, most_proven_panels, proof_pairs}, context_) > wanted) {
+    const PiecesTogether all = united(pieces);
+    if (failed_.contains(all.faces)) {
       return false;
     }
-    const std::optional<Links> links = linked(all);
-    if (links) {
-      const std::optional<Folds> folds = searched(all, *links);
-      if (folds) {
-        keep(all, *folds);
-        return true;
-      }
+    const std::optional<Folds> folds = trees_.one_fewer(all);
+    if (folds && keep_if_better(all, *folds)) {
+      return true;
     }
     failed_.insert(all.faces);
     return false;
   }
 
-  /// Over long sides; nothing where its pieces don't hang together.
-  [[nodiscard]] static std::optional<Links> linked(const Union& all) {
-    const Patch& patch = all.patch;
-    const Layout layout = lay_out(patch, all.apart);
-    std::vector<std::uint32_t> sides;
-    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-      const std::uint32_t twin = patch.twin[side];
-      if (twin != nothing && side < twin && patch.frozen[side] == 0 &&
-          layout.piece[side / 3] != layout.piece[twin / 3]) {
-        sides.push_back(side);
-      }
-    }
-    std::stable_sort(sides.begin(), sides.end(),
-                     [&](std::uint32_t s, std::uint32_t t) { return patch.length[s] > patch.length[t]; });
-    const auto ends = [&](std::uint32_t side) {
-      return std::pair(layout.piece[side / 3], layout.piece[patch.twin[side] / 3]);
-    };
-    Links links;
-    DisjointSets sets(layout.faces.size());
-    const std::uint32_t first = layout.piece[all.first];
-    const auto joint = std::find_if(sides.begin(), sides.end(), [&](std::uint32_t side) {
-      return ends(side).first == first || ends(side).second == first;
-    });
-    if (joint == sides.end()) {
-      return std::nullopt;
-    }
-    links.joint = *joint;
-    static_cast<void>(sets.join(ends(*joint).first, ends(*joint).second));
-    for (const std::uint32_t side : sides) {
-      if (sets.join(ends(side).first, ends(side).second)) {
-        links.sides.push_back(side);
-      }
-    }
-    return links.sides.size() + 2 == all.trees ? std::optional(std::move(links)) : std::nullopt;
-  }
-
-  /// Clean trees that fit, or nothing.
-  [[nodiscard]] std::optional<Folds> searched(const Union& all, const Links& links) {
-    const LinkedPatch linked = linked_patch(all.patch, links.sides);
-    Folds tree = all.apart;
-    set_fold(all.patch, tree, links.joint, true);
-    for (const std::uint32_t side : links.sides) {
-      set_fold(all.patch, tree, side, true);
-    }
-    const std::uint64_t trials = std::min<std::uint64_t>(heat_per_face * all.patch.size(), heat_work_);
-    HeatedFound found = heated_search(linked.joined, tree, {tolerance_, trials}, random_.next(), context_);
-    heat_work_ -= std::min(heat_work_, found.trials);
-    if (found.overlaps > 0) {
-      return std::nullopt;
-    }
-    std::optional<Folds> forest = parted(all.patch, found.folds, links);
-    // Of two that don't fit as one nothing can be handed to others.
-    return forest || all.trees == 2 ? forest : parted(all.patch, fitted(linked, found.folds), links);
-  }
-
-  /// The trees that links hold together; nothing where one overlaps or doesn't fit.
-  [[nodiscard]] std::optional<Folds> parted(const Patch& patch, Folds tree, const Links& links) const {
-    for (const std::uint32_t side : links.sides) {
-      set_fold(patch, tree, side, false);
-    }
-    const bool good = all_fit(patch, tree, room_) && find_overlaps(lay_out(patch, tree), tolerance_).empty();
-    return good ? std::optional(std::move(tree)) : std::nullopt;
-  }
-
-  /// The same trees brought to less energy, of which what is too large is most.
-  [[nodiscard]] Folds fitted(const LinkedPatch& linked, const Folds& tree) {
-    Annealing rules = annealing_for(fit_per_face, linked.joined.size());
-    rules.quick_trials = std::min(rules.quick_trials, fit_work_);
-    rules.exact_trials = 0;
-    rules.until_it_fits = true;
-    if (rules.quick_trials == 0) {
-      return tree;
-    }
-    fit_work_ -= rules.quick_trials;
-    TabOptions no_tabs = options_.tabs;
-    no_tabs.wanted = false;
-    ChangingNet net(surface_, panels_, linked.apart, linked.joined, tree, no_tabs, tolerance_);
-    const CutFacts facts = cut_facts(net, no_tabs);
-    anneal(net, facts, room_, options_.pieces.weights, rules, random_.next(), context_);
-    return net.folds();
-  }
-
-  const mesh::Surface& surface_;
-  const prepare::Panels& panels_;
   const Patch& patch_;
   std::span<const PartId> part_;
   std::span<const PieceReason> cause_;
@@ -411,7 +295,7 @@ class BorderMover {
   const Room& room_;
   const Context& context_;
   double tolerance_;
-  Random random_;
+  TreesTogether trees_;
   MovedBorders result_;
   Layout layout_;
   std::vector<PartId> piece_part_;
@@ -419,8 +303,6 @@ class BorderMover {
   std::vector<std::map<std::uint32_t, double>> border_;  ///< per piece: length with each that it meets, mm
   std::set<Faces> failed_;
   std::size_t join_work_ = join_budget;
-  std::uint64_t heat_work_ = heat_budget;
-  std::uint64_t fit_work_ = fit_budget;
 };
 
 }  // namespace
