@@ -22,9 +22,9 @@ struct Annealing {
 /// where there are many.
 [[nodiscard]] Annealing annealing_for(double trials_per_face, std::uint32_t faces);
 
-/// A value between two, in equal ratios for equal steps.
-[[nodiscard]] inline double between(double first, double last, std::uint64_t trial, std::uint64_t trials) {
-  return first * std::pow(last / first, static_cast<double>(trial) / static_cast<double>(trials));
+/// A value between two, in equal ratios for equal steps of `share` from 0 to 1.
+[[nodiscard]] inline double between(double first, double last, double share) {
+  return first * std::pow(last / first, share);
 }
 
 }  // namespace ridgecraft::unfold

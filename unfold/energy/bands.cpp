@@ -15,10 +15,6 @@ constexpr std::size_t fewest_regions = 5;
 /// A corner of a region turns its outline by as much, radians: about 6 degrees.
 constexpr double least_turn = 0.1;
 
-std::uint32_t next_side(std::uint32_t side) {
-  return side % 3 == 2 ? side - 2 : side + 1;
-}
-
 bool inside_region(const Patch& patch, std::uint32_t side) {
   return patch.twin[side] != nothing && patch.frozen[side] == frozen_in_panel;
 }

@@ -22,13 +22,6 @@ constexpr double sharp = 1.5707963267948966;
 /// A seam in a hollow shows less than one on a ridge: as a ridge that is sharper by a third.
 constexpr double hollow_gain = 0.4;
 
-std::uint32_t next_side(std::uint32_t side) {
-  return side % 3 == 2 ? side - 2 : side + 1;
-}
-std::uint32_t previous_side(std::uint32_t side) {
-  return side % 3 == 0 ? side + 2 : side - 1;
-}
-
 /// The angle at the origin that a tab takes together with the clearance from a ray on its left side; `seen`
 /// brings an end of the base to the origin. A tab that shares the corner keeps the clearance farther up only.
 template <class Seen>

@@ -42,6 +42,8 @@ class NetEnergy {
   void keep();
   void drop();
 
+  /// What rating took so far: the faces of all pieces that were measured.
+  [[nodiscard]] std::uint64_t work() const { return shape_.work(); }
   /// Whether all pieces fit the room. O(1) for those that clearly do.
   [[nodiscard]] bool all_fit();
 

@@ -130,6 +130,7 @@ double PieceShape::overhang(const std::array<float, 2 * directions>& reach) cons
 PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds, std::uint32_t root,
                                         const RootedNet::Span* moved, const Rigid& motion) {
   collect(folds, root);
+  work_ += count_;
   // Seen from a corner of the root's, so that floats are enough.
   const bool root_moves = moved != nullptr && net.in_span(*moved, root);
   const Vec2 origin = root_moves ? motion(net.flat(root)[0]) : net.flat(root)[0];

@@ -50,6 +50,8 @@ class PieceShape {
   };
   /// Those of the piece that was measured last, the root first, parents before children.
   [[nodiscard]] std::span<const Member> faces() const { return {members_.data(), count_}; }
+  /// Of all pieces that were measured so far, the number of faces.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
   static constexpr std::size_t directions = 8;
@@ -68,6 +70,7 @@ class PieceShape {
   std::size_t panels_ = 1;
   double outline_ = 0.0;
   std::vector<Vec2> points_;  ///< its corners
+  std::uint64_t work_ = 0;
 };
 
 }  // namespace ridgecraft::unfold
