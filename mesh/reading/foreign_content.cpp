@@ -36,7 +36,6 @@ constexpr std::array signatures{
     Signature{"8BPS"sv, "a Photoshop picture"},
     Signature{"%PDF-"sv, "a PDF document"},
     Signature{"%!PS"sv, "a PostScript document"},
-    Signature{"glTF"sv, "a binary glTF (GLB) model"},
     Signature{"Kaydara FBX Binary"sv, "an FBX model"},
     Signature{"; FBX"sv, "an FBX model"},
     Signature{"BLENDER"sv, "a Blender file"},
@@ -102,12 +101,6 @@ std::optional<std::string_view> archive(std::string_view bytes) {
   if (!bytes.starts_with("PK\x03\x04"sv) && !bytes.starts_with("PK\x05\x06"sv)) {
     return std::nullopt;
   }
-  const std::string_view start = bytes.substr(0, searched_bytes);
-  const std::string_view last = bytes.substr(bytes.size() - std::min(bytes.size(), searched_bytes));
-  if (start.find("3D/") != start.npos || start.find("[Content_Types].xml") != start.npos ||
-      last.find("3D/3dmodel.model") != last.npos) {
-    return "a 3MF model or another ZIP archive";
-  }
   return "a ZIP archive; unpack it first";
 }
 
@@ -143,10 +136,8 @@ std::optional<std::string_view> markup_or_json(std::string_view bytes) {
     }
   }
   if (start.starts_with('{')) {
-    return start.find("\"asset\"") != start.npos || start.find("\"bufferViews\"") != start.npos ||
-                   start.find("\"meshes\"") != start.npos
-               ? "a glTF model or another JSON file"
-               : "a JSON file";
+    return start.find("\"file_spec\"") != start.npos ? "a FOLD file of nets or another JSON file"
+                                                     : "a JSON file";
   }
   return std::nullopt;
 }
