@@ -102,6 +102,9 @@ FileFormat by_suffix(const Source& source, std::string_view file_name, bool text
       return FileFormat::stl_binary;
     }
   }
+  if (const auto sentence = foreign_suffix(ending)) {
+    source.refuse(ErrorKind::unreadable_input, *sentence);
+  }
   source.refuse(ErrorKind::unreadable_input,
                 "is in no known mesh format (" + listed(format_names(), "or") + ")");
 }
@@ -140,8 +143,8 @@ FileFormat detect_format(const Source& source, std::string_view file_name) {
   if (is_gltf_text(bytes, file_name)) {
     return FileFormat::gltf;
   }
-  if (const auto what = foreign_content(bytes)) {
-    source.refuse(ErrorKind::unreadable_input, fmt::format("is no mesh but {}", *what));
+  if (const auto sentence = foreign_content(bytes, suffix(file_name))) {
+    source.refuse(ErrorKind::unreadable_input, *sentence);
   }
   if (bytes.size() > 4 && equal_ignoring_case(bytes.substr(0, 3), "ply") &&
       (is_line_end(bytes[3]) || is_blank(bytes[3]))) {

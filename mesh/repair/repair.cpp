@@ -170,6 +170,9 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   if (options.collapse_flat_faces) {
     report.add(RepairKind::flat_faces_collapsed, collapse_flat_triangles(triangles, context));
     drop_duplicates(triangles, report);
+    if (triangles.triangles.empty()) {
+      throw Error(ErrorKind::unusable_mesh, "no face has an area beside which the others count");
+    }
   }
   std::vector<EdgeUse> uses = edge_uses(triangles.triangles);
   report.add(RepairKind::t_junctions_joined, join_t_junctions(triangles, uses, near * diagonal, context));

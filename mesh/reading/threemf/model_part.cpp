@@ -144,7 +144,7 @@ void PartReader::read_resource(pugi::xml_node resource) {
     read_object(resource);
   } else if (kind == "texture2d") {
     where_ = ", a texture";
-    part_.textures.emplace(needed(resource, "id"), attribute(resource, "path"));
+    part_.textures.emplace(needed(resource, "id"), part_name(attribute(resource, "path")));
   } else if (kind == "basematerials" || kind == "colorgroup" || kind == "texture2dgroup" ||
              kind == "compositematerials" || kind == "multiproperties") {
     read_group(resource, kind);
@@ -318,7 +318,7 @@ std::vector<ThreemfPaint> PartReader::read_layers(pugi::xml_node group, std::str
 }
 
 ThreemfUse PartReader::read_use(pugi::xml_node node) const {
-  return {std::string(attribute(node, "path")), needed(node, "objectid"), read_place(node)};
+  return {part_name(attribute(node, "path")), needed(node, "objectid"), read_place(node)};
 }
 
 /// Twelve numbers: a matrix that stands to the right of points, row after row.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/reading/threemf/package.hpp"
 
+#include <algorithm>
+#include <new>
+
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
@@ -55,6 +58,11 @@ std::string_view attribute(pugi::xml_node node, std::string_view name) {
   return {};
 }
 
+std::string part_name(std::string_view name) {
+  name.remove_prefix(std::min(name.find_first_not_of('/'), name.size()));
+  return std::string(name);
+}
+
 ThreemfPackage::ThreemfPackage(const Source& source)
     : source_(source), archive_(source), root_(find_root()) {}
 
@@ -65,7 +73,7 @@ std::string ThreemfPackage::find_root() {
     const pugi::xml_document document = xml(relations);
     for (const pugi::xml_node relation : document.document_element()) {
       if (attribute(relation, "Type").ends_with("/3dmodel")) {
-        const std::string target(attribute(relation, "Target"));
+        const std::string target = part_name(attribute(relation, "Target"));
         if (archive_.has(target)) {
           return target;
         }

@@ -18,6 +18,9 @@ namespace ridgecraft::mesh {
 /// The attribute of this name, with or without a prefix; empty where there is none.
 [[nodiscard]] std::string_view attribute(pugi::xml_node node, std::string_view name);
 
+/// A part's name as messages and lists have it: without the slash at its start.
+[[nodiscard]] std::string part_name(std::string_view name);
+
 class ThreemfPackage {
  public:
   explicit ThreemfPackage(const Source& source);
