@@ -20,6 +20,11 @@ namespace {
 /// A surface that moved by more than this share of the largest extent has lost some of its shape.
 constexpr double far_moved = 0.04;
 
+/// "6.67", "1500".
+std::string three_digits(double ratio) {
+  return ratio < 999.5 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
+}
+
 /// "; the file counts in metres, y up: this is 1:13.3 of its size", where it tells its unit.
 std::string scale_text(const job::Paper& made) {
   const mesh::FileFrame& frame = made.prepared.model.frame;
@@ -30,7 +35,7 @@ std::string scale_text(const job::Paper& made) {
   return fmt::format("; the file counts in {}{}: this is {} of its size",
                      mesh::unit_names(*frame.mm_per_unit),
                      frame.up ? fmt::format(", {} up", mesh::axis_name(*frame.up)) : "",
-                     scale >= 1.0 ? fmt::format("{:.3g}:1", scale) : fmt::format("1:{:.3g}", 1.0 / scale));
+                     scale >= 1.0 ? three_digits(scale) + ":1" : "1:" + three_digits(1.0 / scale));
 }
 
 void add_size(Summary& summary, const job::Paper& made, const std::string& asked) {
