@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,52 +21,73 @@ struct Draft {
   PieceReason reason = PieceReason::part;
 };
 
-/// The cause that most of these faces have, those of pieces that stood for a part left out; `otherwise` where
-/// there is none.
-PieceReason most_frequent_cause(const Causes& causes, const std::vector<std::uint32_t>& faces,
-                                PieceReason otherwise) {
-  std::map<PieceReason, std::size_t> count;
-  for (const std::uint32_t f : faces) {
-    if (causes[f] != PieceReason::part) {
-      ++count[causes[f]];
-    }
-  }
-  const auto most = std::max_element(count.begin(), count.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == count.end() ? otherwise : most->first;
-}
-
 /// Share of these faces that a step cut off.
 double share_cut_off(const Causes& causes, const std::vector<std::uint32_t>& faces) {
   const auto cut = std::count_if(faces.begin(), faces.end(),
-                                 [&](std::uint32_t f) { return causes[f] != PieceReason::part; });
+                                 [&](std::uint32_t f) { return causes[f].reason != PieceReason::part; });
   return static_cast<double>(cut) / static_cast<double>(faces.size());
 }
 
-/// The largest piece of each part stands for it; why is any other one there? Where borders have moved, a part may
-/// have no piece that is mostly its own: then another one stands for it, those that least was cut off of.
-void find_reasons(const Causes& causes, const IdVector<FaceId, PartId>& part, std::vector<Draft>& drafts) {
-  std::map<PartId, std::vector<std::uint32_t>> faces_of;
-  std::vector<std::uint32_t> all;
-  for (const FaceId f : ids<FaceId>(part.size())) {
-    faces_of[part[f]].push_back(f.value());
-    all.push_back(f.value());
-  }
+/// The pieces that are more than their parts, by their numbers. The largest piece of each part stands for it.
+/// Where borders have moved, a part may have no piece that is mostly its own: then another one stands for it,
+/// those that least was cut off of.
+std::vector<std::size_t> extra_pieces(const Causes& causes, const IdVector<FaceId, PartId>& part,
+                                      const std::vector<Draft>& drafts) {
+  const std::set<PartId> parts(part.begin(), part.end());
   std::vector<std::size_t> others;
   for (std::size_t i = 1; i < drafts.size(); ++i) {
     if (drafts[i].part == drafts[i - 1].part) {
       others.push_back(i);
     }
   }
-  const std::size_t parts_without = faces_of.size() - (drafts.size() - others.size());
+  const std::size_t parts_without = parts.size() - (drafts.size() - others.size());
   std::stable_sort(others.begin(), others.end(), [&](std::size_t i, std::size_t j) {
     return share_cut_off(causes, drafts[i].faces) < share_cut_off(causes, drafts[j].faces);
   });
-  for (std::size_t i = parts_without; i < others.size(); ++i) {
-    Draft& draft = drafts[others[i]];
-    const PieceReason anywhere = most_frequent_cause(causes, all, PieceReason::part);
-    draft.reason = most_frequent_cause(causes, draft.faces,
-                                       most_frequent_cause(causes, faces_of[draft.part], anywhere));
+  others.erase(others.begin(),
+               others.begin() + static_cast<std::ptrdiff_t>(std::min(parts_without, others.size())));
+  return others;
+}
+
+/// Why is each extra piece there? What was cut off in one piece is the reason for one: for the one that has
+/// most of its faces now, and where that has another reason, for any that has none.
+void find_reasons(const Causes& causes, const IdVector<FaceId, PartId>& part, std::vector<Draft>& drafts) {
+  std::vector<std::size_t> extra = extra_pieces(causes, part, drafts);
+  std::map<Cause, PartId> open;  // causes that no piece has been found for
+  std::map<std::pair<std::size_t, Cause>, std::size_t> shared;
+  for (const FaceId f : ids<FaceId>(part.size())) {
+    if (causes[f.value()].reason != PieceReason::part) {
+      open.try_emplace(causes[f.value()], part[f]);
+    }
+  }
+  for (const std::size_t i : extra) {
+    for (const std::uint32_t f : drafts[i].faces) {
+      if (causes[f].reason != PieceReason::part) {
+        ++shared[{i, causes[f]}];
+      }
+    }
+  }
+  std::vector<std::pair<std::size_t, std::pair<std::size_t, Cause>>> by_size;
+  for (const auto& [pair, faces] : shared) {
+    by_size.emplace_back(faces, pair);
+  }
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  const auto give = [&](std::size_t i, const Cause& cause) {
+    drafts[i].reason = cause.reason;
+    open.erase(cause);
+    std::erase(extra, i);
+  };
+  for (const auto& [faces, pair] : by_size) {
+    if (open.contains(pair.second) && std::find(extra.begin(), extra.end(), pair.first) != extra.end()) {
+      give(pair.first, pair.second);
+    }
+  }
+  while (!extra.empty() && !open.empty()) {
+    const std::size_t i = extra.front();
+    const auto own = std::find_if(open.begin(), open.end(),
+                                  [&](const auto& cause) { return cause.second == drafts[i].part; });
+    give(i, (own == open.end() ? open.begin() : own)->first);
   }
 }
 
@@ -155,7 +177,7 @@ std::size_t blame(const Patch& patch, const Folds& before, const Folds& after, P
   }
   for (std::uint32_t f = 0; f < patch.size(); ++f) {
     if (largest[given.piece[f]] != split.piece[f]) {
-      causes[f] = reason;
+      causes[f] = {reason, split.faces[split.piece[f]].front()};
     }
   }
   return split.faces.size() - given.faces.size();

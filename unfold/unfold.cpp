@@ -3,6 +3,7 @@
 #include "unfold/unfold.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,17 +13,18 @@
 #include "unfold/all_tabs.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/give_tabs.hpp"
+#include "unfold/linear_folding.hpp"
 #include "unfold/net/equal_pieces.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/nets_of_folds.hpp"
+#include "unfold/one_of_each.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/pieces/better_borders.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/even_pieces.hpp"
-#include "unfold/linear_folding.hpp"
-#include "unfold/one_of_each.hpp"
 #include "unfold/pieces/mirror_images.hpp"
+#include "unfold/pieces/moved_borders.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/pieces/twin_pieces.hpp"
 #include "unfold/plan.hpp"
@@ -95,12 +97,36 @@ struct Search {
   std::vector<std::string> notes;
 };
 
+/// The parts with the borders between them moved where that makes fewer pieces, and notes of it.
+void move_borders_of(const Asked& asked, const Plan& plan, const Patch& patch, const Context& context,
+                     UnfoldedParts& parts) {
+  std::vector<PieceReason> cause;
+  for (const Cause& c : parts.causes) {
+    cause.push_back(c.reason);
+  }
+  MovedBorders moved = move_borders(asked.surface, plan.whole, patch, asked.part.items(), parts.folds, cause,
+                                    asked.options, plan.room, context);
+  parts.folds = std::move(moved.folds);
+  std::map<PartId, std::size_t> saved;
+  for (const PartId part : moved.parts) {
+    ++saved[part];
+  }
+  for (const auto& [part, pieces] : saved) {
+    parts.notes.push_back("part " + std::to_string(part.value()) +
+                          ": a border with its neighbours was moved, which saves " +
+                          (pieces == 1 ? "one piece" : std::to_string(pieces) + " pieces"));
+  }
+}
+
 /// `mirrored`: which edges are mirror images of each other; asked for when it is needed.
 template <class FindImages>
 Search search(const Asked& asked, const Plan& plan, const Patch& patch, const FindImages& mirror_images_here,
               const Context& context) {
   UnfoldedParts parts = unfold_parts(asked, plan, context);
   const PieceRules& rules = asked.options.pieces;
+  if (rules.merge) {
+    move_borders_of(asked, plan, patch, context, parts);
+  }
   const Folds merged = rules.merge
                            ? merge_parts(patch, asked.part.items(), parts.folds, plan.room, rules.weights,
                                          net_tolerance(patch.extent), context.seed, context)
@@ -114,8 +140,8 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
   const Patch apart = with_twins_apart(patch, even, twins_of(even));
   const Folds bordered =
       better_borders(asked.surface, plan.whole, apart, even, images.edge, asked.options, plan.room, context);
-  const Folds better =
-      better_trees(asked.surface, plan.whole, patch, bordered, images.edge, asked.options, plan.room, context);
+  const Folds better = better_trees(asked.surface, plan.whole, patch, bordered, images.edge, asked.options,
+                                    plan.room, context);
   return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
           std::move(parts.causes), std::move(parts.notes)};
 }
@@ -152,11 +178,13 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   if (options.tabs.wanted && context.out_of_time()) {
     notes.emplace_back("the time given was up before all nets with more tabs were tried");
   }
-  AllTabs split = wants_all_tabs(options) ? give_all_tabs(asked, plan, patch, found.folds, found.causes, context)
-                                          : AllTabs{std::move(found.folds), std::move(found.causes)};
+  AllTabs split = wants_all_tabs(options)
+                      ? give_all_tabs(asked, plan, patch, found.folds, found.causes, context)
+                      : AllTabs{std::move(found.folds), std::move(found.causes)};
   std::size_t split_off_to_fold = 0;
   if (options.pieces.fold_linear) {
-    LinearFolding linear = fold_together(plan, patch, std::move(split.folds), std::move(split.causes), context);
+    LinearFolding linear =
+        fold_together(plan, patch, std::move(split.folds), std::move(split.causes), context);
     split.folds = std::move(linear.folds);
     split.causes = std::move(linear.causes);
     split_off_to_fold = linear.split_pieces;

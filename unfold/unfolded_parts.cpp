@@ -51,8 +51,11 @@ void put_back(const Task& task, const Patch& patch, const PatchNets& nets, Unfol
   const Layout layout = lay_out(patch, nets.folds);
   for (std::uint32_t f = 0; f < patch.size(); ++f) {
     const std::uint32_t face = task.faces[f].value();
-    const PieceReason reason = nets.reason[layout.piece[f]];
-    result.causes[face] = reason == PieceReason::part ? task.reason : reason;
+    const std::uint32_t piece = layout.piece[f];
+    const PieceReason reason = nets.reason[piece] == PieceReason::part ? task.reason : nets.reason[piece];
+    if (reason != PieceReason::part) {
+      result.causes[face] = {reason, task.faces[layout.faces[piece].front()].value()};
+    }
     for (std::uint32_t k = 0; k < 3; ++k) {
       result.folds[3 * face + k] = nets.folds[3 * f + k];
     }
@@ -71,8 +74,7 @@ Patch whole_patch(const Asked& asked, const Plan& plan) {
 
 UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& context) {
   const std::vector<Task> tasks = make_tasks(asked, plan);
-  UnfoldedParts result{
-      Folds(asked.surface.corner_count(), 0), Causes(asked.surface.face_count(), PieceReason::part), {}};
+  UnfoldedParts result{Folds(asked.surface.corner_count(), 0), Causes(asked.surface.face_count()), {}};
   std::vector<std::vector<std::string>> notes(tasks.size());
   do_in_parallel(
       tasks.size(), context,

@@ -2,6 +2,8 @@
 // The first nets: each part by itself, all at the same time.
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,9 +14,15 @@
 
 namespace ridgecraft::unfold {
 
-/// Why each face of the surface lies in another piece than its neighbours: what the step that cut them apart
-/// says. PieceReason::part where that was the border of a part.
-using Causes = std::vector<PieceReason>;
+/// Why a face of the surface lies in another piece than the one that stands for its part: what the step that
+/// cut them apart says. PieceReason::part in that one.
+struct Cause {
+  PieceReason reason = PieceReason::part;
+  std::uint32_t piece = nothing;  ///< what was cut off in one piece has one number: that of a face
+
+  friend auto operator<=>(const Cause&, const Cause&) = default;
+};
+using Causes = std::vector<Cause>;
 
 /// The whole surface as one patch: its face i is face i of the surface, and what searches keep whole is
 /// frozen. O(n log n).

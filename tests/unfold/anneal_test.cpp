@@ -10,8 +10,8 @@
 #include "base/convex_hull.hpp"
 #include "base/random.hpp"
 #include "support/shapes.hpp"
-#include "unfold/nets_checks.hpp"
 #include "unfold/energy/net_energy.hpp"
+#include "unfold/nets_checks.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
@@ -36,7 +36,9 @@ constexpr double tolerance = 1e-5;
 mesh::Surface lumpy(std::uint64_t seed, bool even) {
   const mesh::Surface ball = test::sphere(16, 9);
   const auto unit_of = [&](Vec3 p) {
-    const auto part = [](double x) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::round(1e6 * x))); };
+    const auto part = [](double x) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::round(1e6 * x)));
+    };
     Random random(seed + 7919 * part(p.x) + 104729 * part(even ? std::abs(p.y) : p.y) + 1299709 * part(p.z));
     return random.unit();
   };
@@ -55,11 +57,7 @@ mesh::Surface lumpy(std::uint64_t seed, bool even) {
 struct Example {
   Example(std::uint64_t seed, std::size_t more_pieces, bool even = false)
       : surface(lumpy(seed, even)), panels(test::no_panels(surface)) {
-    std::vector<FaceId> faces;
-    for (const FaceId f : ids<FaceId>(surface.face_count())) {
-      faces.push_back(f);
-    }
-    patch = unfold::make_patch(surface, panels, faces);
+    patch = test::whole_patch(surface, panels);
     Random random(seed);
     unfold::TreeSearch net(patch, tolerance, seed);
     net.set_tree(unfold::start_tree(patch, unfold::StartTree::short_cuts, random));
@@ -166,14 +164,16 @@ TEST_CASE("annealing lowers the energy and keeps nets clean, as many, and the sa
     const Example example(11 + more, more);
     const Room anywhere;
     const auto run = [&](ChangingNet& net) {
-      unfold::anneal(net, unfold::cut_facts(net, {}), anywhere, {}, unfold::annealing_for(300.0, net.patch().size()),
-                     7, Context());
+      unfold::anneal(net, unfold::cut_facts(net, {}), anywhere, {},
+                     unfold::annealing_for(300.0, net.patch().size()), 7, Context());
     };
     ChangingNet net = example.net();
-    const double before = NetEnergy(net.patch(), net.tree(), unfold::cut_facts(net, {}), anywhere, {}).total();
+    const double before =
+        NetEnergy(net.patch(), net.tree(), unfold::cut_facts(net, {}), anywhere, {}).total();
     const double held = net.held_mm();
     run(net);
-    CHECK(NetEnergy(net.patch(), net.tree(), unfold::cut_facts(net, {}), anywhere, {}).total() < 0.9 * before);
+    CHECK(NetEnergy(net.patch(), net.tree(), unfold::cut_facts(net, {}), anywhere, {}).total() <
+          0.9 * before);
     CHECK(net.held_mm() > 0.8 * held);
     Folds forest = net.folds();
     for (const std::uint32_t link : example.links) {
@@ -195,8 +195,8 @@ TEST_CASE("pieces that fit the sheet still do, and none gets too many panels", "
   const Room room{unfold::Sheet{200.0, 240.0}, 5.0, 120};
   NetEnergy energy(net.patch(), net.tree(), unfold::cut_facts(net, {}), room, {});
   const bool fits = energy.all_fit();
-  unfold::anneal(net, unfold::cut_facts(net, {}), room, {}, unfold::annealing_for(300.0, net.patch().size()), 7,
-                 Context());
+  unfold::anneal(net, unfold::cut_facts(net, {}), room, {}, unfold::annealing_for(300.0, net.patch().size()),
+                 7, Context());
   energy.set_tree();
   CHECK((!fits || energy.all_fit()));
 }
@@ -224,7 +224,8 @@ TEST_CASE("edges that are mirror images are cut together", "[energy]") {
     }
   }
   // All but the diagonals have one.
-  REQUIRE(3 * std::count(mirror.begin(), mirror.end(), unfold::nothing) < static_cast<std::ptrdiff_t>(2 * mirror.size()));
+  REQUIRE(3 * std::count(mirror.begin(), mirror.end(), unfold::nothing) <
+          static_cast<std::ptrdiff_t>(2 * mirror.size()));
   const auto uneven = [&] {
     double sum = 0.0;
     for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A net and its tabs while its tree changes.
+#include "unfold/tabs/trees/changing_net.hpp"
+
 #include <cmath>
 #include <numeric>
 
@@ -8,6 +10,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
 #include "support/shapes.hpp"
+#include "unfold/nets_checks.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/start_tree.hpp"
@@ -15,7 +18,6 @@
 #include "unfold/search/rooted_net.hpp"
 #include "unfold/search/tree_search.hpp"
 #include "unfold/tabs/place/assignment.hpp"
-#include "unfold/tabs/trees/changing_net.hpp"
 #include "unfold/tabs/trees/tabs_of_tree.hpp"
 #include "unfold/tree_nets.hpp"
 
@@ -53,11 +55,7 @@ Surface lumpy(std::uint64_t seed) {
 struct Example {
   explicit Example(Surface s, std::uint64_t seed)
       : surface(std::move(s)), panels(prepare::find_panels(surface)) {
-    std::vector<FaceId> faces;
-    for (const FaceId f : ids<FaceId>(surface.face_count())) {
-      faces.push_back(f);
-    }
-    patch = unfold::make_patch(surface, panels, faces);
+    patch = test::whole_patch(surface, panels);
     Random random(seed);
     TreeSearch net(patch, tolerance, seed);
     net.set_tree(unfold::start_tree(patch, unfold::StartTree::short_cuts, random));

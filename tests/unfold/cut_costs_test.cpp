@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What cuts cost, told by the angles of the outline, against counting afresh.
+#include "unfold/energy/cut_costs.hpp"
+
 #include <numeric>
 
 #include <catch2/catch.hpp>
@@ -14,19 +16,24 @@
 #include "unfold/search/rooted_net.hpp"
 #include "unfold/search/tree_search.hpp"
 #include "unfold/tabs/place/targets.hpp"
-#include "unfold/energy/cut_costs.hpp"
 
 using namespace ridgecraft;
+using unfold::CutCosts;
 using unfold::Folds;
 using unfold::Patch;
 using unfold::RootedNet;
-using unfold::CutCosts;
 using unfold::TreeSearch;
 
 namespace {
 
 constexpr double tolerance = 1e-5;
 constexpr double clearance = 0.2;
+
+/// A lathe's work with twelve flat regions in each of its four walls, about 60 mm high.
+mesh::Surface turned() {
+  return test::revolve(
+      {{0.0, 0.0}, {18.0, 0.0}, {25.0, 20.0}, {9.0, 35.0}, {9.0, 50.0}, {20.0, 60.0}, {0.0, 60.0}}, 12);
+}
 
 /// A sphere with dents and bumps, about 60 mm across, so that many of its edges are short of room.
 mesh::Surface lumpy(std::uint64_t seed) {
@@ -44,8 +51,9 @@ mesh::Surface lumpy(std::uint64_t seed) {
 }
 
 struct Example {
-  explicit Example(std::uint64_t seed, std::size_t left_out = 0)
-      : surface(lumpy(seed)), panels(prepare::find_panels(surface)) {
+  explicit Example(std::uint64_t seed, std::size_t left_out = 0) : Example(lumpy(seed), seed, left_out) {}
+  Example(mesh::Surface made, std::uint64_t seed, std::size_t left_out)
+      : surface(std::move(made)), panels(prepare::find_panels(surface)) {
     std::vector<FaceId> faces;
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       faces.push_back(f);
@@ -97,9 +105,9 @@ struct Example {
 }  // namespace
 
 TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    // The last one is open: it has seams.
-    Example example(seed, seed == 3 ? 20 : 0);
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    // The third one is open: it has seams. The fourth has bands.
+    Example example = seed == 4 ? Example(turned(), seed, 0) : Example(seed, seed == 3 ? 20 : 0);
     example.pair_edges(seed);
     CutCosts costs = example.costs({});
     CutCosts fresh = example.costs({});
@@ -114,6 +122,9 @@ TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
         continue;
       }
       const auto path = net.removable_between(side / 3, example.patch.twin[side] / 3);
+      if (path.empty()) {
+        continue;
+      }
       const std::uint32_t below = path[random.below(static_cast<std::uint32_t>(path.size()))];
       const double before = costs.total();
       const double change = costs.change(side, net.side_above(below));
@@ -163,6 +174,36 @@ TEST_CASE("without other weights cuts cost their length, and each weight costs s
     more.*weight = 1.0;
     CHECK(total(more) > length + 1.0);
     CHECK(total(more) <= 2.0 * length);
+  }
+}
+
+TEST_CASE("a band that is parted more than once costs the cuts beyond its longest", "[energy]") {
+  Example example(turned(), 5, 0);
+  unfold::Weights alone{};
+  alone.bare = alone.slits = alone.mirror = alone.open = alone.bands = 0.0;
+  unfold::Weights banded = alone;
+  banded.bands = 1.0;
+  CutCosts lengths = example.costs(alone);
+  CutCosts costs = example.costs(banded);
+  const unfold::Bands bands = unfold::find_bands(example.patch);
+  REQUIRE(bands.rung_mm.size() == 4);
+  Random random(5);
+  for (int tree = 0; tree < 5; ++tree) {
+    const Folds folds = unfold::start_tree(example.patch, unfold::StartTree::depth_first, random);
+    std::vector<double> cut(bands.rung_mm.size(), 0.0);
+    for (std::uint32_t side = 0; side < example.patch.twin.size(); ++side) {
+      if (folds[side] == 0 && side < example.patch.twin[side] && bands.band[side] != unfold::nothing) {
+        cut[bands.band[side]] += example.patch.length[side];
+      }
+    }
+    double more = 0.0;
+    for (std::size_t band = 0; band < cut.size(); ++band) {
+      more += std::max(0.0, cut[band] - bands.rung_mm[band]);
+    }
+    lengths.set_tree(folds);
+    costs.set_tree(folds);
+    CHECK(costs.total() == Approx(lengths.total() + more));
+    CHECK(more > 0.0);
   }
 }
 

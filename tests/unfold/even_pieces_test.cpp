@@ -122,11 +122,7 @@ TEST_CASE("parts of a symmetric model become even", "[unfold]") {
 TEST_CASE("evened pieces are clean nets, no more of them, each the image of one", "[unfold]") {
   const mesh::Surface surface = egg();
   const prepare::Panels panels = test::no_panels(surface);
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    faces.push_back(f);
-  }
-  const Patch patch = unfold::make_patch(surface, panels, faces);
+  const Patch patch = test::whole_patch(surface, panels);
   const unfold::Weights weights;
   const MirrorImages images = unfold::mirror_images(surface, weights);
   REQUIRE(!images.edge.empty());

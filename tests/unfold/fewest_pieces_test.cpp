@@ -21,14 +21,6 @@ namespace {
 
 constexpr double tolerance = 1e-5;
 
-Patch patch_of(const mesh::Surface& s) {
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    faces.push_back(f);
-  }
-  return make_patch(s, test::no_panels(s), faces);
-}
-
 NetFound best_of_a_moment(const Patch& patch, std::uint64_t iterations) {
   NetSearch search;
   search.tolerance = tolerance;
@@ -49,7 +41,7 @@ TEST_CASE("spiky bodies have the faces that their names tell", "[spiky]") {
 
 TEST_CASE("spiky bodies become one net with every seed", "[spiky]") {
   for (const bench::SpikyBody& body : bench::spiky_family()) {
-    const Patch patch = patch_of(body.surface);
+    const Patch patch = test::whole_patch(body.surface);
     for (const std::uint64_t seed : {1U, 2U}) {
       const PatchNets nets =
           unfold_patch(patch, {}, PanelCuts::before_pieces, tolerance, seed, Effort::full, {});
@@ -61,7 +53,7 @@ TEST_CASE("spiky bodies become one net with every seed", "[spiky]") {
 }
 
 TEST_CASE("heat finds what it counts, and the same for one seed", "[spiky]") {
-  const Patch patch = patch_of(bench::spiky_ball(1, 64, 2.5, 3));
+  const Patch patch = test::whole_patch(bench::spiky_ball(1, 64, 2.5, 3));
   Random random(1);
   const Folds start = start_tree(patch, StartTree::short_cuts, random);
   const HeatedFound brief = heated_search(patch, start, {tolerance, 2000}, 7, {});
@@ -76,7 +68,7 @@ TEST_CASE("heat finds what it counts, and the same for one seed", "[spiky]") {
 
 TEST_CASE("where there is no net for a tree, two that are linked come before many", "[spiky]") {
   // Spikes so long that no single net was ever found.
-  const Patch patch = patch_of(bench::spiky_ball(1, 64, 6.0, 1));
+  const Patch patch = test::whole_patch(bench::spiky_ball(1, 64, 6.0, 1));
   const NetFound failed = best_of_a_moment(patch, 500);
   REQUIRE(failed.overlaps > 0);
   const FewestPieces few = fewest_pieces(patch, failed, tolerance, 1, {});

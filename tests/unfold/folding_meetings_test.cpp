@@ -30,11 +30,7 @@ namespace {
 
 /// A net found with no thought of folding, from a start of long strips; without folds where there is none.
 std::pair<unfold::Patch, unfold::Folds> depth_first_net(const mesh::Surface& surface, std::uint64_t seed) {
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    faces.push_back(f);
-  }
-  unfold::Patch patch = unfold::make_patch(surface, test::flat_panels(surface), faces);
+  unfold::Patch patch = test::whole_patch(surface, test::flat_panels(surface));
   unfold::NetSearch search;
   search.start = unfold::StartTree::depth_first;
   search.tolerance = unfold::net_tolerance(patch.extent);
@@ -42,6 +38,23 @@ std::pair<unfold::Patch, unfold::Folds> depth_first_net(const mesh::Surface& sur
   unfold::NetFound net = unfold::find_net(patch, search, seed, {});
   return {std::move(patch), net.overlaps == 0 ? std::move(net.folds) : unfold::Folds{}};
 }
+
+/// Such a net, and the faces of it that meet while it folds.
+struct CountedNet {
+  explicit CountedNet(const mesh::Surface& surface) : CountedNet(depth_first_net(surface, 3)) {}
+
+  unfold::Patch patch;
+  unfold::RootedNet net;
+  unfold::FoldingMeetings meetings;
+
+ private:
+  explicit CountedNet(std::pair<unfold::Patch, unfold::Folds> found)
+      : patch(std::move(found.first)), net(patch), meetings(patch) {
+    REQUIRE_FALSE(found.second.empty());
+    net.set_tree(found.second);
+    meetings.count(net);
+  }
+};
 
 /// Pairs of faces that meet in a pose, all of them compared, but for those of one plate or beside one crease.
 std::set<std::pair<std::uint32_t, std::uint32_t>> pairs_in(const FoldMotion& motion,
@@ -105,11 +118,7 @@ TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "
   int stuck = 0;
   int freed = 0;
   for (const mesh::Surface& surface : surfaces) {
-    std::vector<FaceId> faces;
-    for (const FaceId f : ids<FaceId>(surface.face_count())) {
-      faces.push_back(f);
-    }
-    const unfold::Patch patch = unfold::make_patch(surface, test::flat_panels(surface), faces);
+    const unfold::Patch patch = test::whole_patch(surface, test::flat_panels(surface));
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
       unfold::NetSearch search;
       search.start = unfold::StartTree::depth_first;
@@ -189,12 +198,8 @@ TEST_CASE("meetings are counted as if each tree were folded afresh", "[unfold]")
   for (const mesh::Surface& surface :
        {test::scaled(test::sphere(8, 6), 40.0),
         test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, 1), 30.0)}) {
-    const auto [patch, folds] = depth_first_net(surface, 3);
-    REQUIRE_FALSE(folds.empty());
-    unfold::RootedNet net(patch);
-    net.set_tree(folds);
-    unfold::FoldingMeetings meetings(patch);
-    meetings.count(net);
+    CountedNet counted(surface);
+    auto& [patch, net, meetings] = counted;
     Random random(5);
     unfold::Branch branch(patch);
     for (int step = 0; step < 80; ++step) {
@@ -223,12 +228,8 @@ TEST_CASE("meetings are counted as if each tree were folded afresh", "[unfold]")
 
 TEST_CASE("meetings stay as they are counted afresh over thousands of swaps", "[unfold]") {
   const mesh::Surface surface = test::scaled(test::sphere(8, 6), 40.0);
-  const auto [patch, folds] = depth_first_net(surface, 3);
-  REQUIRE_FALSE(folds.empty());
-  unfold::RootedNet net(patch);
-  net.set_tree(folds);
-  unfold::FoldingMeetings meetings(patch);
-  meetings.count(net);
+  CountedNet counted_net(surface);
+  auto& [patch, net, meetings] = counted_net;
   Random random(11);
   unfold::Branch branch(patch);
   for (int step = 0; step < 4000; ++step) {

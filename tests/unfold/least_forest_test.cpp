@@ -26,14 +26,6 @@ namespace {
 
 constexpr double tolerance = 1e-5;
 
-Patch patch_of(const mesh::Surface& s, const prepare::Panels& panels) {
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    faces.push_back(f);
-  }
-  return make_patch(s, panels, faces);
-}
-
 /// Faces of a patch that grow from one of them at random.
 std::vector<std::uint32_t> grown(const Patch& patch, std::size_t size, Random& random) {
   std::vector<std::uint32_t> faces{random.below(patch.size())};
@@ -99,7 +91,7 @@ mesh::Surface star_bipyramid(double height) {
 
 TEST_CASE("the least number of nets is what trying all sets of folds gives", "[proof]") {
   const mesh::Surface ball = bench::spiky_ball(1, 80, 6.0, 1);
-  const Patch whole = patch_of(ball, test::no_panels(ball));
+  const Patch whole = test::whole_patch(ball, test::no_panels(ball));
   Random random(3);
   std::size_t several = 0;
   for (int i = 0; i < 60; ++i) {
@@ -118,7 +110,7 @@ TEST_CASE("the least number of nets is what trying all sets of folds gives", "[p
 
 TEST_CASE("the bipyramid over a star has no net", "[proof]") {
   const mesh::Surface star = star_bipyramid(20.0);
-  const Patch patch = patch_of(star, test::no_panels(star));
+  const Patch patch = test::whole_patch(star, test::no_panels(star));
   const LeastForest none = least_forest(patch, {tolerance, 1, 10'000'000}, {});
   CHECK(none.finished);
   CHECK(none.folds.empty());
@@ -133,7 +125,7 @@ TEST_CASE("the bipyramid over a star has no net", "[proof]") {
   CHECK(nets.notes[0].find("2 pieces, the fewest possible") != std::string::npos);
   // A higher one has nets.
   const mesh::Surface high = star_bipyramid(100.0);
-  const Patch other = patch_of(high, test::no_panels(high));
+  const Patch other = test::whole_patch(high, test::no_panels(high));
   const LeastForest one = least_forest(other, {tolerance, 1, 10'000'000}, {});
   CHECK(one.at_least == 1);
   CHECK(cost_of(other, one.folds).pieces == 1);
@@ -142,20 +134,21 @@ TEST_CASE("the bipyramid over a star has no net", "[proof]") {
 TEST_CASE("panels stay whole in a proof", "[proof]") {
   const mesh::Surface frame =
       test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}});
-  const Patch patch = patch_of(frame, test::flat_panels(frame));
+  const Patch patch = test::whole_patch(frame, test::flat_panels(frame));
   const LeastForest found = least_forest(patch, {tolerance, 4, 10'000'000}, {});
   REQUIRE(found.finished);
   // The hole of a ring has room for one of the four inner walls.
   CHECK(found.at_least == 2);
   CHECK(cost_of(patch, found.folds).pieces == 2);
   CHECK(find_overlaps(lay_out(patch, found.folds), tolerance).empty());
-  const Patch loose = patch_of(frame, test::no_panels(frame));
+  const Patch loose = test::whole_patch(frame, test::no_panels(frame));
   CHECK(least_forest(loose, {tolerance, 4, 10'000'000}, {}).at_least == 1);
 }
 
-TEST_CASE("a proof ends when its work is spent, and no net was found where it says that there is none", "[proof]") {
+TEST_CASE("a proof ends when its work is spent, and no net was found where it says that there is none",
+          "[proof]") {
   const mesh::Surface ball = bench::spiky_ball(1, 64, 3.0, 1);
-  const Patch whole = patch_of(ball, test::no_panels(ball));
+  const Patch whole = test::whole_patch(ball, test::no_panels(ball));
   const LeastForest cut_short = least_forest(whole, {tolerance, 1, 100'000}, {});
   CHECK_FALSE(cut_short.finished);
   CHECK(cut_short.at_least == 1);

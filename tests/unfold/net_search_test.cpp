@@ -39,16 +39,8 @@ mesh::Surface bumpy_ball(std::uint64_t seed) {
   return {std::move(points), std::move(faces)};
 }
 
-unfold::Patch patch_of(const mesh::Surface& s) {
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    faces.push_back(f);
-  }
-  return unfold::make_patch(s, test::no_panels(s), faces);
-}
-
 unfold::NetFound search(const mesh::Surface& s, std::uint64_t seed) {
-  const unfold::Patch patch = patch_of(s);
+  const unfold::Patch patch = test::whole_patch(s);
   unfold::NetSearch options;
   options.tolerance = 1e-7 * patch.extent;
   options.iterations = unfold::iteration_budget(patch.size());
@@ -135,7 +127,7 @@ TEST_CASE("what every tree lays in the same way isn't searched", "[search]") {
     return mesh::Surface(std::move(points), std::move(faces));
   };
   const auto one_way = [](const mesh::Surface& s) {
-    const unfold::Patch patch = patch_of(s);
+    const unfold::Patch patch = test::whole_patch(s);
     Random random(1);
     const unfold::Folds tree = unfold::start_tree(patch, unfold::StartTree::breadth_first, random);
     return unfold::lies_one_way(patch, tree, 1e-7 * patch.extent);
@@ -162,7 +154,7 @@ TEST_CASE("one seed gives one tree", "[search]") {
 TEST_CASE("searches that race on several threads end as those that take turns", "[search]") {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
     const mesh::Surface ball = bumpy_ball(seed);
-    const unfold::Patch patch = patch_of(ball);
+    const unfold::Patch patch = test::whole_patch(ball);
     unfold::NetSearch options;
     options.tolerance = 1e-7 * patch.extent;
     options.iterations = 20000;
@@ -182,7 +174,7 @@ TEST_CASE("searches that race on several threads end as those that take turns", 
 
 TEST_CASE("the search's count is that of a fresh layout after every stretch of moves", "[search]") {
   const mesh::Surface ball = bumpy_ball(6);
-  const unfold::Patch patch = patch_of(ball);
+  const unfold::Patch patch = test::whole_patch(ball);
   const double tolerance = 1e-7 * patch.extent;
   Random random(2);
   unfold::TreeSearch search(patch, tolerance, 11);

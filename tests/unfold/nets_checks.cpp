@@ -241,6 +241,18 @@ prepare::Panels no_panels(const mesh::Surface& surface) {
   return panels;
 }
 
+unfold::Patch whole_patch(const mesh::Surface& surface) {
+  return whole_patch(surface, no_panels(surface));
+}
+
+unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& panels) {
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    faces.push_back(f);
+  }
+  return unfold::make_patch(surface, panels, faces);
+}
+
 IdVector<FaceId, PartId> one_part(const mesh::Surface& surface) {
   return IdVector<FaceId, PartId>(surface.face_count(), PartId(0));
 }

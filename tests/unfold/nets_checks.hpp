@@ -7,6 +7,7 @@
 
 #include "prepare/prepared/panels.hpp"
 #include "support/flat_panels.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::test {
@@ -20,6 +21,9 @@ namespace ridgecraft::test {
 
 /// Every face in a panel of its own.
 [[nodiscard]] prepare::Panels no_panels(const mesh::Surface& surface);
+/// All faces as one patch, each a panel of its own, or in these panels.
+[[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface);
+[[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& panels);
 /// All faces in part 0.
 [[nodiscard]] IdVector<FaceId, PartId> one_part(const mesh::Surface& surface);
 /// Of flat panels and one part, with default options.

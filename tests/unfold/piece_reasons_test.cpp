@@ -38,7 +38,8 @@ std::vector<mesh::Surface> shapes() {
   shapes.push_back(test::scaled(test::sphere(10, 6), 60.0));
   shapes.push_back(bench::spiky_ball(0, 12, 2.0, 1));
   shapes.push_back(bench::spiky_box(1, 1, 2, 20, 6.0, 2));
-  shapes.push_back(test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {2, 0, 1}}, 2), 50.0));
+  shapes.push_back(
+      test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {2, 0, 1}}, 2), 50.0));
   return shapes;
 }
 
@@ -52,7 +53,8 @@ Options quick(std::optional<Sheet> sheet, std::size_t max_panels) {
 
 }  // namespace
 
-TEST_CASE("without paper no piece is there for the page, and a larger sheet saves those that are", "[reasons]") {
+TEST_CASE("without paper no piece is there for the page, and a larger sheet saves those that are",
+          "[reasons]") {
   std::size_t for_page = 0;
   std::size_t for_faces = 0;
   for (const mesh::Surface& s : shapes()) {
@@ -83,11 +85,7 @@ TEST_CASE("without paper no piece is there for the page, and a larger sheet save
 
 TEST_CASE("the largest piece stands for a patch, then come overlap, faces and the page", "[reasons]") {
   const mesh::Surface cube = test::cube();
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(cube.face_count())) {
-    faces.push_back(f);
-  }
-  const Patch patch = make_patch(cube, test::no_panels(cube), faces);
+  const Patch patch = test::whole_patch(cube);
   const Folds apart(patch.twin.size(), 0);
   PiecesWithout without{2, 4, PieceReason::no_net};
   const std::vector<PieceReason> reasons = piece_reasons(patch, apart, without);

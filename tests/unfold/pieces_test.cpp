@@ -244,11 +244,7 @@ TEST_CASE("what giving panels whole to one part leaves apart joins its neighbour
 
 TEST_CASE("a net that is too long is bent until it fits, without an overlap", "[pieces]") {
   const mesh::Surface s = bumpy_ball(12, 8, 30.0, 3);
-  std::vector<FaceId> all;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    all.push_back(f);
-  }
-  const unfold::Patch patch = unfold::make_patch(s, test::no_panels(s), all);
+  const unfold::Patch patch = test::whole_patch(s);
   unfold::NetSearch search;
   search.start = unfold::StartTree::depth_first;
   search.tolerance = 1e-6;
@@ -309,11 +305,7 @@ TEST_CASE("each term of the objective has a name, and costs what it says", "[pie
   }
   CHECK(unfold::weight_named(weights, "tidiness") == nullptr);
   const mesh::Surface s = scaled(test::cube(), 10.0);
-  std::vector<FaceId> all;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    all.push_back(f);
-  }
-  const unfold::Patch cube = unfold::make_patch(s, test::flat_panels(s), all);
+  const unfold::Patch cube = test::whole_patch(s, test::flat_panels(s));
   Random random(1);
   const unfold::Folds tree = unfold::start_tree(cube, unfold::StartTree::breadth_first, random);
   CHECK(unfold::cost_of_piece(cube, tree, 3, weights) == 0.0);

@@ -24,14 +24,6 @@ namespace {
 
 constexpr double tolerance = 1e-5;
 
-Patch ball(const mesh::Surface& surface) {
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    faces.push_back(f);
-  }
-  return unfold::make_patch(surface, test::no_panels(surface), faces);
-}
-
 /// A side of a random cut, and a random fold that may be removed for it.
 std::pair<std::uint32_t, std::uint32_t> draw_swap(RootedNet& net, Random& random) {
   const auto sides = static_cast<std::uint32_t>(net.folds().size());
@@ -75,7 +67,7 @@ void check_shape(const RootedNet& net) {
 TEST_CASE("a rooted net stays one tree in the plane, whichever half a swap moves, and swaps can be undone",
           "[rooted_net]") {
   const mesh::Surface surface = test::sphere(7, 5);
-  const Patch patch = ball(surface);
+  const Patch patch = test::whole_patch(surface);
   Random random(2);
   RootedNet net(patch);
   net.set_tree(unfold::start_tree(patch, unfold::StartTree::depth_first, random));
@@ -101,7 +93,7 @@ TEST_CASE("a rooted net stays one tree in the plane, whichever half a swap moves
 
 TEST_CASE("what is near in a rooted net is found, all of it and once", "[rooted_net]") {
   const mesh::Surface surface = test::sphere(9, 6);
-  const Patch patch = ball(surface);
+  const Patch patch = test::whole_patch(surface);
   Random random(4);
   RootedNet net(patch);
   net.set_tree(unfold::start_tree(patch, unfold::StartTree::short_cuts, random));
@@ -145,7 +137,7 @@ TEST_CASE("what is near in a rooted net is found, all of it and once", "[rooted_
 
 TEST_CASE("what a swap would overlap is what overlaps after it", "[rooted_net]") {
   const mesh::Surface surface = test::sphere(9, 6);
-  const Patch patch = ball(surface);
+  const Patch patch = test::whole_patch(surface);
   Random random(6);
   RootedNet net(patch);
   net.set_tree(unfold::start_tree(patch, unfold::StartTree::breadth_first, random));

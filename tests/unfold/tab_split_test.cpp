@@ -333,11 +333,7 @@ TEST_CASE("a slit in a flat region takes no edge its tab", "[tabs]") {
   fan(0, 1, 5, 4, 9);
   const Surface s(points, faces);
   const prepare::Panels panels = test::flat_panels(s);
-  std::vector<FaceId> all;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    all.push_back(f);
-  }
-  const unfold::Patch patch = unfold::make_patch(s, panels, all);
+  const unfold::Patch patch = test::whole_patch(s, panels);
   unfold::Folds folds(patch.frozen.begin(), patch.frozen.end());
   for (const EdgeId slit : {test::edge_between(s, v(4), v(8)), test::edge_between(s, v(4), v(9))}) {
     for (const CornerId side : s.sides(slit)) {
@@ -379,11 +375,7 @@ TEST_CASE("a face deep inside a flat region is cut off with what is around it", 
   const Surface s(points, faces);
   const prepare::Panels panels = test::flat_panels(s);
   REQUIRE(panels.count() == 6);
-  std::vector<FaceId> all;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    all.push_back(f);
-  }
-  const unfold::Patch patch = unfold::make_patch(s, panels, all);
+  const unfold::Patch patch = test::whole_patch(s, panels);
   Random random(1);
   const unfold::Folds folds = unfold::start_tree(patch, unfold::StartTree::breadth_first, random);
   const unfold::TabOptions options;
@@ -402,11 +394,7 @@ TEST_CASE("a face deep inside a flat region is cut off with what is around it", 
 TEST_CASE("what stands in the way of tabs is looked for until somebody says stop", "[tabs]") {
   const Surface s = dented(test::scaled(test::sphere(24, 12), 40.0), 0.1, 5);
   const prepare::Panels panels = test::no_panels(s);
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(s.face_count())) {
-    faces.push_back(f);
-  }
-  const unfold::Patch patch = unfold::make_patch(s, panels, faces);
+  const unfold::Patch patch = test::whole_patch(s, panels);
   const Nets nets = unfolded(s, {}, false);
   unfold::Folds folds(patch.twin.size(), 0);
   for (const CornerId c : ids<CornerId>(s.corner_count())) {

@@ -22,13 +22,6 @@ constexpr double sharp = 1.5707963267948966;
 /// A seam in a hollow shows less than one on a ridge: as a ridge that is sharper by a third.
 constexpr double hollow_gain = 0.4;
 
-std::uint32_t next_side(std::uint32_t side) {
-  return side % 3 == 2 ? side - 2 : side + 1;
-}
-std::uint32_t previous_side(std::uint32_t side) {
-  return side % 3 == 0 ? side + 2 : side - 1;
-}
-
 /// The angle at the origin that a tab takes together with the clearance from a ray on its left side; `seen`
 /// brings an end of the base to the origin. A tab that shares the corner keeps the clearance farther up only.
 template <class Seen>
@@ -61,6 +54,7 @@ double openness(double fold_angle) {
 CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& weights)
     : patch_(patch),
       weights_(weights),
+      bands_(weights.bands > 0.0 ? find_bands(patch) : Bands()),
       with_tabs_(!facts.candidates.empty()),
       mirror_(facts.mirror),
       across_(facts.across),
@@ -70,7 +64,8 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
       corner_angle_(patch.twin.size()),
       price_(patch.twin.size()),
       needed_(patch.twin.size()),
-      cost_(patch.twin.size()) {
+      cost_(patch.twin.size()),
+      cut_mm_(bands_.rung_mm.size(), 0.0) {
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     const Triangle& t = patch.shape[side / 3];
     const std::uint32_t k = side % 3;
@@ -128,11 +123,49 @@ void CutCosts::set_tree(const Folds& folds) {
       total_ += unevenness(side);
     }
   }
+  std::fill(cut_mm_.begin(), cut_mm_.end(), 0.0);
+  for (std::uint32_t side = 0; !bands_.empty() && side < patch_.twin.size(); ++side) {
+    if (bands_.band[side] != nothing && join_of(side) == side && cut_[side] != 0) {
+      cut_mm_[bands_.band[side]] += patch_.length[side];
+    }
+  }
+  for (std::uint32_t band = 0; band < cut_mm_.size(); ++band) {
+    total_ += band_cost(band, cut_mm_[band]);
+  }
 }
 
 /// What it costs that the edge's mirror image is no cut where it is one; half of it where both are asked.
 double CutCosts::unevenness(std::uint32_t side) const {
   return is_uneven(side) ? mirror_price(side) : 0.0;
+}
+
+/// A band has to be opened once, at its longest rung or a shorter one.
+double CutCosts::band_cost(std::uint32_t band, double cut_mm) const {
+  return weights_.bands * std::max(0.0, cut_mm - bands_.rung_mm[band]);
+}
+
+/// Of the swap that is being rated.
+double CutCosts::change_of_bands() const {
+  if (bands_.empty()) {
+    return 0.0;
+  }
+  const std::uint32_t closed = bands_.band[changed_cut_];
+  const std::uint32_t opened = bands_.band[changed_fold_];
+  const double less = patch_.length[changed_cut_];
+  const double more = patch_.length[changed_fold_];
+  if (closed == opened) {
+    return closed == nothing
+               ? 0.0
+               : band_cost(closed, cut_mm_[closed] - less + more) - band_cost(closed, cut_mm_[closed]);
+  }
+  double change = 0.0;
+  if (closed != nothing) {
+    change += band_cost(closed, cut_mm_[closed] - less) - band_cost(closed, cut_mm_[closed]);
+  }
+  if (opened != nothing) {
+    change += band_cost(opened, cut_mm_[opened] + more) - band_cost(opened, cut_mm_[opened]);
+  }
+  return change;
 }
 
 CutCosts::Ends CutCosts::ends_of(std::uint32_t side) const {
@@ -237,7 +270,7 @@ double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
   set_cut(cut, 0);
   set_cut(fold, 1);
   mirror_sum_ += both_are_a_pair ? 0.0 : unevenness(changed_cut_) + unevenness(changed_fold_);
-  sum_ = mirror_sum_;
+  sum_ = mirror_sum_ + change_of_bands();
   note(fold);
   note_neighbours(fold);
   note_behind(changed_cut_);
@@ -260,6 +293,14 @@ void CutCosts::keep() {
   }
   total_ += sum_;
   bare_ += bare_sum_;
+  if (!bands_.empty()) {
+    if (const std::uint32_t closed = bands_.band[changed_cut_]; closed != nothing) {
+      cut_mm_[closed] -= patch_.length[changed_cut_];
+    }
+    if (const std::uint32_t opened = bands_.band[changed_fold_]; opened != nothing) {
+      cut_mm_[opened] += patch_.length[changed_fold_];
+    }
+  }
 }
 
 void CutCosts::drop() {

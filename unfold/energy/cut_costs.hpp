@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "unfold/energy/bands.hpp"
 #include "unfold/net/piece_rules.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/tabs/shape/candidates.hpp"
@@ -36,6 +37,7 @@ struct CutFacts {
 ///   A tab has room when it keeps clear of the two sides of the outline that meet its edge, taken as endless;
 ///   what lies farther off isn't seen. A hundred times as quick as TabState;
 /// - its length where it is a slit: its sides meet in the outline and open by less than 20 degrees (slits);
+/// - its length where it parts a band that is parted elsewhere, but for the longest rung (bands);
 /// - its length where its mirror image is no cut (mirror); where that lies outside the patch and is a cut it
 /// is
 ///   so much cheaper instead.
@@ -104,12 +106,15 @@ class CutCosts {
   [[nodiscard]] bool has_room(std::uint32_t side, const Ends& ends) const;
   [[nodiscard]] Cost cost_of(std::uint32_t join) const;
   [[nodiscard]] double unevenness(std::uint32_t side) const;
+  [[nodiscard]] double band_cost(std::uint32_t band, double cut_mm) const;
+  [[nodiscard]] double change_of_bands() const;
   void note(std::uint32_t side);
   void note_neighbours(std::uint32_t side);
   void note_behind(std::uint32_t join);
 
   const Patch& patch_;
   const Weights weights_;
+  const Bands bands_;
   const bool with_tabs_;
   std::span<const std::uint32_t> mirror_;
   std::span<const std::vector<std::uint32_t>> across_;
@@ -120,6 +125,7 @@ class CutCosts {
   std::vector<double> price_;        ///< per side: as a seam, mm
   std::vector<Angles> needed_;       ///< per side: angles outside the paper that each candidate needs
   std::vector<Cost> cost_;           ///< per join (its smaller side)
+  std::vector<double> cut_mm_;       ///< per band: of its rungs that are cuts
   double total_ = 0.0;
   double bare_ = 0.0;
 

@@ -39,7 +39,8 @@ Folds ExactWalk::run(const Annealing& rules, const Context& context) {
       }
     }
     std::uint64_t trials = 0;
-    if (step(between(exact_first_heat, exact_last_heat, made_, rules.exact_trials), trials)) {
+    const double spent = static_cast<double>(made_) / static_cast<double>(rules.exact_trials);
+    if (step(between(exact_first_heat, exact_last_heat, spent), trials)) {
       remember();
     }
   }

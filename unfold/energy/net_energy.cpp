@@ -31,8 +31,8 @@ void NetEnergy::set_tree() {
     const auto number = static_cast<std::uint32_t>(pieces_.size());
     pieces_.push_back({f, shape_.measure(net_, folds_, f, nullptr, {})});
     shape_cost_ += pieces_.back().shape.cost;
-    for (const std::uint32_t g : shape_.faces()) {
-      piece_[g] = number;
+    for (const PieceShape::Member& member : shape_.faces()) {
+      piece_[member.face] = number;
     }
   }
 }
@@ -68,7 +68,9 @@ bool NetEnergy::rate_shapes(std::uint32_t below) {
     second_root_ = other_end(fold_);
     second_ = shape_.measure(net_, folds_, second_root_, &moved, motion);
     shapes_change_ += second_.cost - pieces_[b].shape.cost;
-    few_panels = room_.max_panels == 0 || std::max(first_.panels, second_.panels) <= room_.max_panels;
+    const std::size_t before = std::max(pieces_[a].shape.panels, pieces_[b].shape.panels);
+    few_panels = room_.max_panels == 0 ||
+                 std::max(first_.panels, second_.panels) <= std::max(room_.max_panels, before);
   }
   set_fold(cut_, 0);
   set_fold(fold_, 1);
@@ -77,9 +79,11 @@ bool NetEnergy::rate_shapes(std::uint32_t below) {
 
 /// Of the two faces at the new cut the one that isn't in the piece that was measured last.
 std::uint32_t NetEnergy::other_end(std::uint32_t fold) const {
-  const auto& faces = shape_.faces();
+  const auto faces = shape_.faces();
   const std::uint32_t f = fold / 3;
-  return std::find(faces.begin(), faces.end(), f) == faces.end() ? f : patch_.twin[fold] / 3;
+  return std::none_of(faces.begin(), faces.end(), [f](const auto& member) { return member.face == f; })
+             ? f
+             : patch_.twin[fold] / 3;
 }
 
 void NetEnergy::keep() {
@@ -103,23 +107,20 @@ void NetEnergy::drop() {
 
 void NetEnergy::relabel(std::uint32_t root, std::uint32_t number) {
   static_cast<void>(shape_.measure(net_, folds_, root, nullptr, {}));
-  for (const std::uint32_t f : shape_.faces()) {
-    piece_[f] = number;
+  for (const PieceShape::Member& member : shape_.faces()) {
+    piece_[member.face] = number;
   }
 }
 
 bool NetEnergy::all_fit() {
-  if (!room_.sheet) {
-    return true;
-  }
   return std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
     if (piece.shape.surely_fits) {
       return true;
     }
     static_cast<void>(shape_.measure(net_, folds_, piece.face, nullptr, {}));
     std::vector<Vec2> points;
-    for (const std::uint32_t f : shape_.faces()) {
-      points.insert(points.end(), net_.flat(f).begin(), net_.flat(f).end());
+    for (const PieceShape::Member& member : shape_.faces()) {
+      points.insert(points.end(), net_.flat(member.face).begin(), net_.flat(member.face).end());
     }
     return room_.holds(convex_hull(std::move(points)), piece.shape.panels);
   });

@@ -33,8 +33,8 @@ class NetEnergy {
   [[nodiscard]] const CutCosts& cut_costs() const { return cut_costs_; }
 
   /// What a swap would add to total(); nothing where that is clearly more than `most`, where the swap isn't
-  /// one of two pieces, or would give a piece more panels than it may have. A swap that is rated must be
-  /// followed by keep(), when the net has made it, or drop().
+  /// one of two pieces, or would give a piece more panels than it may have and one of the two had. A swap
+  /// that is rated must be followed by keep(), when the net has made it, or drop().
   [[nodiscard]] std::optional<double> rate(const Swap& swap, double most);
   /// How much of what was rated last is due to room for tabs.
   [[nodiscard]] double rated_bare() const { return cut_costs_.change_of_bare(); }
@@ -42,6 +42,8 @@ class NetEnergy {
   void keep();
   void drop();
 
+  /// What rating took so far: the faces of all pieces that were measured.
+  [[nodiscard]] std::uint64_t work() const { return shape_.work(); }
   /// Whether all pieces fit the room. O(1) for those that clearly do.
   [[nodiscard]] bool all_fit();
 

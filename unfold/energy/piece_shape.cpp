@@ -21,6 +21,8 @@ constexpr double hollow_unit_mm2 = 100.0;
 constexpr double outline_unit_mm = 1000.0;
 /// What a millimetre beyond the sheet costs, mm: more than any seam would save by it.
 constexpr double overhang_price = 20.0;
+/// What a flat region more than a piece may have costs, mm: the same.
+constexpr double panel_price = 50.0;
 
 /// Area of the polygon around a convex set with these reaches in 16 directions, from that set's own.
 double area_within(const std::array<float, 16>& reach) {
@@ -67,7 +69,7 @@ Turn along_axes(const std::vector<Vec2>& points) {
 }  // namespace
 
 PieceShape::PieceShape(const Patch& patch, const Room& room, const Weights& weights)
-    : patch_(patch), room_(room), weights_(weights) {
+    : patch_(patch), room_(room), weights_(weights), members_(patch.size()) {
   area_.reserve(patch.size());
   for (const Triangle& t : patch.shape) {
     area_.push_back(area_of(t));
@@ -75,40 +77,36 @@ PieceShape::PieceShape(const Patch& patch, const Room& room, const Weights& weig
 }
 
 void PieceShape::collect(const Folds& folds, std::uint32_t root) {
-  faces_.assign(1, root);
-  parent_.assign(1, 0);
-  up_.assign(1, nothing);
+  members_[0] = {root, 0, nothing, area_[root]};
+  count_ = 1;
   panels_ = 1;
   outline_ = 0.0;
-  for (std::uint32_t i = 0; i < faces_.size(); ++i) {
-    const std::uint32_t f = faces_[i];
-    for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    const Member member = members_[i];
+    for (std::uint32_t side = 3 * member.face; side < 3 * member.face + 3; ++side) {
+      if (folds[side] == 0) {
+        outline_ += patch_.frozen[side] == 0 ? patch_.length[side] : 0.0;
+        continue;
+      }
       const std::uint32_t twin = patch_.twin[side];
-      if (folds[side] != 0 && twin != nothing && side != up_[i]) {
-        faces_.push_back(twin / 3);
-        parent_.push_back(i);
-        up_.push_back(twin);
+      if (twin != nothing && side != member.up) {
+        members_[count_++] = {twin / 3, i, twin, area_[twin / 3]};
         panels_ += patch_.frozen[side] != frozen_in_panel ? 1U : 0U;
       }
-      outline_ += folds[side] == 0 && patch_.frozen[side] == 0 ? patch_.length[side] : 0.0;
     }
   }
-  behind_.resize(faces_.size());
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    behind_[i] = area_[faces_[i]];
-  }
-  for (std::size_t i = faces_.size(); i-- > 1;) {
-    behind_[parent_[i]] += behind_[i];
+  for (std::size_t i = count_; i-- > 1;) {
+    members_[members_[i].parent].behind += members_[i].behind;
   }
 }
 
 double PieceShape::necks() const {
   double sum = 0.0;
-  for (std::size_t i = 1; i < faces_.size(); ++i) {
-    const double fold = patch_.length[up_[i]];
-    const double area = std::min(behind_[i], behind_[0] - behind_[i]);
-    const double thin = thin_ratio * fold;
-    if (area > thin * thin && patch_.frozen[up_[i]] == 0) {
+  for (std::size_t i = 1; i < count_; ++i) {
+    const Member& member = members_[i];
+    const double area = std::min(member.behind, members_[0].behind - member.behind);
+    const double thin = thin_ratio * patch_.length[member.up];
+    if (area > thin * thin && patch_.frozen[member.up] == 0) {
       sum += std::sqrt(area) - thin;
     }
   }
@@ -132,6 +130,7 @@ double PieceShape::overhang(const std::array<float, 2 * directions>& reach) cons
 PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds, std::uint32_t root,
                                         const RootedNet::Span* moved, const Rigid& motion) {
   collect(folds, root);
+  work_ += count_;
   // Seen from a corner of the root's, so that floats are enough.
   const bool root_moves = moved != nullptr && net.in_span(*moved, root);
   const Vec2 origin = root_moves ? motion(net.flat(root)[0]) : net.flat(root)[0];
@@ -140,11 +139,16 @@ PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds
   high.fill(0.0F);
   low.fill(0.0F);
   points_.clear();
-  for (const std::uint32_t f : faces_) {
-    const bool moves = moved != nullptr && net.in_span(*moved, f);
-    for (const Vec2 corner : net.flat(f)) {
-      points_.push_back((moves ? motion(corner) : corner) - origin);
-    }
+  const auto add = [&](std::uint32_t f, std::uint32_t corner) {
+    const Vec2 at = net.flat(f)[corner];
+    points_.push_back((moved != nullptr && net.in_span(*moved, f) ? motion(at) : at) - origin);
+  };
+  add(root, 0);
+  add(root, 1);
+  add(root, 2);
+  // Two corners of any other face are its parent's.
+  for (const Member& member : faces().subspan(1)) {
+    add(member.face, (member.up + 2) % 3);
   }
   const Turn upright = along_axes(points_);
   for (const Vec2 point : points_) {
@@ -164,13 +168,17 @@ PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds
   }
   Measure result;
   result.panels = panels_;
-  const double paper = behind_[0];
+  const double paper = members_[0].behind;
   result.cost = weights_.compact * std::max(0.0, area_within(reach) - paper) / hollow_unit_mm2 +
                 weights_.outline * outline_ * outline_ / outline_unit_mm + weights_.thin * necks();
   if (room_.sheet) {
     const double over = overhang(reach);
     result.surely_fits = over <= 0.0;
     result.cost += overhang_price * over;
+  }
+  if (room_.max_panels > 0 && panels_ > room_.max_panels) {
+    result.surely_fits = false;
+    result.cost += panel_price * static_cast<double>(panels_ - room_.max_panels);
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/motion.hpp"
@@ -23,13 +24,13 @@ namespace ridgecraft::unfold {
 /// - necks: of each fold, by how much the branch behind it (the root of the smaller side's area) is wider
 /// than
 ///   three times the fold (Weights::thin);
-/// - what the piece hangs over the sheet, at the best of eight turns.
+/// - what the piece hangs over the sheet, at the best of eight turns, and panels beyond what it may have.
 class PieceShape {
  public:
   struct Measure {
     double cost = 0.0;        ///< mm
     std::size_t panels = 1;   ///< flat regions in it
-    bool surely_fits = true;  ///< at one of eight turns it lies on the sheet
+    bool surely_fits = true;  ///< at one of eight turns it lies on the sheet, with few enough panels
   };
 
   /// The patch must outlive this.
@@ -40,8 +41,17 @@ class PieceShape {
   [[nodiscard]] Measure measure(const RootedNet& net, const Folds& folds, std::uint32_t root,
                                 const RootedNet::Span* moved, const Rigid& motion);
 
-  /// Faces of the piece that was measured last, `root` first.
-  [[nodiscard]] const std::vector<std::uint32_t>& faces() const { return faces_; }
+  /// A face of a piece.
+  struct Member {
+    std::uint32_t face = 0;
+    std::uint32_t parent = 0;  ///< its place among the members
+    std::uint32_t up = 0;      ///< the face's side to it; nothing at the root
+    double behind = 0.0;       ///< area of the face with all that hangs on it
+  };
+  /// Those of the piece that was measured last, the root first, parents before children.
+  [[nodiscard]] std::span<const Member> faces() const { return {members_.data(), count_}; }
+  /// Of all pieces that were measured so far, the number of faces.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
   static constexpr std::size_t directions = 8;
@@ -55,13 +65,12 @@ class PieceShape {
   Weights weights_;
   std::vector<double> area_;  ///< per face
   // The piece that was measured last.
-  std::vector<std::uint32_t> faces_;   ///< parents before children
-  std::vector<std::uint32_t> parent_;  ///< place in faces_
-  std::vector<std::uint32_t> up_;      ///< side to the parent
-  std::vector<double> behind_;         ///< area of each face with all that hangs on it
+  std::vector<Member> members_;  ///< the first `count_`
+  std::uint32_t count_ = 0;
   std::size_t panels_ = 1;
   double outline_ = 0.0;
-  std::vector<Vec2> points_;  ///< corners of its faces
+  std::vector<Vec2> points_;  ///< its corners
+  std::uint64_t work_ = 0;
 };
 
 }  // namespace ridgecraft::unfold

@@ -29,6 +29,8 @@ constexpr std::size_t most_arrivals = 16;
 constexpr std::size_t looked_at = 4;
 /// Larger pieces aren't tried: too many of their faces meet.
 constexpr std::size_t most_faces = 1000;
+/// Nor are such with more pairs that meet for each face: of those that walks freed none had half of it.
+constexpr std::size_t most_meetings_per_face = 1;
 /// A swap that costs d more is made with probability exp(-d / heat).
 constexpr double heat = 0.35;
 /// What a pair that meets on the way or overlaps is worth, in mm of cut.
@@ -49,6 +51,13 @@ class FreeFolding {
         net_(piece),
         overlaps_(net_, tolerance),
         meetings_(piece) {}
+
+  /// Whether so few faces of the given tree meet that a walk may arrive.
+  [[nodiscard]] bool may_arrive() {
+    net_.set_tree(tree_);
+    meetings_.count(net_);
+    return meetings_.total() <= most_meetings_per_face * piece_.size();
+  }
 
   /// Goes from the given tree to one without any; false where the draws are spent before, or the time.
   bool walk(std::size_t draws) {
@@ -127,7 +136,7 @@ std::vector<Folds> trees_that_fold(const ChangingNet& net, std::uint64_t seed, c
   const Folds given = net.folds();
   FreeFolding search(piece, given, net.tolerance(), seed, context);
   std::vector<std::pair<double, Folds>> found;
-  std::size_t draws = std::min(most_draws, draws_times_faces / piece.size());
+  std::size_t draws = search.may_arrive() ? std::min(most_draws, draws_times_faces / piece.size()) : 0;
   while (draws > 0 && found.size() < most_arrivals && !context.out_of_time()) {
     if (search.walk(std::min(draws, draws_per_walk))) {
       found.emplace_back(search.longer_mm(), search.folds());

@@ -8,13 +8,14 @@
 
 namespace ridgecraft::unfold {
 
-/// What makes nets and pieces easy to build, in mm of seam that has to be glued: one energy, which all searches
-/// share. Each term has a name that users can weigh (energy/, patch/objective.hpp).
+/// What makes nets and pieces easy to build, in mm of seam that has to be glued: one energy, which all
+/// searches share. Each term has a name that users can weigh (energy/, patch/objective.hpp).
 struct Weights {
   double seam = 1.0;      ///< each mm of seam
   double bare = 2.0;      ///< each mm of seam without room for a tab that holds
   double slits = 2.0;     ///< each mm of seam that opens by less than 20 degrees
   double mirror = 1.5;    ///< each mm of seam whose mirror image is none
+  double bands = 1.0;     ///< each mm of seam across a closed strip beyond one
   double open = 0.1;      ///< each mm of seam on a smooth place; less on ridges and in hollows
   double compact = 4.0;   ///< each cm2 of a piece's convex hull that is no paper
   double outline = 0.3;   ///< square of a piece's outline, over 1000 mm
@@ -43,7 +44,7 @@ struct PieceRules {
   /// How long nets of less energy are searched for: swaps that are tried for each face, fewer where there are
   /// many (energy/anneal.hpp); 0: none.
   double trials_per_face = 800.0;
-  bool merge = false;          ///< join neighbouring pieces, of several parts too, where that costs less
+  bool merge = false;  ///< join neighbouring pieces, of several parts too, where that costs less
   /// Must every piece fold up with all creases together (folding/fold_order.hpp)? Those that don't are split
   /// (pieces/linear_split.hpp).
   bool fold_linear = false;

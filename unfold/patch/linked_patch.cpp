@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/patch/linked_patch.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 
 namespace ridgecraft::unfold {
@@ -26,6 +28,19 @@ LinkedPatch linked_patch(const Patch& patch, std::span<const std::uint32_t> link
     distance *= 2.0;
   }
   return result;
+}
+
+std::vector<std::uint32_t> borders_of_trees(const Patch& patch, std::span<const std::uint32_t> piece) {
+  std::vector<std::uint32_t> sides;
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    const std::uint32_t twin = patch.twin[side];
+    if (twin != nothing && side < twin && patch.frozen[side] == 0 && piece[side / 3] != piece[twin / 3]) {
+      sides.push_back(side);
+    }
+  }
+  std::stable_sort(sides.begin(), sides.end(),
+                   [&](std::uint32_t s, std::uint32_t t) { return patch.length[s] > patch.length[t]; });
+  return sides;
 }
 
 }  // namespace ridgecraft::unfold

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "unfold/patch/patch.hpp"
 
@@ -23,5 +24,9 @@ struct LinkedPatch {
 /// laid twice as far away as over the one before. Pieces that meet all the same only keep out of each other's
 /// way for no reason. O(n).
 [[nodiscard]] LinkedPatch linked_patch(const Patch& patch, std::span<const std::uint32_t> links);
+
+/// Sides at which trees meet, one of each, long ones first. `piece`: the tree of each face. O(n log n).
+[[nodiscard]] std::vector<std::uint32_t> borders_of_trees(const Patch& patch,
+                                                          std::span<const std::uint32_t> piece);
 
 }  // namespace ridgecraft::unfold

@@ -40,6 +40,14 @@ struct Patch {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(face.size()); }
 };
 
+/// The sides of its face that follow and precede a side, counterclockwise.
+[[nodiscard]] inline std::uint32_t next_side(std::uint32_t side) {
+  return side % 3 == 2 ? side - 2 : side + 1;
+}
+[[nodiscard]] inline std::uint32_t previous_side(std::uint32_t side) {
+  return side % 3 == 0 ? side + 2 : side - 1;
+}
+
 /// Makes a patch of these faces (ascending). Sides between faces of the set are twins, all others border; a
 /// side that is to be cut is border, too, and one that is to be kept is frozen. `wishes`: per edge, or empty.
 /// O(n log n).

@@ -27,20 +27,10 @@ struct Group {
 
 /// Pieces that meet, longest borders first, as long as no group has more links than one may.
 std::vector<Group> groups_of(const Patch& patch, const Layout& layout) {
-  std::vector<std::uint32_t> sides;
-  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    const std::uint32_t twin = patch.twin[side];
-    if (twin != nothing && side < twin && layout.piece[side / 3] != layout.piece[twin / 3] &&
-        patch.frozen[side] == 0) {
-      sides.push_back(side);
-    }
-  }
-  std::stable_sort(sides.begin(), sides.end(),
-                   [&](std::uint32_t s, std::uint32_t t) { return patch.length[s] > patch.length[t]; });
   DisjointSets sets(layout.faces.size());
   std::vector<std::size_t> links(layout.faces.size(), 0);  // of each set, at its first
   std::vector<std::uint32_t> chosen;
-  for (const std::uint32_t side : sides) {
+  for (const std::uint32_t side : borders_of_trees(patch, layout.piece)) {
     const std::uint32_t a = sets.find(layout.piece[side / 3]);
     const std::uint32_t b = sets.find(layout.piece[patch.twin[side] / 3]);
     if (a == b || links[a] + links[b] + 1 > LinkedPatch::most_links) {

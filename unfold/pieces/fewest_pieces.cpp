@@ -16,14 +16,15 @@
 #include "unfold/pieces/page_split.hpp"
 #include "unfold/search/heated_search.hpp"
 #include "unfold/search/least_forest.hpp"
+#include "unfold/search/least_trees.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
 /// Pairs of faces that one merge pass may compare: about 0.1 s.
 constexpr std::uint64_t merge_pairs = 4'000'000;
-/// Pairs that a proof may compare: about 0.5 s. Parts of 26 faces take a thousandth of it, the solid of 36 that
-/// has no net four times as much.
+/// Pairs that a proof may compare: about 0.5 s. Parts of 26 faces take a thousandth of it, the solid of 36
+/// that has no net four times as much.
 constexpr std::uint64_t proof_pairs = 10'000'000;
 /// Patches of more panels have too many forests.
 constexpr std::size_t most_proven_panels = 64;
@@ -61,12 +62,16 @@ class FewestSearch {
   }
 
   void prove() {
-    if (panel_count(patch_) > most_proven_panels || context_.out_of_time()) {
+    if (context_.out_of_time()) {
       return;
     }
-    LeastForest least =
-        least_forest(patch_, {tolerance_, result_.pieces - 1, proof_pairs}, context_);
-    result_.proven_least = least.at_least;
+    result_.proven_least = least_trees(patch_, {tolerance_, most_proven_panels, proof_pairs}, context_);
+    finished_ = result_.proven_least >= result_.pieces;
+    if (finished_ || panel_count(patch_) > most_proven_panels) {
+      return;
+    }
+    LeastForest least = least_forest(patch_, {tolerance_, result_.pieces - 1, proof_pairs}, context_);
+    result_.proven_least = std::max(result_.proven_least, least.at_least);
     finished_ = least.finished;
     if (!least.folds.empty() && is_clean(least.folds)) {
       keep(std::move(least.folds));
@@ -102,13 +107,13 @@ class FewestSearch {
     const std::uint64_t trials = heated_trials(patch_.size()) / shares_of_linked;
     const std::size_t most_trees = std::min(places.size(), LinkedPatch::most_links) + 1;
     std::size_t least = std::max<std::size_t>(2, result_.proven_least);
-    for (std::size_t most = std::min(result_.pieces, most_trees + 1); least < most && !context_.out_of_time();) {
+    for (std::size_t most = std::min(result_.pieces, most_trees + 1);
+         least < most && !context_.out_of_time();) {
       const std::size_t trees = least + (most - least) / 2;
       const std::vector<std::uint32_t> links(places.begin(),
                                              places.begin() + static_cast<std::ptrdiff_t>(trees - 1));
       const LinkedPatch linked = linked_patch(patch_, links);
-      HeatedFound found =
-          heated_search(linked.joined, best, {tolerance_, trials}, random_.next(), context_);
+      HeatedFound found = heated_search(linked.joined, best, {tolerance_, trials}, random_.next(), context_);
       for (const std::uint32_t side : links) {
         set_fold(patch_, found.folds, side, false);
       }

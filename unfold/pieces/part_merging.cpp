@@ -8,19 +8,16 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "unfold/patch/check.hpp"
-#include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
+#include "unfold/pieces/joined_nets.hpp"
 #include "unfold/pieces/piece_borders.hpp"
 #include "unfold/search/one_piece.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// Cuts at which two pieces are tried to be joined as they are.
-constexpr std::size_t shared_cuts_tried = 24;
 /// Faces times iterations of all unions that are unfolded afresh, and faces of all that are joined as they
 /// are: about two seconds each.
 constexpr std::uint64_t fresh_budget = 8'000'000;
@@ -114,7 +111,8 @@ class PartMerger {
     const std::size_t parts = count_parts(both.faces);
     std::optional<Folds> tree;
     if (least_pieces(patch, room_) == 1 && least_cost_of_piece(patch, parts, weights_) < limit) {
-      tree = join_as_they_are(patch, both.faces, parts, limit);
+      tree = join_as_they_are(patch, sub_folds(patch_, folds_, both.faces), room_, weights_,
+                              {parts, search_.tolerance, limit}, join_work_);
       // Pieces of one part were unfolded together in vain when the part was (unite_pieces.hpp).
       if (!tree && (parts > 1 || a.merged || b.merged)) {
         tree = unfold_afresh(patch, parts, limit);
@@ -130,43 +128,6 @@ class PartMerger {
     a = std::move(both);
     pieces_.erase(pieces_.begin() + border.b);
     return true;
-  }
-
-  /// Both nets stay as they are, one is laid against the other: over the cut between them that costs least.
-  std::optional<Folds> join_as_they_are(const Patch& patch, const Faces& faces, std::size_t parts,
-                                        double limit) {
-    const Folds apart = sub_folds(patch_, folds_, faces);
-    const Layout layout = lay_out(patch, apart);
-    std::vector<std::uint32_t> cuts;
-    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-      const std::uint32_t twin = patch.twin[side];
-      if (twin != nothing && side < twin && layout.piece[side / 3] != layout.piece[twin / 3]) {
-        cuts.push_back(side);
-      }
-    }
-    std::stable_sort(cuts.begin(), cuts.end(), [&](std::uint32_t s, std::uint32_t t) {
-      return patch.frozen[s] != patch.frozen[t] ? patch.frozen[s] > patch.frozen[t]
-                                                : patch.length[s] > patch.length[t];
-    });
-    cuts.resize(std::min(cuts.size(), shared_cuts_tried));
-    std::optional<Folds> best;
-    for (const std::uint32_t side : cuts) {
-      if (joined_ >= join_budget) {
-        break;
-      }
-      joined_ += faces.size();
-      Folds trial = apart;
-      set_fold(patch, trial, side, true);
-      if (!all_fit(patch, trial, room_)) {
-        continue;
-      }
-      const double cost = cost_of_piece(patch, trial, parts, weights_);
-      if (cost < limit && find_overlaps(lay_out(patch, trial), search_.tolerance).empty()) {
-        limit = cost;
-        best = std::move(trial);
-      }
-    }
-    return best;
   }
 
   std::optional<Folds> unfold_afresh(const Patch& patch, std::size_t parts, double limit) {
@@ -192,7 +153,7 @@ class PartMerger {
   OnePieceSearch search_;
   std::vector<GrowingPiece> pieces_;
   std::set<Faces> failed_;
-  std::size_t joined_ = 0;
+  std::size_t join_work_ = join_budget;
   std::uint64_t fresh_ = 0;
 };
 

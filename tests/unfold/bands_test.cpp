@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which strips of flat regions are found to go round.
+#include "unfold/energy/bands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include "support/shapes.hpp"
+#include "unfold/nets_checks.hpp"
+
+using namespace ridgecraft;
+
+namespace {
+
+unfold::Bands bands_of(const mesh::Surface& surface) {
+  return unfold::find_bands(test::whole_patch(surface, prepare::find_panels(surface)));
+}
+
+/// How many edges are rungs of each band.
+std::vector<std::size_t> rungs_of(const unfold::Bands& bands) {
+  std::vector<std::size_t> count(bands.rung_mm.size(), 0);
+  for (const std::uint32_t band : bands.band) {
+    if (band != unfold::nothing) {
+      ++count[band];
+    }
+  }
+  for (std::size_t& sides : count) {
+    sides /= 2;
+  }
+  return count;
+}
+
+double chord(double radius, int steps) {
+  return 2.0 * radius * std::sin(std::numbers::pi / steps);
+}
+
+}  // namespace
+
+TEST_CASE("the walls of a turned body are bands, its ends and cones are none", "[bands]") {
+  // A disk, a wall that widens, a straight one, and a cone.
+  const auto bands = bands_of(test::revolve({{0, 0}, {10, 0}, {15, 30}, {15, 50}, {0, 70}}, 9));
+  CHECK(rungs_of(bands) == std::vector<std::size_t>{9, 9});
+  CHECK(bands.rung_mm[0] == Approx(std::hypot(5.0, 30.0)));
+  CHECK(bands.rung_mm[1] == Approx(20.0));
+}
+
+TEST_CASE("a wall of fewer than five regions is none", "[bands]") {
+  const std::vector<Vec2> prism{{0, 0}, {10, 0}, {10, 40}, {0, 40}};
+  CHECK(bands_of(test::cube()).empty());
+  CHECK(bands_of(test::revolve(prism, 4)).empty());
+  CHECK(rungs_of(bands_of(test::revolve(prism, 5))) == std::vector<std::size_t>{5});
+}
+
+TEST_CASE("a wall that is open at both ends is one, one with a slit isn't", "[bands]") {
+  const mesh::Surface tube = test::revolve({{10, 0}, {10, 40}}, 8);
+  CHECK(rungs_of(bands_of(tube)) == std::vector<std::size_t>{8});
+  const prepare::Panels panels = prepare::find_panels(tube);
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(tube.face_count())) {
+    if (panels.panel[f] != panels.panel[FaceId(0)]) {
+      faces.push_back(f);
+    }
+  }
+  REQUIRE(faces.size() == 14);
+  CHECK(unfold::find_bands(unfold::make_patch(tube, panels, faces)).empty());
+}
+
+TEST_CASE("of bands that cross the one with the longer rungs counts, and each region once", "[bands]") {
+  // A tyre: six flat regions around its section, twenty along it.
+  std::vector<Vec2> section;
+  for (int k = 0; k <= 6; ++k) {
+    const double angle = 2.0 * std::numbers::pi * (k % 6) / 6.0 + 0.2;
+    section.emplace_back(30.0 + 12.0 * std::cos(angle), 12.0 * std::sin(angle));
+  }
+  const auto bands = bands_of(test::revolve(section, 20));
+  // Around the section the rungs are chords of the large circle, shorter than the section's sides.
+  REQUIRE(chord(30.0, 20) < chord(12.0, 6));
+  CHECK(rungs_of(bands) == std::vector<std::size_t>(6, 20));
+  for (const double rung : bands.rung_mm) {
+    CHECK(rung == Approx(chord(12.0, 6)));
+  }
+}
+
+TEST_CASE("bands don't depend on how the model is turned, nor on its size", "[bands]") {
+  const mesh::Surface body = test::revolve({{0, 0}, {10, 0}, {15, 30}, {0, 30}}, 12);
+  const auto bands = bands_of(body);
+  const auto larger = bands_of(test::scaled(body, 10.0));
+  CHECK(larger.band == bands.band);
+  REQUIRE(larger.rung_mm.size() == 1);
+  CHECK(larger.rung_mm[0] == Approx(10.0 * bands.rung_mm[0]));
+}

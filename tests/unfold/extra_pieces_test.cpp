@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a step cut off is the reason for one piece, wherever its faces went since.
+#include <algorithm>
+#include <array>
+
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "support/shapes.hpp"
+#include "unfold/nets_checks.hpp"
+#include "unfold/nets_of_folds.hpp"
+#include "unfold/patch/forest.hpp"
+#include "unfold/patch/start_tree.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::unfold;
+
+TEST_CASE("no reason is told more often than there were pieces cut off for it", "[reasons]") {
+  const mesh::Surface s = test::scaled(test::sphere(10, 6), 40.0);
+  const prepare::Panels panels = test::no_panels(s);
+  const IdVector<FaceId, PartId> part = test::one_part(s);
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    faces.push_back(f);
+  }
+  const Patch patch = make_patch(s, panels, faces);
+  Random random(5);
+  for (int run = 0; run < 40; ++run) {
+    // Three were cut off once; where their faces lie now is chance: the pieces are other ones.
+    Causes causes(patch.size());
+    const std::array reasons{PieceReason::page, PieceReason::overlap, PieceReason::faces};
+    for (std::uint32_t piece = 0; piece < 3; ++piece) {
+      for (int i = 0; i < 25; ++i) {
+        causes[random.below(patch.size())] = {reasons[piece], piece};
+      }
+    }
+    // Four trees: all folds of a tree but three.
+    Folds folds = start_tree(patch, StartTree::breadth_first, random);
+    for (int cuts = 0; cuts < 3;) {
+      const std::uint32_t side = random.below(static_cast<std::uint32_t>(folds.size()));
+      if (folds[side] != 0) {
+        set_fold(patch, folds, side, false);
+        ++cuts;
+      }
+    }
+    const Nets nets = nets_of_folds(s, part, patch, folds, causes);
+    REQUIRE(nets.pieces.size() == 4);
+    for (const PieceReason reason :
+         {PieceReason::part, PieceReason::page, PieceReason::overlap, PieceReason::faces}) {
+      CHECK(std::count_if(nets.pieces.begin(), nets.pieces.end(),
+                          [&](const Piece& piece) { return piece.reason == reason; }) == 1);
+    }
+  }
+}
