@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -210,6 +211,24 @@ TEST_CASE("3MF: a few bytes can't ask for much") {
   CHECK(why(model(R"(<object id="1"><components><component objectid="1"/></components></object>)",
                   R"(<item objectid="1"/>)")) ==
         "3 model.3mf has objects that hold each other, or repeats them too often");
+  // A few packed kilobytes that name many small things.
+  const auto many = [](std::string_view text) {
+    std::string repeated;
+    for (int i = 0; i < 1'000'001; ++i) {
+      repeated += text;
+    }
+    return repeated;
+  };
+  const std::string too_many =
+      "3 model.3mf is too large: its part \"3D/3dmodel.model\" has more than 1000000 objects and materials";
+  const auto packed = [](const std::string& xml) {
+    return refusal(threemf(xml, {}, Packing::deflated), "3mf");
+  };
+  CHECK(packed(model(object(1, points + triangle), many(R"(<item objectid="1"/>)"))) == too_many);
+  CHECK(packed(model(
+            "<object id=\"1\"><components>" + many(R"(<component objectid="2"/>)") + "</components></object>",
+            R"(<item objectid="1"/>)")) == too_many);
+  CHECK(packed(model("<basematerials id=\"1\">" + many("<base/>") + "</basematerials>", {})) == too_many);
   // A third of a gigabyte of blanks, in 330 kB.
   const std::string blanks = threemf(one() + std::string(300'000'000, ' '), {}, Packing::deflated);
   CHECK(refusal(blanks, "3mf").starts_with("3 model.3mf is too large: its part \"3D/3dmodel.model\" has "));

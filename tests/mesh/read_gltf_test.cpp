@@ -418,6 +418,19 @@ TEST_CASE("glTF: a few bytes can't ask for much") {
   CHECK(why(p) == "4 model.glb repeats its objects until they have more than 2000000 triangles");
 }
 
+TEST_CASE("glTF: a million small things beside each other are a matter of seconds") {
+  std::string things = "0";
+  for (int i = 0; i < 1'000'000; ++i) {
+    things += ",{}";
+  }
+  const auto with = [](const std::string& extras) {
+    return refusal(R"({"asset":{"version":"2.0"},"extras":[)" + extras + "]}", "gltf");
+  };
+  CHECK(with(things) == "4 model.gltf has no faces");
+  CHECK(with(things + "," + things + "," + things + "," + things) ==
+        "3 model.gltf has more than 4000000 values besides its buffers");
+}
+
 TEST_CASE("glTF: points that seams divide are joined in silence") {
   Parts p;
   p.points = float_bytes({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});

@@ -44,22 +44,61 @@ std::uint32_t uint32_at(std::string_view bytes, std::size_t at) {
                   printable(version)));
 }
 
-Json parse_json(const Source& source, std::string_view text) {
-  std::size_t values = 0;
-  const auto count = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > deepest_nesting || ++values > largest_value_count) {
-      source.refuse(ErrorKind::unreadable_input,
-                    depth > deepest_nesting
-                        ? fmt::format("is nested more than {} levels deep", deepest_nesting)
-                        : fmt::format("has more than {} values besides its buffers", largest_value_count));
+/// Looks a JSON text through for what would make its tree too large. An error in the text ends it in silence:
+/// who builds the tree finds it again.
+class SizeCheck : public nlohmann::json_sax<Json> {
+ public:
+  explicit SizeCheck(const Source& source) : source_(source) {}
+
+  bool null() override { return count(); }
+  bool boolean(bool) override { return count(); }
+  bool number_integer(number_integer_t) override { return count(); }
+  bool number_unsigned(number_unsigned_t) override { return count(); }
+  bool number_float(number_float_t, const string_t&) override { return count(); }
+  bool string(string_t&) override { return count(); }
+  bool binary(binary_t&) override { return count(); }
+  bool key(string_t&) override { return count(); }
+  bool start_object(std::size_t) override { return enter(); }
+  bool start_array(std::size_t) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
+
+ private:
+  bool count() {
+    if (++values_ > largest_value_count) {
+      source_.refuse(ErrorKind::unreadable_input,
+                     fmt::format("has more than {} values besides its buffers", largest_value_count));
     }
-    if (values % 65536 == 0) {
-      source.context.check();
+    if (values_ % 65536 == 0) {
+      source_.context.check();
     }
     return true;
-  };
+  }
+  bool enter() {
+    if (++depth_ > deepest_nesting) {
+      source_.refuse(ErrorKind::unreadable_input,
+                     fmt::format("is nested more than {} levels deep", deepest_nesting));
+    }
+    return count();
+  }
+  bool leave() {
+    --depth_;
+    return true;
+  }
+
+  const Source& source_;
+  std::size_t values_ = 0;
+  int depth_ = 0;
+};
+
+Json parse_json(const Source& source, std::string_view text) {
+  // Two passes: the library's parser with a callback looks, at the end of each object, through all that stand
+  // beside it, which takes hours for a million.
+  SizeCheck check(source);
+  (void)Json::sax_parse(text.begin(), text.end(), &check);
   try {
-    return Json::parse(text.begin(), text.end(), count);
+    return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& error) {
     const std::size_t at = std::min(text.size(), error.byte == 0 ? 0 : error.byte - 1);
     source.refuse_line(ErrorKind::unreadable_input, text.data() + at,

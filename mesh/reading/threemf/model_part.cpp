@@ -62,6 +62,7 @@ class PartReader {
 
  private:
   void check_extensions(pugi::xml_node model) const;
+  void count_thing();
   void read_resource(pugi::xml_node resource);
   void read_object(pugi::xml_node object);
   void read_points(pugi::xml_node vertices, ThreemfObject& object);
@@ -69,7 +70,7 @@ class PartReader {
   void read_triangle(pugi::xml_node triangle, ThreemfObject& object);
   void read_group(pugi::xml_node group, std::string_view kind);
   [[nodiscard]] std::vector<ThreemfPaint> read_layers(pugi::xml_node group, std::string_view kind) const;
-  [[nodiscard]] ThreemfUse read_use(pugi::xml_node node) const;
+  [[nodiscard]] ThreemfUse read_use(pugi::xml_node node);
   [[nodiscard]] Affine read_place(pugi::xml_node node) const;
   [[nodiscard]] std::vector<double> numbers(std::string_view text, pugi::xml_node node) const;
   [[nodiscard]] double number(pugi::xml_attribute a) const;
@@ -85,6 +86,7 @@ class PartReader {
   const std::string& name_;
   RepairReport& remarks_;
   ThreemfPart part_;
+  std::size_t things_ = 0;
   std::string where_;  ///< ", object 3"
 };
 
@@ -139,6 +141,7 @@ void PartReader::check_extensions(pugi::xml_node model) const {
 }
 
 void PartReader::read_resource(pugi::xml_node resource) {
+  count_thing();
   const std::string_view kind = local_name(resource.name());
   if (kind == "object") {
     read_object(resource);
@@ -268,6 +271,7 @@ void PartReader::read_group(pugi::xml_node node, std::string_view kind) {
   for (const pugi::xml_node child : node) {
     const std::string_view element = local_name(child.name());
     if (kind == "basematerials" && element == "base") {
+      count_thing();
       group.bases.push_back({printable(attribute(child, "name")), colour(child, "displaycolor")});
     } else if (kind == "colorgroup" && element == "color") {
       group.colours.push_back(colour(child, "color"));
@@ -317,7 +321,16 @@ std::vector<ThreemfPaint> PartReader::read_layers(pugi::xml_node group, std::str
   return paints;
 }
 
-ThreemfUse PartReader::read_use(pugi::xml_node node) const {
+void PartReader::count_thing() {
+  if (++things_ > most_threemf_things) {
+    source_.refuse(ErrorKind::unreadable_input,
+                   fmt::format("is too large: its part {} has more than {} objects and materials",
+                               in_quotes(name_), most_threemf_things));
+  }
+}
+
+ThreemfUse PartReader::read_use(pugi::xml_node node) {
+  count_thing();
   return {part_name(attribute(node, "path")), needed(node, "objectid"), read_place(node)};
 }
 

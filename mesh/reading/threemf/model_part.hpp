@@ -17,6 +17,10 @@
 
 namespace ridgecraft::mesh {
 
+/// More objects, uses of objects, groups, textures and named materials than this are refused, in one part as
+/// in all that is built: few packed bytes can name many.
+inline constexpr std::size_t most_threemf_things = 1'000'000;
+
 /// Names a colour, a material or a place in a picture: element `index` of the group with this number.
 struct ThreemfPaint {
   std::uint32_t group = Soup::none;

@@ -24,8 +24,6 @@ namespace {
 
 /// Objects in objects in objects: more than anybody nests.
 constexpr std::size_t deepest_components = 100;
-/// Objects that are looked at, however often the same.
-constexpr std::size_t most_uses = 1'000'000;
 
 class ThreemfReader {
  public:
@@ -100,7 +98,7 @@ Soup ThreemfReader::read() {
                      fmt::format("names object {} of its part {}, which isn't there", next.object,
                                  in_quotes(next.part)));
     }
-    if (next.depth > deepest_components || uses > most_uses) {
+    if (next.depth > deepest_components || uses > most_threemf_things) {
       source_.refuse(ErrorKind::unreadable_input,
                      "has objects that hold each other, or repeats them too often");
     }
