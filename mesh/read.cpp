@@ -26,10 +26,14 @@ Model read(const ModelFile& file, const ReadOptions& options, const Context& con
   context.report("reading", 0.0);
   Soup soup = parse_soup(file.bytes, file.name, file.folder, context);
   context.report("repairing", 0.0);
+  const std::string beside = std::move(soup.beside_digest);
   try {
     Model model = repair(std::move(soup), options, context);
     model.name = printable(file.title);
     model.digest = digest(file.bytes);
+    if (!beside.empty()) {
+      model.digest = digest(model.digest + beside);
+    }
     return model;
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::unusable_mesh) {

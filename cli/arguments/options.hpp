@@ -27,6 +27,8 @@ struct CommonOptions {
 struct AskedSize {
   std::string words;          ///< "--size 150mm"
   bool unit_assumed = false;  ///< --size was a number alone
+  /// The factor of --scale without --unit: it is the file's unit that counts, where the file tells it.
+  std::optional<double> scale = {};
 };
 
 /// ridgecraft MODEL
@@ -80,7 +82,7 @@ struct HullsJob {
   bool overwrite = false;
   PartArguments parts;
   std::size_t max_vertices = 0;  ///< 0: no limit
-  double mm_per_unit = 1.0;      ///< for .urdf
+  std::optional<double> mm_per_unit;  ///< --unit, for .urdf
   double density = 1000.0;       ///< kg/m^3, for .urdf
 };
 

@@ -61,7 +61,7 @@ void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
       .option("Size", "--scale", scale, "FACTOR",
               "Instead of --size: 1:50, 0.5 or 30% of the size that the file's numbers give in --unit.")
       .option("Size", "--unit", unit, "UNIT",
-              "Unit of the file's numbers: mm, cm, m, in, ft (mm); used with --scale.")
+              "Unit of the file's numbers: mm, cm, m, in, ft (what the file says, else mm); used with --scale.")
       .option("Size", "--faces", faces, "N|auto|keep",
               default_faces == "auto"
                   ? "How many faces to keep: auto simplifies a model whose edges would be too short to fold, "
@@ -82,6 +82,9 @@ void SizeTexts::check_into(job::Options& options, AskedSize& asked) const {
       refuse("--scale takes a factor such as 1:50, 0.5 or 30%, not '" + scale + "'");
     }
     options.size.mm_per_unit = *factor * unit_or_refuse("--unit", unit);
+    if (unit.empty()) {
+      asked.scale = factor;
+    }
     asked.words = "--scale " + scale + (unit.empty() ? "" : " --unit " + unit);
   } else {
     options.size.largest_extent_mm = size.empty() ? 150.0 : length_or_refuse("--size", size);

@@ -29,7 +29,7 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
       "At most this many vertices a hull, 8 or more; it grows instead of leaving anything out: by about 4 % "
       "with 64, half with 16 (no limit).");
   verb.option("Hulls", "--unit", unit, "UNIT",
-              "Unit of the file's numbers for .urdf: mm, cm, m, in, ft (mm).");
+              "Unit of the file's numbers for .urdf: mm, cm, m, in, ft (what the file says, else mm).");
   verb.option("Hulls", "--density", density, "KG/M3", "For mass and inertia in .urdf (1000).");
   parts.add_to(verb);
   common.add_to(verb);
@@ -45,7 +45,9 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
       refuse("--unit and --density tell a .urdf's metres and masses; with -o " + job.output +
              " they have no effect");
     }
-    job.mm_per_unit = unit_or_refuse("--unit", unit);
+    if (!unit.empty()) {
+      job.mm_per_unit = unit_or_refuse("--unit", unit);
+    }
     if (!density.empty()) {
       job.density = number_or_refuse("--density", density, 1e-6, 1e6);
     }

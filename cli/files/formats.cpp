@@ -15,7 +15,10 @@ using Row = FormatRow;
 
 constexpr std::array read_rows{
     Row{".obj", "Wavefront OBJ, with materials"}, Row{".stl", "STL, binary and ASCII"},
-    Row{".ply", "PLY, ASCII and binary of both byte orders"}, Row{".off", "OFF and its variants, ASCII"}};
+    Row{".ply", "PLY, ASCII and binary of both byte orders"}, Row{".off", "OFF and its variants, ASCII"},
+    Row{".glb", "glTF 2 in one file, with colours and pictures"},
+    Row{".gltf", "glTF 2 as text, with the files beside it"},
+    Row{".3mf", "3MF, with colours and pictures"}};
 
 struct PaperRow {
   Format format;

@@ -101,6 +101,9 @@ job::Paper make(const Job& job, const EdgeFiles& edge_files, mesh::Model model, 
                 const job::Listener& listener) {
   job::Options options = job.options;
   options.edges = requests_of(edge_files, model);
+  if (job.size_asked.scale && model.frame.mm_per_unit) {
+    options.size.mm_per_unit = *job.size_asked.scale * *model.frame.mm_per_unit;
+  }
   try {
     return job::paper(std::move(model), options, context, listener);
   } catch (const Error& error) {

@@ -151,12 +151,13 @@ void add_urdf(const HullsJob& job, SolidResult& result, PendingFiles& pending) {
   const auto add = [&](const std::string& name, const std::string& bytes) {
     add_file(folder / name, bytes, result.model.digest, job.overwrite, pending, result.files);
   };
-  solid::UrdfOptions options{.name = stem,
-                             .comment = comment,
-                             .visual_file = visual_file(job.output),
-                             .mesh_files = {},
-                             .metres_per_unit = job.mm_per_unit / 1000.0,
-                             .density = job.density};
+  solid::UrdfOptions options{
+      .name = stem,
+      .comment = comment,
+      .visual_file = visual_file(job.output),
+      .mesh_files = {},
+      .metres_per_unit = job.mm_per_unit.value_or(result.model.frame.mm_per_unit.value_or(1.0)) / 1000.0,
+      .density = job.density};
   for (std::size_t i = 0; i < result.bodies.size(); ++i) {
     options.mesh_files.push_back(hull_file(job.output, i + 1));
   }

@@ -293,7 +293,7 @@ void add_folding(Summary& summary, const unfold::Nets& nets) {
 void say_colours(Summary& summary, const mesh::Model& model) {
   const bool coloured =
       std::any_of(model.materials.begin(), model.materials.end(), [](const mesh::Material& m) {
-        return !m.texture_file.empty() || (m.colour && *m.colour != mesh::Colour{1.0, 1.0, 1.0});
+        return m.has_picture() || (m.colour && *m.colour != mesh::Colour{1.0, 1.0, 1.0});
       });
   if (coloured) {
     summary.say(Line::colours, "colours", "of the model aren't printed: pages show lines only");

@@ -8,6 +8,21 @@
 
 namespace ridgecraft::cli {
 
+namespace {
+
+/// "metres, y points up: 1000 x 500 x 300 mm"
+std::string told_frame(const mesh::FileFrame& frame, Vec3 size) {
+  if (!frame.mm_per_unit) {
+    return {};
+  }
+  const Vec3 mm = *frame.mm_per_unit * size;
+  return fmt::format("{}{}: {:g} x {:g} x {:g} mm", mesh::unit_names(*frame.mm_per_unit),
+                     frame.up ? fmt::format(", {} points up", mesh::axis_name(*frame.up)) : "", mm.x, mm.y,
+                     mm.z);
+}
+
+}  // namespace
+
 Summary summary(const InfoJob& job, const mesh::Model& model, const prepare::Panels& panels) {
   const mesh::Surface& surface = model.surface;
   std::size_t border = 0;
@@ -29,6 +44,9 @@ Summary summary(const InfoJob& job, const mesh::Model& model, const prepare::Pan
               border == 0 ? "none: the surface is closed" : counted(border, "edge"));
   summary.add("size", Value::List{size.x, size.y, size.z}, Line::nets, "size",
               fmt::format("{:g} x {:g} x {:g} in the file's unit", size.x, size.y, size.z));
+  const mesh::FileFrame& frame = model.frame;
+  summary.add("file_unit_mm", Value(frame.mm_per_unit), Line::nets, "unit", told_frame(frame, size), "mm");
+  summary.add("file_up", frame.up ? Value(mesh::axis_name(*frame.up)) : Value());
   summary.add("materials", model.materials.size());
   summary.add("textured", !model.texture.empty());
   summary.add_repairs(model.repairs);

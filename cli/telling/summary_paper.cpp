@@ -20,12 +20,34 @@ namespace {
 /// A surface that moved by more than this share of the largest extent has lost some of its shape.
 constexpr double far_moved = 0.04;
 
+/// "6.67", "1500".
+std::string three_digits(double ratio) {
+  return ratio < 999.5 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
+}
+
+/// "; the file counts in metres, y up: this is 1:13.3 of its size", where it tells its unit.
+std::string scale_text(const job::Paper& made) {
+  const mesh::FileFrame& frame = made.prepared.model.frame;
+  if (!frame.mm_per_unit) {
+    return {};
+  }
+  const double scale = made.prepared.mm_per_unit / *frame.mm_per_unit;
+  return fmt::format("; the file counts in {}{}: this is {} of its size",
+                     mesh::unit_names(*frame.mm_per_unit),
+                     frame.up ? fmt::format(", {} up", mesh::axis_name(*frame.up)) : "",
+                     scale >= 1.0 ? three_digits(scale) + ":1" : "1:" + three_digits(1.0 / scale));
+}
+
 void add_size(Summary& summary, const job::Paper& made, const std::string& asked) {
   const Vec3 size = made.prepared.model.surface.bounds().size();
-  summary.add(
-      "size_mm", Value::List{rounded(size.x), rounded(size.y), rounded(size.z)}, Line::size, "size",
-      asked.empty() ? "" : fmt::format("{:.1f} x {:.1f} x {:.1f} mm ({})", size.x, size.y, size.z, asked),
-      "mm");
+  const mesh::FileFrame& frame = made.prepared.model.frame;
+  summary.add("file_unit_mm", Value(frame.mm_per_unit), "mm");
+  summary.add("file_up", frame.up ? Value(mesh::axis_name(*frame.up)) : Value());
+  summary.add("size_mm", Value::List{rounded(size.x), rounded(size.y), rounded(size.z)}, Line::size, "size",
+              asked.empty() ? ""
+                            : fmt::format("{:.1f} x {:.1f} x {:.1f} mm ({}{})", size.x, size.y, size.z, asked,
+                                          scale_text(made)),
+              "mm");
 }
 
 Value simplified_value(const prepare::SimplifyReport& report) {

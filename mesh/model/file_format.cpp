@@ -11,11 +11,15 @@ struct Row {
   FileFormat format;
   std::string_view name;
   std::uint32_t first_point;
+  bool repeats_points;
 };
 /// Formats of one name stand beside each other.
-constexpr std::array formats{Row{FileFormat::obj, "OBJ", 1},        Row{FileFormat::stl_ascii, "STL", 0},
-                             Row{FileFormat::stl_binary, "STL", 0}, Row{FileFormat::ply_ascii, "PLY", 0},
-                             Row{FileFormat::ply_binary, "PLY", 0}, Row{FileFormat::off, "OFF", 0}};
+constexpr std::array formats{
+    Row{FileFormat::obj, "OBJ", 1, false},        Row{FileFormat::stl_ascii, "STL", 0, true},
+    Row{FileFormat::stl_binary, "STL", 0, true},  Row{FileFormat::ply_ascii, "PLY", 0, false},
+    Row{FileFormat::ply_binary, "PLY", 0, false}, Row{FileFormat::off, "OFF", 0, false},
+    Row{FileFormat::glb, "GLB", 0, true},         Row{FileFormat::gltf, "glTF", 0, true},
+    Row{FileFormat::threemf, "3MF", 0, false}};
 
 const Row& row(FileFormat format) {
   return *std::find_if(formats.begin(), formats.end(), [&](const Row& r) { return r.format == format; });
@@ -39,6 +43,10 @@ std::vector<std::string> format_names() {
 
 std::uint32_t first_point_number(FileFormat format) {
   return row(format).first_point;
+}
+
+bool repeats_points(FileFormat format) {
+  return row(format).repeats_points;
 }
 
 }  // namespace ridgecraft::mesh

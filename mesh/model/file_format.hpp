@@ -9,15 +9,20 @@
 
 namespace ridgecraft::mesh {
 
-enum class FileFormat { obj, stl_ascii, stl_binary, ply_ascii, ply_binary, off };
+enum class FileFormat { obj, stl_ascii, stl_binary, ply_ascii, ply_binary, off, gltf, glb, threemf };
 
-/// "OBJ", "STL", "PLY" or "OFF".
+/// "OBJ", "STL", "PLY", "OFF", "glTF" or "GLB".
 [[nodiscard]] std::string_view format_name(FileFormat format);
 
-/// "OBJ", "STL", "PLY", "OFF": each name once. They are the suffixes of their files, too.
+/// "OBJ", "STL" and so on: each name once. They are the suffixes of their files, too, in letters of either
+/// case.
 [[nodiscard]] std::vector<std::string> format_names();
 
 /// The number that the format itself gives to the first point of a file: OBJ counts from 1, others from 0.
 [[nodiscard]] std::uint32_t first_point_number(FileFormat format);
+
+/// True where the format itself gives one point several times, so that joining equal points is part of
+/// reading: facets of STL have corners of their own, glTF divides points where normals or pictures meet.
+[[nodiscard]] bool repeats_points(FileFormat format);
 
 }  // namespace ridgecraft::mesh

@@ -20,6 +20,7 @@ namespace ridgecraft::mesh {
 struct Model {
   std::string name;    ///< the file's name without folder and suffix, valid UTF-8
   std::string digest;  ///< 16 hexadecimal digits, hash of the file's bytes; marks what is made from it
+  FileFrame frame;     ///< what the file says of its unit and of where up is
   Surface surface;     ///< in the file's unit (after prepare::prepare: in mm)
   FileFormat format = FileFormat::obj;  ///< that the file was read as, whatever it is called
 
@@ -54,7 +55,8 @@ struct Model {
   [[nodiscard]] std::string object_of(std::uint32_t polygon_of_file) const {
     const auto after = std::upper_bound(objects.begin(), objects.end(), polygon_of_file,
                                         [](std::uint32_t p, const auto& object) { return p < object.first; });
-    return polygon_of_file == Soup::none || after == objects.begin() ? std::string() : std::prev(after)->second;
+    return polygon_of_file == Soup::none || after == objects.begin() ? std::string()
+                                                                     : std::prev(after)->second;
   }
 };
 

@@ -46,6 +46,8 @@ constexpr std::array wordings{
             "{} faces have texture coordinates that are missing or can't be used; they get no picture"},
     Wording{element_ignored, "element_ignored", "1 element that is no face was ignored",
             "{} elements that are no faces were ignored"},
+    Wording{motion_ignored, "motion_ignored", "the model moves in its file; it was taken at rest",
+            "{} models move in their files; they were taken at rest"},
     Wording{points_joined, "points_joined", "1 point was joined with another at the same place",
             "{} points at equal places were joined"},
     Wording{border_points_joined, "border_points_joined",

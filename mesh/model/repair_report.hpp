@@ -22,6 +22,7 @@ enum class RepairKind {
   texture_missing,           ///< picture missing, empty or unreadable
   texture_point_dropped,     ///< texture coordinate missing, not finite or out of reach
   element_ignored,           ///< lines, curves and the like beside the faces
+  motion_ignored,            ///< animations, joints, shape keys: the model is taken at rest
   // while repairing
   points_joined,         ///< points at equal places that several faces had each for itself
   border_points_joined,  ///< nearly equal points along borders

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "base/vector.hpp"
 #include "mesh/model/file_format.hpp"
+#include "mesh/model/file_frame.hpp"
 #include "mesh/model/repair_report.hpp"
 
 namespace ridgecraft::mesh {
@@ -19,11 +21,15 @@ namespace ridgecraft::mesh {
 /// Diffuse colour, each channel in [0, 1].
 using Colour = std::array<double, 3>;
 
-/// A material of an MTL file. What is missing or can't be read is white and without picture.
+/// A material as the file has it. What is missing or can't be read is white and without picture.
 struct Material {
   std::string name;
   std::optional<Colour> colour;
   std::string texture_file;  ///< path of the picture, relative to the model's folder; empty for none
+  /// Bytes of a picture (PNG or JPEG) that lies within the model's file; null for none.
+  std::shared_ptr<const std::string> picture = nullptr;
+
+  [[nodiscard]] bool has_picture() const { return picture || !texture_file.empty(); }
 };
 
 /// Polygons over indexed points, in the order of the file, nothing joined or dropped yet.
@@ -51,6 +57,9 @@ struct Soup {
   std::vector<std::array<std::uint32_t, 2>> lines;
 
   FileFormat format = FileFormat::obj;
+  FileFrame frame;
+  /// Hashes of the other files that the shape comes from (buffers of glTF), one after the other.
+  std::string beside_digest;
   /// What the reader ignored, corrected or wants to be known.
   RepairReport remarks;
 

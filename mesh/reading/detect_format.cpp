@@ -13,6 +13,7 @@
 #include "mesh/reading/foreign_content.hpp"
 #include "mesh/reading/stl_layout.hpp"
 #include "mesh/reading/text_scanner.hpp"
+#include "mesh/reading/zip_archive.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
@@ -72,6 +73,14 @@ std::optional<FileFormat> by_first_word(std::string_view text) {
   return std::nullopt;
 }
 
+/// JSON with the key that every glTF file has, or at least with its suffix.
+bool is_gltf_text(std::string_view bytes, std::string_view file_name) {
+  TextScanner scanner(bytes);
+  scanner.skip_space('\0');
+  return scanner.peek() == '{' &&
+         (equal_ignoring_case(suffix(file_name), "gltf") || bytes.find("\"asset\"") != bytes.npos);
+}
+
 /// What the suffix says, for content that could be several things.
 FileFormat by_suffix(const Source& source, std::string_view file_name, bool text) {
   const std::string_view ending = suffix(file_name);
@@ -92,6 +101,9 @@ FileFormat by_suffix(const Source& source, std::string_view file_name, bool text
     if (!text) {
       return FileFormat::stl_binary;
     }
+  }
+  if (const auto sentence = foreign_suffix(ending)) {
+    source.refuse(ErrorKind::unreadable_input, *sentence);
   }
   source.refuse(ErrorKind::unreadable_input,
                 "is in no known mesh format (" + listed(format_names(), "or") + ")");
@@ -121,8 +133,18 @@ FileFormat detect_format(const Source& source, std::string_view file_name) {
   if (bytes.size() >= stl_header_size && bytes.size() == stl_file_size(stl_facet_count(bytes))) {
     return FileFormat::stl_binary;
   }
-  if (const auto what = foreign_content(bytes)) {
-    source.refuse(ErrorKind::unreadable_input, fmt::format("is no mesh but {}", *what));
+  if (bytes.starts_with("glTF")) {
+    return FileFormat::glb;
+  }
+  if (is_zip(bytes) &&
+      (bytes.find(".model") != bytes.npos || equal_ignoring_case(suffix(file_name), "3mf"))) {
+    return FileFormat::threemf;
+  }
+  if (is_gltf_text(bytes, file_name)) {
+    return FileFormat::gltf;
+  }
+  if (const auto sentence = foreign_content(bytes, suffix(file_name))) {
+    source.refuse(ErrorKind::unreadable_input, *sentence);
   }
   if (bytes.size() > 4 && equal_ignoring_case(bytes.substr(0, 3), "ply") &&
       (is_line_end(bytes[3]) || is_blank(bytes[3]))) {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file that is no mesh of ours is instead.
+// What a file that is no mesh of ours is instead, and how to get one that is.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace ridgecraft::mesh {
 
-/// As "a PNG picture"; nothing where that can't be seen.
-[[nodiscard]] std::optional<std::string_view> foreign_content(std::string_view bytes);
+/// As "is no mesh but a PNG picture", or "is a STEP model, which isn't read: open it in ..."; nothing where
+/// that can't be seen. The suffix helps with what many formats are packed in.
+[[nodiscard]] std::optional<std::string> foreign_content(std::string_view bytes, std::string_view suffix);
+
+/// The same by the suffix alone (without its dot), for content that tells nothing.
+[[nodiscard]] std::optional<std::string> foreign_suffix(std::string_view suffix);
 
 }  // namespace ridgecraft::mesh

@@ -29,6 +29,12 @@ Soup read_as(FileFormat format, const Source& source) {
     case FileFormat::ply_ascii:
     case FileFormat::ply_binary:
       return read_ply(source);
+    case FileFormat::gltf:
+      return read_gltf(source);
+    case FileFormat::glb:
+      return read_glb(source);
+    case FileFormat::threemf:
+      return read_3mf(source);
     case FileFormat::off:
       break;
   }

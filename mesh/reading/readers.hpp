@@ -12,5 +12,8 @@ namespace ridgecraft::mesh {
 [[nodiscard]] Soup read_stl_binary(const Source& source);
 [[nodiscard]] Soup read_ply(const Source& source);
 [[nodiscard]] Soup read_off(const Source& source);
+[[nodiscard]] Soup read_gltf(const Source& source);
+[[nodiscard]] Soup read_glb(const Source& source);
+[[nodiscard]] Soup read_3mf(const Source& source);
 
 }  // namespace ridgecraft::mesh

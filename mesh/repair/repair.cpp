@@ -27,10 +27,6 @@ constexpr double near = 1e-6;
 /// Distance of a polygon's corners from its mean plane, share of the diagonal: what a panel may have, too.
 constexpr double flat = 1e-5;
 
-bool is_stl(FileFormat format) {
-  return format == FileFormat::stl_ascii || format == FileFormat::stl_binary;
-}
-
 /// Takes the polygons over; points keep their numbers.
 PolygonList polygons_of(const Soup& soup) {
   PolygonList list;
@@ -160,8 +156,7 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   const double diagonal = bounds(polygons).diagonal();
 
   const std::size_t joined = join_equal_points(polygons);
-  // In an STL file every facet has its own points: joining them is reading, not repair.
-  report.add(RepairKind::points_joined, is_stl(soup.format) ? 0 : joined);
+  report.add(RepairKind::points_joined, repeats_points(soup.format) ? 0 : joined);
   drop_repeated_corners(polygons, report);
   report.add(RepairKind::border_points_joined, join_border_points(polygons, near * diagonal, context));
   drop_duplicates(polygons, report);
@@ -175,6 +170,9 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   if (options.collapse_flat_faces) {
     report.add(RepairKind::flat_faces_collapsed, collapse_flat_triangles(triangles, context));
     drop_duplicates(triangles, report);
+    if (triangles.triangles.empty()) {
+      throw Error(ErrorKind::unusable_mesh, "no face has an area beside which the others count");
+    }
   }
   std::vector<EdgeUse> uses = edge_uses(triangles.triangles);
   report.add(RepairKind::t_junctions_joined, join_t_junctions(triangles, uses, near * diagonal, context));
@@ -186,6 +184,7 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   model.lines = std::move(lines);
   model.file_points = std::move(file_points);
   model.format = soup.format;
+  model.frame = soup.frame;
   model.repairs = std::move(report);
   note_borders(model);
   context.check();

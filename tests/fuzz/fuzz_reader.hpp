@@ -3,6 +3,7 @@
 // promises.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "mesh/reading/instances.hpp"
 #include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::test {
@@ -46,8 +48,18 @@ inline void check_soup(const mesh::Soup& soup, std::size_t bytes) {
   for (const std::uint32_t m : soup.polygon_material) {
     require(m == mesh::Soup::none || m < soup.materials.size());
   }
-  // A strip of n points makes n - 2 triangles: three corners for two bytes is the most that a format can do.
-  require(soup.corner_point.size() <= 3 * bytes && soup.points.size() <= bytes);
+  // A strip of n points makes n - 2 triangles: three corners for a byte is the most that a format can do,
+  // unless it knows repetitions.
+  const bool repeats = soup.format == mesh::FileFormat::gltf || soup.format == mesh::FileFormat::glb ||
+                       soup.format == mesh::FileFormat::threemf;
+  const std::size_t most =
+      repeats ? std::max<std::size_t>(3 * mesh::largest_repeated_count, 3 * bytes) : 3 * bytes;
+  require(soup.corner_point.size() <= most && soup.points.size() <= (repeats ? most : bytes));
+  for (std::size_t i = 0; i < soup.objects.size(); ++i) {
+    require(soup.objects[i].first <= soup.polygon_count() &&
+            printable(soup.objects[i].second) == soup.objects[i].second);
+    require(i == 0 || soup.objects[i - 1].first <= soup.objects[i].first);
+  }
   for (const mesh::Repair& remark : soup.remarks.entries()) {
     require(remark.count > 0 && !mesh::sentence(remark.kind, remark.count).empty());
     require(printable(remark.detail) == remark.detail);

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/reading/gltf/document.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/digest.hpp"
+#include "base/printable.hpp"
+#include "mesh/reading/encoded_text.hpp"
+#include "mesh/reading/find_inside.hpp"
+#include "mesh/reading/gltf/data_uri.hpp"
+#include "mesh/reading/read_file.hpp"
+
+namespace ridgecraft::mesh {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t glb_header_size = 12;
+constexpr std::size_t glb_chunk_header_size = 8;
+constexpr std::uint32_t json_chunk = 0x4E4F534AU;
+constexpr std::uint32_t binary_chunk = 0x004E4942U;
+
+/// Numbers of shapes lie in buffers, so a file's JSON is small. These keep its tree below some 400 MB.
+constexpr std::size_t largest_value_count = 4'000'000;
+constexpr int deepest_nesting = 200;
+
+std::uint32_t uint32_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  }
+  return value;
+}
+
+[[noreturn]] void refuse_version(const Source& source, std::string_view version) {
+  source.refuse(
+      ErrorKind::unreadable_input,
+      fmt::format("is a glTF {} model, and only version 2 is read: open it in another program, such as "
+                  "Blender, and export it as glTF 2",
+                  printable(version)));
+}
+
+/// Looks a JSON text through for what would make its tree too large. An error in the text ends it in silence:
+/// who builds the tree finds it again.
+class SizeCheck : public nlohmann::json_sax<Json> {
+ public:
+  explicit SizeCheck(const Source& source) : source_(source) {}
+
+  bool null() override { return count(); }
+  bool boolean(bool) override { return count(); }
+  bool number_integer(number_integer_t) override { return count(); }
+  bool number_unsigned(number_unsigned_t) override { return count(); }
+  bool number_float(number_float_t, const string_t&) override { return count(); }
+  bool string(string_t&) override { return count(); }
+  bool binary(binary_t&) override { return count(); }
+  bool key(string_t&) override { return count(); }
+  bool start_object(std::size_t) override { return enter(); }
+  bool start_array(std::size_t) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
+
+ private:
+  bool count() {
+    if (++values_ > largest_value_count) {
+      source_.refuse(ErrorKind::unreadable_input,
+                     fmt::format("has more than {} values besides its buffers", largest_value_count));
+    }
+    if (values_ % 65536 == 0) {
+      source_.context.check();
+    }
+    return true;
+  }
+  bool enter() {
+    if (++depth_ > deepest_nesting) {
+      source_.refuse(ErrorKind::unreadable_input,
+                     fmt::format("is nested more than {} levels deep", deepest_nesting));
+    }
+    return count();
+  }
+  bool leave() {
+    --depth_;
+    return true;
+  }
+
+  const Source& source_;
+  std::size_t values_ = 0;
+  int depth_ = 0;
+};
+
+Json parse_json(const Source& source, std::string_view text) {
+  // Two passes: the library's parser with a callback looks, at the end of each object, through all that stand
+  // beside it, which takes hours for a million.
+  SizeCheck check(source);
+  (void)Json::sax_parse(text.begin(), text.end(), &check);
+  try {
+    return Json::parse(text.begin(), text.end());
+  } catch (const Json::parse_error& error) {
+    const std::size_t at = std::min(text.size(), error.byte == 0 ? 0 : error.byte - 1);
+    source.refuse_line(ErrorKind::unreadable_input, text.data() + at,
+                       at == text.size() ? "the JSON ends here, cut off" : "this is no valid JSON");
+  } catch (const Json::exception&) {
+    source.refuse(ErrorKind::unreadable_input, "holds a number that is too large");
+  }
+}
+
+/// What an extension is about, by the start of its name: the look of surfaces, lights, data about the file.
+/// The shape is complete without it.
+constexpr std::array without_effect{"KHR_materials_",  "KHR_texture_", "EXT_texture_",     "MSFT_texture_",
+                                    "KHR_lights_",     "EXT_lights_",  "KHR_technique",    "KHR_xmp",
+                                    "KHR_animation_",  "KHR_audio",    "MSFT_packing_",    "ADOBE_materials_",
+                                    "VRMC_materials_", "FB_",          "KHR_interactivity"};
+/// Those that this reader knows.
+constexpr std::array known{"KHR_mesh_quantization", "KHR_texture_transform"};
+
+struct Compression {
+  std::string_view extension;
+  std::string_view name;
+};
+constexpr std::array compressions{Compression{"KHR_draco_mesh_compression", "Draco"},
+                                  Compression{"EXT_meshopt_compression", "meshopt"},
+                                  Compression{"KHR_meshopt_compression", "meshopt"}};
+
+bool is_about_looks(std::string_view extension) {
+  return std::any_of(without_effect.begin(), without_effect.end(),
+                     [&](const char* start) { return extension.starts_with(start); });
+}
+
+}  // namespace
+
+GltfContainer open_glb(const Source& source) {
+  const std::string_view bytes = source.bytes;
+  const auto cut_off = [&] {
+    source.refuse(
+        ErrorKind::unreadable_input,
+        fmt::format("is cut off: it ends after {} bytes, within the GLB file's parts", bytes.size()));
+  };
+  if (bytes.size() < glb_header_size) {
+    cut_off();
+  }
+  if (const std::uint32_t version = uint32_at(bytes, 4); version != 2) {
+    refuse_version(source, std::to_string(version));
+  }
+  const std::uint64_t length = uint32_at(bytes, 8);
+  GltfContainer container;
+  bool has_json = false;
+  std::size_t at = glb_header_size;
+  while (at + glb_chunk_header_size <= std::min<std::uint64_t>(length, bytes.size())) {
+    const std::uint32_t size = uint32_at(bytes, at);
+    const std::uint32_t kind = uint32_at(bytes, at + 4);
+    at += glb_chunk_header_size;
+    if (size > bytes.size() - at) {
+      cut_off();
+    }
+    const std::string_view chunk = bytes.substr(at, size);
+    if (!has_json && kind != json_chunk) {
+      source.refuse(ErrorKind::unreadable_input, "is no valid GLB file: its first part isn't JSON");
+    }
+    if (!has_json) {
+      container.json = chunk;
+      has_json = true;
+    } else if (kind == binary_chunk && !container.binary) {
+      container.binary = chunk;
+    }
+    at += size;
+  }
+  if (!has_json || length > bytes.size()) {
+    cut_off();
+  }
+  container.trailing = bytes.size() - std::max<std::size_t>(at, static_cast<std::size_t>(length));
+  return container;
+}
+
+GltfDocument::GltfDocument(const Source& source, const GltfContainer& container)
+    : source_(source),
+      binary_(container.binary),
+      json_(std::make_unique<const Json>(parse_json(source, container.json))),
+      held_(source.bytes.size()) {
+  if (!json_->is_object()) {
+    source.refuse(ErrorKind::unreadable_input, "can't be read as glTF: its JSON is no object");
+  }
+  root_.emplace(source_, *json_, std::string());
+  check_version();
+  check_extensions();
+}
+
+void GltfDocument::check_version() const {
+  // In version 1 lists were objects, and the version needn't be told.
+  for (const char* list : {"accessors", "meshes", "nodes", "bufferViews"}) {
+    if (const auto found = json_->find(list); found != json_->end() && found->is_object()) {
+      refuse_version(source_, "1.0");
+    }
+  }
+  const auto asset = root_->object("asset");
+  if (!asset || !asset->has("version")) {
+    root_->refuse("\"asset\" with its \"version\" is missing");
+  }
+  const std::string version = asset->text("version");
+  if (!version.starts_with("2.") && version != "2") {
+    refuse_version(source_, version);
+  }
+  const std::string least = asset->text("minVersion");
+  if (!least.empty() && least != "2.0" && least != "2") {
+    refuse_version(source_, least);
+  }
+}
+
+void GltfDocument::check_extensions() const {
+  for (const std::string& extension : root_->texts("extensionsRequired")) {
+    for (const Compression& packed : compressions) {
+      if (extension == packed.extension) {
+        source_.refuse(ErrorKind::unreadable_input,
+                       fmt::format("is compressed with {} ({}), which isn't read: export it again without "
+                                   "compression",
+                                   packed.name, packed.extension));
+      }
+    }
+    if (!is_about_looks(extension) && std::find(known.begin(), known.end(), extension) == known.end()) {
+      source_.refuse(ErrorKind::unreadable_input,
+                     fmt::format("can only be read with the extension {}, which isn't known: export it again "
+                                 "without it",
+                                 in_quotes(extension)));
+    }
+  }
+}
+
+GltfObject GltfDocument::element(const char* list, std::uint64_t i, const GltfObject& user) const {
+  const std::size_t count = root_->size(list);
+  if (i >= count) {
+    user.refuse(count == 0 ? fmt::format("it names {}[{}], but there are none", list, i)
+                           : fmt::format("it names {0}[{1}], but there are only {0}[0] to {0}[{2}]", list, i,
+                                         count - 1));
+  }
+  return root_->element(list, i);
+}
+
+GltfView GltfDocument::view(std::uint64_t i, const GltfObject& user) {
+  const GltfObject view = element("bufferViews", i, user);
+  const std::string_view bytes = buffer(view.needed_whole("buffer"), view);
+  const std::uint64_t offset = view.whole_or("byteOffset", 0);
+  const std::uint64_t length = view.needed_whole("byteLength");
+  if (offset > bytes.size() || length > bytes.size() - offset) {
+    view.refuse(fmt::format("it ends after its buffer, which has {} bytes", bytes.size()));
+  }
+  GltfView result{bytes.substr(offset, length), {}};
+  if (const auto stride = view.whole("byteStride")) {
+    constexpr std::uint64_t largest_stride = 252;  // by the standard
+    if (*stride == 0 || *stride > largest_stride) {
+      view.refuse("\"byteStride\" isn't from 1 to 252");
+    }
+    result.stride = static_cast<std::size_t>(*stride);
+  }
+  return result;
+}
+
+std::string_view GltfDocument::buffer(std::uint64_t i, const GltfObject& user) {
+  const GltfObject buffer = element("buffers", i, user);
+  const std::uint64_t length = buffer.needed_whole("byteLength");
+  std::string_view bytes;
+  if (i == 0 && binary_ && !buffer.has("uri")) {
+    bytes = *binary_;
+  } else {
+    auto found = opened_.find(i);
+    if (found == opened_.end()) {
+      found = opened_.emplace(i, open_buffer(buffer)).first;
+    }
+    bytes = found->second;
+  }
+  if (length > bytes.size()) {
+    buffer.refuse(fmt::format("it is cut off: it has {} bytes instead of {}", bytes.size(), length));
+  }
+  return bytes.substr(0, length);
+}
+
+std::string_view GltfDocument::open_buffer(const GltfObject& buffer) {
+  const std::string uri = buffer.text("uri");
+  if (uri.empty()) {
+    buffer.refuse("nothing says where its bytes are (no \"uri\")");
+  }
+  if (is_data_uri(uri)) {
+    auto bytes = data_of_uri(uri);
+    if (!bytes) {
+      buffer.refuse("its bytes can't be read: they are no valid base64");
+    }
+    return decoded_.emplace_back(std::move(*bytes));
+  }
+  const FoundInside found = find_inside(source_.folder, uri);
+  if (found.file.empty()) {
+    buffer.refuse(fmt::format("its file {} {}", in_quotes(uri), found.why));
+  }
+  const auto [file, fresh] = files_.try_emplace(found.file.lexically_normal().string());
+  if (fresh) {
+    file->second = read_file(found.file);
+    held_ += file->second.size();
+    beside_digest_ += digest(file->second);
+  }
+  return file->second;
+}
+
+}  // namespace ridgecraft::mesh

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// glTF 2.0 (Khronos, ISO/IEC 12113), as text and as GLB: the triangles of its scene where they stand at rest,
+// with colours and pictures. Unit metre, y up, by the standard.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/printable.hpp"
+#include "mesh/reading/gltf/accessor.hpp"
+#include "mesh/reading/gltf/document.hpp"
+#include "mesh/reading/gltf/paint.hpp"
+#include "mesh/reading/gltf/scene.hpp"
+#include "mesh/reading/gltf/shape.hpp"
+#include "mesh/reading/instances.hpp"
+#include "mesh/reading/readers.hpp"
+
+namespace ridgecraft::mesh {
+namespace {
+
+/// What the corners of a primitive make.
+enum class Mode : std::uint8_t {
+  points,
+  lines,
+  line_loop,
+  line_strip,
+  triangles,
+  triangle_strip,
+  triangle_fan
+};
+
+constexpr std::array<std::size_t, 1> two{2};
+constexpr std::array<std::size_t, 2> three_or_four{3, 4};
+
+/// Calls use(a, b, c) for each triangle of a list of corners; those that name a point twice only join strips.
+template <class Use>
+void for_triangles(Mode mode, const std::vector<std::uint32_t>& corners, const Use& use) {
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (mode == Mode::triangles || (a != b && b != c && c != a)) {
+      use(std::array{a, b, c});
+    }
+  };
+  if (mode == Mode::triangles) {
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+      add(corners[i], corners[i + 1], corners[i + 2]);
+    }
+    return;
+  }
+  for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+    if (mode == Mode::triangle_fan) {
+      add(corners[0], corners[i + 1], corners[i + 2]);
+    } else {
+      // Every other triangle of a strip runs the other way.
+      add(corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]);
+    }
+  }
+}
+
+class GltfReader {
+ public:
+  GltfReader(const Source& source, const GltfContainer& container)
+      : source_(source),
+        document_(source, container),
+        accessors_(document_),
+        paint_(document_, soup_.remarks) {}
+
+  Soup read();
+
+ private:
+  /// Texture coordinates of a primitive: where they begin in the soup, and which of them can't be used.
+  struct Coordinates {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+
+  void read_instance(const GltfInstance& instance, const GltfScene& scene);
+  void read_primitive(const GltfInstance& instance, const GltfObject& primitive,
+                      const std::vector<double>& weights);
+  void refuse_compressed(const GltfObject& primitive) const;
+  [[nodiscard]] std::uint32_t place_points(const GltfInstance& instance, const GltfObject& primitive,
+                                           const std::vector<double>& weights);
+  [[nodiscard]] std::optional<Coordinates> place_picture(const GltfObject& attributes, std::uint64_t material,
+                                                         const GltfPicture& picture);
+  void add(std::array<std::uint32_t, 3> corners, std::uint32_t first_point,
+           const std::optional<Coordinates>& texture);
+  void begin_object(const GltfObject& node, const GltfObject& mesh);
+  void finish();
+
+  const Source& source_;
+  Soup soup_;
+  GltfDocument document_;
+  GltfAccessors accessors_;
+  GltfPaint paint_;
+  MaterialTable materials_;
+
+  std::map<std::uint64_t, GltfSkin> skins_;
+  const GltfSkin* skin_ = nullptr;  ///< of the instance
+  /// Where the points of an accessor begin in the soup: of the instance, and only where no shape key moves
+  /// them.
+  std::map<std::uint64_t, std::uint32_t> placed_;
+  /// The same for texture coordinates, by accessor and material.
+  std::map<std::pair<std::uint64_t, std::uint64_t>, Coordinates> textured_;
+  std::vector<bool> bad_texture_point_;
+  std::size_t bad_textures_ = 0;
+  std::size_t other_primitives_ = 0;
+  bool moves_ = false;  ///< the file has more than the shape at rest
+};
+
+Soup GltfReader::read() {
+  const GltfScene scene = read_scene(document_);
+  for (const GltfInstance& instance : scene.instances) {
+    read_instance(instance, scene);
+    source_.context.check();
+  }
+  finish();
+  return std::move(soup_);
+}
+
+void GltfReader::read_instance(const GltfInstance& instance, const GltfScene& scene) {
+  const GltfObject node = document_.root().element("nodes", instance.node);
+  const GltfObject mesh = document_.element("meshes", instance.mesh, node);
+  skin_ = nullptr;
+  if (instance.skin) {
+    const auto found = skins_.find(*instance.skin);
+    skin_ =
+        found != skins_.end()
+            ? &found->second
+            : &skins_.emplace(*instance.skin, read_skin(document_, accessors_, scene, *instance.skin, node))
+                   .first->second;
+    moves_ = true;
+  }
+  if (const auto instancing = node.extension("EXT_mesh_gpu_instancing")) {
+    instancing->refuse(
+        "copies of an object that are told by EXT_mesh_gpu_instancing aren't read: export it again "
+        "without that extension");
+  }
+  placed_.clear();
+  begin_object(node, mesh);
+  const std::vector<double> weights = resting_weights(node, mesh);
+  for (std::size_t i = 0; i < mesh.size("primitives"); ++i) {
+    read_primitive(instance, mesh.element("primitives", i), weights);
+  }
+}
+
+/// Objects are called by their node, or else by their mesh.
+void GltfReader::begin_object(const GltfObject& node, const GltfObject& mesh) {
+  std::string name = printable(node.text("name"));
+  if (name.empty()) {
+    name = printable(mesh.text("name"));
+  }
+  soup_.objects.emplace_back(static_cast<std::uint32_t>(soup_.polygon_count()), std::move(name));
+}
+
+void GltfReader::refuse_compressed(const GltfObject& primitive) const {
+  if (primitive.extension("KHR_draco_mesh_compression")) {
+    const auto attributes = primitive.object("attributes");
+    const auto positions = attributes ? attributes->whole("POSITION") : std::nullopt;
+    if (!positions || !document_.element("accessors", *positions, *attributes).has("bufferView")) {
+      primitive.refuse("it is compressed with Draco, which isn't read: export it again without compression");
+    }
+  }
+}
+
+void GltfReader::read_primitive(const GltfInstance& instance, const GltfObject& primitive,
+                                const std::vector<double>& weights) {
+  const std::uint64_t number = primitive.whole_or("mode", 4);
+  if (number > static_cast<std::uint64_t>(Mode::triangle_fan)) {
+    primitive.refuse(fmt::format("\"mode\" {} isn't known", number));
+  }
+  const auto mode = static_cast<Mode>(number);
+  if (mode < Mode::triangles) {
+    ++other_primitives_;
+    return;
+  }
+  refuse_compressed(primitive);
+  const auto attributes = primitive.object("attributes");
+  if (!attributes) {
+    primitive.refuse("\"attributes\" is missing");
+  }
+  moves_ = moves_ || primitive.size("targets") > 0;
+  constexpr std::array<std::size_t, 1> three{3};
+  const std::size_t count =
+      accessors_.values(attributes->needed_whole("POSITION"), *attributes, three).count();
+  std::vector<std::uint32_t> corners;
+  if (const auto indices = primitive.whole("indices")) {
+    corners = accessors_.indices(*indices, primitive, count);
+  } else {
+    corners.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      corners[i] = static_cast<std::uint32_t>(i);
+    }
+  }
+  if (mode == Mode::triangles && corners.size() % 3 != 0) {
+    primitive.refuse(fmt::format("its {} corners are no triangles: three don't divide them", corners.size()));
+  }
+  const std::uint64_t most = mode == Mode::triangles ? corners.size() : 3 * corners.size();
+  check_repetitions(source_, document_.held(), soup_.points.size() + count, soup_.corner_point.size() + most);
+  const std::uint32_t first_point = place_points(instance, primitive, weights);
+
+  const auto material_number = primitive.whole("material");
+  const GltfMaterial* const material =
+      material_number ? &paint_.material(*material_number, primitive) : nullptr;
+  const auto texture = material != nullptr && material->map
+                           ? place_picture(*attributes, *material_number, *material->map)
+                           : std::nullopt;
+  const GltfValues* colours = nullptr;
+  if (const auto accessor = attributes->whole("COLOR_0")) {
+    colours = &accessors_.values(*accessor, *attributes, three_or_four);
+    if (colours->count() != count) {
+      attributes->refuse(fmt::format("COLOR_0 has {} elements for {} points", colours->count(), count));
+    }
+  }
+  const auto soup_material = [&](std::uint32_t) {
+    Material out;
+    out.name = material->name;
+    if (material->light) {
+      out.colour = colour_of(screen_colour(*material->light));
+    }
+    if (material->map) {
+      out.texture_file = material->map->texture_file;
+      out.picture = material->map->picture;
+    }
+    return out;
+  };
+  const bool mirrored = instance.place.mirrors() && skin_ == nullptr;
+  std::size_t triangles = 0;
+  for_triangles(mode, corners, [&](std::array<std::uint32_t, 3> triangle) {
+    if (mirrored) {
+      std::swap(triangle[1], triangle[2]);
+    }
+    add(triangle, first_point, texture);
+    std::optional<ColourBytes> own;
+    if (colours != nullptr) {
+      // A face of paper has one colour: the mean of its corners', by the material's.
+      Colour mean{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (const std::uint32_t corner : triangle) {
+          mean[k] += (*colours)[corner][k] / 3.0;
+        }
+        mean[k] *= material != nullptr && material->light ? (*material->light)[k] : 1.0;
+      }
+      own = screen_colour(mean);
+    }
+    materials_.paint(soup_, material_number ? static_cast<std::uint32_t>(*material_number) : Soup::none, own,
+                     soup_material);
+    if (++triangles % 65536 == 0) {
+      source_.context.check();
+    }
+  });
+}
+
+/// Puts the points of a primitive into the soup, unless they are there already, and says where they begin.
+std::uint32_t GltfReader::place_points(const GltfInstance& instance, const GltfObject& primitive,
+                                       const std::vector<double>& weights) {
+  const std::uint64_t accessor = primitive.object("attributes")->needed_whole("POSITION");
+  const bool shared = primitive.size("targets") == 0 && skin_ == nullptr;
+  if (const auto found = placed_.find(accessor); shared && found != placed_.end()) {
+    return found->second;
+  }
+  const auto first = static_cast<std::uint32_t>(soup_.points.size());
+  const std::vector<Vec3> points = points_in_scene(accessors_, primitive, weights, instance.place, skin_);
+  soup_.points.insert(soup_.points.end(), points.begin(), points.end());
+  if (shared) {
+    placed_.emplace(accessor, first);
+  }
+  return first;
+}
+
+std::optional<GltfReader::Coordinates> GltfReader::place_picture(const GltfObject& attributes,
+                                                                 std::uint64_t material,
+                                                                 const GltfPicture& picture) {
+  const auto accessor = attributes.whole(fmt::format("TEXCOORD_{}", picture.coordinates).c_str());
+  if (!accessor) {
+    return std::nullopt;
+  }
+  const auto [found, fresh] = textured_.try_emplace({*accessor, material});
+  if (fresh) {
+    const GltfValues& values = accessors_.values(*accessor, attributes, two);
+    check_repetitions(source_, document_.held(), soup_.texture_points.size() + values.count(), 0);
+    found->second = {static_cast<std::uint32_t>(soup_.texture_points.size()),
+                     static_cast<std::uint32_t>(values.count())};
+    for (std::size_t i = 0; i < values.count(); ++i) {
+      const Vec2 at = picture.place({values[i][0], values[i][1]});
+      const bool good =
+          std::abs(at.x) <= largest_texture_coordinate && std::abs(at.y) <= largest_texture_coordinate;
+      soup_.texture_points.push_back(good ? at : Vec2{});
+      bad_texture_point_.push_back(!good);
+    }
+  }
+  return found->second;
+}
+
+void GltfReader::add(std::array<std::uint32_t, 3> corners, std::uint32_t first_point,
+                     const std::optional<Coordinates>& texture) {
+  std::optional<std::array<std::uint32_t, 3>> at;
+  if (texture) {
+    const bool good = std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+      return corner < texture->count && !bad_texture_point_[texture->first + corner];
+    });
+    bad_textures_ += good ? 0U : 1U;
+    if (good) {
+      at = {texture->first + corners[0], texture->first + corners[1], texture->first + corners[2]};
+    }
+  }
+  add_triangle(soup_, {first_point + corners[0], first_point + corners[1], first_point + corners[2]}, at);
+}
+
+void GltfReader::finish() {
+  materials_.finish(soup_);
+  finish_triangles(soup_);
+  if (soup_.polygon_count() == 0 && other_primitives_ > 0) {
+    source_.refuse(ErrorKind::unusable_mesh, "has points or lines, but no faces that could be unfolded");
+  }
+  soup_.remarks.add(RepairKind::texture_point_dropped, bad_textures_);
+  soup_.remarks.add(RepairKind::element_ignored, other_primitives_,
+                    other_primitives_ > 0 ? "points or lines" : std::string());
+  if (moves_ || document_.root().size("animations") > 0) {
+    soup_.remarks.add(RepairKind::motion_ignored);
+  }
+  soup_.beside_digest = document_.beside_digest();
+  soup_.frame = {1000.0, Axis::y};
+}
+
+}  // namespace
+
+Soup read_gltf(const Source& source) {
+  Soup soup = GltfReader(source, GltfContainer{source.bytes, {}, 0}).read();
+  soup.format = FileFormat::gltf;
+  return soup;
+}
+
+Soup read_glb(const Source& source) {
+  const GltfContainer container = open_glb(source);
+  Soup soup = GltfReader(source, container).read();
+  soup.format = FileFormat::glb;
+  soup.remarks.add(RepairKind::trailing_data_ignored, container.trailing);
+  return soup;
+}
+
+}  // namespace ridgecraft::mesh

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One XML part of a 3MF file: objects, colours, what is to be built.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "mesh/reading/affine.hpp"
+#include "mesh/reading/material_table.hpp"
+#include "mesh/reading/source.hpp"
+#include "mesh/reading/threemf/package.hpp"
+
+namespace ridgecraft::mesh {
+
+/// More objects, uses of objects, groups, textures and named materials than this are refused, in one part as
+/// in all that is built: few packed bytes can name many.
+inline constexpr std::size_t most_threemf_things = 1'000'000;
+
+/// Names a colour, a material or a place in a picture: element `index` of the group with this number.
+struct ThreemfPaint {
+  std::uint32_t group = Soup::none;
+  std::uint32_t index = 0;
+};
+
+struct ThreemfTriangle {
+  std::array<std::uint32_t, 3> points;
+  /// The paint of its corners; the first group is none where it has the object's.
+  std::uint32_t group = Soup::none;
+  std::array<std::uint32_t, 3> index{Soup::none, Soup::none, Soup::none};
+};
+
+/// An object within another, or in the build.
+struct ThreemfUse {
+  std::string part;  ///< the part that it is in; empty for this one
+  std::uint32_t object = 0;
+  Affine place;
+};
+
+struct ThreemfObject {
+  std::string name;  ///< printable
+  std::string type;  ///< "model", "support" and so on
+  std::vector<Vec3> points;
+  std::vector<ThreemfTriangle> triangles;
+  std::vector<ThreemfUse> components;
+  ThreemfPaint paint;  ///< of the triangles that have none
+};
+
+/// What paint can be. Exactly one of the lists is filled.
+struct ThreemfGroup {
+  struct Base {
+    std::string name;  ///< printable
+    std::optional<ColourBytes> colour;
+  };
+  std::vector<Base> bases;
+  std::vector<std::optional<ColourBytes>> colours;
+  std::vector<Vec2> places;   ///< in the picture `texture`
+  std::uint32_t texture = 0;  ///< number of a texture
+  std::vector<ThreemfPaint>
+      mixed;  ///< stands for another paint: the largest share of a mixture, the topmost layer
+
+  [[nodiscard]] std::size_t size() const {
+    return bases.size() + colours.size() + places.size() + mixed.size();
+  }
+};
+
+struct ThreemfPart {
+  double mm_per_unit = 1.0;
+  std::map<std::uint32_t, ThreemfObject> objects;
+  std::map<std::uint32_t, ThreemfGroup> groups;
+  std::map<std::uint32_t, std::string> textures;  ///< the part with the picture
+  std::vector<ThreemfUse> build;
+};
+
+/// Reads a part; the name is used in messages. Indices of points are in range, coordinates finite. Colours
+/// that can't be read are remarked on.
+[[nodiscard]] ThreemfPart read_part(const Source& source, ThreemfPackage& package, const std::string& name,
+                                    RepairReport& remarks);
+
+}  // namespace ridgecraft::mesh
