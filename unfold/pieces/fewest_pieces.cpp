@@ -65,9 +65,12 @@ class FewestSearch {
     if (context_.out_of_time()) {
       return;
     }
-    result_.proven_least = least_trees(patch_, {tolerance_, most_proven_panels, proof_pairs}, context_);
+    // The patch as a whole is left to the second proof, which may find the nets, too.
+    const std::size_t panels = panel_count(patch_);
+    const std::size_t most_of_block = std::min(most_proven_panels, panels - 1);
+    result_.proven_least = least_trees(patch_, {tolerance_, most_of_block, proof_pairs}, context_);
     finished_ = result_.proven_least >= result_.pieces;
-    if (finished_ || panel_count(patch_) > most_proven_panels) {
+    if (finished_ || panels > most_proven_panels) {
       return;
     }
     LeastForest least = least_forest(patch_, {tolerance_, result_.pieces - 1, proof_pairs}, context_);
