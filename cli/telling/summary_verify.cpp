@@ -98,6 +98,11 @@ void add_figures(const std::optional<verify::Figures>& figures, Summary& summary
       "mm");
   add("fold_mm", &F::fold_mm, "mm");
   add("tabs", &F::tabs);
+  add("narrow_pieces", &F::narrow_pieces, Line::nets, "narrow", [](const F& f) {
+    return f.narrow_pieces == 0 ? std::string()
+                                : fmt::format("{} narrower than 1 mm, which no knife cuts out",
+                                              counted(f.narrow_pieces, "piece"));
+  });
 }
 
 void add_folding(const verify::FoldingFigures& folding, Summary& summary) {

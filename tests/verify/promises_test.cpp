@@ -12,6 +12,7 @@
 using namespace ridgecraft;
 using test::broken;
 using test::cube_file;
+using test::loose_file;
 using test::verify_json;
 using Json = nlohmann::json;
 using Promises = std::vector<int>;
@@ -33,6 +34,17 @@ void move_plane(Json& json, const Move& move) {
       apply(p);
     }
   }
+}
+
+/// Two strips of this width, 50 mm long, that are joined along their length.
+Json two_strips(double width) {
+  Json json = loose_file(
+      {{{0, 0}, {50, 0}, {50, width}, {0, width}}, {{0, 20}, {50, 20}, {50, 20 + width}, {0, 20 + width}}});
+  json["file_frames"][0]["vertices_coords"] = {{0, 0, 0},     {50, 0, 0},         {50, width, 0},
+                                               {0, width, 0}, {50, 2 * width, 0}, {0, 2 * width, 0}};
+  json["file_frames"][0]["faces_vertices"] = {{0, 1, 2, 3}, {3, 2, 4, 5}};
+  json["ridgecraft:joins"] = {{{"number", 1}, {"edges", {2, 4}}, {"tab", nullptr}, {"why", "no room"}}};
+  return json;
 }
 
 }  // namespace
@@ -69,6 +81,15 @@ TEST_CASE("a turned and shifted net on a page without bounds stays clean", "[ver
   INFO((report.faults.empty() ? std::string() : report.faults.front().message));
   CHECK(report.sound());
   CHECK(report.figures->max_penetration_mm < 1e-9);
+}
+
+TEST_CASE("pieces that no knife cuts out are counted where they might hang on another", "[verify]") {
+  CHECK(verify_json(cube_file()).figures->narrow_pieces == 0);
+  CHECK(verify_json(loose_file({{{0, 0}, {50, 0}, {50, 0.9}}})).figures->narrow_pieces == 0);
+  const verify::Report folded = verify_json(two_strips(0.9));
+  REQUIRE(folded.figures.has_value());
+  CHECK(folded.figures->narrow_pieces == 2);
+  CHECK(verify_json(two_strips(1.1)).figures->narrow_pieces == 0);
 }
 
 TEST_CASE("promise 1: lengths", "[verify]") {

@@ -20,7 +20,7 @@ namespace ridgecraft::unfold {
 namespace {
 
 /// Faces of all pieces that are laid against each other as they are: about half a second.
-constexpr std::size_t join_budget = 300'000;
+constexpr std::size_t lay_budget = 300'000;
 /// What a net that saves a piece may cost more than the two before, as a share of what a piece counts. More
 /// saves pieces that are easy to cut for the sake of one that isn't: a vase's foot and neck in one ragged
 /// net.
@@ -302,7 +302,7 @@ class BorderMover {
   std::vector<PieceReason> piece_cause_;
   std::vector<std::map<std::uint32_t, double>> border_;  ///< per piece: length with each that it meets, mm
   std::set<Faces> failed_;
-  std::size_t join_work_ = join_budget;
+  std::size_t join_work_ = lay_budget;
 };
 
 }  // namespace

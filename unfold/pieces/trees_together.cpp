@@ -22,10 +22,10 @@ constexpr std::uint64_t heat_per_face = 1200;
 constexpr double fit_per_face = 1500.0;
 constexpr double settle_per_face = 200.0;
 /// Larger unions take too long.
-constexpr std::size_t most_faces = 600;
+constexpr std::size_t most_faces_of_union = 600;
 /// What a proof that a union needs as many pieces may take: pairs of faces, panels of a block.
-constexpr std::uint64_t proof_pairs = 500'000;
-constexpr std::size_t most_proven_panels = 30;
+constexpr std::uint64_t union_proof_pairs = 500'000;
+constexpr std::size_t most_panels_of_union = 30;
 
 /// Sides over which trees meet, long ones first, as many as make one tree of them; beside those that `joint`
 /// joins already.
@@ -78,9 +78,9 @@ TreesTogether::TreesTogether(const mesh::Surface& surface, const prepare::Panels
 
 std::optional<Folds> TreesTogether::one_fewer(const PiecesTogether& all) {
   const std::size_t wanted = all.trees - 1;
-  if (wanted > LinkedPatch::most_links || all.faces.size() > most_faces ||
+  if (wanted > LinkedPatch::most_links || all.faces.size() > most_faces_of_union ||
       least_pieces(all.patch, room_) > wanted ||
-      least_trees(all.patch, {tolerance_, most_proven_panels, proof_pairs}, context_) > wanted) {
+      least_trees(all.patch, {tolerance_, most_panels_of_union, union_proof_pairs}, context_) > wanted) {
     return std::nullopt;
   }
   const Layout layout = lay_out(all.patch, all.apart);

@@ -36,6 +36,8 @@ void check_statements(const Case& given, Findings& findings);
 void check_equal_pieces(const Case& given, Findings& findings);
 /// Promise 9.
 void check_model(const Case& given, const ModelSurface& surface, Findings& findings);
+/// Pieces that no knife cuts out, those left out that meet no other piece.
+void count_narrow_pieces(const Case& given, Findings& findings);
 /// What the knife cuts and what is folded.
 void measure_cuts(const Case& given, Findings& findings);
 

@@ -31,6 +31,8 @@ constexpr double tab_base_tolerance_mm = 1e-3;
 constexpr double seam_tolerance_mm = 1e-2;
 /// Paper behind a tab: along half of its base it must reach so far, in mm (promise 5); 0.01 less than nets keep.
 constexpr double least_paper_mm = 1.99;
+/// Narrower pieces can't be cut out, mm.
+constexpr double least_piece_mm = 1.0;
 /// Folded corners beside the model's vertices, as a share of the model's size: 1e-3 mm per 100 mm (promise
 /// 6).
 constexpr double position_tolerance_share = 1e-5;

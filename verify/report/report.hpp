@@ -43,6 +43,7 @@ struct Figures {
   double max_fold_error_deg = 0.0, max_refold_error_mm = 0.0;
   double cut_mm = 0.0, fold_mm = 0.0;
   std::size_t tabs = 0;
+  std::size_t narrow_pieces = 0;  ///< narrower than a knife cuts, and not alone
 };
 
 /// Of the way in which the pieces are folded; there with Options::folding.
