@@ -7,28 +7,10 @@
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
+#include "base/utf8.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
-
-void add_utf8(std::string& text, std::uint32_t letter) {
-  const auto add = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
-  if (letter < 0x80U) {
-    add(letter);
-  } else if (letter < 0x800U) {
-    add(0xc0U | letter >> 6U);
-    add(0x80U | (letter & 0x3fU));
-  } else if (letter < 0x10000U) {
-    add(0xe0U | letter >> 12U);
-    add(0x80U | (letter >> 6U & 0x3fU));
-    add(0x80U | (letter & 0x3fU));
-  } else {
-    add(0xf0U | letter >> 18U);
-    add(0x80U | (letter >> 12U & 0x3fU));
-    add(0x80U | (letter >> 6U & 0x3fU));
-    add(0x80U | (letter & 0x3fU));
-  }
-}
 
 /// Two characters of UTF-16 that stand for one letter beyond the first 65,536 make it; halves alone stay what
 /// they are, and aren't printable afterwards.
@@ -40,7 +22,7 @@ std::string utf8_of(const std::u16string& text) {
         text[i + 1] < 0xe000U) {
       letter = 0x10000U + ((letter - 0xd800U) << 10U) + (text[++i] - 0xdc00U);
     }
-    add_utf8(out, letter);
+    append_utf8(out, letter);
   }
   return out;
 }
