@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "mesh/reading/pdo/read_seams.hpp"
 #include "verify/file/file.hpp"
 
 namespace ridgecraft::job {
@@ -29,19 +30,32 @@ Box3 bounds_of(const std::vector<Vec3>& points) {
   return box;
 }
 
-/// The folds and cuts of nets made before, in the surface's frame whatever size they were made in.
-Seams seams_in(const OldNets& old, const mesh::Surface& surface) {
+/// From the frame of nets made before, whatever their size, to that of a surface.
+class Rescale {
+ public:
+  Rescale(const std::vector<Vec3>& points, const mesh::Surface& surface)
+      : there_(bounds_of(points)),
+        here_(surface.bounds()),
+        factor_(here_.largest_extent() / there_.largest_extent()) {}
+
+  [[nodiscard]] Vec3 operator()(Vec3 p) const { return here_.low + factor_ * (p - there_.low); }
+
+ private:
+  Box3 there_;
+  Box3 here_;
+  double factor_;
+};
+
+/// The folds and cuts of nets of our own.
+Seams seams_of_fold(const OldNets& old, const mesh::Surface& surface) {
   verify::File nets;
   try {
     nets = verify::read_file(old.bytes);
   } catch (const verify::NotInForm& reason) {
     throw Error(ErrorKind::unreadable_input, old.name + ": " + reason.message, old.name);
   }
-  const Box3 there = bounds_of(nets.model.points);
-  const double factor = surface.bounds().largest_extent() / there.largest_extent();
-  const auto point = [&](verify::Index v) {
-    return surface.bounds().low + factor * (nets.model.points[v] - there.low);
-  };
+  const Rescale rescaled(nets.model.points, surface);
+  const auto point = [&](verify::Index v) { return rescaled(nets.model.points[v]); };
   Seams seams;
   for (verify::Index side = 0; side < nets.faces.sides(); ++side) {
     const verify::Index face = nets.faces.face(side);
@@ -53,6 +67,20 @@ Seams seams_in(const OldNets& old, const mesh::Surface& surface) {
     const bool cut = nets.edges[nets.side_edge[side]].assignment == verify::Assignment::cut;
     (cut ? seams.cut : seams.keep)
         .push_back({point(nets.model.faces.tail(there_side)), point(nets.model.faces.head(there_side))});
+  }
+  return seams;
+}
+
+/// Those of nets that another program keeps with its model.
+Seams seams_of_model_file(const OldNets& old, const mesh::Surface& surface, const Context& context) {
+  const mesh::FileSeams file = mesh::read_seams(old.bytes, old.name, context);
+  const Rescale rescaled(file.points, surface);
+  Seams seams;
+  for (const Segment& edge : file.cut) {
+    seams.cut.push_back({rescaled(edge[0]), rescaled(edge[1])});
+  }
+  for (const Segment& edge : file.keep) {
+    seams.keep.push_back({rescaled(edge[0]), rescaled(edge[1])});
   }
   return seams;
 }
@@ -102,7 +130,8 @@ EdgeWishes wishes_asked(const prepare::Prepared& prepared, const std::vector<Seg
 EdgeWishes wishes_from_nets(const OldNets& old, const prepare::Prepared& prepared, const Context& context,
                             std::vector<std::string>& notes) {
   const mesh::Surface& surface = prepared.model.surface;
-  const Seams seams = seams_in(old, surface);
+  const Seams seams = mesh::may_have_seams(old.bytes) ? seams_of_model_file(old, surface, context)
+                                                      : seams_of_fold(old, surface);
   SegmentCount cuts;
   SegmentCount keeps;
   EdgeWishes wishes =

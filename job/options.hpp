@@ -24,7 +24,8 @@ struct EdgeList {
       digest;  ///< of the text that they were read from (base/digest.hpp); kept as a setting of the nets
 };
 
-/// Nets made before: the bytes of their FOLD file.
+/// Nets made before: the bytes of their FOLD file, or of a model's file that holds nets
+/// (mesh/reading/pdo/read_seams.hpp).
 struct OldNets {
   std::string name;  ///< for messages: the file's name
   std::string bytes;

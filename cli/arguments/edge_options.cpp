@@ -9,9 +9,11 @@ void add_edge_options(Verb& verb, EdgeArguments& edges) {
               "from 0). Lines (l) of an OBJ and edges of a PLY file are cut, too.");
   verb.option("Pieces", "--keep", edges.keep, "FILE",
               "Edges not to cut, in the same way; an edge in both is cut.");
-  verb.option("Pieces", "--from", edges.from, "FILE.fold",
-              "Nets of the same model made before, edited or not: their cuts and folds are kept. "
-              "Results go elsewhere (-o), unless --overwrite lets them replace this file.");
+  verb.option(
+      "Pieces", "--from", edges.from, "FILE",
+      "Nets of the same model made before (.fold, or .pdo of Pepakura Designer), edited or not: their "
+      "cuts and folds are kept. "
+      "Results go elsewhere (-o), unless --overwrite lets them replace this file.");
 }
 
 }  // namespace ridgecraft::cli

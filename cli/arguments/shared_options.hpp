@@ -15,7 +15,7 @@ enum class TimeUp {
   ends_searches,  ///< what was found so far is finished
 };
 
-/// "OBJ, STL, PLY, OFF, GLB, glTF or 3MF"
+/// "OBJ, STL, PLY, OFF, GLB, glTF, 3MF or PDO"
 [[nodiscard]] std::string model_formats();
 
 /// The argument of the verbs that read one model.

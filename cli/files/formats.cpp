@@ -14,11 +14,14 @@ namespace {
 using Row = FormatRow;
 
 constexpr std::array read_rows{
-    Row{".obj", "Wavefront OBJ, with materials"}, Row{".stl", "STL, binary and ASCII"},
-    Row{".ply", "PLY, ASCII and binary of both byte orders"}, Row{".off", "OFF and its variants, ASCII"},
+    Row{".obj", "Wavefront OBJ, with materials"},
+    Row{".stl", "STL, binary and ASCII"},
+    Row{".ply", "PLY, ASCII and binary of both byte orders"},
+    Row{".off", "OFF and its variants, ASCII"},
     Row{".glb", "glTF 2 in one file, with colours and pictures"},
     Row{".gltf", "glTF 2 as text, with the files beside it"},
-    Row{".3mf", "3MF, with colours and pictures"}};
+    Row{".3mf", "3MF, with colours and pictures"},
+    Row{".pdo", "Pepakura Designer 2 to 5, with colours and pictures (its nets: --from)"}};
 
 struct PaperRow {
   Format format;

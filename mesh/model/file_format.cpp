@@ -19,7 +19,7 @@ constexpr std::array formats{
     Row{FileFormat::stl_binary, "STL", 0, true},  Row{FileFormat::ply_ascii, "PLY", 0, false},
     Row{FileFormat::ply_binary, "PLY", 0, false}, Row{FileFormat::off, "OFF", 0, false},
     Row{FileFormat::glb, "GLB", 0, true},         Row{FileFormat::gltf, "glTF", 0, true},
-    Row{FileFormat::threemf, "3MF", 0, false}};
+    Row{FileFormat::threemf, "3MF", 0, false},    Row{FileFormat::pdo, "PDO", 0, false}};
 
 const Row& row(FileFormat format) {
   return *std::find_if(formats.begin(), formats.end(), [&](const Row& r) { return r.format == format; });

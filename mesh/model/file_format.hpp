@@ -9,9 +9,9 @@
 
 namespace ridgecraft::mesh {
 
-enum class FileFormat { obj, stl_ascii, stl_binary, ply_ascii, ply_binary, off, gltf, glb, threemf };
+enum class FileFormat { obj, stl_ascii, stl_binary, ply_ascii, ply_binary, off, gltf, glb, threemf, pdo };
 
-/// "OBJ", "STL", "PLY", "OFF", "glTF" or "GLB".
+/// "OBJ", "STL", "PLY", "OFF", "glTF" and so on.
 [[nodiscard]] std::string_view format_name(FileFormat format);
 
 /// "OBJ", "STL" and so on: each name once. They are the suffixes of their files, too, in letters of either

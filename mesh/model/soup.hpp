@@ -49,7 +49,8 @@ struct Soup {
   std::vector<std::uint32_t>
       polygon_material;  ///< index into materials or none; empty when no polygon has one
 
-  /// Names that a file has for its objects (those of groups where it names no objects): from this polygon on.
+  /// Names that a file has for its objects (those of groups where it names no objects): from this polygon on;
+  /// printable.
   std::vector<std::pair<std::uint32_t, std::string>> objects;
 
   /// Edges that the lines of an OBJ file (l) or the edges of a PLY file name: indices into points, in range.

@@ -136,6 +136,9 @@ FileFormat detect_format(const Source& source, std::string_view file_name) {
   if (bytes.starts_with("glTF")) {
     return FileFormat::glb;
   }
+  if (bytes.starts_with("version 3\n")) {
+    return FileFormat::pdo;
+  }
   if (is_zip(bytes) &&
       (bytes.find(".model") != bytes.npos || equal_ignoring_case(suffix(file_name), "3mf"))) {
     return FileFormat::threemf;

@@ -121,7 +121,7 @@ constexpr std::array suffixes{
     Signature{"ma", "a scene of Maya", Way::source},
     Signature{"mb", "a scene of Maya", Way::source},
     Signature{"c4d", "a scene of Cinema 4D", Way::source},
-    Signature{"pdo", "a Pepakura file", Way::pepakura},
+    Signature{"pdo", "a Pepakura file of another version", Way::pepakura},
     Signature{"gcode", "a print that was sliced already", Way::source},
 };
 

@@ -124,16 +124,16 @@ std::string ObjReader::read_name() {
 /// What is neither point nor face. False for words that aren't part of the format.
 bool ObjReader::read_element(std::string_view keyword) {
   static constexpr std::string_view silent[] = {
-      "vn",    "vp",       "s",         "mg",     "lod", "usemap", "maplib",
-      "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg", "bmat",   "step",
-      "parm",  "trim",     "hole",     "scrv",       "sp",        "end",    "con", "ctech",  "stech"};
+      "vn",       "vp",         "s",         "mg",     "lod", "usemap", "maplib", "bevel", "c_interp",
+      "d_interp", "shadow_obj", "trace_obj", "cstype", "deg", "bmat",   "step",   "parm",  "trim",
+      "hole",     "scrv",       "sp",        "end",    "con", "ctech",  "stech"};
   static constexpr std::string_view counted[] = {"p",   "curv", "curv2", "surf", "call", "csh",
                                                  "bzp", "bsp",  "cdc",   "cdp",  "res"};
   if (keyword == "usemtl") {
     read_usemtl();
   } else if (keyword == "o" || keyword == "g") {
     (keyword == "o" ? objects_ : groups_)
-        .emplace_back(static_cast<std::uint32_t>(soup_.polygon_count()), read_name());
+        .emplace_back(static_cast<std::uint32_t>(soup_.polygon_count()), printable(read_name()));
   } else if (keyword == "l") {
     read_lines();
   } else if (keyword == "mtllib") {

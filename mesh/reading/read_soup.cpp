@@ -35,6 +35,8 @@ Soup read_as(FileFormat format, const Source& source) {
       return read_glb(source);
     case FileFormat::threemf:
       return read_3mf(source);
+    case FileFormat::pdo:
+      return read_pdo(source);
     case FileFormat::off:
       break;
   }

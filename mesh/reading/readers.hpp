@@ -15,5 +15,6 @@ namespace ridgecraft::mesh {
 [[nodiscard]] Soup read_gltf(const Source& source);
 [[nodiscard]] Soup read_glb(const Source& source);
 [[nodiscard]] Soup read_3mf(const Source& source);
+[[nodiscard]] Soup read_pdo(const Source& source);
 
 }  // namespace ridgecraft::mesh

@@ -10,10 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program_checks.hpp"
+#include "mesh/pdo_writer.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft::test;
 using Json = nlohmann::json;
+using ridgecraft::Vec3;
 
 TEST_CASE("edges to be cut and kept are cut, and counted", "[edge_options]") {
   const TemporaryFolder folder;
@@ -186,4 +188,41 @@ TEST_CASE("nets say what they were made with", "[edge_options]") {
   write_bytes(folder / "house.obj", std::string(house) + "l 9 10\n");
   CHECK(settings({"house.obj"})["faces"] == "keep");
   CHECK(settings({"house.obj", "--faces", "12"})["faces"] == 12);
+}
+
+TEST_CASE("nets that Pepakura keeps with its model are taken by --from", "[edge_options]") {
+  const TemporaryFolder folder;
+  PdoTestFile file;
+  file.objects = {pdo_cube()};
+  file.scale = 20.0;
+  write_bytes(folder / "cube.pdo", pdo(file));
+  // The same cube as another program exports it, at another place and size.
+  std::string obj;
+  for (const Vec3 p : file.objects[0].points) {
+    obj += "v " + std::to_string(10 * p.x + 5) + " " + std::to_string(10 * p.y) + " " +
+           std::to_string(10 * p.z) + "\n";
+  }
+  for (const PdoTestFace& face : file.objects[0].faces) {
+    obj += "f";
+    for (const std::uint32_t p : face.points) {
+      obj += " " + std::to_string(p + 1);
+    }
+    obj += "\n";
+  }
+  write_bytes(folder / "cube.obj", obj);
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--json", "--overwrite"});
+    const Outcome outcome = run_program(words, in(folder));
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(outcome.out);
+  };
+  CHECK(run({"cube.pdo", "--size", "40mm", "-o", "own.fold"}).at("pieces") == 1);
+  const Json same = run({"cube.pdo", "--from", "cube.pdo", "--scale", "1:1", "-o", "same.fold"});
+  CHECK(same.at("pieces") == 2);
+  CHECK(same.at("size_mm").at(0) == 40.0);
+  CHECK(run({"cube.obj", "--from", "cube.pdo", "--size", "50mm", "-o", "other.fold"}).at("pieces") == 2);
+  file.scale.reset();
+  write_bytes(folder / "flat.pdo", pdo(file));
+  check_refusal(run_program({"cube.obj", "--from", "flat.pdo"}, in(folder)), 3, "flat.pdo holds no nets");
 }

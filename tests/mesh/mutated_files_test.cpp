@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of glTF and 3MF with bytes changed, cut out, doubled and swapped: read as a sound soup and repaired,
-// or refused with a proper sentence. RIDGECRAFT_MUTATIONS=100000 does so many of each kind; ulimit -v tells
-// how much memory they may take.
+// Files of glTF, 3MF and PDO with bytes changed, cut out, doubled and swapped: read as a sound soup and
+// repaired, or refused with a proper sentence. RIDGECRAFT_MUTATIONS=100000 does so many of each kind; ulimit
+// -v tells how much memory they may take.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -15,7 +15,9 @@
 #include "format_seeds.hpp"
 #include "fuzz/fuzz_reader.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/reading/pdo/read_seams.hpp"
 #include "package_writer.hpp"
+#include "pdo_writer.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft;
@@ -103,6 +105,12 @@ void try_file(const std::string& bytes, const std::string& name, Tally& tally) {
   } catch (const Error&) {
     ++tally.refused;
   }
+  if (mesh::may_have_seams(bytes)) {
+    try {
+      (void)mesh::read_seams(bytes, name, {});
+    } catch (const Error&) {
+    }
+  }
 }
 
 /// The collection's files below a size that leaves time for many, where they are at hand.
@@ -164,6 +172,13 @@ TEST_CASE("Damaged glTF files are read or refused") {
 
 TEST_CASE("Damaged 3MF files are read or refused") {
   try_mutations(seeds({rich_3mf()}, {".3mf"}), "model.3mf", 13);
+}
+
+TEST_CASE("Damaged PDO files are read or refused") {
+  const PdoTestFile file = rich_pdo_file();
+  try_mutations({pdo(file), pdo(file, {.version = 4}), pdo(file, {.version = 5, .shift = 99}),
+                 pdo(file, {.version = 6, .wide = true, .length_in_bytes = true, .shift = 7})},
+                "model.pdo", 15);
 }
 
 TEST_CASE("Sound packages with damaged XML are read or refused") {

@@ -181,3 +181,9 @@ TEST_CASE("Reading stops when it is asked to") {
     CHECK(error.kind() == ErrorKind::interrupted);
   }
 }
+
+TEST_CASE("OBJ: names of objects are fit to be printed") {
+  const Soup soup = parsed("o a\xff\x1b[31m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "obj");
+  REQUIRE(soup.objects.size() == 1);
+  CHECK(soup.objects[0].second == "a\xef\xbf\xbd\xef\xbf\xbd[31m");
+}

@@ -89,7 +89,8 @@ TEST_CASE("Models of other formats are refused with a way out") {
   };
   says("a.txt", "ISO-10303-21;\nHEADER;", "a STEP model", "FreeCAD");
   says("a.stp", "some text", "a STEP model", "FreeCAD");
-  says("a.skp", "\xff\xfe\xff\x0eS\0k\0e\0t\0c\0h\0U\0p\0 \0M\0"s, "a SketchUp model", "from SketchUp as glTF");
+  says("a.skp", "\xff\xfe\xff\x0eS\0k\0e\0t\0c\0h\0U\0p\0 \0M\0"s, "a SketchUp model",
+       "from SketchUp as glTF");
   says("a.SKP", "PK\x03\x04\0\0\0\0"s, "a SketchUp model", "from SketchUp as glTF");
   says("a", "Kaydara FBX Binary  \0"s, "an FBX model", "Blender");
   says("a.blend", "\x28\xb5\x2f\xfd\0\0"s, "a Blender file", "Blender");
@@ -97,7 +98,7 @@ TEST_CASE("Models of other formats are refused with a way out") {
   says("a.sldprt", "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"s, "a SolidWorks model", "OBJ, STL or 3MF");
   says("a.dae", "<?xml version=\"1.0\"?>\n<COLLADA xmlns", "a COLLADA model", "Blender");
   says("a.igs", "                                        S      1", "an IGES model", "FreeCAD");
-  says("a.pdo", "version 3\n\x04\0"s, "a Pepakura file", "Pepakura Designer");
+  says("a.pdo", "version 2\n\x04\0"s, "a Pepakura file of another version", "Pepakura Designer");
   // What the content says counts for more than the suffix.
   CHECK(refusal("\x89PNG\r\n\x1a\n\0\0"s, "fbx") == "3 model.fbx is no mesh but a PNG picture");
   CHECK(refusal("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "fbx").empty());
