@@ -11,7 +11,7 @@ namespace {
 constexpr double ordinary_faces = 250.0;
 constexpr double growth = 0.4;
 /// Trials of the quick half for each one of the exact half.
-constexpr double quick_for_exact = 160.0;
+constexpr double quick_for_exact = 80.0;
 
 }  // namespace
 
