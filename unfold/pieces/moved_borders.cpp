@@ -61,7 +61,7 @@ class BorderMover {
     for (bool again = true; again && !context_.out_of_time();) {
       again = false;
       for (auto& [part, count] : surplus) {
-        const std::size_t others = pieces_for_size();
+        const std::size_t others = count > 0 ? pieces_for_size() : 0;
         if (count > 0 && save_a_piece(part)) {
           result_.parts.push_back(part);
           // A neighbour's piece that was there for another reason may be the one that is gone.
@@ -114,6 +114,10 @@ class BorderMover {
       piece_part_.push_back(most_frequent(faces, [&](std::uint32_t f) { return part_[f]; }));
       piece_cause_.push_back(most_frequent(faces, [&](std::uint32_t f) { return cause_[f]; }));
     }
+    pieces_of_.clear();
+    for (std::uint32_t p = 0; p < piece_part_.size(); ++p) {
+      pieces_of_[piece_part_[p]].push_back(p);
+    }
     border_.assign(layout_.faces.size(), {});
     for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
       const std::uint32_t twin = patch_.twin[side];
@@ -128,8 +132,9 @@ class BorderMover {
   [[nodiscard]] Around around(PartId part, Counts counts) const {
     Around result;
     std::map<std::uint32_t, double> met;
-    for (std::uint32_t p = 0; p < layout_.faces.size(); ++p) {
-      if (piece_part_[p] == part && counts(p)) {
+    const auto own = pieces_of_.find(part);
+    for (const std::uint32_t p : own == pieces_of_.end() ? std::vector<std::uint32_t>() : own->second) {
+      if (counts(p)) {
         result.own.push_back(p);
         for (const auto& [q, mm] : border_[p]) {
           met[q] += piece_part_[q] != part ? mm : 0.0;
@@ -300,7 +305,8 @@ class BorderMover {
   Layout layout_;
   std::vector<PartId> piece_part_;
   std::vector<PieceReason> piece_cause_;
-  std::vector<std::map<std::uint32_t, double>> border_;  ///< per piece: length with each that it meets, mm
+  std::map<PartId, std::vector<std::uint32_t>> pieces_of_;  ///< per part: the pieces that are mostly its own
+  std::vector<std::map<std::uint32_t, double>> border_;     ///< per piece: length with each that it meets, mm
   std::set<Faces> failed_;
   std::size_t join_work_ = lay_budget;
 };
