@@ -26,7 +26,8 @@ void PieceTexts::add_to(Verb& verb) {
               "Most flat faces of one piece (few: any, parts: 80, small: 24).");
   verb.list("Pieces", "--weigh", weights, "TERM=WEIGHT",
             "What makes nets easy to cut and glue, in mm of seam: seam (1), bare (2: seam without room for a "
-            "tab), slits (2: seam that hardly opens), mirror (1.5: seam whose mirror image is none), open (0.1: "
+            "tab), slits (2: seam that hardly opens), mirror (1.5: seam whose mirror image is none), bands (1: "
+            "seam across a strip that goes round, beyond one), open (0.1: "
             "seam on smooth places), compact (4: each cm2 of a piece's hull that is no paper), outline (0.3: its "
             "square, over 1000 mm), thin (0.5: necks), pieces (600: each), parts (800: each further part in a "
             "piece), small (1200: pieces under 30 mm), panels (800: the square of flat faces over 80). Several "
