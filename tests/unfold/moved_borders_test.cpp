@@ -152,3 +152,26 @@ TEST_CASE("a surface without a part too many stays as it is", "[borders]") {
   CHECK(result.parts.empty());
   CHECK(result.folds == parts.folds);
 }
+
+TEST_CASE("borders move until parts have no piece that is mostly their own", "[borders]") {
+  const mesh::Surface ball = bench::spiky_ball(1, 80, 3.0, 1);
+  const prepare::Panels panels = test::no_panels(ball);
+  for (const std::uint32_t run : {3U, 7U}) {
+    // Faces whose numbers follow each other: connected for short stretches, so parts have pieces too many.
+    IdVector<FaceId, PartId> part(ball.face_count());
+    for (const FaceId f : ids<FaceId>(ball.face_count())) {
+      part[f] = PartId(f.value() / run % 30);
+    }
+    const Options options = options_with({}, 0);
+    const Asked asked{ball, panels, part, options};
+    const Plan plan = make_plan(asked, {});
+    const Patch patch = whole_patch(asked, plan);
+    const UnfoldedParts parts = unfold_parts(asked, plan, {});
+    const std::vector<PieceReason> cause(patch.size(), PieceReason::overlap);
+    const MovedBorders result =
+        move_borders(ball, plan.whole, patch, part.items(), parts.folds, cause, options, plan.room, {});
+    const Layout after = lay_out(patch, result.folds);
+    CHECK(after.faces.size() + result.parts.size() == lay_out(patch, parts.folds).faces.size());
+    CHECK(find_overlaps(after, net_tolerance(patch.extent)).empty());
+  }
+}

@@ -210,6 +210,8 @@ class BorderMover {
         }
       }
     }
+    // Pieces join until a part may have none that is mostly its own.
+    std::erase_if(sets, [](const std::vector<std::uint32_t>& set) { return set.size() < 2; });
     return sets;
   }
 
