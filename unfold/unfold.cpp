@@ -3,8 +3,8 @@
 #include "unfold/unfold.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -18,6 +18,7 @@
 #include "unfold/net/tolerance.hpp"
 #include "unfold/nets_of_folds.hpp"
 #include "unfold/one_of_each.hpp"
+#include "unfold/part_notes.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/pieces/better_borders.hpp"
 #include "unfold/pieces/better_trees.hpp"
@@ -94,7 +95,7 @@ void note_result(const Asked& asked, const AllTabs& split, std::size_t split_off
 struct Search {
   Folds folds;
   Causes causes;
-  std::vector<std::string> notes;
+  std::vector<PartNote> notes;
 };
 
 /// The parts with the borders between them moved where that makes fewer pieces, and notes of it.
@@ -107,14 +108,10 @@ void move_borders_of(const Asked& asked, const Plan& plan, const Patch& patch, c
   MovedBorders moved = move_borders(asked.surface, plan.whole, patch, asked.part.items(), parts.folds, cause,
                                     asked.options, plan.room, context);
   parts.folds = std::move(moved.folds);
-  std::map<PartId, std::size_t> saved;
-  for (const PartId part : moved.parts) {
-    ++saved[part];
-  }
-  for (const auto& [part, pieces] : saved) {
-    parts.notes.push_back("part " + std::to_string(part.value()) +
-                          ": a border with its neighbours was moved, which saves " +
-                          (pieces == 1 ? "one piece" : std::to_string(pieces) + " pieces"));
+  for (const PartId part : std::set(moved.parts.begin(), moved.parts.end())) {
+    const auto face = std::find(asked.part.begin(), asked.part.end(), part);
+    parts.notes.push_back({"moving the border with its neighbours saved pieces",
+                           FaceId(static_cast<std::uint32_t>(face - asked.part.begin()))});
   }
 }
 
@@ -174,7 +171,6 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   };
   Search found = search(asked, plan, patch, mirror_images_here, for_searches(plan, context));
   std::vector<std::string> notes = plan.notes;
-  notes.insert(notes.end(), found.notes.begin(), found.notes.end());
   if (options.tabs.wanted && context.out_of_time()) {
     notes.emplace_back("the time given was up before all nets with more tabs were tried");
   }
@@ -197,6 +193,11 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
     split.split_pieces += more_pieces(originals, nets, PieceReason::tabs);
     split_off_to_fold += more_pieces(originals, nets, PieceReason::folding);
   }
+  for (PartNote& note : found.notes) {
+    note.face = each ? each->kept.face[note.face] : note.face;
+  }
+  const std::vector<std::string> of_parts = sentences(found.notes, nets);
+  nets.notes.insert(nets.notes.end(), of_parts.begin(), of_parts.end());
   nets.equal = find_equal_pieces(surface, nets);
   note_result(whole, split, split_off_to_fold, nets);
   return nets;

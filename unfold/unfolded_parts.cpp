@@ -93,7 +93,7 @@ UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& 
       });
   for (std::size_t t = 0; t < tasks.size(); ++t) {
     for (const std::string& note : notes[t]) {
-      result.notes.push_back("part " + std::to_string(tasks[t].part.value()) + ": " + note);
+      result.notes.push_back({note, tasks[t].faces.front()});
     }
   }
   return result;

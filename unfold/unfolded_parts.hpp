@@ -4,11 +4,11 @@
 
 #include <compare>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "base/context.hpp"
 #include "unfold/net/nets.hpp"
+#include "unfold/part_notes.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/plan.hpp"
 
@@ -29,9 +29,9 @@ using Causes = std::vector<Cause>;
 [[nodiscard]] Patch whole_patch(const Asked& asked, const Plan& plan);
 
 struct UnfoldedParts {
-  Folds folds;                     ///< of whole_patch
-  Causes causes;                   ///< per face
-  std::vector<std::string> notes;  ///< for Nets::notes
+  Folds folds;    ///< of whole_patch
+  Causes causes;  ///< per face
+  std::vector<PartNote> notes;
 };
 
 /// Each connected set of faces of one group (Plan::group) by itself, as in pieces/patch_nets.hpp; as many at

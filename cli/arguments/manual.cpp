@@ -10,8 +10,8 @@ namespace {
 constexpr std::size_t page_width = 100;
 constexpr std::size_t text_column = 30;
 
-/// Appends `text` broken into lines from `column` on; the cursor already stands there.
-void append_wrapped(std::string& out, std::string_view text, std::size_t column) {
+/// Appends one paragraph broken into lines from `column` on; the cursor already stands there.
+void append_paragraph(std::string& out, std::string_view text, std::size_t column) {
   std::size_t at = column;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
@@ -28,6 +28,16 @@ void append_wrapped(std::string& out, std::string_view text, std::size_t column)
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   out += '\n';
+}
+
+/// Paragraphs of `text` are its lines.
+void append_wrapped(std::string& out, std::string_view text, std::size_t column) {
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    append_paragraph(out, text.substr(0, end), column);
+    out.append(column, ' ');
+    text.remove_prefix(end + 1);
+  }
+  append_paragraph(out, text, column);
 }
 
 void append_entry(std::string& out, const ManualEntry& entry) {
@@ -49,6 +59,8 @@ std::string troff(std::string_view text) {
       out += "\\e";
     } else if (c == '-') {
       out += "\\-";
+    } else if (c == '\n') {
+      out += "\n.br\n";
     } else {
       out += c;
     }

@@ -24,14 +24,23 @@ void PieceTexts::add_to(Verb& verb) {
       "neighbours; small: small ones (parts).");
   verb.option("Pieces", "--max-faces", max_faces, "N|any",
               "Most flat faces of one piece (few: any, parts: 80, small: 24).");
-  verb.list("Pieces", "--weigh", weights, "TERM=WEIGHT",
-            "What makes nets easy to cut and glue, in mm of seam: seam (1), bare (2: seam without room for a "
-            "tab), slits (2: seam that hardly opens), mirror (1.5: seam whose mirror image is none), bands (1: "
-            "seam across a strip that goes round, beyond one), open (0.1: "
-            "seam on smooth places), compact (4: each cm2 of a piece's hull that is no paper), outline (0.3: its "
-            "square, over 1000 mm), thin (0.5: necks), pieces (600: each), parts (800: each further part in a "
-            "piece), small (1200: pieces under 30 mm), panels (800: the square of flat faces over 80). Several "
-            "times for several terms.");
+  verb.list(
+      "Pieces", "--weigh", weights, "TERM=WEIGHT",
+      "How much a property of nets counts when the best ones are chosen, in mm of seam. May be given for "
+      "several terms:\n"
+      "seam=1: a mm of seam to glue;\n"
+      "bare=2: a mm of seam without room for a tab;\n"
+      "slits=2: a mm of seam that hardly opens;\n"
+      "mirror=1.5: a mm of seam whose mirror image is none;\n"
+      "bands=1: a mm of seam across a strip that goes round, beyond its first seam;\n"
+      "open=0.1: a mm of seam on smooth places;\n"
+      "compact=4: a cm2 inside a piece's hull that is no paper;\n"
+      "outline=0.3: the square of a piece's outline, over 1000 mm;\n"
+      "thin=0.5: a mm by which what hangs on a neck is wider than three times the neck;\n"
+      "pieces=600: a piece;\n"
+      "parts=800: a further part in a piece;\n"
+      "small=1200: a piece under 30 mm;\n"
+      "panels=800: the square of a piece's flat faces, over 80.");
 }
 
 unfold::PieceRules PieceTexts::rules() const {

@@ -9,7 +9,7 @@ namespace ridgecraft::cli {
 Job build_info(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft info", "tells what a model file holds, and what had to be repaired");
   verb.usage("ridgecraft info MODEL [--json]");
-  verb.example("ridgecraft info scan.stl", "Faces, components, borders, size, repairs.");
+  verb.example("ridgecraft info gem.stl", "Faces, components, borders, size, repairs.");
   InfoJob job;
   CommonTexts common;
   add_model(verb, job.model);

@@ -117,10 +117,10 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.usage("ridgecraft MODEL [options]").usage("ridgecraft VERB ... (ridgecraft VERB --help tells more)");
   verb.example("ridgecraft whale.obj",
                "Pages for a whale of 150 mm: whale.pdf, whale.svg and whale.fold in this folder.");
-  verb.example("ridgecraft scan.stl --size 30cm --paper A3 -o out", "Larger, on A3, into the folder out.");
+  verb.example("ridgecraft penguin.obj --size 30cm --paper A3 -o out", "Larger, on A3, into the folder out.");
   verb.example("ridgecraft house.obj --scale 1:500 --unit m -o house.pdf",
                "A house drawn in metres, at a scale.");
-  verb.example("ridgecraft fox.obj --pieces few", "As few pieces as the paper allows.");
+  verb.example("ridgecraft fox_head.obj --pieces few", "As few pieces as the paper allows.");
   PaperJob job;
   CommonTexts common;
   SizeTexts size;

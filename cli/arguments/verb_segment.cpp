@@ -10,9 +10,9 @@ namespace ridgecraft::cli {
 Job build_segment(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft segment", "cuts a model, as it is, into nearly convex parts (CoRiSe)");
   verb.usage("ridgecraft segment MODEL [-o PARTS.ply] [--labels PARTS.seg] [options]");
-  verb.example("ridgecraft segment ant.off -o ant-parts.ply",
+  verb.example("ridgecraft segment dinosaur.obj -o dinosaur-parts.ply",
                "The model with every part in a colour of its own.");
-  verb.example("ridgecraft segment ant.off --labels ant.seg --json",
+  verb.example("ridgecraft segment dinosaur.obj --labels dinosaur.seg --json",
                "One part number per polygon of the input.");
   SegmentJob job;
   CommonTexts common;

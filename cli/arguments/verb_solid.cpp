@@ -11,11 +11,11 @@ namespace ridgecraft::cli {
 Job build_hulls(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft hulls", "one convex hull per nearly convex part, for physics engines");
   verb.usage("ridgecraft hulls MODEL -o HULLS.obj [--max-vertices N] [options]");
-  verb.example("ridgecraft hulls chair.off -o chair-hulls.obj --max-vertices 64",
+  verb.example("ridgecraft hulls dinosaur.obj -o dinosaur-hulls.obj --max-vertices 64",
                "One object per hull; every hull encloses its part.");
-  verb.example("ridgecraft hulls chair.off -o few.obj --effort 3 --planes --volume-weight 8",
+  verb.example("ridgecraft hulls dinosaur.obj -o few.obj --effort 3 --planes --volume-weight 8",
                "Fewer hulls that lie closer, for about 25 times the work.");
-  verb.example("ridgecraft hulls chair.off -o chair.urdf --unit m",
+  verb.example("ridgecraft hulls dinosaur.obj -o dinosaur.urdf --unit m",
                "A robot description with a collision element per hull, and the meshes that it names.");
   HullsJob job;
   CommonTexts common;
@@ -58,7 +58,7 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
 Job build_cage(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft cage", "a coarse closed mesh around a model, to deform it with");
   verb.usage("ridgecraft cage MODEL -o CAGE.obj [--faces N] [options]");
-  verb.example("ridgecraft cage hand.off -o hand-cage.obj --faces 300",
+  verb.example("ridgecraft cage penguin.obj -o penguin-cage.obj --faces 300",
                "Move the cage's vertices in any editor, then: ridgecraft deform.");
   CageJob job;
   CommonTexts common;
@@ -86,7 +86,7 @@ Job build_cage(const Arguments* arguments, Manual* manual) {
 Job build_shell(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft shell", "a watertight mesh around a broken one");
   verb.usage("ridgecraft shell MODEL -o SHELL.obj [--opening 5%] [options]");
-  verb.example("ridgecraft shell scan.ply -o scan-shell.ply --opening 3%",
+  verb.example("ridgecraft shell vase.ply -o vase-shell.ply --opening 3%",
                "Holes and gaps narrower than 3 % of the diagonal are closed.");
   ShellJob job;
   CommonTexts common;
@@ -112,7 +112,7 @@ Job build_shell(const Arguments* arguments, Manual* manual) {
 Job build_deform(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft deform", "moves a model as the cage around it is moved");
   verb.usage("ridgecraft deform MODEL --cage A.obj --to B.obj -o MOVED.obj");
-  verb.example("ridgecraft deform hand.off --cage hand-cage.obj --to fist-cage.obj -o fist.obj",
+  verb.example("ridgecraft deform penguin.obj --cage penguin-cage.obj --to moved-cage.obj -o moved.obj",
                "Both cages have the same triangles; what lies between follows smoothly.");
   DeformJob job;
   CommonTexts common;

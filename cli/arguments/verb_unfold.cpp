@@ -17,7 +17,7 @@ constexpr double patient_trials_per_face = 4000.0;
 Job build_unfold(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft unfold", "unfolds a model into nets without overlap, without pages");
   verb.usage("ridgecraft unfold MODEL [--whole] [-o NETS.fold] [options]");
-  verb.example("ridgecraft unfold gem.off --whole -o gem.fold",
+  verb.example("ridgecraft unfold gem.stl --whole -o gem.fold",
                "The whole model as one net, if there is one.");
   UnfoldJob job;
   job.options.paper = std::nullopt;

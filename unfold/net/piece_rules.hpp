@@ -19,7 +19,7 @@ struct Weights {
   double open = 0.1;      ///< each mm of seam on a smooth place; less on ridges and in hollows
   double compact = 4.0;   ///< each cm2 of a piece's convex hull that is no paper
   double outline = 0.3;   ///< square of a piece's outline, over 1000 mm
-  double thin = 0.5;      ///< necks: width of what hangs on one beyond three times its own
+  double thin = 0.5;      ///< necks: mm by which what hangs on one is wider than three times its own width
   double pieces = 600.0;  ///< each piece
   double parts = 800.0;   ///< each part beyond the first that a piece has faces of
   double small = 1200.0;  ///< pieces less than 30 mm wide: by the share that is missing
@@ -51,7 +51,7 @@ struct PieceRules {
 };
 [[nodiscard]] PieceRules rules_of(PieceMode mode);
 
-/// A term's weight by its name ("cut", "pieces", "parts", "compact", "thin", "small", "panels"); null where
+/// A term's weight by its name (all: term_names()); null where
 /// there is no such term.
 [[nodiscard]] double* weight_named(Weights& weights, std::string_view name);
 

@@ -84,7 +84,7 @@ class PatchUnfolder {
       cut_conflicts(*searched, *failed);
     }
     if (searched == &loose && clean_pieces_ == 1) {
-      notes_.emplace_back("no single net with all flat regions whole was found, so some are cut");
+      notes_.emplace_back("no single net that keeps its flat regions whole was found, so some are cut");
     }
     if (best_->cost.pieces > 1) {
       propose(merge_pieces(patch_, panel_folds(), room_, tolerance_, merge_budget, context_));
@@ -243,26 +243,24 @@ class PatchUnfolder {
   }
 
   void note_pieces() {
-    const std::size_t pieces = cost_of(patch_, best_->folds).pieces;
-    if (clean_pieces_ == 1 || pieces == 1) {
+    const std::size_t pieces = std::min(clean_pieces_, cost_of(patch_, best_->folds).pieces);
+    if (pieces == 1) {
       return;
     }
-    const std::string whole = whole_panels_ ? " with all flat regions whole" : "";
-    const std::string becomes = "so it becomes " + std::to_string(pieces) + " pieces";
-    if (proven_least_ > 1) {
-      notes_.push_back("proven: no single net" + whole + " exists, " + becomes +
-                       (proven_least_ == pieces ? ", the fewest possible" : ""));
-    } else {
-      notes_.push_back("no single net" + whole + " was found" + (out_of_time_ ? " in the time given" : "") +
-                       ", " + becomes);
-    }
+    const std::string no_net = std::string("no single net ") +
+                               (whole_panels_ ? "that keeps its flat regions whole " : "") +
+                               (proven_least_ > 1 ? "exists (proven)"
+                                : out_of_time_    ? "was found in the time given"
+                                                  : "was found");
+    notes_.push_back(no_net + "; " + std::to_string(pieces) +
+                     (proven_least_ == pieces ? " pieces are the fewest possible" : " pieces were found"));
   }
 
   /// What there would be with other limits.
   [[nodiscard]] PiecesWithout pieces_without() {
     const std::size_t pieces = cost_of(patch_, best_->folds).pieces;
     PiecesWithout without;
-    without.overlap = out_of_time_ ? PieceReason::time
+    without.overlap = out_of_time_        ? PieceReason::time
                       : proven_least_ > 1 ? PieceReason::no_net
                                           : PieceReason::overlap;
     without.limits = room_.sheet || room_.max_panels > 0 ? std::min(pieces, clean_pieces_) : pieces;
@@ -286,8 +284,8 @@ class PatchUnfolder {
   bool out_of_time_ = false;
   std::size_t proven_least_ = 1;  ///< no forest without overlap has fewer trees
   std::optional<Proposal> best_;
-  std::optional<Folds> clean_;     ///< the fewest pieces without overlap, as large as they like
-  std::size_t clean_pieces_ = 0;   ///< their number
+  std::optional<Folds> clean_;    ///< the fewest pieces without overlap, as large as they like
+  std::size_t clean_pieces_ = 0;  ///< their number
   std::vector<std::string> notes_;
 };
 
