@@ -308,9 +308,9 @@ std::vector<Pairing> near_pairs(const mesh::Surface& from, const mesh::Surface& 
   std::vector<Pairing> pairs;
   const double step = same_distance * radius;
   for (const EdgeId e : ids<EdgeId>(from.edge_count())) {
-    auto [a, b] = ends(from, e);
-    a = isometry(a);
-    b = isometry(b);
+    const auto edge_ends = ends(from, e);
+    const Vec3 a = isometry(edge_ends.a);
+    const Vec3 b = isometry(edge_ends.b);
     const Vec3 middle = 0.5 * (a + b);
     const double reach = std::min(radius, edge_share * from.length(e));
     const Vec3 own = isometry.turn(outwards(from, e));
