@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the drawing of each page together: its pieces, their texts, the furniture.
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "base/utf8.hpp"
 #include "export/export.hpp"
 #include "export/page/furniture.hpp"
 #include "export/page/neighbours.hpp"
+#include "export/page/number_list.hpp"
 #include "export/page/page_index.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/page/text_placement.hpp"
@@ -18,7 +21,8 @@ namespace {
 
 /// For each piece the words that say which others are equal, which of several separate bodies it belongs to,
 /// and, where no number does, beside which piece. O(pieces + joins).
-IdVector<PieceId, std::vector<std::string>> piece_notes(const mesh::Surface& surface, const unfold::Nets& nets,
+IdVector<PieceId, std::vector<std::string>> piece_notes(const mesh::Surface& surface,
+                                                        const unfold::Nets& nets,
                                                         const std::vector<Body>& bodies,
                                                         const std::vector<PieceKind>& kinds) {
   constexpr std::size_t most_names = 4;  // as many as find room on a small piece
@@ -45,6 +49,17 @@ IdVector<PieceId, std::vector<std::string>> piece_notes(const mesh::Surface& sur
   return notes;
 }
 
+/// What becomes of the numbers that found no place on a page's pieces.
+void report_numbers(const std::vector<PieceDrawing>& pieces, bool can_list, DrawReport& report) {
+  for (const PieceDrawing& piece : pieces) {
+    for (const Seam& seam : piece.seams) {
+      if (!seam.numbered) {
+        (can_list ? report.labels_listed : report.labels_left_out).push_back({piece.name, seam.number});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
@@ -55,6 +70,8 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds);
   const auto neighbours = find_neighbours(model.model.surface, nets);
   std::vector<std::vector<Text>> indices;
+  std::vector<std::string> unlisted;  // rows of numbers for which a page has no room
+  const bool can_list = has_room_for_lists(pages.paper);
   const auto contents = piece_contents(model.model.surface, nets);
   std::vector<std::vector<PieceDrawing>> pieces(pages.count);
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
@@ -67,16 +84,23 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   for (std::size_t i = 0; i < pages.count; ++i) {
     context.check();
     place_texts(pieces[i], pages.paper.size, piece_box(pages.paper), style, sum, context);
-    indices.push_back(page_index(nets, pages, PageId(i), neighbours, sum.kinds, pieces[i]));
-    Drawing drawing;
-    drawing.size = pages.paper.size;
-    drawing.title = printable_utf8(model.model.name);
-    drawing.page = static_cast<int>(i + 1);
-    drawing.page_count = static_cast<int>(pages.count);
+    report_numbers(pieces[i], can_list, sum);
+    PageIndex index = page_index(nets, pages, PageId(i), neighbours, sum.kinds, pieces[i]);
+    indices.push_back(std::move(index.texts));
+    drawings.emplace_back();
     for (PieceDrawing& piece : pieces[i]) {
-      drawing.groups.push_back(std::move(piece.group));
+      if (std::string row = number_row(piece); !index.lists_numbers && !row.empty()) {
+        unlisted.push_back(std::move(row));
+      }
+      drawings.back().groups.push_back(std::move(piece.group));
     }
-    drawings.push_back(std::move(drawing));
+  }
+  if (can_list) {
+    for (std::vector<Text>& list : number_pages(unlisted, pages.paper)) {
+      indices.push_back(std::move(list));
+      drawings.emplace_back();
+      ++sum.list_pages;
+    }
   }
   LineKinds anywhere;
   for (const Drawing& drawing : drawings) {
@@ -84,6 +108,10 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   }
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     Drawing& drawing = drawings[i];
+    drawing.size = pages.paper.size;
+    drawing.title = printable_utf8(model.model.name);
+    drawing.page = static_cast<int>(i + 1);
+    drawing.page_count = static_cast<int>(drawings.size());
     Group foot = furniture(pages.paper, drawing.title, drawing.page, drawing.page_count,
                            line_kinds(drawing.groups), anywhere);
     foot.texts.insert(foot.texts.end(), indices[i].begin(), indices[i].end());

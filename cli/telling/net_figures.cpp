@@ -108,8 +108,16 @@ std::size_t count_joins(const unfold::Nets& nets, bool (*holds)(const unfold::Jo
   return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(), holds));
 }
 
-/// "A 1, 2; B 7 and 3 more": numbers without a place.
-std::string lost_text(std::vector<paper::DrawReport::Number> lost) {
+Value numbers_value(const std::vector<paper::DrawReport::Number>& numbers) {
+  Value list(Value::List{});
+  for (const auto& [piece, number] : numbers) {
+    list.add(Value::Object{{"piece", piece}, {"number", number}});
+  }
+  return list;
+}
+
+/// ": A 1, 2; B 7 and 3 more"
+std::string numbers_text(std::vector<paper::DrawReport::Number> lost) {
   constexpr std::size_t most = 10;
   std::sort(lost.begin(), lost.end());
   std::string text;
@@ -187,7 +195,8 @@ void add_extra_pieces(Summary& summary, const unfold::Nets& nets) {
   }
 }
 
-void add_equal_pieces(Summary& summary, const unfold::Nets& nets, const std::vector<paper::PieceKind>& kinds) {
+void add_equal_pieces(Summary& summary, const unfold::Nets& nets,
+                      const std::vector<paper::PieceKind>& kinds) {
   constexpr std::size_t most_kinds = 8;
   constexpr std::size_t most_names = 8;
   Value list(Value::List{});
@@ -250,21 +259,28 @@ Value index_value(const mesh::Surface& surface, const unfold::Nets& nets, const 
 }
 
 void add_numbers(Summary& summary, const paper::DrawReport& drawn) {
+  const std::size_t listed = drawn.labels_listed.size();
   const std::size_t lost = drawn.labels_left_out.size();
-  Value list(Value::List{});
-  for (const auto& [piece, number] : drawn.labels_left_out) {
-    list.add(Value::Object{{"piece", piece}, {"number", number}});
+  std::vector<std::string> facts;
+  if (drawn.labels_outside > 0) {
+    facts.push_back(fmt::format("{} beside their piece", drawn.labels_outside));
   }
-  std::string sentence;
-  if (lost + drawn.labels_outside + drawn.names_left_out > 0) {
-    sentence = fmt::format("{} beside their piece, {} without a place", drawn.labels_outside, lost) +
-               lost_text(drawn.labels_left_out);
+  if (listed > 0) {
+    facts.push_back(fmt::format("{} in a list {}{}", listed,
+                                drawn.list_pages > 0 ? "on a page of its own" : "on their page",
+                                numbers_text(drawn.labels_listed)));
+  }
+  if (lost > 0) {
+    facts.push_back(fmt::format("{} left out: this paper is too small for a list{}", lost,
+                                numbers_text(drawn.labels_left_out)));
   }
   if (drawn.names_left_out > 0) {
-    sentence += fmt::format("; {} without a place", counted(drawn.names_left_out, "name"));
+    facts.push_back(counted(drawn.names_left_out, "name") + " without a place");
   }
-  summary.add("labels_left_out", lost, Line::numbers, "numbers", std::move(sentence));
-  summary.add("numbers_without_place", std::move(list));
+  summary.add("labels_left_out", lost, Line::numbers, "numbers", fmt::format("{}", fmt::join(facts, "; ")));
+  summary.add("labels_listed", listed);
+  summary.add("numbers_in_lists", numbers_value(drawn.labels_listed));
+  summary.add("list_pages", drawn.list_pages);
   summary.add("labels_outside", drawn.labels_outside);
   summary.add("names_left_out", drawn.names_left_out);
 }

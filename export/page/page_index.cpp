@@ -5,24 +5,37 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "export/page/number_list.hpp"
 #include "export/page/obstacles.hpp"
-#include "export/style/stroke_font.hpp"
+#include "export/page/text_table.hpp"
 
 namespace ridgecraft::paper {
 namespace {
 
-constexpr double index_text_height = 1.9;  ///< mm
-constexpr double row_height = 3.1;         ///< baseline to baseline, mm
-constexpr double index_clearance = 2.5;    ///< from lines and texts of the page, mm
-constexpr double step = 5.0;               ///< between places that are tried, mm
+constexpr double index_clearance = 2.5;  ///< from lines and texts of the page, mm
+constexpr double step = 5.0;             ///< between places that are tried, mm
 /// Widths of the table that are tried, shares of the printable width.
 constexpr std::array<double, 4> widths{0.95, 0.62, 0.42, 0.28};
 /// A longer list would be a page of its own.
 constexpr std::size_t most_rows = 40;
 constexpr std::string_view full_heading = "where the other edges are: piece and numbers";
 constexpr std::string_view brief_heading = "where the other edges are";
-constexpr std::string_view indent = "   ";
+
+enum class Partners { none, names, with_numbers };
+/// What an index has.
+struct Contents {
+  Partners partners = Partners::with_numbers;
+  bool numbers = true;  ///< those that have no room at their edges
+};
+/// What is tried first, and what where that has no room. A number that stands nowhere is missed more than a
+/// hint at where its other edge is.
+constexpr std::array<Contents, 5> in_turn{{{Partners::with_numbers, true},
+                                           {Partners::names, true},
+                                           {Partners::none, true},
+                                           {Partners::with_numbers, false},
+                                           {Partners::names, false}}};
 
 /// "B 5-9, 13; page 2: C 60-67, D 3": the page's own pieces first.
 std::string partners(const unfold::Nets& nets, const Pages& pages, PageId own,
@@ -44,43 +57,6 @@ std::string partners(const unfold::Nets& nets, const Pages& pages, PageId own,
   return text;
 }
 
-/// Words in rows that are no wider than `width`, those after the first one indented.
-void append_wrapped(std::vector<std::string>& rows, const std::string& text, double width) {
-  std::string row;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    begin = end + 1;
-    const std::string longer = row.empty() ? word : row + " " + word;
-    if (!row.empty() && text_width(longer, index_text_height) > width) {
-      rows.push_back(row);
-      row = std::string(indent) + word;
-    } else {
-      row = longer;
-    }
-  }
-  rows.push_back(row);
-}
-
-/// The rows with their upper left corner at the origin.
-std::vector<Text> table(const std::vector<std::string>& rows) {
-  std::vector<Text> texts;
-  double y = -0.5 * index_text_height;
-  for (const std::string& row : rows) {
-    const std::size_t from = row.find_first_not_of(' ');
-    const double left = from == 0 ? 0.0 : text_width(indent, index_text_height);
-    const std::string words = row.substr(from);
-    texts.push_back({Layer::mark,
-                     words,
-                     {left + 0.5 * text_width(words, index_text_height), y},
-                     index_text_height,
-                     0.0,
-                     false});
-    y -= row_height;
-  }
-  return texts;
-}
-
 /// Which pieces of the page there are several of, on whatever page.
 std::vector<std::string> kinds_on_page(const unfold::Nets& nets, const Pages& pages, PageId page,
                                        const std::vector<PieceKind>& kinds) {
@@ -95,6 +71,26 @@ std::vector<std::string> kinds_on_page(const unfold::Nets& nets, const Pages& pa
     }
   }
   return rows;
+}
+
+/// Of each piece with numbers that have no room.
+std::vector<std::string> number_rows(const std::vector<PieceDrawing>& pieces) {
+  std::vector<std::string> rows;
+  for (const PieceDrawing& piece : pieces) {
+    if (std::string row = number_row(piece); !row.empty()) {
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+void append_numbers(std::vector<std::string>& rows, const std::vector<std::string>& numbers, double width) {
+  if (!numbers.empty()) {
+    append_wrapped(rows, number_list_heading, width);
+  }
+  for (const std::string& row : numbers) {
+    append_wrapped(rows, row, width);
+  }
 }
 
 /// All that is drawn on the page, and where its pieces are.
@@ -142,7 +138,7 @@ class PageRoom {
  private:
   [[nodiscard]] bool free(const Text& text) const {
     // The foot lies below the area: it needs no more than the distance to a line.
-    return obstacles_.is_free(text, std::min(index_clearance, 0.5 * row_height), index_clearance) &&
+    return obstacles_.is_free(text, std::min(index_clearance, 0.5 * table_row_height), index_clearance) &&
            !on_a_piece(text.centre);
   }
   [[nodiscard]] bool on_a_piece(Vec2 p) const {
@@ -161,10 +157,9 @@ class PageRoom {
 
 }  // namespace
 
-std::vector<Text> page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
-                             const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
-                             const std::vector<PieceKind>& kinds,
-                             const std::vector<PieceDrawing>& pieces) {
+PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
+                     const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
+                     const std::vector<PieceKind>& kinds, const std::vector<PieceDrawing>& pieces) {
   std::vector<PieceId> listed;
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
     if (pages.placements[piece].page == page && !neighbours[piece].empty()) {
@@ -172,29 +167,37 @@ std::vector<Text> page_index(const unfold::Nets& nets, const Pages& pages, PageI
     }
   }
   const std::vector<std::string> equal = kinds_on_page(nets, pages, page, kinds);
-  if (listed.empty() && equal.empty()) {
-    return {};
-  }
-  const PageRoom room(pages.paper, pieces);
-  for (const bool with_numbers : {true, false}) {
-    for (const double share : widths) {
-      const double width = share * piece_area(pages.paper).x;
-      std::vector<std::string> rows;
+  const std::vector<std::string> numbers = number_rows(pieces);
+  const auto rows_of = [&](const Contents& contents, double width) {
+    std::vector<std::string> rows;
+    if (contents.partners != Partners::none) {
+      const bool full = contents.partners == Partners::with_numbers;
       for (const std::string& kind : equal) {
         append_wrapped(rows, kind, width);
       }
       if (!listed.empty()) {
-        rows.emplace_back(with_numbers ? full_heading : brief_heading);
+        rows.emplace_back(full ? full_heading : brief_heading);
       }
       for (const PieceId piece : listed) {
-        const std::string& name = nets.pieces[piece].name;
-        append_wrapped(rows, name + ": " + partners(nets, pages, page, neighbours[piece], with_numbers),
+        append_wrapped(rows,
+                       nets.pieces[piece].name + ": " + partners(nets, pages, page, neighbours[piece], full),
                        width);
       }
-      if (rows.size() <= most_rows) {
-        if (auto texts = room.place(table(rows))) {
-          return *texts;
-        }
+    }
+    if (contents.numbers) {
+      append_numbers(rows, numbers, width);
+    }
+    return rows;
+  };
+  const PageRoom room(pages.paper, pieces);
+  for (const Contents& contents : in_turn) {
+    for (const double share : widths) {
+      const std::vector<std::string> rows = rows_of(contents, share * piece_area(pages.paper).x);
+      if (rows.empty() || rows.size() > most_rows) {
+        continue;
+      }
+      if (auto texts = room.place(table(rows))) {
+        return {std::move(*texts), contents.numbers};
       }
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The index of a page: for each of its pieces, which other pieces it is glued to, on which pages, by which
-// numbers.
+// numbers; and which numbers have no room at their edges.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,19 @@
 
 namespace ridgecraft::paper {
 
+struct PageIndex {
+  std::vector<Text> texts;
+  /// The numbers that have no room at their edges (Seam::numbered) are among the texts.
+  bool lists_numbers = false;
+};
+
 /// The texts of the index, where the page has room for them: beside the pieces, as low as possible. In fewer
-/// words where there is little room; none where there is none, or nothing to tell. `pieces` are all of the
-/// page, with their texts. O(places tried x lines).
-[[nodiscard]] std::vector<Text> page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
-                                           const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
-                                           const std::vector<PieceKind>& kinds,
-                                           const std::vector<PieceDrawing>& pieces);
+/// words where there is little room, then without what isn't needed most: numbers that have no room at their
+/// edges come first. None where there is no room, or nothing to tell. `pieces` are all of the page, with
+/// their texts. O(places tried x lines).
+[[nodiscard]] PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
+                                   const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
+                                   const std::vector<PieceKind>& kinds,
+                                   const std::vector<PieceDrawing>& pieces);
 
 }  // namespace ridgecraft::paper

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "export/page/fold_lines.hpp"
 #include "unfold/net/outline.hpp"
@@ -38,8 +40,9 @@ class PieceDrawer {
     add_cuts();
     add_folds();
     add_tabs();
-    add_ticks();
     add_seams();
+    add_ticks();
+    add_rims();
     return std::move(result_);
   }
 
@@ -164,10 +167,8 @@ class PieceDrawer {
   }
   /// The number of the join at a cut edge; 0 at a border.
   [[nodiscard]] std::uint32_t number_at(CornerId c) const {
-    const EdgeId edge = surface_.edge(c);
-    const auto join =
-        std::ranges::find_if(contents_.joins, [&](JoinId id) { return nets_.joins[id].edge == edge; });
-    return join == contents_.joins.end() ? 0 : nets_.joins[*join].number;
+    const auto seam = seam_at_.find(c);
+    return seam == seam_at_.end() ? 0 : result_.seams[seam->second].number;
   }
   [[nodiscard]] bool line_ends_at(Vec2 p) const {
     return std::ranges::any_of(result_.group.lines, [&](const Line& line) {
@@ -191,12 +192,30 @@ class PieceDrawer {
             seam.tab.push_back(place_(p));
           }
         }
+        seam_at_.emplace(c, result_.seams.size());
         result_.seams.push_back(std::move(seam));
       }
     }
     for (const FaceId face : nets_.pieces[piece_].faces) {
       result_.faces.push_back(
           {corner(mesh::corner(face, 0)), corner(mesh::corner(face, 1)), corner(mesh::corner(face, 2))});
+    }
+  }
+
+  /// Faces lie on the left of their edges, so an outline is followed against the clock.
+  void add_rims() {
+    std::set<CornerId> seen;
+    for (const auto& [first, seam] : seam_at_) {
+      std::vector<std::size_t> rim;
+      for (std::optional<CornerId> c = first; c && seen.insert(*c).second; c = next_cut(*c)) {
+        if (const auto here = seam_at_.find(*c); here != seam_at_.end()) {
+          rim.push_back(here->second);
+        }
+      }
+      if (!rim.empty()) {
+        std::ranges::reverse(rim);
+        result_.rims.push_back(std::move(rim));
+      }
     }
   }
 
@@ -208,6 +227,7 @@ class PieceDrawer {
   const Placement& place_;
   const Style& style_;
   DrawnLines drawn_;
+  std::map<CornerId, std::size_t> seam_at_;  ///< of each cut edge that is glued: its place among the seams
   PieceDrawing result_;
 };
 

@@ -18,6 +18,7 @@ struct Seam {
   std::uint32_t number = 0;
   Segment2 edge;          ///< its face lies on the left
   std::vector<Vec2> tab;  ///< the tab that grows from it, first two corners on the edge; or nothing
+  bool numbered = false;  ///< its number stands at it or on its tab
 };
 
 struct PieceDrawing {
@@ -25,6 +26,9 @@ struct PieceDrawing {
   std::string name;
   std::vector<std::string> notes;  ///< small words below the name: what the piece is a part of
   std::vector<Seam> seams;
+  /// Of each outline the seams, by their place in `seams`, as they follow each other clockwise on the printed
+  /// side; borders are left out.
+  std::vector<std::vector<std::size_t>> rims;
   std::vector<std::array<Vec2, 3>> faces;
 };
 

@@ -20,7 +20,7 @@ namespace {
 /// A number on the piece that still needs a place.
 struct Wanted {
   PieceDrawing* piece = nullptr;
-  const Seam* seam = nullptr;
+  Seam* seam = nullptr;
   bool on_tab = false;  ///< its number stands on the tab already
 };
 
@@ -300,7 +300,7 @@ void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& 
   }
   std::vector<Wanted> wanted;
   for (PieceDrawing& piece : pieces) {
-    for (const Seam& seam : piece.seams) {
+    for (Seam& seam : piece.seams) {
       wanted.push_back({&piece, &seam, !seam.tab.empty() && placer.place_on_tab(piece, seam)});
     }
   }
@@ -321,8 +321,11 @@ void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& 
   wanted =
       without_place(wanted, [&](const Wanted& w) { return in_time() && placer.place_with_leader(w, -1.0); });
   report.labels_outside += outside - wanted.size();
+  for (PieceDrawing& piece : pieces) {
+    std::ranges::for_each(piece.seams, [](Seam& seam) { seam.numbered = true; });
+  }
   for (const Wanted& w : wanted) {
-    report.labels_left_out.push_back({w.piece->name, w.seam->number});
+    w.seam->numbered = false;
   }
 }
 

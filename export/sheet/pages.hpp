@@ -42,12 +42,15 @@ struct DrawReport {
     std::uint32_t number = 0;
     friend auto operator<=>(const Number&, const Number&) = default;
   };
-  /// Numbers that found no place even at the smallest height, page by page.
-  std::vector<Number> labels_left_out;
-  std::size_t labels_outside = 0;  ///< numbers that stand beside their piece, with a leader
-  std::size_t names_left_out = 0;  ///< pieces whose name found no place
-  std::vector<Body> bodies;        ///< separate ones, if there are several (export/sheet/bodies.hpp)
-  std::vector<PieceKind> kinds;    ///< of pieces that there are several of, as Nets::equal
+  /// Numbers that found no place at their edges even at the smallest height, and stand in a list on the page
+  /// or at the end; page by page.
+  std::vector<Number> labels_listed;
+  std::vector<Number> labels_left_out;  ///< the same where the paper is too small for a list
+  std::size_t list_pages = 0;           ///< pages at the end that have such a list and no pieces
+  std::size_t labels_outside = 0;       ///< numbers that stand beside their piece, with a leader
+  std::size_t names_left_out = 0;       ///< pieces whose name found no place
+  std::vector<Body> bodies;             ///< separate ones, if there are several (export/sheet/bodies.hpp)
+  std::vector<PieceKind> kinds;         ///< of pieces that there are several of, as Nets::equal
 };
 
 }  // namespace ridgecraft::paper

@@ -184,15 +184,16 @@ TEST_CASE("what a maker may want to change is said before the work", "[summaries
   CHECK(told({"--size", "40mm"}).out.find("lower than") == std::string::npos);
 }
 
-TEST_CASE("numbers without a place are listed by their pieces", "[summaries]") {
+TEST_CASE("numbers in lists are told by their pieces", "[summaries]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   const Json json =
       Json::parse(run_program({"house.obj", "--size", "3mm", "--json", "-o", "x.fold"}, in(folder)).out);
-  REQUIRE_FALSE(json["numbers_without_place"].empty());
-  CHECK(json["labels_left_out"] == json["numbers_without_place"].size());
+  REQUIRE_FALSE(json["numbers_in_lists"].empty());
+  CHECK(json["labels_listed"] == json["numbers_in_lists"].size());
+  CHECK(json["labels_left_out"] == 0);
   const Json fold = Json::parse(read_bytes(folder / "x.fold"));
-  for (const Json& lost : json["numbers_without_place"]) {
+  for (const Json& lost : json["numbers_in_lists"]) {
     const auto& pieces = fold["ridgecraft:pieces"];
     const auto& joins = fold["ridgecraft:joins"];
     CHECK(

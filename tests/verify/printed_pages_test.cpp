@@ -324,9 +324,24 @@ TEST_CASE("pages of another model, or of as many pages, are found", "[pages]") {
   CHECK(test::first_fault(test::verify_pages(test::whale().fold, pages)).find("made from another model") !=
         std::string::npos);
   pages = test::whale().svg;
+  pages[0].pages[0].count = 1;
+  CHECK(test::first_fault(test::verify_pages(test::whale().fold, pages))
+            .find("one of 1 pages, the nets have 2") != std::string::npos);
   pages[0].pages[0].count = 3;
-  CHECK(test::first_fault(test::verify_pages(test::whale().fold, pages)).find("one of 3 pages") !=
-        std::string::npos);
+  CHECK(test::first_fault(test::verify_pages(test::whale().fold, pages))
+            .find("one of 2 pages, another file says 3") != std::string::npos);
+}
+
+TEST_CASE("pages after those of the nets may have words, but no pieces", "[pages]") {
+  Pages pdf = test::whale().pdf;
+  pdf[0].pages.push_back(pdf[0].pages[0]);
+  pdf[0].pages[2].number = 3;
+  CHECK(test::first_fault(test::verify_pages(test::whale().fold, pdf))
+            .find("is page 3 and shows pieces, the nets have 2 pages") != std::string::npos);
+  std::erase_if(pdf[0].pages[2].lines,
+                [](const auto& line) { return line.layer != verify::PrintedLayer::mark; });
+  REQUIRE_FALSE(pdf[0].pages[2].lines.empty());
+  CHECK(test::verify_pages(test::whale().fold, pdf).sound());
 }
 
 TEST_CASE("nets without pages have none that could be printed", "[pages]") {

@@ -317,6 +317,13 @@ class PageCheck {
   std::vector<Segment> drawn_;
 };
 
+/// Pages after those of the nets may have words, such as lists of numbers.
+bool shows_pieces(const PrintedPage& page) {
+  return std::any_of(page.lines.begin(), page.lines.end(), [](const PrintedLine& line) {
+    return line.layer != PrintedLayer::mark && line.layer != PrintedLayer::other;
+  });
+}
+
 /// The printed pages by the page of the nets that each is.
 class PageList {
  public:
@@ -328,7 +335,7 @@ class PageList {
       fault(fmt::format("{} can't be checked: {}", file.name, file.defect));
     }
     check_digest(file);
-    if (file.whole && file.defect.empty() && file.pages.size() != pages) {
+    if (file.whole && file.defect.empty() && file.pages.size() < pages) {
       fault(fmt::format("{} has {} page{}, the nets have {}", file.name, file.pages.size(),
                         file.pages.size() == 1 ? "" : "s", pages));
     }
@@ -352,15 +359,28 @@ class PageList {
     }
   }
 
+  /// There may be more pages than the nets have, but all files must say as many.
+  void check_count(const PrintedFile& file, const PrintedPage& page) {
+    if (file.whole || !page.count) {
+      return;
+    }
+    const std::size_t pages = given_.file.pages.size();
+    count_ = count_.value_or(*page.count);
+    if (*page.count < pages || *page.count != *count_) {
+      fault(fmt::format("{} says it is one of {} pages, {} {}", page.name, *page.count,
+                        *page.count < pages ? "the nets have" : "another file says",
+                        *page.count < pages ? pages : *count_));
+    }
+  }
+
   void add(const PrintedFile& file, const PrintedPage& page) {
     const std::size_t pages = given_.file.pages.size();
     const std::size_t number = page.number.value_or(++unnumbered_);
-    if (!file.whole && page.count && *page.count != pages) {
-      fault(fmt::format("{} says it is one of {} pages, the nets have {}", page.name, *page.count, pages));
-    }
+    check_count(file, page);
     if (number < 1 || number > pages) {
-      if (!file.whole) {
-        fault(fmt::format("{} is page {}, the nets have {}", page.name, number, pages));
+      if (shows_pieces(page)) {
+        fault(fmt::format("{} is page {} and shows pieces, the nets have {} page{}", page.name, number, pages,
+                          pages == 1 ? "" : "s"));
       }
       return;
     }
@@ -374,7 +394,8 @@ class PageList {
   const Case& given_;
   Findings& findings_;
   std::size_t unnumbered_ = 0;
-  std::set<Index> single_;  ///< given as a file of their own
+  std::optional<std::size_t> count_;  ///< of pages, as the first file says that tells it
+  std::set<Index> single_;            ///< given as a file of their own
   std::vector<std::pair<Index, const PrintedPage*>> pages_;
 };
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers that have no room at their edges, as words: which edges they belong to.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "export/page/piece_drawing.hpp"
+#include "export/sheet/paper.hpp"
+
+namespace ridgecraft::paper {
+
+/// What stands above the rows of number_row().
+inline constexpr std::string_view number_list_heading =
+    "numbers without room, clockwise round their piece, after the number before them";
+
+/// "E: after 12: 13, 14; after 21: 22": the piece's numbers that weren't placed, in the order in which their
+/// edges follow each other clockwise on the printed side. Where a whole outline has no number: "all round
+/// from the longest edge: 13, 14, 15". Empty where all numbers were placed. O(seams).
+[[nodiscard]] std::string number_row(const PieceDrawing& piece);
+
+/// Whether a page of this paper can hold such a list.
+[[nodiscard]] bool has_room_for_lists(const Paper& paper);
+
+/// The rows on pages of their own, each with the heading above; long rows go on in the next line. Only where
+/// has_room_for_lists().
+[[nodiscard]] std::vector<std::vector<Text>> number_pages(const std::vector<std::string>& rows,
+                                                          const Paper& paper);
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// No number is lost: what has no room at its edge stands in a list that tells where it belongs.
+#include "export/page/number_list.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "export/export.hpp"
+#include "sample_pages.hpp"
+#include "support/shapes.hpp"
+
+namespace ridgecraft {
+namespace {
+
+/// A piece with one outline of edges as long as told; those with a minus sign have no number on paper.
+paper::PieceDrawing rim(const std::vector<int>& numbers, const std::vector<double>& sizes = {}) {
+  paper::PieceDrawing piece;
+  piece.name = "E";
+  piece.rims.emplace_back();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    paper::Seam seam;
+    seam.number = static_cast<std::uint32_t>(std::abs(numbers[i]));
+    seam.edge = {{0.0, 0.0}, {sizes.empty() ? 1.0 : sizes[i], 0.0}};
+    seam.numbered = numbers[i] > 0;
+    piece.rims[0].push_back(piece.seams.size());
+    piece.seams.push_back(seam);
+  }
+  return piece;
+}
+
+/// Numbers behind the colons of rows that follow the heading.
+std::multiset<std::string> listed(const paper::Drawing& page) {
+  std::multiset<std::string> numbers;
+  bool in_list = false;
+  for (const paper::Group& group : page.groups) {
+    for (const paper::Text& text : group.texts) {
+      in_list = in_list || text.text.find("numbers without room") != std::string::npos;
+      std::istringstream words(in_list && group.id == "page" ? text.text : "");
+      for (std::string word; words >> word;) {
+        if (word.back() == ',' || word.back() == ';') {
+          word.pop_back();
+        }
+        if (word.find_first_not_of("0123456789") == std::string::npos) {
+          numbers.insert(word);
+        }
+      }
+    }
+  }
+  return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("a row names the number before those that have no room", "[number_list]") {
+  CHECK(paper::number_row(rim({12, 13, 14})).empty());
+  CHECK(paper::number_row(rim({12, -13, -14, 21, -22})) == "E: after 12: 13, 14; after 21: 22");
+  // The run goes over the end of the outline.
+  CHECK(paper::number_row(rim({-5, 12, 13, -4})) == "E: after 13: 4, 5");
+  CHECK(paper::number_row(rim({-5, -6, -7}, {1.0, 3.0, 2.0})) ==
+        "E: all round from the longest edge: 6, 7, 5");
+  paper::PieceDrawing two = rim({1, -2});
+  two.rims.push_back({2});
+  two.seams.push_back(two.seams[1]);
+  two.seams.back().number = 9;
+  CHECK(paper::number_row(two) == "E: after 1: 2; all round from the longest edge: 9");
+}
+
+TEST_CASE("every number of every edge stands at it or in a list", "[number_list]") {
+  const mesh::Surface ball = test::sphere(16, 10);
+  for (const double scale : {4.0, 9.0, 25.0}) {
+    for (const char* format : {"A4", "60x60mm"}) {
+      const auto sample = test::sample_pages(ball, scale, 0.0, {}, "Ball", paper::parse_paper(format));
+      paper::DrawReport report;
+      const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {}, &report);
+      CHECK(pages.size() == sample.pages.count + report.list_pages);
+      CHECK(report.labels_left_out.empty());
+      std::multiset<std::string> labels;
+      for (const paper::Drawing& page : pages) {
+        CHECK(page.page_count == static_cast<int>(pages.size()));
+        for (const std::string& number : listed(page)) {
+          labels.insert(number);
+        }
+        for (const paper::Group& group : page.groups) {
+          for (const paper::Text& text : group.texts) {
+            if (text.layer == paper::Layer::label) {
+              labels.insert(text.text);
+            }
+          }
+        }
+      }
+      for (const unfold::Join& join : sample.nets.joins) {
+        CHECK(labels.count(std::to_string(join.number)) >= 2);
+      }
+      if (scale == 4.0) {
+        CHECK(report.labels_listed.size() > 20);
+      }
+    }
+  }
+}
+
+TEST_CASE("paper that is too small for a list has none, and that is told", "[number_list]") {
+  const auto sample =
+      test::sample_pages(test::sphere(16, 10), 2.0, 0.0, {}, "Ball", paper::parse_paper("45x60mm"));
+  paper::DrawReport report;
+  CHECK(paper::draw(sample.model, sample.nets, sample.pages, {}, &report).size() == sample.pages.count);
+  CHECK(report.labels_listed.empty());
+  CHECK_FALSE(report.labels_left_out.empty());
+}
+
+TEST_CASE("numbers follow each other clockwise on the printed side", "[number_list]") {
+  const mesh::Surface ball = test::sphere(10, 6);
+  const auto sample = test::sample_pages(ball, 40.0, 0.0, {}, "Ball");
+  const auto contents = paper::piece_contents(sample.model.model.surface, sample.nets);
+  for (const PieceId piece : ids<PieceId>(sample.nets.pieces.size())) {
+    const paper::PieceDrawing drawing = paper::piece_drawing(
+        sample.model, sample.nets, piece, contents[piece], sample.pages.placements[piece], {});
+    REQUIRE(drawing.rims.size() == 1);
+    const auto& rim = drawing.rims[0];
+    REQUIRE(rim.size() == drawing.seams.size());
+    double area = 0.0;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const paper::Segment2& here = drawing.seams[rim[i]].edge;
+      const paper::Segment2& next = drawing.seams[rim[(i + 1) % rim.size()]].edge;
+      CHECK(length(next.b - here.a) < 1e-9);
+      area += 0.5 * cross(here.b, here.a);
+    }
+    CHECK(area < 0.0);  // clockwise with y up
+  }
+}
+
+}  // namespace ridgecraft
