@@ -153,7 +153,8 @@ class Session {
   /// The same; `quiet` tells what -q does, where that doesn't follow from the files.
   [[nodiscard]] ExitCode finish(const std::vector<std::string>& files, const Summary& summary, Quiet quiet) {
     return finish(
-        files, quiet, [&] { return summary.text(); }, [&] { return summary.json(); });
+        files, quiet, [&] { return summary.text(options_.verbose ? Detail::all : Detail::brief); },
+        [&] { return summary.json(); });
   }
   /// Prints what a job made that wrote these files, as the user wants it. The job's exit code.
   template <class Text, class JsonText>

@@ -18,6 +18,7 @@ namespace ridgecraft::cli {
 struct CommonOptions {
   bool json = false;
   bool quiet = false;
+  bool verbose = false;
   std::uint64_t seed = 1;
   unsigned threads = 1;
   std::optional<double> time_limit_s;

@@ -27,6 +27,8 @@ void CommonTexts::add_to(Verb& verb, TimeUp time_up) {
       .flag("Common", "-q,--quiet", values.quiet,
             "Print no summary, notes or progress; errors only, and a result that goes into no file (info, "
             "formats).")
+      .flag("Common", "-v,--verbose", values.verbose,
+            "Print all figures, where a summary of five lines stands otherwise.")
       .option("Common", "--seed", seed, "N",
               "Seed of the random searches; the same seed gives the same bytes (1).")
       .option("Common", "--threads", threads, "N",
@@ -60,8 +62,9 @@ void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
               "Largest extent of the finished model: 150mm, 20cm, 8in; a number alone means mm (150mm).")
       .option("Size", "--scale", scale, "FACTOR",
               "Instead of --size: 1:50, 0.5 or 30% of the size that the file's numbers give in --unit.")
-      .option("Size", "--unit", unit, "UNIT",
-              "Unit of the file's numbers: mm, cm, m, in, ft (what the file says, else mm); used with --scale.")
+      .option(
+          "Size", "--unit", unit, "UNIT",
+          "Unit of the file's numbers: mm, cm, m, in, ft (what the file says, else mm); used with --scale.")
       .option("Size", "--faces", faces, "N|auto|keep",
               default_faces == "auto"
                   ? "How many faces to keep: auto simplifies a model whose edges would be too short to fold, "

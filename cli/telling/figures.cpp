@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/sentence.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -45,6 +47,30 @@ std::string written_text(const std::vector<std::string>& files) {
     }
   }
   return text;
+}
+
+/// "wrote out/whale.pdf, whale-1.svg to whale-12.svg and whale.fold", where all lie in one folder.
+std::string written_in_brief(const std::vector<std::string>& files) {
+  namespace fs = std::filesystem;
+  const bool together =
+      !files.empty() && std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+        return fs::path(file).parent_path() == fs::path(files.front()).parent_path();
+      });
+  if (!together) {
+    return written_text(files);
+  }
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < files.size();) {
+    std::size_t end = i + 1;
+    while (end < files.size() && fs::path(files[end]).extension() == fs::path(files[i]).extension()) {
+      ++end;
+    }
+    const std::string first = i == 0 ? files[i] : fs::path(files[i]).filename().string();
+    const std::string last = fs::path(files[end - 1]).filename().string();
+    words.push_back(end - i > 2 ? first + " to " + last : end - i == 2 ? first + ", " + last : first);
+    i = end;
+  }
+  return "wrote " + listed(words, "and") + "\n";
 }
 
 }  // namespace
@@ -89,17 +115,21 @@ void Summary::add_notes(const std::vector<std::string>& notes) {
 
 void Summary::add_files(const std::vector<std::string>& files, bool silent) {
   add("files", list_of(files));
-  end_ += silent && files.empty() ? std::string() : written_text(files);
+  files_ = files;
+  tells_files_ = !silent || !files.empty();
 }
 
 void Summary::end_with(const std::string& line) {
   end_ += line + "\n";
 }
 
-std::string Summary::text() const {
+std::string Summary::text(Detail detail) const {
+  const bool brief =
+      detail == Detail::brief && std::any_of(figures_.begin(), figures_.end(),
+                                             [](const Figure& figure) { return figure.line == Line::brief; });
   std::vector<const Figure*> lines;
   for (const Figure& figure : figures_) {
-    if (!figure.sentence.empty()) {
+    if (!figure.sentence.empty() && (!brief || figure.line == Line::brief)) {
       lines.push_back(&figure);
     }
   }
@@ -109,7 +139,7 @@ std::string Summary::text() const {
   for (const Figure* const figure : lines) {
     text += fmt::format("  {:<11} {}\n", figure->label, figure->sentence);
   }
-  return text + end_;
+  return text + (tells_files_ ? (brief ? written_in_brief(files_) : written_text(files_)) : "") + end_;
 }
 
 std::string Summary::json() const {

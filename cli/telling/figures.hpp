@@ -15,6 +15,7 @@ namespace ridgecraft::cli {
 
 /// The lines of a summary in the order in which a person reads them.
 enum class Line {
+  brief,  ///< what is told without -v where there is such a line
   lengths,
   size,
   simplified,
@@ -42,6 +43,8 @@ struct Figure {
   std::string sentence;    ///< empty for what machines alone are told; further lines of one label behind "\n"
 };
 
+enum class Detail { brief, all };
+
 /// The report of one job.
 class Summary {
  public:
@@ -65,15 +68,17 @@ class Summary {
   /// A line at the end, behind all others and without a label, for people alone.
   void end_with(const std::string& line);
 
-  /// Lines for a person.
-  [[nodiscard]] std::string text() const;
+  /// Lines for a person: all, or those of Line::brief alone, if there are such.
+  [[nodiscard]] std::string text(Detail detail) const;
   /// One object, its keys in the order in which they were added.
   [[nodiscard]] std::string json() const;
 
  private:
   std::string title_;
   std::vector<Figure> figures_;
-  std::string end_;  ///< lines about what was written, or found
+  std::vector<std::string> files_;
+  bool tells_files_ = false;
+  std::string end_;  ///< lines about what was found
 };
 
 }  // namespace ridgecraft::cli

@@ -17,26 +17,19 @@
 namespace ridgecraft::cli {
 namespace {
 
-std::vector<PieceId> pieces_with_care(const unfold::Nets& nets) {
-  std::vector<PieceId> found;
-  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
-    if (nets.pieces[p].folding.way == unfold::FoldWay::with_care) {
-      found.push_back(p);
-    }
-  }
-  return found;
-}
-
 /// unfold::sentence(reason), with the option that the user can change it by.
-std::string sentence_of_one(unfold::PieceReason reason) {
-  return std::string(unfold::sentence(reason)) + (reason == unfold::PieceReason::faces ? " (--max-faces)"
-                                                  : reason == unfold::PieceReason::folding
-                                                      ? " (--fold-linear)"
-                                                      : "");
+std::string sentence_of_one(unfold::PieceReason reason, std::size_t max_faces) {
+  using unfold::PieceReason;
+  if (reason == PieceReason::faces) {
+    return fmt::format(
+        "its part has more than {} flat faces, the most for one piece (--max-faces, --pieces few)",
+        max_faces);
+  }
+  return std::string(unfold::sentence(reason)) + (reason == PieceReason::folding ? " (--fold-linear)" : "");
 }
 
 /// The same for several pieces.
-std::string sentence_of_several(unfold::PieceReason reason) {
+std::string sentence_of_several(unfold::PieceReason reason, std::size_t max_faces) {
   using unfold::PieceReason;
   switch (reason) {
     case PieceReason::page:
@@ -48,7 +41,9 @@ std::string sentence_of_several(unfold::PieceReason reason) {
     case PieceReason::tabs:
       return "their parts have no room for tabs in one piece";
     case PieceReason::faces:
-      return "their parts have more faces than one piece may have (--max-faces)";
+      return fmt::format(
+          "their parts have more than {} flat faces, the most for one piece (--max-faces, --pieces few)",
+          max_faces);
     case PieceReason::component:
       return "their parts aren't connected";
     case PieceReason::folding:
@@ -56,7 +51,7 @@ std::string sentence_of_several(unfold::PieceReason reason) {
     case PieceReason::part:
     case PieceReason::time:
     case PieceReason::request:
-      return sentence_of_one(reason);
+      return sentence_of_one(reason, max_faces);
   }
   return "";
 }
@@ -71,7 +66,8 @@ std::string without_tab_text(const unfold::Nets& nets) {
   }
   std::string text;
   for (const auto& [reason, count] : reasons) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", count, unfold::sentence(reason));
+    const std::string number = reasons.size() == 1 ? "" : fmt::format("{}: ", count);
+    text += fmt::format("{}{}{}", text.empty() ? "" : "; ", number, unfold::sentence(reason));
   }
   return text;
 }
@@ -147,6 +143,16 @@ std::string bodies_text(const unfold::Nets& nets, const std::vector<paper::Body>
 
 }  // namespace
 
+std::vector<PieceId> pieces_with_care(const unfold::Nets& nets) {
+  std::vector<PieceId> found;
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    if (nets.pieces[p].folding.way == unfold::FoldWay::with_care) {
+      found.push_back(p);
+    }
+  }
+  return found;
+}
+
 std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces) {
   constexpr std::size_t most = 6;  // before the rest is only counted
   const auto name = [&](PieceId p) { return nets.pieces[p].name; };
@@ -175,7 +181,7 @@ std::string reasons_text(const unfold::Nets& nets) {
   return text.empty() ? text : text + ")";
 }
 
-void add_extra_pieces(Summary& summary, const unfold::Nets& nets) {
+void add_extra_pieces(Summary& summary, const unfold::Nets& nets, std::size_t max_faces) {
   std::map<unfold::PieceReason, std::vector<PieceId>> extra;
   Value list(Value::List{});
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
@@ -184,14 +190,15 @@ void add_extra_pieces(Summary& summary, const unfold::Nets& nets) {
       extra[piece.reason].push_back(p);
       list.add(Value::Object{{"name", piece.name},
                              {"reason", unfold::name(piece.reason)},
-                             {"why", sentence_of_one(piece.reason)}});
+                             {"why", sentence_of_one(piece.reason, max_faces)}});
     }
   }
   summary.add("extra_pieces", std::move(list));
   for (const auto& [reason, pieces] : extra) {
     summary.say(Line::pieces, pieces.size() == 1 ? "piece" : "pieces",
                 piece_names(nets, pieces) + ": " +
-                    (pieces.size() == 1 ? sentence_of_one(reason) : sentence_of_several(reason)));
+                    (pieces.size() == 1 ? sentence_of_one(reason, max_faces)
+                                        : sentence_of_several(reason, max_faces)));
   }
 }
 
@@ -229,6 +236,21 @@ TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,
   return {nets.tabs.size(), unfold::tabs_usable(surface, nets, options),
           count_joins(nets, [](const unfold::Join& join) { return !join.tab.valid(); }),
           count_joins(nets, [](const unfold::Join& join) { return join.too_narrow; })};
+}
+
+GlueFigures glue_figures(const mesh::Surface& surface, const unfold::Nets& nets,
+                         const unfold::TabOptions& options) {
+  GlueFigures glue;
+  for (const unfold::Join& join : nets.joins) {
+    const double mm = surface.length(join.edge);
+    glue.all_mm += mm;
+    if (!join.tab.valid()) {
+      glue.without_tab_mm += mm;
+    } else if (!unfold::is_usable(surface, nets, join.tab, options)) {
+      glue.weak_mm += mm;
+    }
+  }
+  return glue;
 }
 
 std::string tabs_text(const TabFigures& figures, const unfold::Nets& nets,
@@ -306,12 +328,14 @@ void add_folding(Summary& summary, const unfold::Nets& nets) {
                                    sentence);
 }
 
+bool has_colours(const mesh::Model& model) {
+  return std::any_of(model.materials.begin(), model.materials.end(), [](const mesh::Material& m) {
+    return m.has_picture() || (m.colour && *m.colour != mesh::Colour{1.0, 1.0, 1.0});
+  });
+}
+
 void say_colours(Summary& summary, const mesh::Model& model) {
-  const bool coloured =
-      std::any_of(model.materials.begin(), model.materials.end(), [](const mesh::Material& m) {
-        return m.has_picture() || (m.colour && *m.colour != mesh::Colour{1.0, 1.0, 1.0});
-      });
-  if (coloured) {
+  if (has_colours(model)) {
     summary.say(Line::colours, "colours", "of the model aren't printed: pages show lines only");
   }
 }

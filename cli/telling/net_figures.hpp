@@ -19,8 +19,8 @@ namespace ridgecraft::cli {
 /// " (2 because of overlap)"; empty where every piece is a part.
 [[nodiscard]] std::string reasons_text(const unfold::Nets& nets);
 
-/// The pieces that aren't there because of a part alone.
-void add_extra_pieces(Summary& summary, const unfold::Nets& nets);
+/// The pieces that aren't there because of a part alone. `max_faces`: most flat faces of a piece.
+void add_extra_pieces(Summary& summary, const unfold::Nets& nets, std::size_t max_faces);
 
 /// The pieces that there are several of, kind by kind.
 void add_equal_pieces(Summary& summary, const unfold::Nets& nets, const std::vector<paper::PieceKind>& kinds);
@@ -34,6 +34,14 @@ struct TabFigures {
 };
 [[nodiscard]] TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,
                                      const unfold::TabOptions& options);
+/// What has to be glued, mm of seam.
+struct GlueFigures {
+  double all_mm = 0.0;
+  double without_tab_mm = 0.0;
+  double weak_mm = 0.0;  ///< with a tab that isn't usable (unfold::is_usable)
+};
+[[nodiscard]] GlueFigures glue_figures(const mesh::Surface& surface, const unfold::Nets& nets,
+                                       const unfold::TabOptions& options);
 /// A line: how many tabs, how many of them are usable where not all are, how many are lower than asked where
 /// that isn't the default, which joins have none and why.
 [[nodiscard]] std::string tabs_text(const TabFigures& figures, const unfold::Nets& nets,
@@ -47,9 +55,12 @@ struct TabFigures {
 void add_numbers(Summary& summary, const paper::DrawReport& drawn);
 
 /// The pieces that have to be bent while they are folded.
+[[nodiscard]] std::vector<PieceId> pieces_with_care(const unfold::Nets& nets);
 void add_folding(Summary& summary, const unfold::Nets& nets);
 
-/// Says where the model has colours or pictures, since pages show none.
+/// Whether the model has colours other than white, or pictures.
+[[nodiscard]] bool has_colours(const mesh::Model& model);
+/// Says where it has, since pages show none.
 void say_colours(Summary& summary, const mesh::Model& model);
 
 /// Which pieces make each separate body, and beside which piece it belongs.

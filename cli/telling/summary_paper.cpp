@@ -10,6 +10,7 @@
 
 #include "base/sentence.hpp"
 #include "cli/files/model_input.hpp"
+#include "cli/telling/brief.hpp"
 #include "cli/telling/lengths.hpp"
 #include "cli/telling/net_figures.hpp"
 #include "cli/telling/summary.hpp"
@@ -20,24 +21,6 @@ namespace {
 /// A surface that moved by more than this share of the largest extent has lost some of its shape.
 constexpr double far_moved = 0.04;
 
-/// "6.67", "1500".
-std::string three_digits(double ratio) {
-  return ratio < 999.5 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
-}
-
-/// "; the file counts in metres, y up: this is 1:13.3 of its size", where it tells its unit.
-std::string scale_text(const job::Paper& made) {
-  const mesh::FileFrame& frame = made.prepared.model.frame;
-  if (!frame.mm_per_unit) {
-    return {};
-  }
-  const double scale = made.prepared.mm_per_unit / *frame.mm_per_unit;
-  return fmt::format("; the file counts in {}{}: this is {} of its size",
-                     mesh::unit_names(*frame.mm_per_unit),
-                     frame.up ? fmt::format(", {} up", mesh::axis_name(*frame.up)) : "",
-                     scale >= 1.0 ? three_digits(scale) + ":1" : "1:" + three_digits(1.0 / scale));
-}
-
 void add_size(Summary& summary, const job::Paper& made, const std::string& asked) {
   const Vec3 size = made.prepared.model.surface.bounds().size();
   const mesh::FileFrame& frame = made.prepared.model.frame;
@@ -46,7 +29,7 @@ void add_size(Summary& summary, const job::Paper& made, const std::string& asked
   summary.add("size_mm", Value::List{rounded(size.x), rounded(size.y), rounded(size.z)}, Line::size, "size",
               asked.empty() ? ""
                             : fmt::format("{:.1f} x {:.1f} x {:.1f} mm ({}{})", size.x, size.y, size.z, asked,
-                                          scale_text(made)),
+                                          scale_text(made.prepared)),
               "mm");
 }
 
@@ -100,8 +83,7 @@ void add_page_saving(Summary& summary, const job::Paper& made) {
     return;
   }
   const double share = *made.share_saving_a_page;
-  // In whole millimetres.
-  const double size = std::floor(share * made.prepared.model.surface.bounds().largest_extent());
+  const double size = size_saving_a_page(made);
   summary.add("size_saving_a_page_mm", size, Line::hint, "hint",
               fmt::format("at {:.0f} % of this size these pieces would take a page less: --size {:.0f}mm",
                           100.0 * share, size),
@@ -151,7 +133,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
                           counted(nets.pieces.size(), "piece"), reasons_text(nets),
                           counted(made.pages.count, "page"), job.paper_name));
   add_page_saving(summary, made);
-  add_extra_pieces(summary, nets);
+  add_extra_pieces(summary, nets, job.options.pieces.max_panels);
   add_equal_pieces(summary, nets, made.drawn.kinds);
   add_size(summary, made, job.size_asked.words);
   summary.add("tabs", tabs.tabs, Line::tabs, "tabs", tabs_text(tabs, nets, job.options.tabs));
@@ -159,6 +141,10 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   summary.add("joins_too_narrow", tabs.too_narrow);
   summary.add("joins", nets.joins.size());
   summary.add("joins_without_tab", tabs.without);
+  const GlueFigures glue = glue_figures(model.surface, nets, job.options.tabs);
+  summary.add("glue_mm", rounded(glue.all_mm), "mm");
+  summary.add("without_tab_mm", rounded(glue.without_tab_mm), "mm");
+  summary.add("weak_tab_mm", rounded(glue.weak_mm), "mm");
   summary.add("cut_mm", rounded(made.figures.cut_mm), Line::lines, "lines", lines_text(made.figures), "mm");
   summary.add("fold_mm", rounded(made.figures.fold_mm), "mm");
   summary.add("index", index_value(model.surface, nets, made.pages));
@@ -174,6 +160,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   summary.add_repairs(model.repairs);
   summary.add_notes(notes_of(made));
   summary.add_files(result.files);
+  add_brief(summary, job, result);
   return summary;
 }
 

@@ -35,11 +35,33 @@ TEST_CASE("one figure is a line for people and a key for machines", "[figures]")
   summary.add("size_mm", 40.0, Line::size, "size", "40 mm", "mm");
   summary.say(Line::notes, "note", "cut with care");
   summary.add_files({});
-  CHECK(summary.text() ==
-        "gem: 12 faces\n  size        40 mm\n  nets        3 pieces on 2 pages\n  note        cut with care\n"
-        "nothing was written: -o says where to\n");
+  const std::string all =
+      "gem: 12 faces\n  size        40 mm\n  nets        3 pieces on 2 pages\n  note        cut with care\n"
+      "nothing was written: -o says where to\n";
+  CHECK(summary.text(cli::Detail::all) == all);
+  // Without a brief form there is only the long one.
+  CHECK(summary.text(cli::Detail::brief) == all);
   const auto json = nlohmann::ordered_json::parse(summary.json());
   CHECK(json.dump() == R"({"pages":2,"cut_mm":12.5,"size_mm":40.0,"files":[]})");
+}
+
+TEST_CASE("in brief a summary has its brief lines, and one line for all files", "[figures]") {
+  const auto brief = [](const std::vector<std::string>& files) {
+    Summary summary("gem: 12 faces");
+    summary.add("size_mm", 40.0, Line::size, "size", "40 mm", "mm");
+    summary.say(Line::brief, "paper", "3 pieces");
+    summary.add_files(files);
+    CHECK(summary.text(cli::Detail::all).find("  paper       3 pieces\n  size        40 mm\n") !=
+          std::string::npos);
+    return summary.text(cli::Detail::brief);
+  };
+  const std::string lines = "gem: 12 faces\n  paper       3 pieces\n";
+  CHECK(brief({"a.pdf"}) == lines + "wrote a.pdf\n");
+  CHECK(brief({"o/a.pdf", "o/a-1.svg", "o/a-2.svg", "o/a.fold"}) ==
+        lines + "wrote o/a.pdf, a-1.svg, a-2.svg and a.fold\n");
+  CHECK(brief({"o/a-1.svg", "o/a-2.svg", "o/a-3.svg"}) == lines + "wrote o/a-1.svg to a-3.svg\n");
+  CHECK(brief({"o/a.pdf", "p/a.svg"}) == lines + "wrote o/a.pdf\nwrote p/a.svg\n");
+  CHECK(brief({}) == lines + "nothing was written: -o says where to\n");
 }
 
 TEST_CASE("rows of piece names are short", "[figures]") {

@@ -90,6 +90,7 @@ TEST_CASE("signals that are ignored stay ignored", "[signals]") {
   RunOptions options = in(folder);
   options.interrupt_after_s = GENERATE(0.01, 0.05, 0.1);
   options.signal = SIGHUP;
+  options.when_heeded = true;
   const std::string program = RIDGECRAFT_PROGRAM;
   const Outcome outcome =
       run_command({"/bin/sh", "-c", "trap '' HUP; exec " + program + " house.obj -o house.pdf"}, options);

@@ -23,7 +23,7 @@ TEST_CASE("what is told of tabs agrees with itself where not all are usable", "[
   for (const std::vector<std::string>& verb :
        {std::vector<std::string>{}, std::vector<std::string>{"unfold"}}) {
     std::vector<std::string> arguments = verb;
-    arguments.insert(arguments.end(), {"house.obj", "--size", "4mm", "--all-tabs", "-o", "x.fold"});
+    arguments.insert(arguments.end(), {"house.obj", "--size", "4mm", "--all-tabs", "-v", "-o", "x.fold"});
     const Outcome text = run_program(arguments, in(folder));
     CAPTURE(text.out);
     arguments.emplace_back("--json");
@@ -35,14 +35,15 @@ TEST_CASE("what is told of tabs agrees with itself where not all are usable", "[
     CHECK(text.out.find("  tabs        " + told("tabs") + " for " + told("joins") + " joins, " +
                         told("tabs_usable") + " of them usable (the others are smaller than holds well)\n") !=
           std::string::npos);
-    CHECK(text.out.find(told("joins_too_narrow") +
-                        (json["joins_too_narrow"] == 1
-                             ? " edge is too short, or the faces behind it too narrow, for a tab that holds\n"
-                             : " edges are too short, or the faces behind them too narrow, for a tab that holds\n")) !=
+    CHECK(text.out.find(
+              told("joins_too_narrow") +
+              (json["joins_too_narrow"] == 1
+                   ? " edge is too short, or the faces behind it too narrow, for a tab that holds\n"
+                   : " edges are too short, or the faces behind them too narrow, for a tab that holds\n")) !=
           std::string::npos);
     CHECK(json["joins_without_tab"] == 0);
   }
-  const Outcome large = run_program({"house.obj", "--size", "8cm", "-o", "x.fold"}, in(folder));
+  const Outcome large = run_program({"house.obj", "--size", "8cm", "-v", "-o", "x.fold"}, in(folder));
   CHECK(large.out.find("  tabs        9 for 9 joins\n") != std::string::npos);
 }
 
@@ -123,7 +124,7 @@ TEST_CASE("faces too thin for a knife are counted, loose bodies listed", "[summa
   }
   CHECK(pieces == json["pieces"].get<std::size_t>());
   const Outcome text =
-      run_program({"bar.obj", "--size", "100mm", "--faces", "keep", "-o", "b.fold"}, in(folder));
+      run_program({"bar.obj", "--size", "100mm", "--faces", "keep", "-v", "-o", "b.fold"}, in(folder));
   CHECK(text.out.find("slivers     8 faces thinner than 1 mm") != std::string::npos);
   CHECK(text.out.find("bodies      2 that no join connects") != std::string::npos);
 }
@@ -167,7 +168,7 @@ TEST_CASE("what a maker may want to change is said before the work", "[summaries
   write_bytes(folder / "house.obj", house);
   const auto told = [&](std::vector<std::string> options) {
     options.insert(options.begin(), "house.obj");
-    options.insert(options.end(), {"-o", "x.fold"});
+    options.insert(options.end(), {"-v", "-o", "x.fold"});
     const Outcome outcome = run_program(options, in(folder));
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
@@ -252,7 +253,7 @@ TEST_CASE("pieces that have to fold by themselves are split until they do, and i
   }
   write_bytes(folder / "seam.obj", obj);
   const auto run = [&](std::vector<std::string> all) {
-    for (const char* word : {"--scale", "1", "--unit", "mm", "--faces", "keep", "--overwrite"}) {
+    for (const char* word : {"--scale", "1", "--unit", "mm", "--faces", "keep", "-v", "--overwrite"}) {
       all.emplace_back(word);
     }
     const Outcome outcome = run_program(all, in(folder));
@@ -289,7 +290,7 @@ TEST_CASE("pieces that have to fold by themselves are split until they do, and i
 TEST_CASE("what is told of several and of one is worded so", "[summaries]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
-  const Outcome large = run_program({"house.obj", "--size", "40cm", "-o", "x.fold"}, in(folder));
+  const Outcome large = run_program({"house.obj", "--size", "40cm", "-v", "-o", "x.fold"}, in(folder));
   CAPTURE(large.out);
   CHECK(large.out.find(": their parts don't fit the paper in one piece\n") != std::string::npos);
   write_bytes(folder / "one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -101,7 +101,7 @@ TEST_CASE("a file gets the name that was asked for, in capitals, too", "[written
   CHECK(fs::exists(folder / "X-2.Svg"));
   const Outcome outcome =
       run_program({"house.obj", "--size", "8cm", "-o", "X.PDF", "-o", "X.Svg"}, in(folder));
-  CHECK(outcome.out.find("wrote X.PDF\nwrote X.Svg\n") != std::string::npos);
+  CHECK(outcome.out.find("wrote X.PDF and X.Svg\n") != std::string::npos);
   CHECK(folder.names() == std::set<std::string>{"house.obj", "X.PDF", "X.Svg"});
 }
 

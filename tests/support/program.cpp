@@ -57,8 +57,9 @@ constexpr uid_t lonely = 61734;
   ::_exit(127);
 }
 
-/// From /proc: has the program that a child became a handler for this signal, or has it ended?
-bool catches_or_ended(pid_t process, int signal) {
+/// From /proc: has the program that a child became a handler for this signal, does it ignore it, or has it
+/// ended?
+bool heeds_or_ended(pid_t process, int signal) {
   namespace fs = std::filesystem;
   const fs::path entry = "/proc/" + std::to_string(process);
   std::error_code error;
@@ -67,8 +68,12 @@ bool catches_or_ended(pid_t process, int signal) {
   }
   std::ifstream status(entry / "status");
   for (std::string line; std::getline(status, line);) {
+    const bool tells = line.starts_with("SigIgn:") || line.starts_with("SigCgt:");
+    if (tells && (std::stoull(line.substr(7), nullptr, 16) >> static_cast<unsigned>(signal - 1) & 1U) != 0) {
+      return true;
+    }
     if (line.starts_with("SigCgt:")) {
-      return (std::stoull(line.substr(7), nullptr, 16) >> static_cast<unsigned>(signal - 1) & 1U) != 0;
+      return false;
     }
     if (line.starts_with("State:") && line.find('Z') != std::string::npos) {
       return true;
@@ -97,7 +102,7 @@ Outcome run_command(const std::vector<std::string>& command, const RunOptions& o
     become(command, options, out, err);
   }
   if (options.interrupt_after_s) {
-    while (options.when_heeded && !catches_or_ended(child, options.signal)) {
+    while (options.when_heeded && !heeds_or_ended(child, options.signal)) {
     }
     std::this_thread::sleep_for(std::chrono::duration<double>(*options.interrupt_after_s));
     ::kill(child, options.signal);

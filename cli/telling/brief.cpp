@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/telling/brief.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/sentence.hpp"
+#include "cli/telling/lengths.hpp"
+#include "cli/telling/net_figures.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+/// A surface that moved less has moved by rounding in the file, mm.
+constexpr double seen_mm = 0.005;
+
+using Clauses = std::vector<std::string>;
+
+std::string joined(const Clauses& clauses, const std::string& if_none) {
+  return clauses.empty() ? if_none : fmt::format("{}", fmt::join(clauses, "; "));
+}
+
+std::string paper_line(const PaperJob& job, const job::Paper& made, const GlueFigures& glue) {
+  return fmt::format("{} on {}, {}: {} to cut, {} to fold, {} to glue",
+                     counted(made.nets.pieces.size(), "piece"), counted(made.pages.count, "page"),
+                     job.paper_name, metres(made.figures.cut_mm), metres(made.figures.fold_mm),
+                     metres(glue.all_mm));
+}
+
+std::string model_line(const job::Paper& made) {
+  const prepare::SimplifyReport& report = made.prepared.simplified;
+  Clauses clauses;
+  if (report.faces_after < report.faces_before && report.deviation_mm >= seen_mm) {
+    clauses.push_back(fmt::format("simplified from {} to {} faces, moved by at most {:.2f} mm",
+                                  report.faces_before, report.faces_after, report.deviation_mm));
+  }
+  if (report.specks_dropped > 0) {
+    clauses.push_back(counted(report.specks_dropped, "component") + " too small to be held left out");
+  }
+  if (has_colours(made.prepared.model)) {
+    clauses.emplace_back("its colours aren't printed");
+  }
+  return joined(clauses, "as it is in the file");
+}
+
+void add_glue(const GlueFigures& glue, Clauses& clauses) {
+  if (glue.without_tab_mm > 0.0) {
+    clauses.push_back(fmt::format("{} to glue has no tab", metres(glue.without_tab_mm)));
+  }
+  if (glue.weak_mm > 0.0) {
+    clauses.push_back(fmt::format("{} has a tab too small to hold well", metres(glue.weak_mm)));
+  }
+}
+
+std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
+  Clauses clauses;
+  if (made.prepared.simplified.still_too_fine) {
+    clauses.push_back(fmt::format("{:.0f} % of the folds are shorter than {:g} mm",
+                                  100.0 * made.prepared.simplified.short_edges_after,
+                                  made.options.simplify.short_edge_mm));
+  }
+  if (made.slivers > 0) {
+    clauses.push_back(fmt::format("{} thinner than {:g} mm", counted(made.slivers, "face"), job::sliver_mm));
+  }
+  add_glue(glue, clauses);
+  const std::vector<PieceId> bent = pieces_with_care(made.nets);
+  if (!bent.empty()) {
+    clauses.push_back(piece_names(made.nets, bent) +
+                      (bent.size() == 1 ? " has to be bent to be folded" : " have to be bent to be folded"));
+  }
+  if (const std::size_t listed = made.drawn.labels_listed.size(); listed > 0) {
+    clauses.push_back(counted(listed, "number") + (listed == 1 ? " stands in a list" : " stand in lists"));
+  }
+  if (!made.drawn.bodies.empty()) {
+    clauses.push_back(fmt::format("{} bodies that nothing joins", made.drawn.bodies.size()));
+  }
+  return joined(clauses, "nothing that is known");
+}
+
+std::string next_line(const PaperResult& result) {
+  const job::Paper& made = result.made;
+  Clauses clauses;
+  const auto pdf = std::find_if(result.files.begin(), result.files.end(),
+                                [](const std::string& file) { return file.ends_with(".pdf"); });
+  if (pdf != result.files.end()) {
+    clauses.push_back("print " + std::filesystem::path(*pdf).filename().string() + " at 100 %");
+  }
+  if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
+    clauses.emplace_back("a larger --size or fewer --faces make it easier");
+  } else if (made.share_saving_a_page) {
+    clauses.push_back(fmt::format("--size {:.0f}mm saves a page", size_saving_a_page(made)));
+  }
+  clauses.emplace_back("-v tells all figures");
+  return joined(clauses, {});
+}
+
+}  // namespace
+
+double size_saving_a_page(const job::Paper& made) {
+  return std::floor(made.share_saving_a_page.value_or(1.0) *
+                    made.prepared.model.surface.bounds().largest_extent());
+}
+
+void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result) {
+  const job::Paper& made = result.made;
+  const GlueFigures glue = glue_figures(made.prepared.model.surface, made.nets, job.options.tabs);
+  const Vec3 size = made.prepared.model.surface.bounds().size();
+  summary.say(Line::brief, "size",
+              fmt::format("{:.0f} x {:.0f} x {:.0f} mm ({}{})", size.x, size.y, size.z, job.size_asked.words,
+                          scale_text(made.prepared)));
+  summary.say(Line::brief, "paper", paper_line(job, made, glue));
+  summary.say(Line::brief, "model", model_line(made));
+  summary.say(Line::brief, "hard", hard_line(made, glue));
+  summary.say(Line::brief, "next", next_line(result));
+}
+
+}  // namespace ridgecraft::cli

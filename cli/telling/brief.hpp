@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a maker reads first of a model that became paper, in five lines: how large, how much paper, what was
+// done to the model, what will be hard, what to do next.
+#pragma once
+
+#include "cli/arguments/options.hpp"
+#include "cli/jobs/paper_job.hpp"
+#include "cli/telling/figures.hpp"
+
+namespace ridgecraft::cli {
+
+/// The size at which these pieces would take a page less (job::Paper::share_saving_a_page), whole mm.
+[[nodiscard]] double size_saving_a_page(const job::Paper& made);
+
+void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result);
+
+}  // namespace ridgecraft::cli
