@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "job/model_of_nets.hpp"
+#include "job/old_nets.hpp"
+#include "job/same_place.hpp"
 #include "mesh/reading/pdo/read_seams.hpp"
 #include "verify/file/file.hpp"
 
@@ -18,43 +21,17 @@ using unfold::EdgeWishes;
 using unfold::Segment;
 using unfold::SegmentCount;
 
+/// A model may have changed since its nets were made; what shares fewer edges with them is another one.
+constexpr double most_lost = 0.9;
+
 struct Seams {
   std::vector<Segment> cut, keep;
 };
 
-Box3 bounds_of(const std::vector<Vec3>& points) {
-  Box3 box;
-  for (const Vec3 p : points) {
-    box.add(p);
-  }
-  return box;
-}
-
-/// From the frame of nets made before, whatever their size, to that of a surface.
-class Rescale {
- public:
-  Rescale(const std::vector<Vec3>& points, const mesh::Surface& surface)
-      : there_(bounds_of(points)),
-        here_(surface.bounds()),
-        factor_(here_.largest_extent() / there_.largest_extent()) {}
-
-  [[nodiscard]] Vec3 operator()(Vec3 p) const { return here_.low + factor_ * (p - there_.low); }
-
- private:
-  Box3 there_;
-  Box3 here_;
-  double factor_;
-};
-
 /// The folds and cuts of nets of our own.
 Seams seams_of_fold(const OldNets& old, const mesh::Surface& surface) {
-  verify::File nets;
-  try {
-    nets = verify::read_file(old.bytes);
-  } catch (const verify::NotInForm& reason) {
-    throw Error(ErrorKind::unreadable_input, old.name + ": " + reason.message, old.name);
-  }
-  const Rescale rescaled(nets.model.points, surface);
+  const verify::File nets = read_fold_file(old);
+  const Similarity rescaled = same_place(nets.model.points, surface);
   const auto point = [&](verify::Index v) { return rescaled(nets.model.points[v]); };
   Seams seams;
   for (verify::Index side = 0; side < nets.faces.sides(); ++side) {
@@ -74,7 +51,7 @@ Seams seams_of_fold(const OldNets& old, const mesh::Surface& surface) {
 /// Those of nets that another program keeps with its model.
 Seams seams_of_model_file(const OldNets& old, const mesh::Surface& surface, const Context& context) {
   const mesh::FileSeams file = mesh::read_seams(old.bytes, old.name, context);
-  const Rescale rescaled(file.points, surface);
+  const Similarity rescaled = same_place(file.points, surface);
   Seams seams;
   for (const Segment& edge : file.cut) {
     seams.cut.push_back({rescaled(edge[0]), rescaled(edge[1])});
@@ -130,18 +107,17 @@ EdgeWishes wishes_asked(const prepare::Prepared& prepared, const std::vector<Seg
 EdgeWishes wishes_from_nets(const OldNets& old, const prepare::Prepared& prepared, const Context& context,
                             std::vector<std::string>& notes) {
   const mesh::Surface& surface = prepared.model.surface;
-  const Seams seams = mesh::may_have_seams(old.bytes) ? seams_of_model_file(old, surface, context)
-                                                      : seams_of_fold(old, surface);
+  const Seams seams =
+      is_fold_file(old) ? seams_of_fold(old, surface) : seams_of_model_file(old, surface, context);
   SegmentCount cuts;
   SegmentCount keeps;
   EdgeWishes wishes =
       unfold::match_segments(surface, prepared.panels, seams.cut, seams.keep, cuts, keeps, context);
   const std::size_t lost = cuts.lost + keeps.lost;
   const std::size_t all = seams.cut.size() + seams.keep.size();
-  if (2 * lost > all) {
+  if (static_cast<double>(lost) > most_lost * static_cast<double>(all)) {
     throw Error(ErrorKind::unusable_mesh,
-                fmt::format("{} holds nets of another model, or of this one with other faces: {} of {} edges "
-                            "don't lie on an edge of it",
+                fmt::format("{} holds nets of another model: {} of {} edges don't lie on an edge of this one",
                             old.name, lost, all),
                 old.name);
   }
@@ -192,6 +168,15 @@ void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::Simplify
   }
   if (simplify.mode != prepare::Simplification::automatic || (!edges.any() && model.lines.empty())) {
     return;
+  }
+  const bool of_points = edges.cut || edges.keep;
+  if (edges.from && !of_points) {
+    // A model that changed since its nets were made is simplified as it was for them.
+    if (const auto before = simplified_by(*edges.from)) {
+      simplify.mode = before->mode;
+      simplify.faces = before->faces;
+      return;
+    }
   }
   simplify.mode = prepare::Simplification::keep;
   if (!edges.any()) {

@@ -16,7 +16,8 @@
 namespace ridgecraft::job {
 
 /// Edges that a user names, or that the model's file marks, are those of the model as it is in its file: it
-/// isn't simplified unless that was asked for with a number. Marks are dropped where nets made before decide,
+/// isn't simplified unless that was asked for with a number, or nets made before were simplified and no edge
+/// is named. Marks are dropped where nets made before decide,
 /// and where they stand at most of the edges: such a file means something else by them. Notes say what wasn't
 /// asked for. Throws Error(unreadable_input) where an edge is named by a point that the model doesn't have.
 void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "job/edge_wishes.hpp"
+#include "job/model_of_nets.hpp"
 #include "job/parts.hpp"
 #include "job/settings.hpp"
 #include "prepare/prepare.hpp"
@@ -103,6 +104,33 @@ StageClock clock_of(const Paper& made) {
   return clock;
 }
 
+/// What is prepared: the model, or the faces that it had been simplified to for nets made before.
+struct Faces {
+  mesh::Model model;
+  prepare::SizeOptions size;
+  prepare::SimplifyOptions simplify;
+};
+
+Faces faces_to_unfold(mesh::Model model, const Options& options, std::vector<std::string>& notes,
+                      const Context& context) {
+  const bool as_before = options.edges.from && !options.edges.cut && !options.edges.keep &&
+                         options.simplify.mode != prepare::Simplification::keep;
+  auto before = as_before ? model_of_nets(*options.edges.from, model, context) : std::nullopt;
+  if (!before || before->simplify.mode != options.simplify.mode ||
+      before->simplify.faces != options.simplify.faces) {
+    return {std::move(model), options.size, options.simplify};
+  }
+  notes.push_back("the model is simplified as it was for " + options.edges.from->name);
+  Faces faces{std::move(before->model), options.size, options.simplify};
+  faces.simplify.mode = prepare::Simplification::keep;
+  if (!faces.size.mm_per_unit) {
+    // The size is that of the model, not of what simplification left of it.
+    faces.size.mm_per_unit =
+        options.size.largest_extent_mm / (model.surface.bounds().largest_extent() * model.file_scale);
+  }
+  return faces;
+}
+
 /// All that follows from nets that have changed.
 Paper with_new_nets(Paper made, StageClock clock, const Context& context) {
   made.drawn = {};
@@ -128,7 +156,8 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   made.searched_with = settings_of(made.options, made.seed);
   const Vec2 area = room_for_pieces(options);
   made.prepared = clock("prepare", context, [&] {
-    return prepare::prepare(std::move(model), options.size, made.options.simplify, panel_room(options),
+    Faces faces = faces_to_unfold(std::move(model), made.options, notes, context);
+    return prepare::prepare(std::move(faces.model), faces.size, faces.simplify, panel_room(options),
                             until_deadline(context));
   });
   const mesh::Surface& surface = made.prepared.model.surface;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edges that a user wants cut or kept: --cuts, --keep, --from, and lines in the model.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
@@ -225,4 +227,84 @@ TEST_CASE("nets that Pepakura keeps with its model are taken by --from", "[edge_
   file.scale.reset();
   write_bytes(folder / "flat.pdo", pdo(file));
   check_refusal(run_program({"cube.obj", "--from", "flat.pdo"}, in(folder)), 3, "flat.pdo holds no nets");
+}
+
+TEST_CASE("nets of a simplified model are taken again, at another size and on other paper",
+          "[edge_options]") {
+  const TemporaryFolder folder;
+  const std::string penguin = std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/penguin.obj";
+  const auto nets = [&](std::vector<std::string> options, const std::string& output) {
+    options.insert(options.begin(), {penguin, "-o", output, "--json"});
+    const Outcome outcome = run_program(options, in(folder));
+    CAPTURE(outcome.err, outcome.out);
+    REQUIRE(outcome.exit_code == 0);
+    REQUIRE(run_program({"verify", output, "--model", penguin}, in(folder)).exit_code == 0);
+    return std::pair(Json::parse(outcome.out), Json::parse(read_bytes(folder / output)));
+  };
+  const auto [first, before] = nets({"--size", "70mm"}, "a.fold");
+  REQUIRE(first["simplified"]["faces_after"] < first["simplified"]["faces_before"]);
+  const auto [same, again] = nets({"--size", "70mm", "--from", "a.fold", "--seed", "9"}, "b.fold");
+  CHECK(again["ridgecraft:joins"].size() == before["ridgecraft:joins"].size());
+  CHECK(again["faces_vertices"].size() == before["faces_vertices"].size());
+  CHECK(same["cut_mm"].get<double>() == Approx(first["cut_mm"].get<double>()).epsilon(0.01));
+  const auto [larger, larger_nets] = nets({"--size", "140mm", "--paper", "A3", "--from", "a.fold"}, "c.fold");
+  CHECK(larger_nets["ridgecraft:joins"].size() == before["ridgecraft:joins"].size());
+  CHECK(larger["glue_mm"].get<double>() == Approx(2.0 * first["glue_mm"].get<double>()).epsilon(1e-6));
+}
+
+/// Of the house's edges below its roof those that are cut, by their ends in its own numbers times 10.
+static std::set<std::array<std::array<long, 3>, 2>> cuts_of_walls(const Json& fold, double scale,
+                                                                  Vec3 middle) {
+  std::set<std::array<std::array<long, 3>, 2>> cuts;
+  std::map<std::pair<int, int>, bool> is_cut;
+  for (std::size_t e = 0; e < fold["edges_vertices"].size(); ++e) {
+    const auto ends = fold["edges_vertices"][e].get<std::vector<int>>();
+    is_cut[std::minmax(ends[0], ends[1])] = fold["edges_assignment"][e] == "B";
+  }
+  const Json& solid = fold["file_frames"][0];
+  const auto place = [&](int v) {
+    const auto p = solid["vertices_coords"][static_cast<std::size_t>(v)].get<std::vector<double>>();
+    return std::array<long, 3>{std::lround(10.0 * (p[0] / scale + middle.x)),
+                               std::lround(10.0 * (p[1] / scale + middle.y)),
+                               std::lround(10.0 * (p[2] / scale + middle.z))};
+  };
+  for (std::size_t f = 0; f < fold["faces_vertices"].size(); ++f) {
+    const auto flat = fold["faces_vertices"][f].get<std::vector<int>>();
+    const std::size_t model = fold["ridgecraft:faces_model"][f];
+    const auto corners = solid["faces_vertices"][model].get<std::vector<int>>();
+    for (std::size_t k = 0; k < flat.size(); ++k) {
+      const std::size_t j = (k + 1) % flat.size();
+      std::array<std::array<long, 3>, 2> ends{place(corners[k]), place(corners[j])};
+      std::sort(ends.begin(), ends.end());
+      const bool of_walls =
+          std::all_of(ends.begin(), ends.end(), [](const auto& p) { return p[0] <= 40 && p[2] <= 40; });
+      if (of_walls && is_cut[std::minmax(flat[k], flat[j])]) {
+        cuts.insert(ends);
+      }
+    }
+  }
+  return cuts;
+}
+
+TEST_CASE("a changed model keeps every cut that still lies on an edge", "[edge_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "-o", "a.fold"}, in(folder)).exit_code == 0);
+  // The ridge becomes twice as high, and a pyramid stands beside the house: its box is larger on two sides.
+  std::string changed = house;
+  for (const char* const ridge : {"v 2 0 6", "v 2 5 6"}) {
+    changed.replace(changed.find(ridge) + 6, 1, "9");
+  }
+  changed += "v 6 0 0\nv 8 0 0\nv 7 2 0\nv 7 1 2\nf 13 12 11\nf 11 12 14\nf 12 13 14\nf 13 11 14\n";
+  write_bytes(folder / "house.obj", changed);
+  const Outcome outcome =
+      run_program({"house.obj", "--from", "a.fold", "--json", "-o", "b.fold"}, in(folder));
+  CAPTURE(outcome.err, outcome.out);
+  REQUIRE(outcome.exit_code == 0);
+  const Json before = Json::parse(read_bytes(folder / "a.fold"));
+  const Json after = Json::parse(read_bytes(folder / "b.fold"));
+  CHECK(cuts_of_walls(before, 150.0 / 6.0, {2.0, 2.5, 3.0}) ==
+        cuts_of_walls(after, 150.0 / 9.0, {4.0, 2.5, 4.5}));
+  CHECK(Json::parse(outcome.out)["notes"].dump().find("are no edges of the model on paper") !=
+        std::string::npos);
 }

@@ -135,7 +135,8 @@ void check_together(const Settings& settings, std::vector<std::string>& faults) 
   if (is_true(settings, "all_tabs") && !is_true(settings, "tabs")) {
     faults.emplace_back("the settings ask for all tabs and for none");
   }
-  const bool named_edges = has(settings, "cuts") || has(settings, "keep") || has(settings, "from");
+  // Nets made before hold the faces that they were simplified to.
+  const bool named_edges = has(settings, "cuts") || has(settings, "keep");
   const Setting* const faces = settings.find("faces");
   if (named_edges && faces != nullptr && !word_is_one_of(*faces, {"keep"})) {
     faults.emplace_back("the settings name edges of the model, but don't keep its faces");
