@@ -17,7 +17,7 @@ namespace {
 
 /// Points of one model and of its nets that are one, as a share of the model's largest extent: FOLD files
 /// keep all digits, so rounding alone lies between them.
-constexpr double same_point_share = 1e-6;
+constexpr double unchanged_share = 1e-6;
 /// Flat regions are remeshed, so even nets of the model as it is lack some of its points, and have others
 /// where a page cut a region.
 constexpr double most_other_points = 0.1;
@@ -77,7 +77,7 @@ std::optional<ModelOfNets> model_of_nets(const OldNets& old, const mesh::Model& 
   for (const Vec3 p : nets.model.points) {
     points.push_back(p / *scale + middle);
   }
-  if (PointSet(model.surface, same_point_share).share_of(points) >= 1.0 - most_other_points) {
+  if (PointSet(model.surface, unchanged_share).share_of(points) >= 1.0 - most_other_points) {
     return std::nullopt;
   }
   mesh::Model found = mesh::read({as_off(points, nets.model.faces), old.name, model.name, {}}, {}, context);
