@@ -26,6 +26,7 @@
 #include "cli/telling/progress.hpp"
 #include "cli/telling/remarks.hpp"
 #include "cli/telling/summary.hpp"
+#include "job/old_nets.hpp"
 #include "mesh/reading/read_file.hpp"
 
 namespace ridgecraft::cli {
@@ -353,7 +354,9 @@ ExitCode do_job(const VerifyJob& job) {
         verify::Against against{nullptr, pages};
         std::optional<verify::ModelSurface> surface;
         if (!job.model.empty()) {
-          surface = surface_of(about(job.model, [&] { return read_model(job.model, {}, strict); }));
+          surface = surface_of(about(job.model, [&] {
+            return prepare::select(read_model(job.model, {}, strict), job::selection_of(bytes));
+          }));
           against.model = &*surface;
         }
         return verify::verify(bytes, {.folding = true}, strict, against);

@@ -152,6 +152,8 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   made.seed = context.seed;
   StageClock clock;
   std::vector<std::string> notes;
+  model = prepare::select(std::move(model), options.selection);
+  made.ground = prepare::ground_name(model);
   heed_edges(options.edges, model, made.options.simplify, notes);
   made.searched_with = settings_of(made.options, made.seed);
   const Vec2 area = room_for_pieces(options);

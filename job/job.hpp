@@ -33,6 +33,8 @@ struct Paper {
   Options options;
   std::uint64_t seed = 1;         ///< that the nets were searched with
   paper::Settings searched_with;  ///< what else they were: with_tabs and with_pages change `options` alone
+  /// A ground that the model stands on (prepare::ground_name): leaving it out makes the rest larger.
+  std::optional<std::string> ground;
   prepare::Prepared prepared;
   std::size_t slivers = 0;        ///< faces of it thinner than sliver_mm
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions

@@ -11,6 +11,7 @@
 #include "export/sheet/pages.hpp"
 #include "export/sheet/paper.hpp"
 #include "prepare/prepared/options.hpp"
+#include "prepare/selection/selection.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/net/piece_rules.hpp"
 
@@ -47,6 +48,7 @@ enum class PartsFrom {
 };
 
 struct Options {
+  prepare::Selection selection;
   prepare::SizeOptions size;
   prepare::SimplifyOptions simplify;  ///< its hidden_fold_angle is that of `style`, whatever stands here
   PartsFrom parts = PartsFrom::segmentation;

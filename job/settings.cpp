@@ -30,6 +30,13 @@ void add_size(const Options& options, paper::Settings& settings) {
                           : std::to_string(options.simplify.faces);
 }
 
+/// Names are one text, each on a line of its own.
+void add_names(const std::vector<std::string>& names, const std::string& key, paper::Settings& settings) {
+  if (!names.empty()) {
+    settings[key] = json_string(fmt::format("{}", fmt::join(names, "\n")));
+  }
+}
+
 void add_tabs(const unfold::TabOptions& tabs, paper::Settings& settings) {
   settings["tabs"] = tabs.wanted ? "true" : "false";
   settings["tab_height_mm"] = number(tabs.height_mm);
@@ -68,6 +75,8 @@ void add_pages(const Options& options, paper::Settings& settings) {
 
 paper::Settings settings_of(const Options& options, std::uint64_t seed) {
   paper::Settings settings;
+  add_names(options.selection.only, "only", settings);
+  add_names(options.selection.without, "without", settings);
   add_size(options, settings);
   add_tabs(options.tabs, settings);
   add_edges(options.edges, settings);

@@ -21,6 +21,13 @@ void add_model(Verb& verb, std::string& model) {
   verb.option("Input", "MODEL", model, "MODEL", model_formats() + "; - reads standard input.");
 }
 
+void add_selection(Verb& verb, prepare::Selection& selection) {
+  verb.list("Input", "--only", selection.only, "NAME",
+            "Take nothing but objects and materials of this name; 'wheel*' takes all whose names begin so. "
+            "May be given several times; info lists the names.");
+  verb.list("Input", "--without", selection.without, "NAME", "Leave them out, in the same way.");
+}
+
 void CommonTexts::add_to(Verb& verb, TimeUp time_up) {
   verb.flag("Common", "--json", values.json,
             "Print one JSON object on standard output and nothing else there.")

@@ -6,6 +6,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/arguments/verb.hpp"
+#include "prepare/selection/selection.hpp"
 
 namespace ridgecraft::cli {
 
@@ -20,6 +21,9 @@ enum class TimeUp {
 
 /// The argument of the verbs that read one model.
 void add_model(Verb& verb, std::string& model);
+
+/// --only and --without.
+void add_selection(Verb& verb, prepare::Selection& selection);
 
 /// What every verb takes.
 struct CommonTexts {

@@ -131,6 +131,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
               model_formats() +
                   "; the content decides, not the suffix. - reads standard input; files whose "
                   "names begin with - follow --, which ends the options.");
+  add_selection(verb, job.options.selection);
   verb.list(
       "Output", "-o,--output", job.outputs, "WHERE",
       "A folder gets all default formats (PDF, SVG, FOLD); a file's suffix names its format (.pdf, .svg, "

@@ -28,6 +28,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
   std::string concavity;
   SizeTexts size;
   add_model(verb, job.model);
+  add_selection(verb, job.options.selection);
   verb.option("Output", "-o,--output", job.output, "FILE.fold",
               "Where the nets go; without it, only what is told of them is printed.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace an existing file.");

@@ -39,6 +39,9 @@ std::string model_line(const job::Paper& made) {
     clauses.push_back(fmt::format("simplified from {} to {} faces, moved by at most {:.2f} mm",
                                   report.faces_before, report.faces_after, report.deviation_mm));
   }
+  if (made.options.selection.any()) {
+    clauses.emplace_back("a part of it, by its names");
+  }
   if (report.specks_dropped > 0) {
     clauses.push_back(counted(report.specks_dropped, "component") + " too small to be held left out");
   }
@@ -94,6 +97,9 @@ std::string next_line(const PaperResult& result) {
     clauses.emplace_back("a larger --size or fewer --faces make it easier");
   } else if (made.share_saving_a_page) {
     clauses.push_back(fmt::format("--size {:.0f}mm saves a page", size_saving_a_page(made)));
+  }
+  if (made.ground) {
+    clauses.push_back("--without '" + *made.ground + "' leaves the ground out");
   }
   clauses.emplace_back("-v tells all figures");
   return joined(clauses, {});

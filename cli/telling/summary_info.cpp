@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What ridgecraft info tells.
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "base/sentence.hpp"
 #include "cli/files/model_input.hpp"
 #include "cli/telling/summary.hpp"
+#include "prepare/selection/selection.hpp"
 
 namespace ridgecraft::cli {
 
@@ -19,6 +24,20 @@ std::string told_frame(const mesh::FileFrame& frame, Vec3 size) {
   return fmt::format("{}{}: {:g} x {:g} x {:g} mm", mesh::unit_names(*frame.mm_per_unit),
                      frame.up ? fmt::format(", {} points up", mesh::axis_name(*frame.up)) : "", mm.x, mm.y,
                      mm.z);
+}
+
+/// "body, wheel.L and 12 more: --only and --without take them"
+std::string names_text(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 12;
+  if (names.empty()) {
+    return {};
+  }
+  std::vector<std::string> told(names.begin(),
+                                names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
+  if (names.size() > most) {
+    told.push_back(std::to_string(names.size() - most) + " more");
+  }
+  return listed(told, "and") + ": --only and --without take them";
 }
 
 }  // namespace
@@ -47,6 +66,8 @@ Summary summary(const InfoJob& job, const mesh::Model& model, const prepare::Pan
   const mesh::FileFrame& frame = model.frame;
   summary.add("file_unit_mm", Value(frame.mm_per_unit), Line::nets, "unit", told_frame(frame, size), "mm");
   summary.add("file_up", frame.up ? Value(mesh::axis_name(*frame.up)) : Value());
+  const std::vector<std::string> names = prepare::names_of(model);
+  summary.add("names", list_of(names), Line::nets, "names", names_text(names));
   summary.add("materials", model.materials.size());
   summary.add("textured", !model.texture.empty());
   summary.add_repairs(model.repairs);

@@ -132,6 +132,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
               fmt::format("{}, {}{} on {}, {}", counted(made.part_count, "part"),
                           counted(nets.pieces.size(), "piece"), reasons_text(nets),
                           counted(made.pages.count, "page"), job.paper_name));
+  summary.add("ground", made.ground ? Value(*made.ground) : Value());
   add_page_saving(summary, made);
   add_extra_pieces(summary, nets, job.options.pieces.max_panels);
   add_equal_pieces(summary, nets, made.drawn.kinds);

@@ -16,7 +16,7 @@
 namespace ridgecraft::verify {
 namespace {
 
-enum class Kind { yes_no, number, whole_number, sheet, hash, faces, piece_mode };
+enum class Kind { yes_no, number, whole_number, sheet, hash, faces, piece_mode, words };
 
 /// Which jobs have the setting: those with pages, those without, both; or whoever asked for it.
 enum class Needed { always, with_pages, without_pages, never };
@@ -30,7 +30,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 20> known_settings{{
+constexpr std::array<Known, 22> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"concavity", Kind::number, Needed::always, 0.001, 2.0},
@@ -41,6 +41,8 @@ constexpr std::array<Known, 20> known_settings{{
     {"fold_linear", Kind::yes_no, Needed::never},
     {"size_mm", Kind::number, Needed::never, 1.0, 100'000.0},
     {"mm_per_unit", Kind::number, Needed::never, std::numeric_limits<double>::min(), any},
+    {"only", Kind::words, Needed::never},
+    {"without", Kind::words, Needed::never},
     {"cuts", Kind::hash, Needed::never},
     {"keep", Kind::hash, Needed::never},
     {"from", Kind::hash, Needed::never},
@@ -110,6 +112,10 @@ bool fits(const Setting& value, const Known& known) {
       return word_is_one_of(value, {"auto", "keep"}) || number_fits(value, 4.0, any, true);
     case Kind::piece_mode:
       return word_is_one_of(value, {"few", "parts", "small"});
+    case Kind::words: {
+      const std::string* const words = std::get_if<std::string>(&value);
+      return words != nullptr && !words->empty();
+    }
   }
   return false;
 }
