@@ -13,6 +13,7 @@
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/simplify/collapse_sequence.hpp"
 #include "prepare/simplify/symmetric_share.hpp"
+#include "prepare/simplify/walls.hpp"
 #include "prepare/simplify/whole.hpp"
 
 namespace ridgecraft::prepare {
@@ -73,12 +74,12 @@ double faces_of_short_edges(const mesh::Surface& surface, double short_edge_mm) 
 class Sequence {
  public:
   /// `model` must outlive it.
-  Sequence(SymmetricShare start, const mesh::LooseFaces& model, std::size_t faces, const CollapseRules& rules,
-           const Context& context)
+  Sequence(SymmetricShare start, const mesh::LooseFaces& model, const Walls& walls, std::size_t faces,
+           const CollapseRules& rules, const Context& context)
       : start_(std::move(start)),
         model_(model),
         context_(context),
-        collapses_(collapse_sequence(start_.faces, start_.points, faces, rules, context)) {}
+        collapses_(collapse_sequence(start_.faces, start_.points, walls_of(walls, start_), faces, rules, context)) {}
 
   [[nodiscard]] std::size_t all() const { return collapses_.size(); }
   [[nodiscard]] std::size_t faces_after(std::size_t count) const {
@@ -244,13 +245,14 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
   const mesh::SurfaceTree original(model.surface, spacing);
   const mesh::LooseFaces all = mesh::take_apart(model);
+  const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
   SymmetricShare start = symmetric_share(model, symmetric_within, context);
   const double evened_mm = evened(start, model);
   // Far from the aim the surface hardly moves: there the plain error is good and fast.
   const auto far =
       static_cast<std::size_t>(coarse * faces_of_short_edges(model.surface, options.short_edge_mm));
   if (start.face_count() > far) {
-    const Sequence first(start, all, far, {options.short_edge_mm}, context);
+    const Sequence first(start, all, walls, far, {options.short_edge_mm}, context);
     mesh::Model coarser = first.after(first.all());
     if (greatest_distance(mesh::SurfaceTree(coarser.surface, spacing), original, largest_mm, context) <=
         largest_mm) {
@@ -261,7 +263,7 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   std::optional<Candidate> best;
   for (const double power : powers) {
     const CollapseRules rules{options.short_edge_mm, power, &field, bound * largest_mm};
-    const Sequence sequence(start, all, fewest_faces, rules, context);
+    const Sequence sequence(start, all, walls, fewest_faces, rules, context);
     if (sequence.all() > 0) {
       Candidate candidate = Search(sequence, original, options, spacing, largest_mm, context).best();
       if (!best || better(candidate, *best)) {
@@ -290,9 +292,10 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const mesh::Surface before = model.surface;
   const mesh::LooseFaces all = mesh::take_apart(model);
+  const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
   SymmetricShare share = symmetric_share(model, symmetric_within, context);
   report.evened_mm = evened(share, model);
-  const Sequence sequence(std::move(share), all, options.faces, {options.short_edge_mm}, context);
+  const Sequence sequence(std::move(share), all, walls, options.faces, {options.short_edge_mm}, context);
   take_over(model, sequence.after(sequence.all()));
   report.deviation_mm = greatest_distance(mesh::SurfaceTree(model.surface, spacing),
                                           mesh::SurfaceTree(before, spacing), INFINITY, context);

@@ -115,7 +115,7 @@ TEST_CASE("positions stay doubles on the way through CGAL and OpenMesh", "[simpl
   const mesh::Model model = test::repaired(test::soup_of(fine));
   const mesh::LooseFaces loose = mesh::take_apart(model);
   const std::vector<prepare::Collapse> collapses =
-      prepare::collapse_sequence(loose, free_points(loose), 200, {}, {});
+      prepare::collapse_sequence(loose, free_points(loose), {}, 200, {}, {});
   REQUIRE(collapses.size() > 100);
   std::array<int, 3> doubles{};
   for (const prepare::Collapse& c : collapses) {
@@ -133,7 +133,7 @@ TEST_CASE("a sequence can be stopped anywhere", "[simplify]") {
   const mesh::Model model = test::repaired(test::soup_of(test::revolve(ring, 30)));
   const mesh::LooseFaces loose = mesh::take_apart(model);
   const std::vector<prepare::Collapse> collapses =
-      prepare::collapse_sequence(loose, free_points(loose), 0, {}, {});
+      prepare::collapse_sequence(loose, free_points(loose), {}, 0, {}, {});
   REQUIRE(collapses.size() > 100);
   for (std::size_t count = 0; count <= collapses.size(); count += 10) {
     const mesh::LooseFaces faces = prepare::replay(loose, std::span(collapses).first(count));

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepare/simplify/wall_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace ridgecraft::prepare {
+namespace {
+
+/// Planes at smaller angles (2 degrees) have a common line that isn't known well: it is left to the error, and the
+/// place is tested.
+const double distinct = std::sin(2.0 * 3.14159265358979323846 / 180.0);
+/// Directions in which the error grows by less than this share of its largest growth don't matter to it.
+constexpr double tells = 1e-3;
+
+Vec3 to_vec3(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+Eigen::Vector3d to_eigen(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Planes that a place lies in, as orthogonal directions.
+class Meeting {
+ public:
+  explicit Meeting(Vec3 start) : place_(to_eigen(start)) {}
+
+  /// Moves the place into a further plane, within those before.
+  void add(Vec3 normal, double offset) {
+    Eigen::Vector3d direction = to_eigen(normal);
+    for (std::size_t i = 0; i < count_; ++i) {
+      direction -= direction.dot(directions_[i]) * directions_[i];
+    }
+    const double rest = direction.norm();
+    if (count_ == 3 || rest < distinct) {
+      return;
+    }
+    direction /= rest;
+    const double missing = (offset - to_eigen(normal).dot(place_)) / rest;
+    place_ += missing * direction;
+    directions_[count_++] = direction;
+  }
+
+  /// Moves it to the least error within the planes.
+  void minimise(const Eigen::Matrix4d& quadric) {
+    if (count_ == 3) {
+      return;
+    }
+    Eigen::Matrix3d within = Eigen::Matrix3d::Identity();
+    for (std::size_t i = 0; i < count_; ++i) {
+      within -= directions_[i] * directions_[i].transpose();
+    }
+    const Eigen::Matrix3d growth = within * quadric.topLeftCorner<3, 3>() * within;
+    const Eigen::Vector3d slope =
+        within * (quadric.topLeftCorner<3, 3>() * place_ + quadric.topRightCorner<3, 1>());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(growth);
+    const double largest = solver.eigenvalues()(2);
+    for (int i = 0; i < 3; ++i) {
+      const double value = solver.eigenvalues()(i);
+      if (value > tells * largest && value > 0.0) {
+        const Eigen::Vector3d axis = solver.eigenvectors().col(i);
+        place_ -= (axis.dot(slope) / value) * axis;
+      }
+    }
+  }
+
+  [[nodiscard]] Vec3 place() const { return to_vec3(place_); }
+
+ private:
+  Eigen::Vector3d place_;
+  std::array<Eigen::Vector3d, 3> directions_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+WallFaces::WallFaces(const Walls& walls, double tolerance)
+    : walls_(&walls), tolerance_(tolerance), left_(walls.walls.size(), 0) {
+  for (const std::uint32_t wall : walls.of_face) {
+    if (wall != Walls::none) {
+      ++left_[wall];
+    }
+  }
+}
+
+std::vector<std::uint32_t> WallFaces::around(const EditMesh& mesh, EditMesh::VertexHandle v0,
+                                             EditMesh::VertexHandle v1) const {
+  std::vector<std::uint32_t> found;
+  if (walls_->of_face.empty()) {
+    return found;
+  }
+  for (const auto v : {v0, v1}) {
+    for (const auto f : mesh.vf_range(v)) {
+      if (is_wall(f)) {
+        found.push_back(wall(f));
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+bool WallFaces::holds(const std::vector<std::uint32_t>& walls, Vec3 place) const {
+  return std::all_of(walls.begin(), walls.end(), [&](std::uint32_t w) {
+    return std::abs(walls_->walls[w].height(place)) <= tolerance_;
+  });
+}
+
+bool WallFaces::ends_one(const EditMesh& mesh, EditMesh::HalfedgeHandle side) const {
+  const auto opposite = mesh.opposite_halfedge_handle(side);
+  const auto wall_beside = [&](EditMesh::HalfedgeHandle h) {
+    return mesh.is_boundary(h) ? Walls::none : wall(mesh.face_handle(h));
+  };
+  const std::uint32_t a = wall_beside(side);
+  const std::uint32_t b = wall_beside(opposite);
+  return (a != Walls::none && left_[a] <= (a == b ? 2U : 1U)) || (b != Walls::none && left_[b] <= 1U);
+}
+
+void WallFaces::remove(EditMesh::FaceHandle face) {
+  if (is_wall(face)) {
+    --left_[wall(face)];
+  }
+}
+
+std::optional<Vec3> WallFaces::best_place(const std::vector<std::uint32_t>& walls, const MirrorPlane* mirror,
+                                          const Eigen::Matrix4d& quadric, Vec3 start) const {
+  Meeting meeting(start);
+  if (mirror != nullptr) {
+    meeting.add(mirror->normal, mirror->offset);
+  }
+  for (const std::uint32_t w : walls) {
+    meeting.add(walls_->walls[w].normal, walls_->walls[w].offset);
+  }
+  meeting.minimise(quadric);
+  if (!holds(walls, meeting.place())) {
+    return std::nullopt;
+  }
+  return meeting.place();
+}
+
+}  // namespace ridgecraft::prepare
