@@ -7,6 +7,7 @@
 #include "prepare/panels/divide_panels.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
+#include "prepare/simplify/fold_figures.hpp"
 #include "prepare/simplify/simplify.hpp"
 #include "prepare/size.hpp"
 #include "prepare/twins/body_names.hpp"
@@ -65,8 +66,10 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
     prepared.mm_per_unit *= factor;
     prepared.simplified.deviation_mm *= factor;
     prepared.simplified.evened_mm *= factor;
-    prepared.simplified.short_edges_after = short_fold_share(prepared.model.surface, simplify);
+    prepared.simplified.short_edges_after = fold_figures(prepared.model.surface, simplify).brief_share();
   }
+  prepared.simplified.tiny_edges_after = fold_figures(prepared.model.surface, simplify).tiny_share();
+  prepared.simplified.still_too_fine = prepared.simplified.tiny_edges_after > simplify.short_edge_share;
   copy_equal_bodies(prepared, size, simplify.mode == Simplification::keep, context);
   prepared.divided_panels = divide_panels(prepared.model, prepared.panels, room, context);
   if (prepared.divided_panels > 0 && !prepared.twins.empty()) {

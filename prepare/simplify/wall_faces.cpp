@@ -2,7 +2,6 @@
 #include "prepare/simplify/wall_faces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -10,9 +9,6 @@
 namespace ridgecraft::prepare {
 namespace {
 
-/// Planes at smaller angles (2 degrees) have a common line that isn't known well: it is left to the error, and the
-/// place is tested.
-const double distinct = std::sin(2.0 * 3.14159265358979323846 / 180.0);
 /// Directions in which the error grows by less than this share of its largest growth don't matter to it.
 constexpr double tells = 1e-3;
 
@@ -23,57 +19,29 @@ Eigen::Vector3d to_eigen(Vec3 v) {
   return {v.x, v.y, v.z};
 }
 
-/// Planes that a place lies in, as orthogonal directions.
-class Meeting {
- public:
-  explicit Meeting(Vec3 start) : place_(to_eigen(start)) {}
-
-  /// Moves the place into a further plane, within those before.
-  void add(Vec3 normal, double offset) {
-    Eigen::Vector3d direction = to_eigen(normal);
-    for (std::size_t i = 0; i < count_; ++i) {
-      direction -= direction.dot(directions_[i]) * directions_[i];
-    }
-    const double rest = direction.norm();
-    if (count_ == 3 || rest < distinct) {
-      return;
-    }
-    direction /= rest;
-    const double missing = (offset - to_eigen(normal).dot(place_)) / rest;
-    place_ += missing * direction;
-    directions_[count_++] = direction;
+/// The place within planes where an error is least.
+Vec3 least_error(const Meeting& meeting, const Eigen::Matrix4d& quadric) {
+  if (meeting.directions().size() == 3) {
+    return meeting.place();
   }
-
-  /// Moves it to the least error within the planes.
-  void minimise(const Eigen::Matrix4d& quadric) {
-    if (count_ == 3) {
-      return;
-    }
-    Eigen::Matrix3d within = Eigen::Matrix3d::Identity();
-    for (std::size_t i = 0; i < count_; ++i) {
-      within -= directions_[i] * directions_[i].transpose();
-    }
-    const Eigen::Matrix3d growth = within * quadric.topLeftCorner<3, 3>() * within;
-    const Eigen::Vector3d slope =
-        within * (quadric.topLeftCorner<3, 3>() * place_ + quadric.topRightCorner<3, 1>());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(growth);
-    const double largest = solver.eigenvalues()(2);
-    for (int i = 0; i < 3; ++i) {
-      const double value = solver.eigenvalues()(i);
-      if (value > tells * largest && value > 0.0) {
-        const Eigen::Vector3d axis = solver.eigenvectors().col(i);
-        place_ -= (axis.dot(slope) / value) * axis;
-      }
+  Eigen::Matrix3d within = Eigen::Matrix3d::Identity();
+  for (const Vec3 d : meeting.directions()) {
+    within -= to_eigen(d) * to_eigen(d).transpose();
+  }
+  Eigen::Vector3d place = to_eigen(meeting.place());
+  const Eigen::Matrix3d growth = within * quadric.topLeftCorner<3, 3>() * within;
+  const Eigen::Vector3d slope = within * (quadric.topLeftCorner<3, 3>() * place + quadric.topRightCorner<3, 1>());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(growth);
+  const double largest = solver.eigenvalues()(2);
+  for (int i = 0; i < 3; ++i) {
+    const double value = solver.eigenvalues()(i);
+    if (value > tells * largest && value > 0.0) {
+      const Eigen::Vector3d axis = solver.eigenvectors().col(i);
+      place -= (axis.dot(slope) / value) * axis;
     }
   }
-
-  [[nodiscard]] Vec3 place() const { return to_vec3(place_); }
-
- private:
-  Eigen::Vector3d place_;
-  std::array<Eigen::Vector3d, 3> directions_;
-  std::size_t count_ = 0;
-};
+  return to_vec3(place);
+}
 
 }  // namespace
 
@@ -135,11 +103,8 @@ std::optional<Vec3> WallFaces::best_place(const std::vector<std::uint32_t>& wall
   for (const std::uint32_t w : walls) {
     meeting.add(walls_->walls[w].normal, walls_->walls[w].offset);
   }
-  meeting.minimise(quadric);
-  if (!holds(walls, meeting.place())) {
-    return std::nullopt;
-  }
-  return meeting.place();
+  const Vec3 place = least_error(meeting, quadric);
+  return holds(walls, place) ? std::optional(place) : std::nullopt;
 }
 
 }  // namespace ridgecraft::prepare

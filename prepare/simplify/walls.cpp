@@ -20,6 +20,8 @@ constexpr double bevel = 75.0 * degrees;
 constexpr double detail = 0.5;
 /// ... and regions of this size are walls whatever is around them.
 constexpr double large = 4.0;
+/// Planes at smaller angles have a common line that isn't known well.
+const double distinct = std::sin(2.0 * degrees);
 /// Components of which walls are less of the area are no hard surfaces.
 constexpr double least_share = 0.4;
 
@@ -117,6 +119,23 @@ std::vector<bool> hard_components(const mesh::Surface& surface, const Panels& pa
 }
 
 }  // namespace
+
+void Meeting::add(Vec3 normal, double offset) {
+  if (directions_.size() == 3) {
+    return;
+  }
+  Vec3 direction = normal;
+  for (const Vec3 d : directions_) {
+    direction -= dot(direction, d) * d;
+  }
+  const double rest = length(direction);
+  if (rest < distinct) {
+    return;
+  }
+  direction = direction / rest;
+  place_ += ((offset - dot(place_, normal)) / rest) * direction;
+  directions_.push_back(direction);
+}
 
 Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm) {
   const std::vector<Region> regions = regions_of(surface, panels);

@@ -29,6 +29,22 @@ struct Walls {
   [[nodiscard]] std::uint32_t wall(std::size_t face) const { return of_face.empty() ? none : of_face[face]; }
 };
 
+/// Planes that a place is moved into, one after the other, each within those before.
+class Meeting {
+ public:
+  explicit Meeting(Vec3 start) : place_(start) {}
+
+  /// A plane at less than 2 degrees to what the others have in common is left out: where they meet isn't known well.
+  void add(Vec3 normal, double offset);
+  /// Orthogonal unit vectors; the planes together are across these. Three at most.
+  [[nodiscard]] const std::vector<Vec3>& directions() const { return directions_; }
+  [[nodiscard]] Vec3 place() const { return place_; }
+
+ private:
+  Vec3 place_;
+  std::vector<Vec3> directions_;
+};
+
 /// The walls of a surface in mm, of components of which walls are a good part; none else. A wall is a flat region
 /// that a person sees as one: large, or with sharp sides. Bevels, and the narrow faces that something round is made
 /// of, are none. O(n).

@@ -6,6 +6,7 @@
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/simplify/collapse_sequence.hpp"
+#include "prepare/simplify/fold_figures.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 
@@ -168,6 +169,6 @@ TEST_CASE("short folds are counted at the size that was asked for", "[simplify]"
     size.largest_extent_mm = size_mm;
     const Prepared p = prepared(test::sphere(120, 60), options, size);
     REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
-    CHECK(p.simplified.short_edges_after == prepare::short_fold_share(p.model.surface, options));
+    CHECK(p.simplified.short_edges_after == prepare::fold_figures(p.model.surface, options).brief_share());
   }
 }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How many folds of a surface are too short, as far as anything could be done about them. Private to prepare/.
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/options.hpp"
+
+namespace ridgecraft::prepare {
+
+/// Folds that are drawn: edges between panels, folded by hidden_fold_angle or more.
+struct FoldFigures {
+  std::size_t folds = 0;
+  std::size_t brief = 0;   ///< shorter than short_edge_mm, but not across a plate, ...
+  std::size_t tiny = 0;    ///< ... shorter than tiny_edge_mm, or across a plate and shorter than half of that
+
+  /// Shares of the folds; 0 where there are none.
+  [[nodiscard]] double brief_share() const { return share(brief); }
+  [[nodiscard]] double tiny_share() const { return share(tiny); }
+
+ private:
+  [[nodiscard]] double share(std::size_t count) const {
+    return folds == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(folds);
+  }
+};
+
+/// An edge is across a plate where the walls at its ends have no point in common near it: no simplification that
+/// keeps walls makes it longer. Panels must have been remeshed: then a straight fold between two of them is one
+/// edge. O(n).
+[[nodiscard]] FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& options);
+
+}  // namespace ridgecraft::prepare
