@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What preparing makes of models, without unfolding them:
 //
-//   bench_simplify [--size MM] [--faces keep|N] [--obj FOLDER] MODEL...
+//   bench_simplify [--size MM | --adapt] [--faces keep|N] [--obj FOLDER] MODEL...
 //
 // A line for each: triangles before and after, components, the share of folds below 6 mm before and after, whether the
 // model is called too fine, how far the surface moved (mm), share of the area on planes across the axes before and
@@ -20,10 +20,10 @@
 
 #include <fmt/format.h>
 
-#include "job/remark.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/write.hpp"
 #include "prepare/prepare.hpp"
+#include "prepare/prepared/expected_pages.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
 
 using namespace ridgecraft;
@@ -32,7 +32,6 @@ namespace {
 
 /// Normals so near to an axis count as along it, degrees.
 constexpr double axis_degrees = 1.0;
-constexpr double sliver_mm = 1.0;
 const prepare::PanelRoom room{{190.0, 277.0}, 5.0};
 
 struct Settings {
@@ -69,9 +68,9 @@ void run(const Settings& settings, const std::string& path) {
              model.surface.face_count(), surface.face_count(), surface.component_count(),
              report.short_edges_before, report.short_edges_after, report.still_too_fine ? "fine" : "-",
              report.deviation_mm, axis_share(model.surface), axis_share(surface),
-             static_cast<double>(prepare::count_narrow_faces(surface, made.panels, sliver_mm)) /
+             static_cast<double>(prepare::count_narrow_faces(surface, made.panels, prepare::sliver_mm)) /
                  static_cast<double>(surface.face_count()),
-             job::expected_pages(made, {room.sheet.width, room.sheet.height}), seconds);
+             prepare::expected_pages(made, {room.sheet.width, room.sheet.height}), seconds);
   std::fflush(stdout);
   if (!settings.folder.empty()) {
     mesh::Model before = model;
@@ -89,7 +88,9 @@ Settings read_settings(int argc, char** argv) {
   Settings settings;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word == "--size" && i + 1 < argc) {
+    if (word == "--adapt") {
+      settings.size.adapts = true;
+    } else if (word == "--size" && i + 1 < argc) {
       settings.size.largest_extent_mm = std::stod(argv[++i]);
     } else if (word == "--faces" && i + 1 < argc) {
       const std::string faces = argv[++i];

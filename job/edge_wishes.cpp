@@ -71,6 +71,19 @@ Seams seams_of_fold(const OldNets& old, const mesh::Surface& surface) {
   return seams;
 }
 
+/// Largest extent of the model that nets of our own fold to, mm; none where they don't tell.
+std::optional<double> size_of(const OldNets& old) {
+  if (mesh::may_have_seams(old.bytes)) {
+    return std::nullopt;
+  }
+  try {
+    const double extent = bounds_of(verify::read_file(old.bytes).model.points).largest_extent();
+    return extent > 0.0 ? std::optional(extent) : std::nullopt;
+  } catch (const verify::NotInForm&) {
+    return std::nullopt;  // told when they are used
+  }
+}
+
 /// Those of nets that another program keeps with its model.
 Seams seams_of_model_file(const OldNets& old, const mesh::Surface& surface, const Context& context) {
   const mesh::FileSeams file = mesh::read_seams(old.bytes, old.name, context);
@@ -196,6 +209,16 @@ void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::Simplify
   simplify.mode = prepare::Simplification::keep;
   if (!edges.any()) {
     notes.emplace_back("the file marks edges to cut, so the model isn't simplified");
+  }
+}
+
+void use_size_of_nets(const EdgeRequests& edges, const mesh::Model& model, prepare::SizeOptions& size) {
+  if (!size.adapts || (!edges.any() && model.lines.empty())) {
+    return;
+  }
+  size.adapts = false;
+  if (edges.from) {
+    size.largest_extent_mm = size_of(*edges.from).value_or(size.largest_extent_mm);
   }
 }
 

@@ -12,6 +12,8 @@
 #include "job/parts.hpp"
 #include "job/settings.hpp"
 #include "prepare/prepare.hpp"
+#include "job/verdict.hpp"
+#include "prepare/prepared/expected_pages.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
 #include "unfold/replace_tabs.hpp"
 #include "unfold/unfold.hpp"
@@ -125,18 +127,25 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   StageClock clock;
   std::vector<std::string> notes;
   heed_edges(options.edges, model, made.options.simplify, notes);
-  made.searched_with = settings_of(made.options, made.seed);
+  use_size_of_nets(options.edges, model, made.options.size);
   const Vec2 area = room_for_pieces(options);
   made.prepared = clock("prepare", context, [&] {
-    return prepare::prepare(std::move(model), options.size, made.options.simplify, panel_room(options),
+    return prepare::prepare(std::move(model), made.options.size, made.options.simplify, panel_room(options),
                             until_deadline(context));
   });
   const mesh::Surface& surface = made.prepared.model.surface;
+  if (made.prepared.size_reason != prepare::SizeReason::none) {
+    made.options.size.largest_extent_mm = std::round(surface.bounds().largest_extent());
+  }
+  made.searched_with = settings_of(made.options, made.seed);
+  if (const std::string why = verdict(made.prepared, made.options.simplify); options.strict && !why.empty()) {
+    throw Error(ErrorKind::unbuildable, why);
+  }
   made.slivers = prepare::count_narrow_faces(surface, made.prepared.panels, sliver_mm);
   double expected = 0.0;
   if (options.paper) {
     tell(listener, short_folds(made.prepared, options.style.hidden_fold_angle));
-    expected = expected_pages(made.prepared, area);
+    expected = prepare::expected_pages(made.prepared, area);
     tell(listener, many_pages(surface, area, expected, false));
   }
   unfold::EdgeWishes wishes =

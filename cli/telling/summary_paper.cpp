@@ -13,6 +13,8 @@
 #include "cli/telling/lengths.hpp"
 #include "cli/telling/net_figures.hpp"
 #include "cli/telling/summary.hpp"
+#include "job/verdict.hpp"
+#include "prepare/prepare.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -38,7 +40,23 @@ std::string scale_text(const job::Paper& made) {
                      scale >= 1.0 ? three_digits(scale) + ":1" : "1:" + three_digits(1.0 / scale));
 }
 
-void add_size(Summary& summary, const job::Paper& made, const std::string& asked) {
+/// ", as folds would be too short at 150mm", where nobody asked for the size that it has.
+std::string why_size(const job::Paper& made) {
+  switch (made.prepared.size_reason) {
+    case prepare::SizeReason::folds:
+      return ", as folds would be too short at 150 mm";
+    case prepare::SizeReason::pages:
+      return fmt::format(", as it would take more than {:g} pages at 150 mm", made.options.size.most_pages);
+    case prepare::SizeReason::none:
+      break;
+  }
+  return {};
+}
+
+void add_size(Summary& summary, const job::Paper& made, std::string asked) {
+  if (made.prepared.size_reason != prepare::SizeReason::none) {
+    asked = fmt::format("--size {:.0f}mm", made.options.size.largest_extent_mm) + why_size(made);
+  }
   const Vec3 size = made.prepared.model.surface.bounds().size();
   const mesh::FileFrame& frame = made.prepared.model.frame;
   summary.add("file_unit_mm", Value(frame.mm_per_unit), "mm");
@@ -56,8 +74,11 @@ Value simplified_value(const prepare::SimplifyReport& report) {
                        {"deviation_mm", rounded(report.deviation_mm)},
                        {"evened_mm", rounded(report.evened_mm)},
                        {"specks_dropped", report.specks_dropped},
+                       {"strands_dropped", report.strands_dropped},
+                       {"features_removed", report.features_removed},
                        {"short_edges_before", rounded(report.short_edges_before)},
                        {"short_edges_after", rounded(report.short_edges_after)},
+                       {"tiny_edges_after", rounded(report.tiny_edges_after)},
                        {"still_too_fine", report.still_too_fine}};
 }
 
@@ -86,11 +107,16 @@ void say_simplified(Summary& summary, const job::Paper& made) {
     summary.say(Line::simplified, "left out",
                 counted(report.specks_dropped, "component") + " too small to be held");
   }
-  if (report.still_too_fine) {
-    summary.say(
-        Line::simplified, "too fine",
-        fmt::format("{:.0f} % of the folds are shorter than {:g} mm; a larger --size or --faces N helps",
-                    100.0 * report.short_edges_after, made.options.simplify.short_edge_mm));
+  if (report.strands_dropped > 0) {
+    summary.say(Line::simplified, "left out",
+                counted(report.strands_dropped, "strand") + " too thin to be folded");
+  }
+  if (report.features_removed > 0) {
+    summary.say(Line::simplified, "left out",
+                counted(report.features_removed, "small feature") + " of flat walls");
+  }
+  if (const std::string why = job::verdict(made.prepared, made.options.simplify); !why.empty()) {
+    summary.say(Line::simplified, "too fine", why);
   }
 }
 
@@ -167,6 +193,8 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   add_folding(summary, nets);
   add_bodies(summary, nets, made.drawn.bodies);
   summary.add("paper", job.paper_name);
+  summary.add("buildable", prepare::can_be_folded(made.prepared));
+  summary.add("smallest_size_mm", Value(made.prepared.smallest_size_mm), "mm");
   summary.add("simplified", simplified_value(made.prepared.simplified));
   say_simplified(summary, made);
   say_colours(summary, model);

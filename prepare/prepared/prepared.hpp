@@ -49,7 +49,7 @@ struct Prepared {
   /// Where nobody could fold it at this size: the smallest largest extent, mm, at which somebody can; none if there
   /// is none that makes sense.
   std::optional<double> smallest_size_mm;
-  double slivers = 0.0;  ///< share of the faces that are narrower than sliver_mm
+  double sliver_share = 0.0;  ///< of the faces, narrower than sliver_mm
   SimplifyReport simplified;
   std::size_t divided_panels = 0;  ///< flat regions that are in cells
 };

@@ -2,6 +2,7 @@
 #include "prepare/simplify/fold_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -14,6 +15,8 @@ namespace {
 
 /// Vertices are off the planes of walls by no more than this share of the diagonal.
 constexpr double in_plane = 2e-5;
+/// Cosine of the angle (5 degrees) within which walls count as parallel.
+constexpr double parallel = 0.996;
 
 class WallsAtEdges {
  public:
@@ -22,18 +25,10 @@ class WallsAtEdges {
 
   /// Whether no point near an edge is in all walls at its ends.
   [[nodiscard]] bool keep_apart(EdgeId e) const {
-    const CornerId c = surface_.sides(e)[0];
-    const VertexId v = surface_.vertex(c);
-    const VertexId w = surface_.vertex(mesh::next(c));
-    std::vector<std::uint32_t> around;
-    for (const VertexId end : {v, w}) {
-      for (const CornerId at : surface_.corners_at(end)) {
-        const std::uint32_t wall = walls_.wall(mesh::face_of(at).value());
-        if (wall != Walls::none) {
-          around.push_back(wall);
-        }
-      }
-    }
+    const auto [v, w] = ends(e);
+    std::vector<std::uint32_t> around = walls_at(v);
+    const std::vector<std::uint32_t> at_w = walls_at(w);
+    around.insert(around.end(), at_w.begin(), at_w.end());
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
     const Vec3 middle = 0.5 * (surface_.point(v) + surface_.point(w));
@@ -47,7 +42,35 @@ class WallsAtEdges {
            });
   }
 
+  /// Whether an edge goes from one wall to another one that is parallel.
+  [[nodiscard]] bool across_plate(EdgeId e) const {
+    const auto [v, w] = ends(e);
+    for (const std::uint32_t a : walls_at(v)) {
+      for (const std::uint32_t b : walls_at(w)) {
+        if (a != b && std::abs(dot(walls_.walls[a].normal, walls_.walls[b].normal)) > parallel) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
  private:
+  [[nodiscard]] std::array<VertexId, 2> ends(EdgeId e) const {
+    const CornerId c = surface_.sides(e)[0];
+    return {surface_.vertex(c), surface_.vertex(mesh::next(c))};
+  }
+  [[nodiscard]] std::vector<std::uint32_t> walls_at(VertexId v) const {
+    std::vector<std::uint32_t> walls;
+    for (const CornerId at : surface_.corners_at(v)) {
+      const std::uint32_t wall = walls_.wall(mesh::face_of(at).value());
+      if (wall != Walls::none) {
+        walls.push_back(wall);
+      }
+    }
+    return walls;
+  }
+
   const mesh::Surface& surface_;
   const Walls& walls_;
   double tolerance_;
@@ -69,9 +92,10 @@ FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& op
     ++figures.folds;
     const double length = surface.length(e);
     if (length < options.short_edge_mm) {
-      const bool across = at_edges.keep_apart(e);
-      figures.brief += across ? 0U : 1U;
-      figures.tiny += length < (across ? 0.5 : 1.0) * options.tiny_edge_mm ? 1U : 0U;
+      figures.brief += at_edges.keep_apart(e) ? 0U : 1U;
+      if (length < options.tiny_edge_mm) {
+        figures.tiny += length < 0.5 * options.tiny_edge_mm || !at_edges.across_plate(e) ? 1U : 0U;
+      }
     }
   }
   return figures;

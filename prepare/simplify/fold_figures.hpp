@@ -12,8 +12,12 @@ namespace ridgecraft::prepare {
 /// Folds that are drawn: edges between panels, folded by hidden_fold_angle or more.
 struct FoldFigures {
   std::size_t folds = 0;
-  std::size_t brief = 0;   ///< shorter than short_edge_mm, but not across a plate, ...
-  std::size_t tiny = 0;    ///< ... shorter than tiny_edge_mm, or across a plate and shorter than half of that
+  /// Shorter than short_edge_mm, though the walls at their ends would let them be longer: where these have no point in
+  /// common near the edge, no simplification that keeps walls makes it longer.
+  std::size_t brief = 0;
+  /// Shorter than tiny_edge_mm; across a plate, from one wall to a parallel one, shorter than half of that: the fold
+  /// along the plate is long.
+  std::size_t tiny = 0;
 
   /// Shares of the folds; 0 where there are none.
   [[nodiscard]] double brief_share() const { return share(brief); }
@@ -25,8 +29,7 @@ struct FoldFigures {
   }
 };
 
-/// An edge is across a plate where the walls at its ends have no point in common near it: no simplification that
-/// keeps walls makes it longer. Panels must have been remeshed: then a straight fold between two of them is one
+/// Panels must have been remeshed: then a straight fold between two of them is one
 /// edge. O(n).
 [[nodiscard]] FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& options);
 

@@ -12,6 +12,7 @@
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/simplify/body.hpp"
+#include "prepare/simplify/features.hpp"
 #include "prepare/simplify/fold_figures.hpp"
 #include "prepare/simplify/sequence.hpp"
 #include "prepare/simplify/share_bodies.hpp"
@@ -112,13 +113,17 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
   const mesh::Surface before = model.surface;
   const double extent = before.bounds().largest_extent();
+  report.features_removed = remove_features(model, options, options.largest_deviation * extent);
+  if (report.features_removed > 0) {
+    remesh_panels(model, context);
+  }
   const mesh::LooseFaces all = mesh::take_apart(model);
-  const Walls walls = find_walls(before, find_panels(before), options.short_edge_mm);
+  const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
   const SymmetricShare start = symmetric_share(model, symmetric_within, context);
   const double evened_mm = evened(start, model);
   BodyRules rules{all, walls, sample_spacing * extent, options.largest_deviation * extent, 0};
   std::vector<SymmetricShare> bodies = divided(start);
-  if (!simplify_bodies(bodies, rules, options, context)) {
+  if (!simplify_bodies(bodies, rules, options, context) && report.features_removed == 0) {
     return;
   }
   mesh::Model result;
