@@ -3,11 +3,11 @@
 //
 //   bench_simplify [--size MM | --adapt] [--faces keep|N] [--obj FOLDER] MODEL...
 //
-// A line for each: triangles before and after, components, the share of folds below 6 mm before and after, whether the
-// model is called too fine, how far the surface moved (mm), share of the area on planes across the axes before and
-// after, share of the faces that are slivers, pages that are to be expected, seconds. --obj writes FOLDER/NAME.obj,
-// the model as it will be folded, and FOLDER/NAME.before.obj, the model as it was read and repaired, both in mm
-// (bench/likeness.py compares them).
+// A line for each: triangles before and after, components, the share of folds below 6 mm before and after,
+// whether the model is called too fine, how far the surface moved (mm), share of the area on planes across
+// the axes before and after, share of the faces that are slivers, pages that are to be expected, seconds.
+// --obj writes FOLDER/NAME.obj, the model as it will be folded, and FOLDER/NAME.before.obj, the model as it
+// was read and repaired, both in mm (bench/likeness.py compares them).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -58,14 +58,13 @@ void write(const std::string& path, const mesh::Surface& surface) {
 void run(const Settings& settings, const std::string& path) {
   const mesh::Model model = mesh::read(path, {}, {});
   const std::clock_t start = std::clock();
-  const prepare::Prepared made =
-      prepare::prepare(model, settings.size, settings.simplify, room, {});
+  const prepare::Prepared made = prepare::prepare(model, settings.size, settings.simplify, room, {});
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   const mesh::Surface& surface = made.model.surface;
   const prepare::SimplifyReport& report = made.simplified;
   const std::string name = std::filesystem::path(path).stem().string();
-  fmt::print("{:36.36} {:6} {:5} {:4} {:6.3f} {:6.3f} {:5} {:5.2f} {:6.3f} {:6.3f} {:6.3f} {:5.1f} {:6.2f}\n", name,
-             model.surface.face_count(), surface.face_count(), surface.component_count(),
+  fmt::print("{:36.36} {:6} {:5} {:4} {:6.3f} {:6.3f} {:5} {:5.2f} {:6.3f} {:6.3f} {:6.3f} {:5.1f} {:6.2f}\n",
+             name, model.surface.face_count(), surface.face_count(), surface.component_count(),
              report.short_edges_before, report.short_edges_after, report.still_too_fine ? "fine" : "-",
              report.deviation_mm, axis_share(model.surface), axis_share(surface),
              static_cast<double>(prepare::count_narrow_faces(surface, made.panels, prepare::sliver_mm)) /
@@ -110,8 +109,9 @@ Settings read_settings(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const Settings settings = read_settings(argc, argv);
-  fmt::print("{:36} {:>6} {:>5} {:>4} {:>6} {:>6} {:>5} {:>5} {:>6} {:>6} {:>6} {:>5} {:>6}\n", "model", "faces",
-             "after", "comp", "short", "after", "fine", "moved", "axes", "after", "sliver", "pages", "s");
+  fmt::print("{:36} {:>6} {:>5} {:>4} {:>6} {:>6} {:>5} {:>5} {:>6} {:>6} {:>6} {:>5} {:>6}\n", "model",
+             "faces", "after", "comp", "short", "after", "fine", "moved", "axes", "after", "sliver", "pages",
+             "s");
   int failed = 0;
   for (const std::string& path : settings.models) {
     try {

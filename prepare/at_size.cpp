@@ -18,12 +18,14 @@
 namespace ridgecraft::prepare {
 namespace {
 
-/// Where all faces are kept, what makes equal bodies copies of each other moves no point by more than this share
-/// of the model's largest extent: less than what verify/ allows, and more than files with six digits are off.
+/// Where all faces are kept, what makes equal bodies copies of each other moves no point by more than this
+/// share of the model's largest extent: less than what verify/ allows, and more than files with six digits
+/// are off.
 constexpr double kept_share = 4e-5;
 
 /// Equal bodies become copies of one. The model stays of its size.
-void copy_equal_bodies(Prepared& prepared, const SizeOptions& size, bool keeps_faces, const Context& context) {
+void copy_equal_bodies(Prepared& prepared, const SizeOptions& size, bool keeps_faces,
+                       const Context& context) {
   mesh::Model& model = prepared.model;
   const double extent = model.surface.bounds().largest_extent();
   prepared.panels = find_panels(model.surface);
@@ -40,8 +42,8 @@ void copy_equal_bodies(Prepared& prepared, const SizeOptions& size, bool keeps_f
   copy_panels(prepared.twins, prepared.panels);
 }
 
-/// Division of panels gives a body points that its twin may not have got, or at other places: bodies that are no
-/// copies any more are none.
+/// Division of panels gives a body points that its twin may not have got, or at other places: bodies that are
+/// no copies any more are none.
 void renew_copies(Prepared& prepared, const Context& context) {
   const double extent = prepared.model.surface.bounds().largest_extent();
   prepared.twins = make_copies(

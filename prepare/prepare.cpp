@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "prepare/at_size.hpp"
 #include "prepare/prepared/expected_pages.hpp"
 
@@ -14,19 +15,21 @@ namespace ridgecraft::prepare {
 namespace {
 
 /// Sizes that are tried grow by this factor, ...
-constexpr double step = 1.25;
+constexpr double size_step = 1.25;
 /// ... or this one where the model has so many faces that each try takes long.
-constexpr double large_step = 1.6;
-constexpr std::size_t many_faces = 20000;
+constexpr double large_size_step = 1.6;
+constexpr std::size_t slow_faces = 20000;
 /// Of larger models other sizes aren't tried: they take too long, and too much memory.
-constexpr std::size_t most_faces = 200000;
+constexpr std::size_t most_tried_faces = 200000;
+/// Trying has at most this share of the time that there is.
+constexpr double time_share = 0.3;
 /// In whole centimetres, ...
-constexpr double unit_mm = 10.0;
+constexpr double centimetre = 10.0;
 /// ... from the smallest model of which anything can be folded to the largest that anybody builds.
 constexpr double smallest_tried_mm = 50.0;
 constexpr double largest_tried_mm = 1000.0;
 
-double extent(const Prepared& prepared) {
+double extent_of(const Prepared& prepared) {
   return prepared.model.surface.bounds().largest_extent();
 }
 
@@ -34,21 +37,46 @@ class SizeSearch {
  public:
   SizeSearch(const mesh::Model& model, const SimplifyOptions& simplify, const PanelRoom& room,
              const Context& context)
-      : model_(model), simplify_(simplify), room_(room), context_(context) {}
+      : model_(model), simplify_(simplify), room_(room), context_(until_deadline(context, time_share)) {}
+
+  [[nodiscard]] double pages(const Prepared& prepared) const {
+    return expected_pages(prepared, {room_.sheet.width, room_.sheet.height});
+  }
+  /// The next larger size at which somebody can fold it; none if there is none that makes sense, or if the
+  /// time given is too short to find it.
+  [[nodiscard]] std::optional<Prepared> larger(double mm) const {
+    return in_time([&] { return next_larger(mm); });
+  }
+  /// At a smaller size, if it can be folded there.
+  [[nodiscard]] std::optional<Prepared> smaller(double mm) const {
+    return in_time([&] {
+      std::optional<Prepared> found = at(mm);
+      return can_be_folded(*found) ? std::move(found) : std::nullopt;
+    });
+  }
+
+ private:
+  template <class Work>
+  static std::optional<Prepared> in_time(const Work& work) {
+    try {
+      return work();
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::out_of_time) {
+        throw;
+      }
+      return std::nullopt;
+    }
+  }
 
   [[nodiscard]] Prepared at(double mm) const {
     SizeOptions size;
     size.largest_extent_mm = mm;
     return prepare_at_size(model_, size, simplify_, room_, context_);
   }
-  [[nodiscard]] double pages(const Prepared& prepared) const {
-    return expected_pages(prepared, {room_.sheet.width, room_.sheet.height});
-  }
-  /// The next larger size at which somebody can fold it; none if there is none that makes sense.
-  [[nodiscard]] std::optional<Prepared> larger(double mm) const {
-    const double factor = model_.surface.face_count() > many_faces ? large_step : step;
+  [[nodiscard]] std::optional<Prepared> next_larger(double mm) const {
+    const double factor = model_.surface.face_count() > slow_faces ? large_size_step : size_step;
     for (mm = std::max(mm * factor, smallest_tried_mm); mm <= largest_tried_mm; mm *= factor) {
-      mm = unit_mm * std::ceil(mm / unit_mm);
+      mm = centimetre * std::ceil(mm / centimetre);
       context_.check();
       Prepared found = at(mm);
       if (can_be_folded(found)) {
@@ -58,33 +86,32 @@ class SizeSearch {
     return std::nullopt;
   }
 
- private:
   const mesh::Model& model_;
   const SimplifyOptions& simplify_;
   const PanelRoom& room_;
-  const Context& context_;
+  Context context_;
 };
 
 /// Of the size that it has by default, or of another one between the limits that suits it better.
 Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
   const double pages = search.pages(usual);
   if (!can_be_folded(usual)) {
-    if (std::optional<Prepared> larger = search.larger(extent(usual))) {
-      if (extent(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
+    if (std::optional<Prepared> larger = search.larger(extent_of(usual))) {
+      if (extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
         larger->size_reason = SizeReason::folds;
         return std::move(*larger);
       }
-      usual.smallest_size_mm = unit_mm * std::round(extent(*larger) / unit_mm);
+      usual.smallest_size_mm = centimetre * std::round(extent_of(*larger) / centimetre);
     }
     return usual;
   }
   const double fitting =
-      std::max(size.smallest_mm, unit_mm * std::floor(extent(usual) * std::sqrt(size.most_pages / pages) / unit_mm));
-  if (pages > size.most_pages && fitting < extent(usual)) {
-    Prepared smaller = search.at(fitting);
-    if (can_be_folded(smaller)) {
-      smaller.size_reason = SizeReason::pages;
-      return smaller;
+      std::max(size.smallest_mm,
+               centimetre * std::floor(extent_of(usual) * std::sqrt(size.most_pages / pages) / centimetre));
+  if (pages > size.most_pages && fitting < extent_of(usual)) {
+    if (std::optional<Prepared> smaller = search.smaller(fitting)) {
+      smaller->size_reason = SizeReason::pages;
+      return std::move(*smaller);
     }
   }
   return usual;
@@ -92,14 +119,19 @@ Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSear
 
 }  // namespace
 
+bool has_many_slivers(const Prepared& prepared) {
+  const bool simplified = prepared.simplified.faces_after < prepared.simplified.faces_before;
+  return prepared.sliver_share > (simplified ? most_slivers : most_own_slivers);
+}
+
 bool can_be_folded(const Prepared& prepared) {
-  return !prepared.simplified.still_too_fine && prepared.sliver_share <= most_slivers;
+  return !prepared.simplified.still_too_fine && !has_many_slivers(prepared);
 }
 
 Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                  const PanelRoom& room, const Context& context) {
   std::optional<mesh::Model> kept;
-  if (model.surface.face_count() <= most_faces) {
+  if (model.surface.face_count() <= most_tried_faces) {
     kept = model;
   }
   Prepared prepared = prepare_at_size(std::move(model), size, simplify, room, context);
@@ -111,8 +143,8 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
     return of_fitting_size(std::move(prepared), size, search);
   }
   if (!can_be_folded(prepared)) {
-    if (const std::optional<Prepared> larger = search.larger(extent(prepared))) {
-      prepared.smallest_size_mm = unit_mm * std::round(extent(*larger) / unit_mm);
+    if (const std::optional<Prepared> larger = search.larger(extent_of(prepared))) {
+      prepared.smallest_size_mm = centimetre * std::round(extent_of(*larger) / centimetre);
     }
   }
   return prepared;

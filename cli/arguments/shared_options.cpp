@@ -70,14 +70,16 @@ void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
   faces = default_faces;
   adapts = default_faces == "auto";
   verb.option("Size", "--size", size, "LENGTH",
-              default_faces == "auto" ? "Largest extent of the finished model: 150mm, 20cm, 8in; a number alone means mm "
-                                        "(150mm, or what its folds and pages need between 100mm and 400mm)."
-                                      : "Largest extent of the finished model: 150mm, 20cm, 8in; a number "
-                                        "alone means mm (150mm).")
+              default_faces == "auto"
+                  ? "Largest extent of the finished model: 150mm, 20cm, 8in; a number alone means mm "
+                    "(150mm, or what its folds and pages need between 100mm and 400mm)."
+                  : "Largest extent of the finished model: 150mm, 20cm, 8in; a number "
+                    "alone means mm (150mm).")
       .option("Size", "--scale", scale, "FACTOR",
               "Instead of --size: 1:50, 0.5 or 30% of the size that the file's numbers give in --unit.")
-      .option("Size", "--unit", unit, "UNIT",
-              "Unit of the file's numbers: mm, cm, m, in, ft (what the file says, else mm); used with --scale.")
+      .option(
+          "Size", "--unit", unit, "UNIT",
+          "Unit of the file's numbers: mm, cm, m, in, ft (what the file says, else mm); used with --scale.")
       .option("Size", "--faces", faces, "N|auto|keep",
               default_faces == "auto"
                   ? "How many faces to keep: auto simplifies a model whose edges would be too short to fold, "

@@ -104,10 +104,11 @@ void require_sensible_scale(const AskedSize& asked, const job::Options& options,
   }
   const double mm = model.surface.bounds().largest_extent() * model.file_scale * *options.size.mm_per_unit;
   if (mm < smallest_mm || mm > largest_mm) {
-    throw Error(ErrorKind::usage,
-                fmt::format("{} makes the model {:.3g} mm large, as its file doesn't say what its numbers mean; add "
-                            "--unit m, cm, mm, in or ft",
-                            asked.words, mm));
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("{} makes the model {:.3g} mm large, as its file doesn't say what its numbers mean; add "
+                    "--unit m, cm, mm, in or ft",
+                    asked.words, mm));
   }
 }
 

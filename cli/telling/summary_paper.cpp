@@ -74,7 +74,6 @@ Value simplified_value(const prepare::SimplifyReport& report) {
                        {"deviation_mm", rounded(report.deviation_mm)},
                        {"evened_mm", rounded(report.evened_mm)},
                        {"specks_dropped", report.specks_dropped},
-                       {"strands_dropped", report.strands_dropped},
                        {"features_removed", report.features_removed},
                        {"short_edges_before", rounded(report.short_edges_before)},
                        {"short_edges_after", rounded(report.short_edges_after)},
@@ -106,10 +105,6 @@ void say_simplified(Summary& summary, const job::Paper& made) {
   if (report.specks_dropped > 0) {
     summary.say(Line::simplified, "left out",
                 counted(report.specks_dropped, "component") + " too small to be held");
-  }
-  if (report.strands_dropped > 0) {
-    summary.say(Line::simplified, "left out",
-                counted(report.strands_dropped, "strand") + " too thin to be folded");
   }
   if (report.features_removed > 0) {
     summary.say(Line::simplified, "left out",

@@ -16,8 +16,7 @@ namespace ridgecraft::prepare {
 struct SimplifyReport {
   std::size_t faces_before = 0;
   std::size_t faces_after = 0;
-  std::size_t specks_dropped = 0;  ///< automatic: components too small to be held, left out
-  std::size_t strands_dropped = 0;  ///< automatic: components too thin to be folded or cut, left out
+  std::size_t specks_dropped = 0;    ///< automatic: components too small to be held, left out
   std::size_t features_removed = 0;  ///< automatic: small holes closed and small knobs cut off flat walls
   double deviation_mm = 0.0;  ///< greatest measured distance between the old and the new surface, both ways
   /// Its sides were mirror images only nearly, off by so much, and are so exactly now; 0 where they were, or
@@ -40,14 +39,14 @@ enum class SizeReason {
 struct Prepared {
   mesh::Model model;  ///< in mm, centred on the origin; not turned, not mirrored
   Panels panels;      ///< flat regions of model.surface; those that no page holds in cells that pages hold
-  TwinBodies twins;     ///< components that are equal; they are exact copies of each other
+  TwinBodies twins;   ///< components that are equal; they are exact copies of each other
   /// What the file calls each component: for faces that are of no polygon any more. Empty where there is one
   /// component or name.
   IdVector<ComponentId, std::string> body_names;
   double mm_per_unit = 1.0;
   SizeReason size_reason = SizeReason::none;
-  /// Where nobody could fold it at this size: the smallest largest extent, mm, at which somebody can; none if there
-  /// is none that makes sense.
+  /// Where nobody could fold it at this size: the smallest largest extent, mm, at which somebody can; none if
+  /// there is none that makes sense.
   std::optional<double> smallest_size_mm;
   double sliver_share = 0.0;  ///< of the faces, narrower than sliver_mm
   SimplifyReport simplified;

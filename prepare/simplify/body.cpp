@@ -22,7 +22,13 @@ constexpr double coarse = 3.0;
 constexpr std::array<double, 2> powers{2.0, 6.0};
 /// Collapses keep to this share of the deviation allowed, since they measure it at few points.
 constexpr double bound = 0.9;
-/// A body that can't be made foldable is left as it is unless its share of short folds sinks by this much, ...
+/// Bodies of more faces than this are made coarser than they must be, where the surface hardly moves by it
+/// ...
+constexpr std::size_t many_faces = 400;
+/// ... as a share of what it may move, until their edges aren't crowded.
+constexpr double hardly = 0.5;
+/// A body that can't be made foldable is left as it is unless its share of short folds sinks by this much,
+/// ...
 constexpr double least_gain = 0.05;
 /// ... or this share of the folds that are no use to anybody vanishes.
 constexpr double least_gone = 0.2;
@@ -38,6 +44,7 @@ struct Candidate {
   SymmetricShare share;
   FoldFigures folds;
   bool foldable = false;
+  bool crowded = false;
   std::size_t faces = 0;
 };
 
@@ -61,8 +68,10 @@ class Search {
       count = most_within(count);
       candidate.foldable = false;
     }
+    count = uncrowded(count);
     candidate.share = sequence_.share(count);
     candidate.folds = folds(count);
+    candidate.crowded = sequence_.faces_after(count) > many_faces && candidate.folds.crowded();
     candidate.faces = sequence_.faces_after(count);
     return candidate;
   }
@@ -116,6 +125,20 @@ class Search {
     return best;
   }
 
+  /// More collapses of a body that has many faces, as long as these are crowded and the surface hardly moves.
+  [[nodiscard]] std::size_t uncrowded(std::size_t count) const {
+    while (sequence_.faces_after(count) > many_faces && folds(count).crowded()) {
+      const std::size_t next = std::max(
+          count + 1, sequence_.count_for(std::max(many_faces, sequence_.faces_after(count) * 9 / 10)));
+      if (next > sequence_.all() || brief(next) > std::max(brief(count), options_.short_edge_share) ||
+          deviation(next) > hardly * rules_.largest_mm) {
+        break;
+      }
+      count = next;
+    }
+    return count;
+  }
+
   /// Most collapses that keep the surface within the deviation; 0 where the first ones don't.
   [[nodiscard]] std::size_t most_within(std::size_t too_many) const {
     std::size_t fine = 0;
@@ -141,11 +164,15 @@ bool better(const Candidate& a, const Candidate& b) {
   if (a.foldable != b.foldable) {
     return a.foldable;
   }
+  if (a.crowded != b.crowded) {
+    return b.crowded;
+  }
   return a.foldable ? a.faces > b.faces : a.folds.brief_share() < b.folds.brief_share();
 }
 
 /// Whether the body is worth what it lost.
-bool pays(const Candidate& candidate, const FoldFigures& before, std::size_t faces_before, std::size_t most_faces) {
+bool pays(const Candidate& candidate, const FoldFigures& before, std::size_t faces_before,
+          std::size_t most_faces) {
   const double tiny = static_cast<double>(before.tiny);
   return candidate.foldable || before.brief_share() - candidate.folds.brief_share() >= least_gain ||
          (before.tiny > 0 && static_cast<double>(candidate.folds.tiny) <= (1.0 - least_gone) * tiny) ||
@@ -166,10 +193,10 @@ std::optional<SymmetricShare> simplified_body(const SymmetricShare& body, const 
   SymmetricShare start = body;
   // Far from the aim the surface hardly moves: there the plain error is good and fast.
   const std::size_t copies = std::max<std::size_t>(1, 1 + body.copies.size());
-  const auto far = copies * static_cast<std::size_t>(
-                                coarse * faces_of_short_edges(before.surface, options.short_edge_mm));
+  const auto far =
+      copies * static_cast<std::size_t>(coarse * faces_of_short_edges(before.surface, options.short_edge_mm));
   if (faces_before > far) {
-    const Sequence first(start, rules.model, rules.walls, far, {options.short_edge_mm}, context);
+    const Sequence first(start, rules.model, *rules.walls, far, {options.short_edge_mm}, context);
     const mesh::Model coarser = first.after(first.all());
     if (greatest_distance(mesh::SurfaceTree(coarser.surface, rules.spacing_mm), original, rules.largest_mm,
                           context) <= rules.largest_mm) {
@@ -180,7 +207,7 @@ std::optional<SymmetricShare> simplified_body(const SymmetricShare& body, const 
   std::optional<Candidate> best;
   for (const double power : powers) {
     const CollapseRules how{options.short_edge_mm, power, &field, bound * rules.largest_mm};
-    const Sequence sequence(start, rules.model, rules.walls, fewest_faces, how, context);
+    const Sequence sequence(start, rules.model, *rules.walls, fewest_faces, how, context);
     Candidate candidate;
     if (sequence.all() > 0) {
       candidate = Search(sequence, original, rules, options, context).best();
@@ -189,7 +216,8 @@ std::optional<SymmetricShare> simplified_body(const SymmetricShare& body, const 
       candidate.share = start;
       candidate.faces = start.face_count();
       candidate.folds = fold_figures(sequence.after(0).surface, options);
-      candidate.foldable = candidate.folds.brief_share() <= options.short_edge_share && candidate.faces <= rules.most_faces;
+      candidate.foldable =
+          candidate.folds.brief_share() <= options.short_edge_share && candidate.faces <= rules.most_faces;
     }
     if (!best || better(candidate, *best)) {
       best = std::move(candidate);

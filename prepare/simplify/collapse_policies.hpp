@@ -56,6 +56,11 @@ template <class Profile>
   return q0 + q1 + mirrored(at, bound.is(profile.v0()) ? q1 : q0);
 }
 
+template <class Profile>
+[[nodiscard]] double length_of(const Profile& profile) {
+  return std::sqrt(CGAL::squared_distance(profile.p0(), profile.p1()));
+}
+
 /// Whether both ends of an edge have a quadric. A vertex among faces that are too small to have a normal has
 /// none, and CGAL demands one.
 template <class Policy, class Profile>
@@ -94,13 +99,13 @@ class NearPlacement {
   boost::optional<Place> in_walls(const Profile& profile, const std::vector<std::uint32_t>& walls,
                                   const MirrorPlane* plane, const Place& middle) const {
     const auto best = walls_->best_place(walls, plane, quadric_of(*policies_, *bound_, profile),
-                                         {middle.x(), middle.y(), middle.z()});
+                                         {middle.x(), middle.y(), middle.z()}, length_of(profile));
     const double reach = CGAL::squared_distance(profile.p0(), profile.p1());
     if (best && CGAL::squared_distance(Place(best->x, best->y, best->z), middle) <= reach) {
       return Place(best->x, best->y, best->z);
     }
     for (const Place& place : {middle, profile.p0(), profile.p1()}) {
-      if (walls_->holds(walls, {place.x(), place.y(), place.z()})) {
+      if (walls_->holds(walls, {place.x(), place.y(), place.z()}, length_of(profile))) {
         return place;
       }
     }
@@ -173,7 +178,7 @@ class GuardedPlacement {
     std::vector<Rim> rim;
     return !bound_->forbids(mesh, change.v0, change.v1, profile.v0_v1()) &&
            !walls_->ends_one(mesh, profile.v0_v1()) &&
-           walls_->holds(walls_->around(mesh, change.v0, change.v1), change.place) &&
+           walls_->holds(walls_->around(mesh, change.v0, change.v1), change.place, length_of(profile)) &&
            harmless(mesh, *bound_, *walls_, change, rim) &&
            (rules_.field == nullptr || near_original(mesh, change, rim));
   }

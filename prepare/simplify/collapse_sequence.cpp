@@ -19,6 +19,8 @@ namespace sms = CGAL::Surface_mesh_simplification;
 
 /// Vertices of a wall are off its plane by no more than this share of the diagonal: as in a panel.
 constexpr double in_plane = 1e-5;
+/// A step between two walls that is lower than this share of the short edge can be seen, but not folded.
+constexpr double step = 1.0 / 6.0;
 
 /// Writes the collapses down as they happen. CGAL copies visitors.
 class Recorder : public sms::Edge_collapse_visitor_base<EditMesh> {
@@ -107,7 +109,7 @@ std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const Poi
       box.add(loose.points[v]);
     }
   }
-  WallFaces wall_faces(walls, in_plane * box.diagonal());
+  WallFaces wall_faces(walls, in_plane * box.diagonal(), step * rules.short_edge);
   std::vector<double> drift(loose.points.size(), 0.0);
   const StopAt stop{&collapses, faces};
   Watch watch(context);

@@ -168,13 +168,13 @@ class FeatureRemover {
     const Vec3 middle = 0.5 * (loop.box.low + loop.box.high);
     const double reach = 2.0 * (largest_loop_ + largest_mm_);
     const auto corners = surface_.vertices(f);
-    return std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
-      return length(surface_.point(v) - middle) <= reach;
-    });
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](VertexId v) { return length(surface_.point(v) - middle) <= reach; });
   }
 
   /// Whether no corner is farther from the nearest of the walls that close it than the surface may move.
-  [[nodiscard]] bool stays_near(const std::vector<FaceId>& inside, const std::vector<std::uint32_t>& ends) const {
+  [[nodiscard]] bool stays_near(const std::vector<FaceId>& inside,
+                                const std::vector<std::uint32_t>& ends) const {
     return std::all_of(inside.begin(), inside.end(), [&](FaceId f) {
       const auto corners = surface_.vertices(f);
       return std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
@@ -191,7 +191,8 @@ class FeatureRemover {
   }
 
   bool cap(const Loop& loop, std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>>& caps) const {
-    const PlaneFrame frame(surface_.point(surface_.vertex(loop.sides.front())), walls_.walls[loop.wall].normal);
+    const PlaneFrame frame(surface_.point(surface_.vertex(loop.sides.front())),
+                           walls_.walls[loop.wall].normal);
     std::vector<std::uint32_t> vertices;
     std::vector<Vec2> flat;
     std::vector<std::array<std::uint32_t, 2>> sides;

@@ -15,6 +15,8 @@ namespace {
 
 /// Vertices are off the planes of walls by no more than this share of the diagonal.
 constexpr double in_plane = 2e-5;
+/// Edges of so many times the short edge have room for a tab of full width and a number.
+constexpr double roomy = 2.5;
 /// Cosine of the angle (5 degrees) within which walls count as parallel.
 constexpr double parallel = 0.996;
 
@@ -85,12 +87,16 @@ FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& op
   FoldFigures figures;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
-    if (!d.valid() || panels.panel[mesh::face_of(c)] == panels.panel[mesh::face_of(d)] ||
-        std::abs(surface.fold_angle(e)) < options.hidden_fold_angle) {
+    if (!d.valid() || panels.panel[mesh::face_of(c)] == panels.panel[mesh::face_of(d)]) {
+      continue;
+    }
+    const double length = surface.length(e);
+    ++figures.edges;
+    figures.close += length < roomy * options.short_edge_mm ? 1U : 0U;
+    if (std::abs(surface.fold_angle(e)) < options.hidden_fold_angle) {
       continue;
     }
     ++figures.folds;
-    const double length = surface.length(e);
     if (length < options.short_edge_mm) {
       figures.brief += at_edges.keep_apart(e) ? 0U : 1U;
       if (length < options.tiny_edge_mm) {

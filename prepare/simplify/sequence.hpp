@@ -22,8 +22,8 @@ namespace ridgecraft::prepare {
 /// One sequence of collapses and the model after any number of them.
 class Sequence {
  public:
-  /// `walls` are those of the whole, `model` is the whole taken apart and must outlive it, as must the context.
-  /// Collapses down to `faces` faces, O(n log n).
+  /// `walls` are those of the whole, `model` is the whole taken apart and must outlive it, as must the
+  /// context. Collapses down to `faces` faces, O(n log n).
   Sequence(SymmetricShare start, const mesh::LooseFaces& model, const Walls& walls, std::size_t faces,
            const CollapseRules& rules, const Context& context);
 

@@ -2,6 +2,7 @@
 #include "prepare/simplify/simplify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -30,6 +31,8 @@ constexpr double sample_spacing = 0.015;
 constexpr double speck = 0.5;
 /// Where a model has too many faces, bodies with so few keep theirs.
 constexpr std::size_t few_faces = 24;
+/// There walls are what would be ones if the short edge were so many times longer.
+constexpr std::array<double, 3> coarser_walls{1.0, 1.6, 2.5};
 /// A model that is off its mirror image by no more than this share of its extent becomes symmetric: a fifth
 /// of what simplification may move it.
 constexpr double symmetric_within = 0.004;
@@ -75,15 +78,14 @@ double evened(const SymmetricShare& share, const mesh::Model& model) {
 }
 
 std::size_t face_count(const std::vector<SymmetricShare>& bodies) {
-  return std::accumulate(
-      bodies.begin(), bodies.end(), std::size_t{0},
-      [](std::size_t sum, const SymmetricShare& body) { return sum + body.face_count(); });
+  return std::accumulate(bodies.begin(), bodies.end(), std::size_t{0},
+                         [](std::size_t sum, const SymmetricShare& body) { return sum + body.face_count(); });
 }
 
-/// Each as it needs; and where they have too many faces together, those that have many get fewer. Whether anything
-/// was changed.
-bool simplify_bodies(std::vector<SymmetricShare>& bodies, BodyRules& rules, const SimplifyOptions& options,
-                     const Context& context) {
+/// Each as it needs; and where they have too many faces together, those that have many get fewer, and only
+/// larger walls stay. Whether anything was changed.
+bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodies, BodyRules rules,
+                     const SimplifyOptions& options, const Context& context) {
   const std::vector<SymmetricShare> before = bodies;
   bool changed = false;
   const auto simplify = [&](std::size_t i, std::size_t most_faces) {
@@ -96,11 +98,17 @@ bool simplify_bodies(std::vector<SymmetricShare>& bodies, BodyRules& rules, cons
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     simplify(i, options.most_faces);
   }
-  const std::size_t all = face_count(bodies);
-  if (all > options.most_faces) {
+  const mesh::Surface& surface = model.surface;
+  for (const double factor : coarser_walls) {
+    const std::size_t all = face_count(bodies);
+    if (all <= options.most_faces) {
+      break;
+    }
+    const Walls walls = find_walls(surface, find_panels(surface), factor * options.short_edge_mm);
+    rules.walls = &walls;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const std::size_t faces = bodies[i].face_count();
-      if (faces > few_faces * (1 + bodies[i].copies.size()) && faces < options.most_faces) {
+      if (faces > few_faces * (1 + bodies[i].copies.size())) {
         simplify(i, faces * options.most_faces / all);
       }
     }
@@ -108,12 +116,13 @@ bool simplify_bodies(std::vector<SymmetricShare>& bodies, BodyRules& rules, cons
   return changed;
 }
 
-void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
-                      const Context& context) {
-  report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
+/// Without features of walls, if asked for.
+void simplify_components(mesh::Model& model, const SimplifyOptions& options, bool features,
+                         SimplifyReport& report, const Context& context) {
   const mesh::Surface before = model.surface;
   const double extent = before.bounds().largest_extent();
-  report.features_removed = remove_features(model, options, options.largest_deviation * extent);
+  report.features_removed =
+      features ? remove_features(model, options, options.largest_deviation * extent) : 0;
   if (report.features_removed > 0) {
     remesh_panels(model, context);
   }
@@ -121,9 +130,9 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
   const SymmetricShare start = symmetric_share(model, symmetric_within, context);
   const double evened_mm = evened(start, model);
-  BodyRules rules{all, walls, sample_spacing * extent, options.largest_deviation * extent, 0};
+  const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
   std::vector<SymmetricShare> bodies = divided(start);
-  if (!simplify_bodies(bodies, rules, options, context) && report.features_removed == 0) {
+  if (!simplify_bodies(model, bodies, rules, options, context) && report.features_removed == 0) {
     return;
   }
   mesh::Model result;
@@ -133,6 +142,19 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
                                           mesh::SurfaceTree(before, rules.spacing_mm), INFINITY, context);
   report.evened_mm = evened_mm;
   take_over(model, std::move(result));
+}
+
+void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
+                      const Context& context) {
+  report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
+  const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
+  mesh::Model kept = model;
+  simplify_components(model, options, true, report, context);
+  if (report.features_removed > 0 && report.deviation_mm > largest_mm) {
+    // What was simplified beside the features moved the surface as far again.
+    model = std::move(kept);
+    simplify_components(model, options, false, report, context);
+  }
 }
 
 void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
@@ -158,8 +180,8 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
   SimplifyReport report;
   report.faces_before = model.surface.face_count();
   report.short_edges_before = fold_figures(model.surface, options).brief_share();
-  if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_share ||
-                                                    report.faces_before > options.most_faces)) {
+  if (options.mode == Simplification::automatic &&
+      (report.short_edges_before > options.short_edge_share || report.faces_before > options.most_faces)) {
     simplify_to_fold(model, options, report, context);
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {

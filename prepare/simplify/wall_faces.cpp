@@ -30,7 +30,8 @@ Vec3 least_error(const Meeting& meeting, const Eigen::Matrix4d& quadric) {
   }
   Eigen::Vector3d place = to_eigen(meeting.place());
   const Eigen::Matrix3d growth = within * quadric.topLeftCorner<3, 3>() * within;
-  const Eigen::Vector3d slope = within * (quadric.topLeftCorner<3, 3>() * place + quadric.topRightCorner<3, 1>());
+  const Eigen::Vector3d slope =
+      within * (quadric.topLeftCorner<3, 3>() * place + quadric.topRightCorner<3, 1>());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(growth);
   const double largest = solver.eigenvalues()(2);
   for (int i = 0; i < 3; ++i) {
@@ -45,8 +46,8 @@ Vec3 least_error(const Meeting& meeting, const Eigen::Matrix4d& quadric) {
 
 }  // namespace
 
-WallFaces::WallFaces(const Walls& walls, double tolerance)
-    : walls_(&walls), tolerance_(tolerance), left_(walls.walls.size(), 0) {
+WallFaces::WallFaces(const Walls& walls, double tolerance, double step)
+    : walls_(&walls), tolerance_(tolerance), step_(step), left_(walls.walls.size(), 0) {
   for (const std::uint32_t wall : walls.of_face) {
     if (wall != Walls::none) {
       ++left_[wall];
@@ -72,10 +73,10 @@ std::vector<std::uint32_t> WallFaces::around(const EditMesh& mesh, EditMesh::Ver
   return found;
 }
 
-bool WallFaces::holds(const std::vector<std::uint32_t>& walls, Vec3 place) const {
-  return std::all_of(walls.begin(), walls.end(), [&](std::uint32_t w) {
-    return std::abs(walls_->walls[w].height(place)) <= tolerance_;
-  });
+bool WallFaces::holds(const std::vector<std::uint32_t>& walls, Vec3 place, double edge) const {
+  const double tolerance = edge < step_ ? std::max(tolerance_, step_ / 6.0) : tolerance_;
+  return std::all_of(walls.begin(), walls.end(),
+                     [&](std::uint32_t w) { return std::abs(walls_->walls[w].height(place)) <= tolerance; });
 }
 
 bool WallFaces::ends_one(const EditMesh& mesh, EditMesh::HalfedgeHandle side) const {
@@ -95,7 +96,7 @@ void WallFaces::remove(EditMesh::FaceHandle face) {
 }
 
 std::optional<Vec3> WallFaces::best_place(const std::vector<std::uint32_t>& walls, const MirrorPlane* mirror,
-                                          const Eigen::Matrix4d& quadric, Vec3 start) const {
+                                          const Eigen::Matrix4d& quadric, Vec3 start, double edge) const {
   Meeting meeting(start);
   if (mirror != nullptr) {
     meeting.add(mirror->normal, mirror->offset);
@@ -104,7 +105,7 @@ std::optional<Vec3> WallFaces::best_place(const std::vector<std::uint32_t>& wall
     meeting.add(walls_->walls[w].normal, walls_->walls[w].offset);
   }
   const Vec3 place = least_error(meeting, quadric);
-  return holds(walls, place) ? std::optional(place) : std::nullopt;
+  return holds(walls, place, edge) ? std::optional(place) : std::nullopt;
 }
 
 }  // namespace ridgecraft::prepare

@@ -14,7 +14,8 @@ namespace {
 constexpr double degrees = std::numbers::pi / 180.0;
 /// A fold of this much is the edge of something; what is round has smaller ones.
 constexpr double sharp = 30.0 * degrees;
-/// Narrow faces between two folds of less, both to the same side, are a bevel; at a plate's rim they are 90 degrees.
+/// Narrow faces between two folds of less, both to the same side, are a bevel; at a plate's rim they are 90
+/// degrees.
 constexpr double bevel = 75.0 * degrees;
 /// Areas as multiples of the short edge's square: smaller regions are details, ...
 constexpr double detail = 0.5;

@@ -34,7 +34,8 @@ class Meeting {
  public:
   explicit Meeting(Vec3 start) : place_(start) {}
 
-  /// A plane at less than 2 degrees to what the others have in common is left out: where they meet isn't known well.
+  /// A plane at less than 2 degrees to what the others have in common is left out: where they meet isn't
+  /// known well.
   void add(Vec3 normal, double offset);
   /// Orthogonal unit vectors; the planes together are across these. Three at most.
   [[nodiscard]] const std::vector<Vec3>& directions() const { return directions_; }
@@ -45,9 +46,9 @@ class Meeting {
   std::vector<Vec3> directions_;
 };
 
-/// The walls of a surface in mm, of components of which walls are a good part; none else. A wall is a flat region
-/// that a person sees as one: large, or with sharp sides. Bevels, and the narrow faces that something round is made
-/// of, are none. O(n).
+/// The walls of a surface in mm, of components of which walls are a good part; none else. A wall is a flat
+/// region that a person sees as one: large, or with sharp sides. Bevels, and the narrow faces that something
+/// round is made of, are none. O(n).
 [[nodiscard]] Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm);
 
 /// The same walls, with the faces of a share of the surface. O(n).
