@@ -24,9 +24,9 @@ std::string verdict(const prepare::Prepared& prepared, const prepare::SimplifyOp
     reasons.push_back(fmt::format("{:.0f} % of the faces are thinner than {:g} mm",
                                   100.0 * prepared.sliver_share, prepare::sliver_mm));
   }
-  const std::string size = prepared.smallest_size_mm ? fmt::format("at {0:.0f} mm it can: --size {0:.0f}mm",
-                                                                   *prepared.smallest_size_mm)
-                                                     : "no size up to a metre helps, but fewer --faces may";
+  const std::string size = prepared.smallest_size_mm
+                               ? fmt::format("at {:.0f} mm it can", *prepared.smallest_size_mm)
+                               : "no size up to a metre helps";
   return fmt::format("can't be built at {:.4g} mm: {}; {}", prepared.model.surface.bounds().largest_extent(),
                      listed(reasons, "and"), size);
 }

@@ -9,7 +9,7 @@
 
 namespace ridgecraft::job {
 
-/// "can't be built at 150 mm: 38 % of the folds are shorter than 3 mm; at 380 mm it can: --size 380mm"; empty
+/// "can't be built at 150 mm: 38 % of the folds are shorter than 3 mm; at 380 mm it can"; empty
 /// for a model that can be folded.
 [[nodiscard]] std::string verdict(const prepare::Prepared& prepared,
                                   const prepare::SimplifyOptions& simplify);

@@ -111,7 +111,9 @@ void say_simplified(Summary& summary, const job::Paper& made) {
                 counted(report.features_removed, "small feature") + " of flat walls");
   }
   if (const std::string why = job::verdict(made.prepared, made.options.simplify); !why.empty()) {
-    summary.say(Line::simplified, "too fine", why);
+    const std::optional<double>& size = made.prepared.smallest_size_mm;
+    summary.say(Line::simplified, "too fine",
+                why + (size ? fmt::format(": --size {:.0f}mm", *size) : ", but fewer --faces may"));
   }
 }
 

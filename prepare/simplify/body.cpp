@@ -14,8 +14,8 @@
 namespace ridgecraft::prepare {
 namespace {
 
-/// Nothing recognisable is left of a body below this many faces.
-constexpr std::size_t fewest_faces = 16;
+/// Nothing recognisable is left of a body below this many faces: a box.
+constexpr std::size_t fewest_faces = 12;
 /// Down to this multiple of the faces that short edges would give, no care is needed.
 constexpr double coarse = 3.0;
 /// How strongly short edges are preferred; which is best depends on the model, so each is tried.

@@ -172,22 +172,35 @@ class FeatureRemover {
                        [&](VertexId v) { return length(surface_.point(v) - middle) <= reach; });
   }
 
-  /// Whether no corner is farther from the nearest of the walls that close it than the surface may move.
+  /// Whether nothing is farther from the walls that close it than the surface may move, nor these from it.
   [[nodiscard]] bool stays_near(const std::vector<FaceId>& inside,
                                 const std::vector<std::uint32_t>& ends) const {
-    return std::all_of(inside.begin(), inside.end(), [&](FaceId f) {
-      const auto corners = surface_.vertices(f);
-      return std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
-        return std::any_of(ends.begin(), ends.end(), [&](std::uint32_t l) {
-          const Loop& loop = loops_[l];
-          const Vec3 p = surface_.point(v);
-          const Vec3 nearest{std::clamp(p.x, loop.box.low.x, loop.box.high.x),
-                             std::clamp(p.y, loop.box.low.y, loop.box.high.y),
-                             std::clamp(p.z, loop.box.low.z, loop.box.high.z)};
-          return length(p - nearest) <= largest_mm_;
-        });
-      });
+    const bool narrow = std::all_of(ends.begin(), ends.end(), [&](std::uint32_t l) {
+      const Vec3 size = loops_[l].box.size();
+      const double smallest = std::min({size.x, size.y, size.z});
+      const double largest = std::max({size.x, size.y, size.z});
+      return size.x + size.y + size.z - smallest - largest <= 2.0 * largest_mm_;
     });
+    return narrow && std::all_of(inside.begin(), inside.end(), [&](FaceId f) {
+             const auto [a, b, c] = surface_.vertices(f);
+             const std::array<Vec3, 3> p{surface_.point(a), surface_.point(b), surface_.point(c)};
+             const std::array<Vec3, 7> places{p[0],
+                                              p[1],
+                                              p[2],
+                                              0.5 * (p[0] + p[1]),
+                                              0.5 * (p[1] + p[2]),
+                                              0.5 * (p[2] + p[0]),
+                                              (p[0] + p[1] + p[2]) / 3.0};
+             return std::all_of(places.begin(), places.end(), [&](Vec3 q) {
+               return std::any_of(ends.begin(), ends.end(),
+                                  [&](std::uint32_t l) { return distance(loops_[l].box, q) <= largest_mm_; });
+             });
+           });
+  }
+
+  static double distance(const Box3& box, Vec3 p) {
+    return length(p - Vec3{std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y),
+                           std::clamp(p.z, box.low.z, box.high.z)});
   }
 
   bool cap(const Loop& loop, std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>>& caps) const {
