@@ -207,7 +207,7 @@ auto about(const std::string& model, const Work& work) {
     return work();
   } catch (const Error& error) {
     const bool about_model = error.kind() == ErrorKind::unusable_mesh || error.kind() == ErrorKind::no_nets ||
-                             error.kind() == ErrorKind::internal;
+                             error.kind() == ErrorKind::unbuildable || error.kind() == ErrorKind::internal;
     if (!about_model || !error.about().empty()) {
       throw;
     }

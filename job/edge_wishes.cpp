@@ -48,6 +48,22 @@ Seams seams_of_fold(const OldNets& old, const mesh::Surface& surface) {
   return seams;
 }
 
+/// Largest extent of the model that nets of our own were made for, mm; none where they don't tell.
+std::optional<double> size_of(const OldNets& old) {
+  if (!is_fold_file(old)) {
+    return std::nullopt;
+  }
+  const verify::File nets = read_fold_file(old);
+  if (const auto size = nets.settings.number("size_mm")) {
+    return size;
+  }
+  Box3 box;
+  for (const Vec3 p : nets.model.points) {
+    box.add(p);
+  }
+  return box.largest_extent() > 0.0 ? std::optional(box.largest_extent()) : std::nullopt;
+}
+
 /// Those of nets that another program keeps with its model.
 Seams seams_of_model_file(const OldNets& old, const mesh::Surface& surface, const Context& context) {
   const mesh::FileSeams file = mesh::read_seams(old.bytes, old.name, context);
@@ -181,6 +197,16 @@ void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::Simplify
   simplify.mode = prepare::Simplification::keep;
   if (!edges.any()) {
     notes.emplace_back("the file marks edges to cut, so the model isn't simplified");
+  }
+}
+
+void use_size_of_nets(const EdgeRequests& edges, const mesh::Model& model, prepare::SizeOptions& size) {
+  if (!size.adapts || (!edges.any() && model.lines.empty())) {
+    return;
+  }
+  size.adapts = false;
+  if (edges.from) {
+    size.largest_extent_mm = size_of(*edges.from).value_or(size.largest_extent_mm);
   }
 }
 

@@ -23,6 +23,10 @@ namespace ridgecraft::job {
 void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,
                 std::vector<std::string>& notes);
 
+/// Edges that are named belong to one size: where the user asked for none it is that of nets made before, or
+/// the usual one.
+void use_size_of_nets(const EdgeRequests& edges, const mesh::Model& model, prepare::SizeOptions& size);
+
 /// What is wanted of each edge of the prepared surface; empty where nothing is. What couldn't be matched is
 /// noted. Throws Error(unreadable_input) for nets that can't be read, Error(unusable_mesh) for nets of
 /// another model.

@@ -12,7 +12,9 @@
 #include "job/model_of_nets.hpp"
 #include "job/parts.hpp"
 #include "job/settings.hpp"
+#include "job/verdict.hpp"
 #include "prepare/prepare.hpp"
+#include "prepare/prepared/expected_pages.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
 #include "unfold/replace_tabs.hpp"
 #include "unfold/unfold.hpp"
@@ -155,19 +157,28 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   model = prepare::select(std::move(model), options.selection);
   made.ground = prepare::ground_name(model);
   heed_edges(options.edges, model, made.options.simplify, notes);
-  made.searched_with = settings_of(made.options, made.seed);
+  use_size_of_nets(options.edges, model, made.options.size);
   const Vec2 area = room_for_pieces(options);
+  const double units = model.surface.bounds().largest_extent() * model.file_scale;
   made.prepared = clock("prepare", context, [&] {
     Faces faces = faces_to_unfold(std::move(model), made.options, notes, context);
     return prepare::prepare(std::move(faces.model), faces.size, faces.simplify, panel_room(options),
                             until_deadline(context));
   });
   const mesh::Surface& surface = made.prepared.model.surface;
+  if (made.prepared.size_reason != prepare::SizeReason::none) {
+    // Of the model; simplification may have left a little less.
+    made.options.size.largest_extent_mm = std::round(made.prepared.mm_per_unit * units);
+  }
+  made.searched_with = settings_of(made.options, made.seed);
+  if (const std::string why = verdict(made.prepared, made.options.simplify); options.strict && !why.empty()) {
+    throw Error(ErrorKind::unbuildable, why);
+  }
   made.slivers = prepare::count_narrow_faces(surface, made.prepared.panels, sliver_mm);
   double expected = 0.0;
   if (options.paper) {
     tell(listener, short_folds(made.prepared, options.style.hidden_fold_angle));
-    expected = expected_pages(made.prepared, area);
+    expected = prepare::expected_pages(made.prepared, area);
     tell(listener, many_pages(surface, area, expected, false));
   }
   unfold::EdgeWishes wishes =

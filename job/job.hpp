@@ -18,14 +18,14 @@
 #include "job/remark.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/model/model.hpp"
+#include "prepare/prepared/narrow_faces.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 #include "verify/verify.hpp"
 
 namespace ridgecraft::job {
 
-/// Narrower strips of paper can neither be cut out nor folded by hand, mm.
-inline constexpr double sliver_mm = 1.0;
+using prepare::sliver_mm;
 
 /// A finished job with all that was made on the way; every value is complete in itself.
 struct Paper {
@@ -56,9 +56,10 @@ struct Paper {
 /// of threads. Where the context's deadline passes, searches end with the best they have, and where it passes
 /// in the first half of segmentation's time, each component is one part (Paper::parts_given_up). Throws
 /// Error(unusable_mesh), Error(no_nets), Error(unreadable_input) for nets made before that aren't in form
-/// and for edges named by points that the model doesn't have, Error(out_of_time) where the deadline passes
-/// while there is nothing yet, Error(interrupted), and Error(internal) where the result fails its check. What
-/// takes time is named with each stage (docs/architecture.md).
+/// and for edges named by points that the model doesn't have, Error(unbuildable) where Options::strict asks
+/// for it, Error(out_of_time) where the deadline passes while there is nothing yet, Error(interrupted), and
+/// Error(internal) where the result fails its check. What takes time is named with each stage
+/// (docs/architecture.md).
 [[nodiscard]] Paper paper(mesh::Model model, const Options& options, const Context& context,
                           const Listener& listener = {});
 

@@ -59,6 +59,7 @@ struct Options {
   unfold::PanelCuts panel_cuts = unfold::PanelCuts::only_if_too_large;
   EdgeRequests edges;
   paper::Style style;
+  bool strict = false;  ///< what nobody could build at this size isn't made
 };
 
 }  // namespace ridgecraft::job

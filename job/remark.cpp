@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "prepare/prepared/expected_pages.hpp"
+
 namespace ridgecraft::job {
 namespace {
 
@@ -15,25 +17,10 @@ constexpr double easy_fold_mm = 6.0;
 constexpr double warned_pages = 100.0;
 /// As many pages as a maker finishes.
 constexpr double few_pages = 10.0;
-/// Share of the printable area that pieces fill.
-constexpr double filled = 0.6;
-
-double area_of(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
-  double area = 0.0;
-  for (const FaceId f : faces) {
-    area += surface.area(f);
-  }
-  return area;
-}
-
-double pages_filled(double area, Vec2 printable) {
-  return area / (filled * printable.x * printable.y);
-}
-
 /// Paper grows with the square of the size. A model on few pages has hardly a flat region that takes one for
 /// itself, so those of this size don't count more than their area.
 double size_on_few_pages(const mesh::Surface& surface, Vec2 printable, double pages) {
-  const double paper = std::max(pages, pages_filled(mesh::total_area(surface), printable));
+  const double paper = std::max(pages, prepare::pages_filled(mesh::total_area(surface), printable));
   return surface.bounds().largest_extent() * std::sqrt(few_pages / paper);
 }
 
@@ -52,20 +39,6 @@ std::vector<double> fold_lengths(const prepare::Prepared& prepared, double hidde
 }
 
 }  // namespace
-
-double expected_pages(const prepare::Prepared& prepared, Vec2 printable) {
-  double alone = 0.0;
-  double area_of_others = 0.0;
-  for (const auto& faces : prepared.panels.faces) {
-    const double area = area_of(prepared.model.surface, faces);
-    if (area > 0.5 * printable.x * printable.y) {
-      alone += 1.0;
-    } else {
-      area_of_others += area;
-    }
-  }
-  return alone + pages_filled(area_of_others, printable);
-}
 
 std::optional<ManyPages> many_pages(const mesh::Surface& surface, Vec2 printable, double pages,
                                     bool counted) {

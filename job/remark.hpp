@@ -31,10 +31,6 @@ using Remark = std::variant<ManyPages, ShortFolds>;
 /// Called while the job goes on, from its thread. May be empty.
 using Listener = std::function<void(const Remark&)>;
 
-/// About how many pages the model takes: flat regions larger than half a page one each, the others by their
-/// area.
-[[nodiscard]] double expected_pages(const prepare::Prepared& prepared, Vec2 printable);
-
 /// Where that is so many that a user may want to stop; `counted`: the pages are laid out.
 [[nodiscard]] std::optional<ManyPages> many_pages(const mesh::Surface& surface, Vec2 printable, double pages,
                                                   bool counted);

@@ -1,84 +1,152 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a model in the file's unit to one that can be made of paper.
+// Which size a model gets where nobody asked for one, and which one it would need.
+#include "prepare/prepare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
-#include "mesh/mesh.hpp"
-#include "prepare/panels/divide_panels.hpp"
-#include "prepare/panels/remesh_panels.hpp"
-#include "prepare/prepared/narrow_faces.hpp"
-#include "prepare/simplify/simplify.hpp"
-#include "prepare/size.hpp"
-#include "prepare/twins/body_names.hpp"
-#include "prepare/twins/twin_copies.hpp"
+#include "prepare/at_size.hpp"
+#include "prepare/prepared/expected_pages.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
-/// Where all faces are kept, what makes equal bodies copies of each other moves no point by more than this share
-/// of the model's largest extent: less than what verify/ allows, and more than files with six digits are off.
-constexpr double kept_share = 4e-5;
+/// Sizes that are tried grow by this factor, ...
+constexpr double size_step = 1.25;
+/// ... or this one where the model has so many faces that each try takes long.
+constexpr double large_size_step = 1.6;
+constexpr std::size_t slow_faces = 20000;
+/// Of larger models other sizes aren't tried: they take too long, and too much memory.
+constexpr std::size_t most_tried_faces = 200000;
+/// Trying has at most this share of the time that there is.
+constexpr double time_share = 0.3;
+/// In whole centimetres, ...
+constexpr double centimetre = 10.0;
+/// ... from the smallest model of which anything can be folded to the largest that anybody builds.
+constexpr double smallest_tried_mm = 50.0;
+constexpr double largest_tried_mm = 1000.0;
 
-/// Equal bodies become copies of one. The model stays of its size.
-void copy_equal_bodies(Prepared& prepared, const SizeOptions& size, bool keeps_faces, const Context& context) {
-  mesh::Model& model = prepared.model;
-  const double extent = model.surface.bounds().largest_extent();
-  prepared.panels = find_panels(model.surface);
-  const EqualBodies equal =
-      find_equal_bodies(model, prepared.panels, keeps_faces ? kept_share * extent : extent, context);
-  if (equal.kinds.empty()) {
-    return;
-  }
-  prepared.twins = make_copies(model, equal);
-  if (model.surface.bounds().largest_extent() != extent && !size.mm_per_unit) {
-    prepared.mm_per_unit *= resize(model, size);
-  }
-  prepared.panels = find_panels(model.surface);
-  copy_panels(prepared.twins, prepared.panels);
+double extent_of(const Prepared& prepared) {
+  return prepared.model.surface.bounds().largest_extent();
 }
 
-/// Division of panels gives a body points that its twin may not have got, or at other places: bodies that are no
-/// copies any more are none.
-void renew_copies(Prepared& prepared, const Context& context) {
-  const double extent = prepared.model.surface.bounds().largest_extent();
-  prepared.twins = make_copies(
-      prepared.model, find_equal_bodies(prepared.model, prepared.panels, kept_share * extent, context));
-  copy_panels(prepared.twins, prepared.panels);
+class SizeSearch {
+ public:
+  SizeSearch(const mesh::Model& model, const SimplifyOptions& simplify, const PanelRoom& room,
+             const Context& context)
+      : model_(model), simplify_(simplify), room_(room), context_(until_deadline(context, time_share)) {}
+
+  [[nodiscard]] double pages(const Prepared& prepared) const {
+    return expected_pages(prepared, {room_.sheet.width, room_.sheet.height});
+  }
+  /// The next larger size at which somebody can fold it; none if there is none that makes sense, or if the
+  /// time given is too short to find it.
+  [[nodiscard]] std::optional<Prepared> larger(double mm) const {
+    return in_time([&] { return next_larger(mm); });
+  }
+  /// At a smaller size, if it can be folded there.
+  [[nodiscard]] std::optional<Prepared> smaller(double mm) const {
+    return in_time([&] {
+      std::optional<Prepared> found = at(mm);
+      return can_be_folded(*found) ? std::move(found) : std::nullopt;
+    });
+  }
+
+ private:
+  template <class Work>
+  static std::optional<Prepared> in_time(const Work& work) {
+    try {
+      return work();
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::out_of_time) {
+        throw;
+      }
+      return std::nullopt;
+    }
+  }
+
+  [[nodiscard]] Prepared at(double mm) const {
+    SizeOptions size;
+    size.largest_extent_mm = mm;
+    return prepare_at_size(model_, size, simplify_, room_, context_);
+  }
+  [[nodiscard]] std::optional<Prepared> next_larger(double mm) const {
+    const double factor = model_.surface.face_count() > slow_faces ? large_size_step : size_step;
+    for (mm = std::max(mm * factor, smallest_tried_mm); mm <= largest_tried_mm; mm *= factor) {
+      mm = centimetre * std::ceil(mm / centimetre);
+      context_.check();
+      Prepared found = at(mm);
+      if (can_be_folded(found)) {
+        return found;
+      }
+    }
+    return std::nullopt;
+  }
+
+  const mesh::Model& model_;
+  const SimplifyOptions& simplify_;
+  const PanelRoom& room_;
+  Context context_;
+};
+
+/// Of the size that it has by default, or of another one between the limits that suits it better.
+Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
+  const double pages = search.pages(usual);
+  if (!can_be_folded(usual)) {
+    if (std::optional<Prepared> larger = search.larger(extent_of(usual))) {
+      if (extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
+        larger->size_reason = SizeReason::folds;
+        return std::move(*larger);
+      }
+      usual.smallest_size_mm = centimetre * std::round(extent_of(*larger) / centimetre);
+    }
+    return usual;
+  }
+  const double fitting =
+      std::max(size.smallest_mm,
+               centimetre * std::floor(extent_of(usual) * std::sqrt(size.most_pages / pages) / centimetre));
+  if (pages > size.most_pages && fitting < extent_of(usual)) {
+    if (std::optional<Prepared> smaller = search.smaller(fitting)) {
+      smaller->size_reason = SizeReason::pages;
+      return std::move(*smaller);
+    }
+  }
+  return usual;
 }
 
 }  // namespace
 
+bool has_many_slivers(const Prepared& prepared) {
+  const bool simplified = prepared.simplified.faces_after < prepared.simplified.faces_before;
+  return prepared.sliver_share > (simplified ? most_slivers : most_own_slivers);
+}
+
+bool can_be_folded(const Prepared& prepared) {
+  return !prepared.simplified.still_too_fine && !has_many_slivers(prepared);
+}
+
 Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                  const PanelRoom& room, const Context& context) {
-  context.report("preparing", 0.0);
-  Prepared prepared;
-  prepared.model = std::move(model);
-  prepared.mm_per_unit = resize(prepared.model, size);
-  const std::size_t faces_before = prepared.model.surface.face_count();
-  const BodyNames names(prepared.model);
-  remesh_panels(prepared.model, context);
-  prepared.simplified = prepare::simplify(prepared.model, simplify, context);
-  prepared.simplified.faces_before = faces_before;
-  if (prepared.simplified.faces_after < prepared.simplified.faces_before && !size.mm_per_unit) {
-    // Collapses move the outermost points, too; the size that was asked for is the finished model's.
-    const double factor = resize(prepared.model, size);
-    prepared.mm_per_unit *= factor;
-    prepared.simplified.deviation_mm *= factor;
-    prepared.simplified.evened_mm *= factor;
-    prepared.simplified.short_edges_after = short_fold_share(prepared.model.surface, simplify);
+  std::optional<mesh::Model> kept;
+  if (model.surface.face_count() <= most_tried_faces) {
+    kept = model;
   }
-  copy_equal_bodies(prepared, size, simplify.mode == Simplification::keep, context);
-  prepared.divided_panels = divide_panels(prepared.model, prepared.panels, room, context);
-  if (prepared.divided_panels > 0 && !prepared.twins.empty()) {
-    renew_copies(prepared, context);
+  Prepared prepared = prepare_at_size(std::move(model), size, simplify, room, context);
+  if (!kept) {
+    return prepared;
   }
-  const mesh::Surface& surface = prepared.model.surface;
-  prepared.body_names = names.of(surface);
-  if (count_narrow_faces(surface, prepared.panels, nothing_mm) == surface.face_count()) {
-    throw Error(ErrorKind::no_nets, "every face is too narrow to be cut from paper at this size");
+  const SizeSearch search(*kept, simplify, room, context);
+  if (size.adapts) {
+    return of_fitting_size(std::move(prepared), size, search);
   }
-  prepared.model.repairs.add(mesh::RepairKind::narrow_faces,
-                             count_narrow_faces(surface, prepared.panels, narrow_mm));
+  if (!can_be_folded(prepared)) {
+    if (const std::optional<Prepared> larger = search.larger(extent_of(prepared))) {
+      prepared.smallest_size_mm = centimetre * std::round(extent_of(*larger) / centimetre);
+    }
+  }
   return prepared;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments/option_values.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -40,6 +41,12 @@ void require(const std::string& value, const std::string& what, const std::strin
 double length_or_refuse(const std::string& option, const std::string& text, bool zero_allowed) {
   if (const auto mm = parse_length_mm(text, zero_allowed)) {
     return *mm;
+  }
+  if (std::string with_point = text; std::count(text.begin(), text.end(), ',') == 1) {
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    if (parse_length_mm(with_point, zero_allowed)) {
+      refuse(option + " takes a decimal point: " + option + " " + with_point);
+    }
   }
   refuse(option + " takes a length such as 150mm, 15cm or 6in, not '" + text + "'");
 }

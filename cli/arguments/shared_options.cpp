@@ -28,6 +28,18 @@ void add_selection(Verb& verb, prepare::Selection& selection) {
   verb.list("Input", "--without", selection.without, "NAME", "Leave them out, in the same way.");
 }
 
+namespace {
+
+double size_or_refuse(const std::string& text) {
+  std::string_view rest = text;
+  if (const auto length = take_length(rest); length && rest.empty() && !(length->number > 0.0)) {
+    refuse("--size " + text + " is too small: it takes 1mm and more");
+  }
+  return length_or_refuse("--size", text);
+}
+
+}  // namespace
+
 void CommonTexts::add_to(Verb& verb, TimeUp time_up) {
   verb.flag("Common", "--json", values.json,
             "Print one JSON object on standard output and nothing else there.")
@@ -65,8 +77,13 @@ CommonOptions CommonTexts::checked() const {
 
 void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
   faces = default_faces;
+  adapts = default_faces == "auto";
   verb.option("Size", "--size", size, "LENGTH",
-              "Largest extent of the finished model: 150mm, 20cm, 8in; a number alone means mm (150mm).")
+              default_faces == "auto"
+                  ? "Largest extent of the finished model: 150mm, 20cm, 8in; a number alone means mm "
+                    "(150mm, or what its folds and pages need between 100mm and 400mm)."
+                  : "Largest extent of the finished model: 150mm, 20cm, 8in; a number "
+                    "alone means mm (150mm).")
       .option("Size", "--scale", scale, "FACTOR",
               "Instead of --size: 1:50, 0.5 or 30% of the size that the file's numbers give in --unit.")
       .option(
@@ -97,7 +114,8 @@ void SizeTexts::check_into(job::Options& options, AskedSize& asked) const {
     }
     asked.words = "--scale " + scale + (unit.empty() ? "" : " --unit " + unit);
   } else {
-    options.size.largest_extent_mm = size.empty() ? 150.0 : length_or_refuse("--size", size);
+    options.size.adapts = size.empty() && adapts;
+    options.size.largest_extent_mm = size.empty() ? 150.0 : size_or_refuse(size);
     require_range("--size", size, options.size.largest_extent_mm, 1.0, 100000.0, "1mm to 100m");
     std::string_view typed = size;
     const auto length = take_length(typed);

@@ -37,6 +37,7 @@ struct CommonTexts {
 /// How a model is brought to paper size.
 struct SizeTexts {
   std::string size, scale, unit, faces;
+  bool adapts = false;  ///< without --size and --scale the model decides
 
   void add_to(Verb& verb, const std::string& default_faces);
   /// Sets the size and how the model is simplified. Throws Error(usage).

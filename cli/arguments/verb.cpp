@@ -3,10 +3,13 @@
 #include "cli/arguments/verb.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
+#include "base/length_text.hpp"
 #include "base/nearest_word.hpp"
 #include "cli/arguments/option_values.hpp"
 
@@ -74,6 +77,20 @@ Job Verb::finish(const Arguments* arguments, Manual* manual, const std::function
   return checked();
 }
 
+/// "--size 30 cm" are three arguments; the shell doesn't know that two of them are one length.
+void refuse_divided_length(const Arguments& arguments) {
+  for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
+    const std::string& option = arguments[i];
+    std::string_view number = arguments[i + 1];
+    const std::string& unit = arguments[i + 2];
+    const auto length = take_length(number);
+    if (option.starts_with("--") && option.find('=') == std::string::npos && length && number.empty() &&
+        !length->mm_per_unit && unit_mm(unit) && !std::filesystem::exists(unit)) {
+      refuse("a length has no blank before its unit: " + option + " " + arguments[i + 1] + unit);
+    }
+  }
+}
+
 /// True when --help was asked for.
 bool Verb::parse(Arguments arguments) {
   bool help = false;
@@ -83,6 +100,7 @@ bool Verb::parse(Arguments arguments) {
   const Arguments no_options(end == arguments.end() ? end : end + 1, arguments.end());
   arguments.erase(end, arguments.end());
   given_ = arguments;
+  refuse_divided_length(arguments);
   std::reverse(arguments.begin(), arguments.end());
   try {
     parser_->app.parse(arguments);

@@ -41,6 +41,7 @@ ManualSection exit_section() {
            {"6", "verify found faults."},
            {"7", "A result can't be written."},
            {"8", "All files were written, but the summary can't be printed."},
+           {"9", "With --strict: nobody could build it at this size."},
            {"130", "Interrupted."}}};
 }
 
@@ -139,6 +140,8 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.flag("Output", "--overwrite", job.overwrite,
             "Replace existing files, also those that weren't made from this model.");
   size.add_to(verb, "auto");
+  verb.flag("Size", "--strict", job.options.strict,
+            "Write nothing, with exit code 9, where nobody could fold the model at this size.");
   texts.add_to(verb, job);
   pieces.add_to(verb);
   verb.flag("Pieces", "--fold-linear", fold_linear, std::string(fold_linear_text));

@@ -95,6 +95,23 @@ std::vector<Target> checked_targets(const PaperJob& job) {
   return targets;
 }
 
+/// A factor of numbers whose unit nobody knows: what comes out tells whether they are millimetres.
+void require_sensible_scale(const AskedSize& asked, const job::Options& options, const mesh::Model& model) {
+  constexpr double smallest_mm = 20.0;
+  constexpr double largest_mm = 5000.0;
+  if (!asked.scale || model.frame.mm_per_unit) {
+    return;
+  }
+  const double mm = model.surface.bounds().largest_extent() * model.file_scale * *options.size.mm_per_unit;
+  if (mm < smallest_mm || mm > largest_mm) {
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("{} makes the model {:.3g} mm large, as its file doesn't say what its numbers mean; add "
+                    "--unit m, cm, mm, in or ft",
+                    asked.words, mm));
+  }
+}
+
 /// The model with its edges named, and all that follows from it.
 template <class Job>
 job::Paper make(const Job& job, const EdgeFiles& edge_files, mesh::Model model, const Context& context,
@@ -104,6 +121,7 @@ job::Paper make(const Job& job, const EdgeFiles& edge_files, mesh::Model model, 
   if (job.size_asked.scale && model.frame.mm_per_unit) {
     options.size.mm_per_unit = *job.size_asked.scale * *model.frame.mm_per_unit;
   }
+  require_sensible_scale(job.size_asked, options, model);
   try {
     return job::paper(std::move(model), options, context, listener);
   } catch (const Error& error) {

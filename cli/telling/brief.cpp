@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,12 +13,26 @@
 #include "base/sentence.hpp"
 #include "cli/telling/lengths.hpp"
 #include "cli/telling/net_figures.hpp"
+#include "job/verdict.hpp"
 
 namespace ridgecraft::cli {
 namespace {
 
 /// A surface that moved less has moved by rounding in the file, mm.
 constexpr double seen_mm = 0.005;
+
+/// ", as folds would be too short at 150mm", where nobody asked for the size that it has.
+std::string why_size(const job::Paper& made) {
+  switch (made.prepared.size_reason) {
+    case prepare::SizeReason::folds:
+      return ", as folds would be too short at 150 mm";
+    case prepare::SizeReason::pages:
+      return fmt::format(", as it would take more than {:g} pages at 150 mm", made.options.size.most_pages);
+    case prepare::SizeReason::none:
+      break;
+  }
+  return {};
+}
 
 using Clauses = std::vector<std::string>;
 
@@ -38,6 +53,9 @@ std::string model_line(const job::Paper& made) {
   if (report.faces_after < report.faces_before && report.deviation_mm >= seen_mm) {
     clauses.push_back(fmt::format("simplified from {} to {} faces, moved by at most {:.2f} mm",
                                   report.faces_before, report.faces_after, report.deviation_mm));
+  }
+  if (report.features_removed > 0) {
+    clauses.push_back(counted(report.features_removed, "small feature") + " of flat walls left out");
   }
   if (made.options.selection.any()) {
     clauses.emplace_back("a part of it, by its names");
@@ -62,10 +80,8 @@ void add_glue(const GlueFigures& glue, Clauses& clauses) {
 
 std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
   Clauses clauses;
-  if (made.prepared.simplified.still_too_fine) {
-    clauses.push_back(fmt::format("{:.0f} % of the folds are shorter than {:g} mm",
-                                  100.0 * made.prepared.simplified.short_edges_after,
-                                  made.options.simplify.short_edge_mm));
+  if (std::string why = job::verdict(made.prepared, made.options.simplify); !why.empty()) {
+    clauses.push_back(std::move(why));
   }
   if (made.slivers > 0) {
     clauses.push_back(fmt::format("{} thinner than {:g} mm", counted(made.slivers, "face"), job::sliver_mm));
@@ -93,7 +109,9 @@ std::string next_line(const PaperResult& result) {
   if (pdf != result.files.end()) {
     clauses.push_back("print " + std::filesystem::path(*pdf).filename().string() + " at 100 %");
   }
-  if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
+  if (made.prepared.simplified.still_too_fine && made.prepared.smallest_size_mm) {
+    clauses.push_back(fmt::format("--size {:.0f}mm can be folded", *made.prepared.smallest_size_mm));
+  } else if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
     clauses.emplace_back("a larger --size or fewer --faces make it easier");
   } else if (made.share_saving_a_page) {
     clauses.push_back(fmt::format("--size {:.0f}mm saves a page", size_saving_a_page(made)));
@@ -107,6 +125,12 @@ std::string next_line(const PaperResult& result) {
 
 }  // namespace
 
+std::string size_words(const job::Paper& made, const std::string& asked) {
+  return made.prepared.size_reason == prepare::SizeReason::none
+             ? asked
+             : fmt::format("--size {:.0f}mm{}", made.options.size.largest_extent_mm, why_size(made));
+}
+
 double size_saving_a_page(const job::Paper& made) {
   return std::floor(made.share_saving_a_page.value_or(1.0) *
                     made.prepared.model.surface.bounds().largest_extent());
@@ -117,8 +141,8 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
   const GlueFigures glue = glue_figures(made.prepared.model.surface, made.nets, job.options.tabs);
   const Vec3 size = made.prepared.model.surface.bounds().size();
   summary.say(Line::brief, "size",
-              fmt::format("{:.0f} x {:.0f} x {:.0f} mm ({}{})", size.x, size.y, size.z, job.size_asked.words,
-                          scale_text(made.prepared)));
+              fmt::format("{:.0f} x {:.0f} x {:.0f} mm ({}{})", size.x, size.y, size.z,
+                          size_words(made, job.size_asked.words), scale_text(made.prepared)));
   summary.say(Line::brief, "paper", paper_line(job, made, glue));
   summary.say(Line::brief, "model", model_line(made));
   summary.say(Line::brief, "hard", hard_line(made, glue));

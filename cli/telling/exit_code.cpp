@@ -15,6 +15,8 @@ ExitCode exit_code(ErrorKind kind) {
       return ExitCode::unusable_mesh;
     case ErrorKind::no_nets:
       return ExitCode::no_nets;
+    case ErrorKind::unbuildable:
+      return ExitCode::unbuildable;
     case ErrorKind::cant_write:
       return ExitCode::cant_write;
     case ErrorKind::interrupted:

@@ -15,7 +15,8 @@ enum class ExitCode : int {
   no_nets = 5,
   faults_found = 6,  ///< `verify` found faults
   cant_write = 7,
-  untold = 8,  ///< all was done and written, but standard output didn't take the summary
+  untold = 8,       ///< all was done and written, but standard output didn't take the summary
+  unbuildable = 9,  ///< --strict: nobody could build it at this size
   interrupted = 130,
 };
 

@@ -14,6 +14,8 @@
 #include "cli/telling/lengths.hpp"
 #include "cli/telling/net_figures.hpp"
 #include "cli/telling/summary.hpp"
+#include "job/verdict.hpp"
+#include "prepare/prepare.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -28,8 +30,8 @@ void add_size(Summary& summary, const job::Paper& made, const std::string& asked
   summary.add("file_up", frame.up ? Value(mesh::axis_name(*frame.up)) : Value());
   summary.add("size_mm", Value::List{rounded(size.x), rounded(size.y), rounded(size.z)}, Line::size, "size",
               asked.empty() ? ""
-                            : fmt::format("{:.1f} x {:.1f} x {:.1f} mm ({}{})", size.x, size.y, size.z, asked,
-                                          scale_text(made.prepared)),
+                            : fmt::format("{:.1f} x {:.1f} x {:.1f} mm ({}{})", size.x, size.y, size.z,
+                                          size_words(made, asked), scale_text(made.prepared)),
               "mm");
 }
 
@@ -39,8 +41,10 @@ Value simplified_value(const prepare::SimplifyReport& report) {
                        {"deviation_mm", rounded(report.deviation_mm)},
                        {"evened_mm", rounded(report.evened_mm)},
                        {"specks_dropped", report.specks_dropped},
+                       {"features_removed", report.features_removed},
                        {"short_edges_before", rounded(report.short_edges_before)},
                        {"short_edges_after", rounded(report.short_edges_after)},
+                       {"tiny_edges_after", rounded(report.tiny_edges_after)},
                        {"still_too_fine", report.still_too_fine}};
 }
 
@@ -69,11 +73,14 @@ void say_simplified(Summary& summary, const job::Paper& made) {
     summary.say(Line::simplified, "left out",
                 counted(report.specks_dropped, "component") + " too small to be held");
   }
-  if (report.still_too_fine) {
-    summary.say(
-        Line::simplified, "too fine",
-        fmt::format("{:.0f} % of the folds are shorter than {:g} mm; a larger --size or --faces N helps",
-                    100.0 * report.short_edges_after, made.options.simplify.short_edge_mm));
+  if (report.features_removed > 0) {
+    summary.say(Line::simplified, "left out",
+                counted(report.features_removed, "small feature") + " of flat walls");
+  }
+  if (const std::string why = job::verdict(made.prepared, made.options.simplify); !why.empty()) {
+    const std::optional<double>& size = made.prepared.smallest_size_mm;
+    summary.say(Line::simplified, "too fine",
+                why + (size ? fmt::format(": --size {:.0f}mm", *size) : ", but fewer --faces may"));
   }
 }
 
@@ -154,6 +161,8 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   add_folding(summary, nets);
   add_bodies(summary, nets, made.drawn.bodies);
   summary.add("paper", job.paper_name);
+  summary.add("buildable", prepare::can_be_folded(made.prepared));
+  summary.add("smallest_size_mm", Value(made.prepared.smallest_size_mm), "mm");
   summary.add("simplified", simplified_value(made.prepared.simplified));
   say_simplified(summary, made);
   say_colours(summary, model);

@@ -11,6 +11,8 @@ namespace ridgecraft::prepare {
 
 /// Width that scissors or a knife can cut at all, mm.
 inline constexpr double narrow_mm = 0.05;
+/// Narrower strips of paper can neither be cut out nor folded by hand, mm.
+inline constexpr double sliver_mm = 1.0;
 /// Below this width, mm, a face is less than the thinnest line that a printer draws: not even the note helps.
 inline constexpr double nothing_mm = 0.005;
 

@@ -17,6 +17,11 @@ inline constexpr double hidden_fold_angle = 3.0 * 3.14159265358979323846 / 180.0
 struct SizeOptions {
   /// Largest extent in mm. Used when neither scale nor an axis is given.
   double largest_extent_mm = 150.0;
+  /// Where the model can't be folded at that size, or takes more than most_pages, another one is looked for.
+  bool adapts = false;
+  double smallest_mm = 100.0;  ///< that is looked for
+  double largest_mm = 400.0;
+  double most_pages = 8.0;
   /// Millimetres for one unit of the file; wins over largest_extent_mm.
   std::optional<double> mm_per_unit;
 };
@@ -27,10 +32,14 @@ enum class Simplification { automatic, keep, count };
 struct SimplifyOptions {
   Simplification mode = Simplification::automatic;
   std::size_t faces = 0;  ///< for Simplification::count
-  /// automatic: a fold edge shorter than this is hard to fold ...
+  /// automatic: a fold edge shorter than this is hard to fold
   double short_edge_mm = 6.0;
+  /// (and shorter than this can't be folded by hand) ...
+  double tiny_edge_mm = 3.0;
   /// ... and the model is simplified when more than this share of its fold edges are.
   double short_edge_share = 0.1;
+  /// automatic: nobody builds a model of more faces.
+  std::size_t most_faces = 1000;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;
   /// Folds of less are drawn as no line, so they don't count; radians.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "mesh/model/model.hpp"
@@ -15,25 +16,39 @@ namespace ridgecraft::prepare {
 struct SimplifyReport {
   std::size_t faces_before = 0;
   std::size_t faces_after = 0;
-  std::size_t specks_dropped = 0;  ///< automatic: components too small to be held, left out
+  std::size_t specks_dropped = 0;    ///< automatic: components too small to be held, left out
+  std::size_t features_removed = 0;  ///< automatic: small holes closed and small knobs cut off flat walls
   double deviation_mm = 0.0;  ///< greatest measured distance between the old and the new surface, both ways
   /// Its sides were mirror images only nearly, off by so much, and are so exactly now; 0 where they were, or
   /// where the model isn't symmetric.
   double evened_mm = 0.0;
-  double short_edges_before = 0.0;  ///< share of the fold edges below short_edge_mm
+  double short_edges_before = 0.0;  ///< share of the fold edges below short_edge_mm, but not across a plate
   double short_edges_after = 0.0;
-  bool still_too_fine = false;  ///< automatic couldn't reach its aim within the deviation allowed
+  double tiny_edges_after = 0.0;  ///< share of those that can't be folded by hand: below tiny_edge_mm
+  bool still_too_fine = false;    ///< nobody could fold it: tiny_edges_after is above short_edge_share
+};
+
+/// Why a model isn't of the size that it has by default.
+enum class SizeReason {
+  none,   ///< it is
+  folds,  ///< its folds would be too short
+  pages,  ///< it would take too many pages
 };
 
 /// A model ready for paper.
 struct Prepared {
   mesh::Model model;  ///< in mm, centred on the origin; not turned, not mirrored
   Panels panels;      ///< flat regions of model.surface; those that no page holds in cells that pages hold
-  TwinBodies twins;     ///< components that are equal; they are exact copies of each other
+  TwinBodies twins;   ///< components that are equal; they are exact copies of each other
   /// What the file calls each component: for faces that are of no polygon any more. Empty where there is one
   /// component or name.
   IdVector<ComponentId, std::string> body_names;
   double mm_per_unit = 1.0;
+  SizeReason size_reason = SizeReason::none;
+  /// Where nobody could fold it at this size: the smallest largest extent, mm, at which somebody can; none if
+  /// there is none that makes sense.
+  std::optional<double> smallest_size_mm;
+  double sliver_share = 0.0;  ///< of the faces, narrower than sliver_mm
   SimplifyReport simplified;
   std::size_t divided_panels = 0;  ///< flat regions that are in cells
 };

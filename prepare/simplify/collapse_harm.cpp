@@ -105,7 +105,8 @@ bool folds_back(const std::vector<Rim>& rim, const MirrorPlane* plane) {
 
 }  // namespace
 
-bool harmless(const EditMesh& mesh, const PlanePoints& bound, const Change& change, std::vector<Rim>& rim) {
+bool harmless(const EditMesh& mesh, const PlanePoints& bound, const WallFaces& walls, const Change& change,
+              std::vector<Rim>& rim) {
   const auto& [v0, v1, place] = change;
   const MirrorPlane* plane = bound.plane(v0, v1);
   double worst_old = 1.0;
@@ -119,12 +120,13 @@ bool harmless(const EditMesh& mesh, const PlanePoints& bound, const Change& chan
       const auto side = mesh.next_halfedge_handle(h);
       const auto from = mesh.from_vertex_handle(side);
       const auto to = mesh.to_vertex_handle(side);
+      const bool is_wall = walls.is_wall(mesh.face_handle(h));
       const auto doubled = [&](const Change* when, double& worst) {
         const Vec3 p = bound.at(mesh, v, when);
         const Vec3 a = bound.at(mesh, from, when);
         const Vec3 b = bound.at(mesh, to, when);
         const Vec3 normal = cross(a - p, b - p);
-        if (!bound.coincide(from, to, when)) {
+        if (!is_wall && !bound.coincide(from, to, when)) {
           worst = std::min(worst, height_share(p, a, b, length(normal)));
         }
         return normal;

@@ -6,6 +6,7 @@
 
 #include "prepare/simplify/edit_mesh.hpp"
 #include "prepare/simplify/plane_points.hpp"
+#include "prepare/simplify/wall_faces.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -21,9 +22,9 @@ struct Rim {
 };
 
 /// Fills `rim` with the faces that stay and tells whether none of them is spoiled: turned over, folded shut,
-/// or made thinner than the old ones and than is good.
-[[nodiscard]] bool harmless(const EditMesh& mesh, const PlanePoints& bound, const Change& change,
-                            std::vector<Rim>& rim);
+/// or made thinner than the old ones and than is good. How a wall is divided into faces doesn't matter.
+[[nodiscard]] bool harmless(const EditMesh& mesh, const PlanePoints& bound, const WallFaces& walls,
+                            const Change& change, std::vector<Rim>& rim);
 
 /// `drift` is per vertex a bound of how far the original surface around it is from the present one. That of
 /// the new vertex: the old ones' and how far they are from the new faces.

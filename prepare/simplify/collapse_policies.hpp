@@ -19,6 +19,7 @@
 #include "prepare/simplify/collapse_harm.hpp"
 #include "prepare/simplify/collapse_rules.hpp"
 #include "prepare/simplify/plane_points.hpp"
+#include "prepare/simplify/wall_faces.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -55,6 +56,11 @@ template <class Profile>
   return q0 + q1 + mirrored(at, bound.is(profile.v0()) ? q1 : q0);
 }
 
+template <class Profile>
+[[nodiscard]] double length_of(const Profile& profile) {
+  return std::sqrt(CGAL::squared_distance(profile.p0(), profile.p1()));
+}
+
 /// Whether both ends of an edge have a quadric. A vertex among faces that are too small to have a normal has
 /// none, and CGAL demands one.
 template <class Policy, class Profile>
@@ -66,11 +72,16 @@ bool has_quadrics(const Policy& policy, const Profile& profile) {
 /// flat.
 class NearPlacement {
  public:
-  NearPlacement(const Policies& policies, const PlanePoints& bound) : policies_(&policies), bound_(&bound) {}
+  NearPlacement(const Policies& policies, const PlanePoints& bound, const WallFaces& walls)
+      : policies_(&policies), bound_(&bound), walls_(&walls) {}
   template <class Profile>
   boost::optional<Place> operator()(const Profile& profile) const {
     const MirrorPlane* plane = bound_->plane(profile.v0(), profile.v1());
     const Place middle = on_plane(plane, CGAL::midpoint(profile.p0(), profile.p1()));
+    const auto around = walls_->around(profile.surface_mesh(), profile.v0(), profile.v1());
+    if (!around.empty()) {
+      return in_walls(profile, around, plane, middle);
+    }
     if (!has_quadrics(policies_->get_placement(), profile)) {
       return middle;
     }
@@ -83,8 +94,27 @@ class NearPlacement {
   }
 
  private:
+  /// Two walls with a narrow face between them meet there; walls without a common point keep their distance.
+  template <class Profile>
+  boost::optional<Place> in_walls(const Profile& profile, const std::vector<std::uint32_t>& walls,
+                                  const MirrorPlane* plane, const Place& middle) const {
+    const auto best = walls_->best_place(walls, plane, quadric_of(*policies_, *bound_, profile),
+                                         {middle.x(), middle.y(), middle.z()}, length_of(profile));
+    const double reach = CGAL::squared_distance(profile.p0(), profile.p1());
+    if (best && CGAL::squared_distance(Place(best->x, best->y, best->z), middle) <= reach) {
+      return Place(best->x, best->y, best->z);
+    }
+    for (const Place& place : {middle, profile.p0(), profile.p1()}) {
+      if (walls_->holds(walls, {place.x(), place.y(), place.z()}, length_of(profile))) {
+        return place;
+      }
+    }
+    return boost::none;
+  }
+
   const Policies* policies_;
   const PlanePoints* bound_;
+  const WallFaces* walls_;
 };
 
 /// Asks now and then whether to stop: when costs are collected, and while no edge may be collapsed.
@@ -106,17 +136,25 @@ class Watch {
 class GuardedPlacement {
  public:
   /// `drift` is per vertex a bound of how far the original surface around it is from the present one.
-  GuardedPlacement(const Policies& policies, const PlanePoints& bound, const CollapseRules& rules,
-                   const std::vector<double>& drift, Watch& watch)
-      : near_(policies, bound), bound_(&bound), rules_(rules), drift_(&drift), watch_(&watch) {}
+  GuardedPlacement(const Policies& policies, const PlanePoints& bound, const WallFaces& walls,
+                   const CollapseRules& rules, const std::vector<double>& drift, Watch& watch)
+      : near_(policies, bound, walls),
+        bound_(&bound),
+        walls_(&walls),
+        rules_(rules),
+        drift_(&drift),
+        watch_(&watch) {}
 
   /// As a placement: the best place, or another one on the edge where that would spoil something.
   template <class Profile>
   boost::optional<Place> operator()(const Profile& profile) const {
-    const Place best = *near_(profile);
+    const boost::optional<Place> best = near_(profile);
+    if (!best) {
+      return boost::none;
+    }
     const MirrorPlane* plane = bound_->plane(profile.v0(), profile.v1());
     for (const Place& place :
-         {best, CGAL::midpoint(profile.p0(), profile.p1()), profile.p0(), profile.p1()}) {
+         {*best, CGAL::midpoint(profile.p0(), profile.p1()), profile.p0(), profile.p1()}) {
       const Place allowed = on_plane(plane, place);
       if (fits(profile, allowed)) {
         return allowed;
@@ -139,7 +177,9 @@ class GuardedPlacement {
     const Change change{profile.v0(), profile.v1(), {p.x(), p.y(), p.z()}};
     std::vector<Rim> rim;
     return !bound_->forbids(mesh, change.v0, change.v1, profile.v0_v1()) &&
-           harmless(mesh, *bound_, change, rim) &&
+           !walls_->ends_one(mesh, profile.v0_v1()) &&
+           walls_->holds(walls_->around(mesh, change.v0, change.v1), change.place, length_of(profile)) &&
+           harmless(mesh, *bound_, *walls_, change, rim) &&
            (rules_.field == nullptr || near_original(mesh, change, rim));
   }
 
@@ -158,6 +198,7 @@ class GuardedPlacement {
 
   NearPlacement near_;
   const PlanePoints* bound_;
+  const WallFaces* walls_;
   CollapseRules rules_;
   const std::vector<double>* drift_;
   Watch* watch_;

@@ -17,13 +17,19 @@ namespace {
 
 namespace sms = CGAL::Surface_mesh_simplification;
 
+/// Vertices of a wall are off its plane by no more than this share of the diagonal: as in a panel.
+constexpr double in_plane = 1e-5;
+/// A step between two walls that is lower than this share of the short edge can be seen, but not folded.
+constexpr double step = 1.0 / 6.0;
+
 /// Writes the collapses down as they happen. CGAL copies visitors.
 class Recorder : public sms::Edge_collapse_visitor_base<EditMesh> {
  public:
-  Recorder(std::vector<Collapse>& collapses, const PlanePoints& bound, std::vector<double>& drift,
-           std::size_t faces, const Context& context)
+  Recorder(std::vector<Collapse>& collapses, const PlanePoints& bound, WallFaces& walls,
+           std::vector<double>& drift, std::size_t faces, const Context& context)
       : collapses_(&collapses),
         bound_(&bound),
+        walls_(&walls),
         drift_(&drift),
         faces_(faces),
         all_(faces),
@@ -33,8 +39,15 @@ class Recorder : public sms::Edge_collapse_visitor_base<EditMesh> {
     if (place) {
       const Change change{profile.v0(), profile.v1(), {place->x(), place->y(), place->z()}};
       std::vector<Rim> rim;
-      static_cast<void>(harmless(profile.surface_mesh(), *bound_, change, rim));
-      new_drift_ = drift_after(profile.surface_mesh(), change, rim, *drift_);
+      const EditMesh& mesh = profile.surface_mesh();
+      static_cast<void>(harmless(mesh, *bound_, *walls_, change, rim));
+      new_drift_ = drift_after(mesh, change, rim, *drift_);
+      for (const EditMesh::HalfedgeHandle h :
+           {EditMesh::HalfedgeHandle(profile.v0_v1()), EditMesh::HalfedgeHandle(profile.v1_v0())}) {
+        if (!mesh.is_boundary(h)) {
+          walls_->remove(mesh.face_handle(h));
+        }
+      }
     }
     removed_ = (profile.left_face_exists() ? 1U : 0U) + (profile.right_face_exists() ? 1U : 0U);
     removed_ *= bound_->copies(profile.v0());
@@ -55,6 +68,7 @@ class Recorder : public sms::Edge_collapse_visitor_base<EditMesh> {
  private:
   std::vector<Collapse>* collapses_;
   const PlanePoints* bound_;
+  WallFaces* walls_;
   std::vector<double>* drift_;
   double new_drift_ = 0.0;
   std::size_t faces_;
@@ -75,7 +89,7 @@ struct StopAt {
 }  // namespace
 
 std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const PointRules& points,
-                                        std::size_t faces, const CollapseRules& rules,
+                                        const Walls& walls, std::size_t faces, const CollapseRules& rules,
                                         const Context& context) {
   std::vector<Collapse> collapses;
   std::size_t all = 0;
@@ -89,12 +103,19 @@ std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const Poi
   EditMesh mesh = edit_mesh(loose);
   const Policies policies(mesh);
   PlanePoints bound(points, loose.points, rules.short_edge);
+  Box3 box;
+  for (const auto& face : loose.faces) {
+    for (const std::uint32_t v : face) {
+      box.add(loose.points[v]);
+    }
+  }
+  WallFaces wall_faces(walls, in_plane * box.diagonal(), step * rules.short_edge);
   std::vector<double> drift(loose.points.size(), 0.0);
   const StopAt stop{&collapses, faces};
   Watch watch(context);
   const WeightedCost cost(policies, bound, rules, watch);
-  const GuardedPlacement guard(policies, bound, rules, drift, watch);
-  const Recorder recorder(collapses, bound, drift, all, context);
+  const GuardedPlacement guard(policies, bound, wall_faces, rules, drift, watch);
+  const Recorder recorder(collapses, bound, wall_faces, drift, all, context);
   namespace parameters = CGAL::parameters;
   if (rules.field != nullptr) {
     sms::edge_collapse(mesh, stop, parameters::get_cost(cost).get_placement(guard).visitor(recorder));
@@ -102,7 +123,7 @@ std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const Poi
     // Far from any limit it's enough, and much faster, to look at a collapse only when its turn has come.
     sms::edge_collapse(mesh, stop,
                        parameters::get_cost(cost)
-                           .get_placement(NearPlacement(policies, bound))
+                           .get_placement(NearPlacement(policies, bound, wall_faces))
                            .filter(guard)
                            .visitor(recorder));
   }

@@ -10,6 +10,7 @@
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/simplify/collapse_rules.hpp"
 #include "prepare/simplify/collapses.hpp"
+#include "prepare/simplify/walls.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -17,10 +18,10 @@ namespace ridgecraft::prepare {
 /// metrics, 1997; CGAL's implementation) down to `faces` faces, or until no collapse is left that keeps the
 /// surface manifold without flipping or folding faces. Borders and sharp edges stay by the planes they add.
 /// Of a share of a symmetric whole the errors are those of the whole, and no edge or face comes to lie
-/// between points of a plane but its border. Faces are counted in the whole. The input must fulfil
-/// mesh::Surface's invariants. O(n log n).
+/// between points of a plane but its border. Vertices of walls stay in their planes, and no wall vanishes.
+/// Faces are counted in the whole. The input must fulfil mesh::Surface's invariants. O(n log n).
 [[nodiscard]] std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const PointRules& points,
-                                                      std::size_t faces, const CollapseRules& rules,
-                                                      const Context& context);
+                                                      const Walls& walls, std::size_t faces,
+                                                      const CollapseRules& rules, const Context& context);
 
 }  // namespace ridgecraft::prepare

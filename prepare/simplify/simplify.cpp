@@ -4,33 +4,35 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <optional>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/remesh_panels.hpp"
-#include "prepare/simplify/collapse_sequence.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "prepare/simplify/body.hpp"
+#include "prepare/simplify/features.hpp"
+#include "prepare/simplify/fold_figures.hpp"
+#include "prepare/simplify/sequence.hpp"
+#include "prepare/simplify/share_bodies.hpp"
 #include "prepare/simplify/symmetric_share.hpp"
+#include "prepare/simplify/walls.hpp"
 #include "prepare/simplify/whole.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
-/// Nothing recognisable is left below this many faces.
-constexpr std::size_t fewest_faces = 16;
 /// Samples for the deviation are this share of the largest extent apart.
 constexpr double sample_spacing = 0.015;
-/// Down to this multiple of the faces that short edges would give, no care is needed.
-constexpr double coarse = 3.0;
-/// How strongly short edges are preferred; which is best depends on the model, so each is tried.
-constexpr std::array<double, 2> powers{2.0, 6.0};
-/// Collapses keep to this share of the deviation allowed, since they measure it at few points.
-constexpr double bound = 0.9;
 /// A component that is smaller than this share of the short edge in every direction vanishes when the model
 /// is too fine: it could neither be cut nor held.
 constexpr double speck = 0.5;
+/// Where a model has too many faces, bodies with so few keep theirs.
+constexpr std::size_t few_faces = 24;
+/// There walls are what would be ones if the short edge were so many times longer.
+constexpr std::array<double, 3> coarser_walls{1.0, 1.6, 2.5};
 /// A model that is off its mirror image by no more than this share of its extent becomes symmetric: a fifth
 /// of what simplification may move it.
 constexpr double symmetric_within = 0.004;
@@ -63,168 +65,6 @@ std::size_t drop_specks(mesh::Model& model, double smallest_mm) {
   return specks;
 }
 
-/// A surface of equilateral triangles with the short edge has so many faces.
-double faces_of_short_edges(const mesh::Surface& surface, double short_edge_mm) {
-  const double small_face = 0.25 * std::numbers::sqrt3 * short_edge_mm * short_edge_mm;
-  return std::clamp(mesh::total_area(surface) / small_face, double{fewest_faces}, 1e9);
-}
-
-/// One sequence of collapses and the model after any number of them.
-class Sequence {
- public:
-  /// `model` must outlive it.
-  Sequence(SymmetricShare start, const mesh::LooseFaces& model, std::size_t faces, const CollapseRules& rules,
-           const Context& context)
-      : start_(std::move(start)),
-        model_(model),
-        context_(context),
-        collapses_(collapse_sequence(start_.faces, start_.points, faces, rules, context)) {}
-
-  [[nodiscard]] std::size_t all() const { return collapses_.size(); }
-  [[nodiscard]] std::size_t faces_after(std::size_t count) const {
-    return count == 0 ? start_.face_count() : collapses_[count - 1].faces;
-  }
-  /// Fewest collapses that leave at most so many faces; all() where that can't be reached.
-  [[nodiscard]] std::size_t count_for(std::size_t faces) const {
-    if (start_.face_count() <= faces) {
-      return 0;
-    }
-    const auto found = std::partition_point(collapses_.begin(), collapses_.end(),
-                                            [&](const Collapse& c) { return c.faces > faces; });
-    return std::min(static_cast<std::size_t>(found - collapses_.begin()) + 1, collapses_.size());
-  }
-  [[nodiscard]] SymmetricShare share(std::size_t count) const {
-    return collapsed(start_, std::span(collapses_).first(count));
-  }
-  /// With its panels remeshed.
-  [[nodiscard]] mesh::Model after(std::size_t count) const {
-    mesh::Model result;
-    mesh::put_together(result, whole(share(count), model_));
-    remesh_panels(result, context_);
-    return result;
-  }
-
- private:
-  SymmetricShare start_;
-  const mesh::LooseFaces& model_;
-  const Context& context_;
-  std::vector<Collapse> collapses_;
-};
-
-/// A place in a sequence, and what the model is like there.
-struct Candidate {
-  mesh::Model model;
-  double share = 1.0;      ///< of short folds
-  double deviation = 0.0;  ///< mm
-  bool foldable = false;
-};
-
-/// Looks in a sequence for the largest number of faces that can be folded.
-class Search {
- public:
-  Search(const Sequence& sequence, const mesh::SurfaceTree& original, const SimplifyOptions& options,
-         double spacing, double largest_mm, const Context& context)
-      : sequence_(sequence),
-        original_(original),
-        options_(options),
-        spacing_(spacing),
-        largest_mm_(largest_mm),
-        context_(context) {}
-
-  [[nodiscard]] Candidate best() const {
-    std::size_t count = 0;
-    Candidate candidate;
-    if (const auto found = fewest_foldable()) {
-      count = *found;
-      candidate.foldable = true;
-    } else {
-      count = least_share();
-    }
-    candidate.model = sequence_.after(count);
-    candidate.deviation = deviation(candidate.model);
-    if (candidate.deviation > largest_mm_) {
-      count = most_within(count);
-      candidate.foldable = false;
-      candidate.model = sequence_.after(count);
-      candidate.deviation = deviation(candidate.model);
-    }
-    candidate.share = short_fold_share(candidate.model.surface, options_);
-    return candidate;
-  }
-
- private:
-  [[nodiscard]] double share(std::size_t count) const {
-    return short_fold_share(sequence_.after(count).surface, options_);
-  }
-  [[nodiscard]] bool foldable(std::size_t count) const { return share(count) <= options_.short_edge_share; }
-  [[nodiscard]] double deviation(const mesh::Model& model) const {
-    return greatest_distance(mesh::SurfaceTree(model.surface, spacing_), original_, largest_mm_, context_);
-  }
-
-  /// Fewest collapses after which the model is foldable, as bisection finds it (the share needn't be
-  /// monotonous); none where none of the numbers tried helps.
-  [[nodiscard]] std::optional<std::size_t> fewest_foldable() const {
-    std::size_t too_few = 0;
-    std::size_t enough = std::max<std::size_t>(1, sequence_.count_for(sequence_.faces_after(0) * 5 / 6));
-    while (!foldable(enough)) {
-      if (enough == sequence_.all()) {
-        return std::nullopt;
-      }
-      too_few = enough;
-      enough = std::max(enough + 1, sequence_.count_for(sequence_.faces_after(enough) * 5 / 6));
-    }
-    while (enough - too_few > 1 + sequence_.faces_after(enough) / 400) {
-      const std::size_t middle = too_few + (enough - too_few) / 2;
-      (foldable(middle) ? enough : too_few) = middle;
-    }
-    return enough;
-  }
-
-  /// Where nothing is foldable: the smallest share of short folds that a few numbers of faces give.
-  [[nodiscard]] std::size_t least_share() const {
-    std::size_t best = 0;
-    double least = share(0);
-    for (std::size_t count = 1; count < sequence_.all();) {
-      count = std::max(count + 1, sequence_.count_for(sequence_.faces_after(count) * 5 / 6));
-      const double now = share(count);
-      // A hair less is not worth losing a sixth of the faces for.
-      if (now < least - 0.01) {
-        least = now;
-        best = count;
-      }
-    }
-    return best;
-  }
-
-  /// Most collapses that keep the surface within the deviation; 0 where the first ones don't.
-  [[nodiscard]] std::size_t most_within(std::size_t too_many) const {
-    std::size_t fine = 0;
-    while (too_many - fine > 1 + sequence_.faces_after(too_many) / 100) {
-      // By faces, not by collapses: the last few count most.
-      const auto faces =
-          static_cast<std::size_t>(std::sqrt(static_cast<double>(sequence_.faces_after(fine)) *
-                                             static_cast<double>(sequence_.faces_after(too_many))));
-      const std::size_t middle = std::clamp(sequence_.count_for(faces), fine + 1, too_many - 1);
-      (deviation(sequence_.after(middle)) <= largest_mm_ ? fine : too_many) = middle;
-    }
-    return fine;
-  }
-
-  const Sequence& sequence_;
-  const mesh::SurfaceTree& original_;
-  const SimplifyOptions& options_;
-  double spacing_;
-  double largest_mm_;
-  const Context& context_;
-};
-
-bool better(const Candidate& a, const Candidate& b) {
-  if (a.foldable != b.foldable) {
-    return a.foldable;
-  }
-  return a.foldable ? a.model.surface.face_count() > b.model.surface.face_count() : a.share < b.share;
-}
-
 void take_over(mesh::Model& model, mesh::Model&& simplified) {
   model.surface = std::move(simplified.surface);
   model.polygon = std::move(simplified.polygon);
@@ -237,52 +77,84 @@ double evened(const SymmetricShare& share, const mesh::Model& model) {
   return share.deviation > equal_sides * model.surface.bounds().largest_extent() ? share.deviation : 0.0;
 }
 
+std::size_t face_count(const std::vector<SymmetricShare>& bodies) {
+  return std::accumulate(bodies.begin(), bodies.end(), std::size_t{0},
+                         [](std::size_t sum, const SymmetricShare& body) { return sum + body.face_count(); });
+}
+
+/// Each as it needs; and where they have too many faces together, those that have many get fewer, and only
+/// larger walls stay. Whether anything was changed.
+bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodies, BodyRules rules,
+                     const SimplifyOptions& options, const Context& context) {
+  const std::vector<SymmetricShare> before = bodies;
+  bool changed = false;
+  const auto simplify = [&](std::size_t i, std::size_t most_faces) {
+    rules.most_faces = most_faces;
+    if (auto simplified = simplified_body(before[i], rules, options, context)) {
+      bodies[i] = std::move(*simplified);
+      changed = true;
+    }
+  };
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    simplify(i, options.most_faces);
+  }
+  const mesh::Surface& surface = model.surface;
+  for (const double factor : coarser_walls) {
+    const std::size_t all = face_count(bodies);
+    if (all <= options.most_faces) {
+      break;
+    }
+    const Walls walls = find_walls(surface, find_panels(surface), factor * options.short_edge_mm);
+    rules.walls = &walls;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const std::size_t faces = bodies[i].face_count();
+      if (faces > few_faces * (1 + bodies[i].copies.size())) {
+        simplify(i, faces * options.most_faces / all);
+      }
+    }
+  }
+  return changed;
+}
+
+/// Without features of walls, if asked for.
+void simplify_components(mesh::Model& model, const SimplifyOptions& options, bool features,
+                         SimplifyReport& report, const Context& context) {
+  const mesh::Surface before = model.surface;
+  const double extent = before.bounds().largest_extent();
+  report.features_removed =
+      features ? remove_features(model, options, options.largest_deviation * extent) : 0;
+  if (report.features_removed > 0) {
+    remesh_panels(model, context);
+  }
+  const mesh::LooseFaces all = mesh::take_apart(model);
+  const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
+  const SymmetricShare start = symmetric_share(model, symmetric_within, context);
+  const double evened_mm = evened(start, model);
+  const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
+  std::vector<SymmetricShare> bodies = divided(start);
+  if (!simplify_bodies(model, bodies, rules, options, context) && report.features_removed == 0) {
+    return;
+  }
+  mesh::Model result;
+  mesh::put_together(result, whole(joined(bodies), all));
+  remesh_panels(result, context);
+  report.deviation_mm = greatest_distance(mesh::SurfaceTree(result.surface, rules.spacing_mm),
+                                          mesh::SurfaceTree(before, rules.spacing_mm), INFINITY, context);
+  report.evened_mm = evened_mm;
+  take_over(model, std::move(result));
+}
+
 void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
                       const Context& context) {
   report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
-  const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
-  const mesh::SurfaceTree original(model.surface, spacing);
-  const mesh::LooseFaces all = mesh::take_apart(model);
-  SymmetricShare start = symmetric_share(model, symmetric_within, context);
-  const double evened_mm = evened(start, model);
-  // Far from the aim the surface hardly moves: there the plain error is good and fast.
-  const auto far =
-      static_cast<std::size_t>(coarse * faces_of_short_edges(model.surface, options.short_edge_mm));
-  if (start.face_count() > far) {
-    const Sequence first(start, all, far, {options.short_edge_mm}, context);
-    mesh::Model coarser = first.after(first.all());
-    if (greatest_distance(mesh::SurfaceTree(coarser.surface, spacing), original, largest_mm, context) <=
-        largest_mm) {
-      start = first.share(first.all());
-    }
+  mesh::Model kept = model;
+  simplify_components(model, options, true, report, context);
+  if (report.features_removed > 0 && report.deviation_mm > largest_mm) {
+    // What was simplified beside the features moved the surface as far again.
+    model = std::move(kept);
+    simplify_components(model, options, false, report, context);
   }
-  mesh::NearField field(original, bound * largest_mm);
-  std::optional<Candidate> best;
-  for (const double power : powers) {
-    const CollapseRules rules{options.short_edge_mm, power, &field, bound * largest_mm};
-    const Sequence sequence(start, all, fewest_faces, rules, context);
-    if (sequence.all() > 0) {
-      Candidate candidate = Search(sequence, original, options, spacing, largest_mm, context).best();
-      if (!best || better(candidate, *best)) {
-        best = std::move(candidate);
-      }
-    } else if (!best) {
-      // Nothing more can go: what the first sequence left is the result.
-      best.emplace();
-      best->model = sequence.after(0);
-      best->share = short_fold_share(best->model.surface, options);
-      best->foldable = best->share <= options.short_edge_share;
-      best->deviation =
-          greatest_distance(mesh::SurfaceTree(best->model.surface, spacing), original, INFINITY, context);
-    }
-  }
-  if (best && best->model.surface.face_count() < report.faces_before) {
-    report.deviation_mm = best->deviation;
-    report.evened_mm = evened_mm;
-    take_over(model, std::move(best->model));
-  }
-  report.still_too_fine = !best || !best->foldable;
 }
 
 void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
@@ -290,43 +162,33 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const mesh::Surface before = model.surface;
   const mesh::LooseFaces all = mesh::take_apart(model);
+  const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
   SymmetricShare share = symmetric_share(model, symmetric_within, context);
   report.evened_mm = evened(share, model);
-  const Sequence sequence(std::move(share), all, options.faces, {options.short_edge_mm}, context);
-  take_over(model, sequence.after(sequence.all()));
+  const Sequence sequence(std::move(share), all, walls, options.faces, {options.short_edge_mm}, context);
+  mesh::Model result;
+  mesh::put_together(result, whole(sequence.share(sequence.all()), all));
+  remesh_panels(result, context);
+  take_over(model, std::move(result));
   report.deviation_mm = greatest_distance(mesh::SurfaceTree(model.surface, spacing),
                                           mesh::SurfaceTree(before, spacing), INFINITY, context);
 }
 
 }  // namespace
 
-double short_fold_share(const mesh::Surface& surface, const SimplifyOptions& options) {
-  const Panels panels = find_panels(surface);
-  std::size_t folds = 0;
-  std::size_t brief = 0;
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    const auto [c, d] = surface.sides(e);
-    if (d.valid() && panels.panel[mesh::face_of(c)] != panels.panel[mesh::face_of(d)] &&
-        std::abs(surface.fold_angle(e)) >= options.hidden_fold_angle) {
-      ++folds;
-      brief += surface.length(e) < options.short_edge_mm ? 1U : 0U;
-    }
-  }
-  return folds == 0 ? 0.0 : static_cast<double>(brief) / static_cast<double>(folds);
-}
-
 SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, const Context& context) {
   SimplifyReport report;
   report.faces_before = model.surface.face_count();
-  report.short_edges_before = short_fold_share(model.surface, options);
-  if (options.mode == Simplification::automatic && report.short_edges_before > options.short_edge_share) {
+  report.short_edges_before = fold_figures(model.surface, options).brief_share();
+  if (options.mode == Simplification::automatic &&
+      (report.short_edges_before > options.short_edge_share || report.faces_before > options.most_faces)) {
     simplify_to_fold(model, options, report, context);
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
     simplify_to_count(model, options, report, context);
   }
   report.faces_after = model.surface.face_count();
-  report.short_edges_after = short_fold_share(model.surface, options);
+  report.short_edges_after = fold_figures(model.surface, options).brief_share();
   return report;
 }
 

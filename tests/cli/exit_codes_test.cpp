@@ -30,6 +30,42 @@ TEST_CASE("exit code 2: wrong arguments", "[exit_codes]") {
   CHECK(folder.names() == std::set<std::string>{"house.obj"});
 }
 
+TEST_CASE("exit code 2: lengths that mean something else say how to write them", "[exit_codes]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  for (const auto& [arguments, words] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"house.obj", "--size", "0"}, "--size 0 is too small"},
+           {{"house.obj", "--size", "-5"}, "--size -5 is too small"},
+           {{"house.obj", "--size", "30,5cm"}, "--size 30.5cm"},
+           {{"house.obj", "--size", "30", "cm"}, "--size 30cm"},
+           {{"--size", "30", "cm", "house.obj"}, "--size 30cm"},
+           // 6 mm, as the file doesn't say that it means metres, and six kilometres.
+           {{"house.obj", "--scale", "1"}, "--unit"},
+           {{"house.obj", "--scale", "1000000"}, "--unit"}}) {
+    check_refusal(run_program(arguments, in(folder)), 2, words);
+  }
+  CHECK(run_program({"house.obj", "--scale", "1:1", "--unit", "in", "-o", "x.fold"}, in(folder)).exit_code ==
+        0);
+  CHECK(run_program({"house.obj", "--scale", "10", "-o", "x.fold"}, in(folder)).exit_code == 0);
+}
+
+TEST_CASE("exit code 9: --strict refuses what nobody could build", "[exit_codes]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const Outcome told = run_program({"house.obj", "--size", "3mm", "--json", "-o", "x.fold"}, in(folder));
+  CHECK(told.exit_code == 0);
+  const Json report = Json::parse(told.out);
+  CHECK_FALSE(report.at("buildable").get<bool>());
+  const double size = report.at("smallest_size_mm").get<double>();
+  const std::string option = std::to_string(static_cast<int>(size)) + "mm";
+  const Outcome strict = run_program({"house.obj", "--size", "3mm", "--strict", "-o", "y.fold"}, in(folder));
+  check_refusal(strict, 9, "at " + std::to_string(static_cast<int>(size)) + " mm it can");
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "x.fold"});
+  const Outcome larger = run_program({"house.obj", "--size", option, "--strict", "-o", "y.fold"}, in(folder));
+  CHECK(larger.exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "x.fold", "y.fold"});
+}
+
 TEST_CASE("exit code 3: the input can't be read", "[exit_codes]") {
   const TemporaryFolder folder;
   write_bytes(folder / "empty.obj", "");
@@ -317,12 +353,13 @@ TEST_CASE("a refusal names the model, whatever words the sentence has", "[exit_c
   const TemporaryFolder folder;
   // A sentence of a stage that knows no files: "the model would be larger than 100 m; ..."
   write_bytes(folder / "the", house);
-  check_refusal(run_program({"the", "--scale", "1000000"}, in(folder)), 5,
+  check_refusal(run_program({"the", "--scale", "1000000", "--unit", "mm"}, in(folder)), 5,
                 "ridgecraft: the: the model would be larger");
   write_bytes(folder / "house.obj", house);
   write_bytes(folder / "model", "9 10\n");
-  check_refusal(run_program({"house.obj", "--cuts", "model", "--scale", "1000000"}, in(folder)), 5,
-                "ridgecraft: house.obj: the model would be larger");
+  check_refusal(
+      run_program({"house.obj", "--cuts", "model", "--scale", "1000000", "--unit", "mm"}, in(folder)), 5,
+      "ridgecraft: house.obj: the model would be larger");
 }
 
 TEST_CASE("a refusal names the file that is wrong, not the model", "[exit_codes]") {

@@ -204,8 +204,8 @@ TEST_CASE("refusals of all verbs name the file", "[limits]") {
   const TemporaryFolder folder;
   write_bytes(folder / "cube.off", cube);
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"cube.off", "--scale", "1000000"},
-        {"unfold", "cube.off", "--scale", "1e9"}}) {
+       {std::vector<std::string>{"cube.off", "--scale", "1000000", "--unit", "mm"},
+        {"unfold", "cube.off", "--scale", "1e9", "--unit", "mm"}}) {
     const Outcome outcome = run_program(arguments, in(folder));
     CHECK(outcome.exit_code == 5);
     CHECK(outcome.err.starts_with("ridgecraft: cube.off: "));

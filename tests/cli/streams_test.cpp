@@ -164,7 +164,7 @@ TEST_CASE("a model comes through standard input", "[streams]") {
     check_refusal(run_line("echo hello | PROGRAM info -", folder), 3,
                   "standard input is in no known mesh format");
     check_refusal(run_line("echo v 0 0 0 | PROGRAM info -", folder), 4, "standard input has");
-    check_refusal(run_line("PROGRAM - --scale 1000000 <house.obj", folder), 5,
+    check_refusal(run_line("PROGRAM - --scale 1000000 --unit mm <house.obj", folder), 5,
                   "ridgecraft: standard input: the model would be larger");
     const Terminal terminal;
     check_refusal(run_line("PROGRAM - <" + terminal.name(), folder), 3, "standard input is the terminal");

@@ -6,6 +6,7 @@
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/simplify/collapse_sequence.hpp"
+#include "prepare/simplify/fold_figures.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 
@@ -115,7 +116,7 @@ TEST_CASE("positions stay doubles on the way through CGAL and OpenMesh", "[simpl
   const mesh::Model model = test::repaired(test::soup_of(fine));
   const mesh::LooseFaces loose = mesh::take_apart(model);
   const std::vector<prepare::Collapse> collapses =
-      prepare::collapse_sequence(loose, free_points(loose), 200, {}, {});
+      prepare::collapse_sequence(loose, free_points(loose), {}, 200, {}, {});
   REQUIRE(collapses.size() > 100);
   std::array<int, 3> doubles{};
   for (const prepare::Collapse& c : collapses) {
@@ -133,7 +134,7 @@ TEST_CASE("a sequence can be stopped anywhere", "[simplify]") {
   const mesh::Model model = test::repaired(test::soup_of(test::revolve(ring, 30)));
   const mesh::LooseFaces loose = mesh::take_apart(model);
   const std::vector<prepare::Collapse> collapses =
-      prepare::collapse_sequence(loose, free_points(loose), 0, {}, {});
+      prepare::collapse_sequence(loose, free_points(loose), {}, 0, {}, {});
   REQUIRE(collapses.size() > 100);
   for (std::size_t count = 0; count <= collapses.size(); count += 10) {
     const mesh::LooseFaces faces = prepare::replay(loose, std::span(collapses).first(count));
@@ -168,6 +169,6 @@ TEST_CASE("short folds are counted at the size that was asked for", "[simplify]"
     size.largest_extent_mm = size_mm;
     const Prepared p = prepared(test::sphere(120, 60), options, size);
     REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
-    CHECK(p.simplified.short_edges_after == prepare::short_fold_share(p.model.surface, options));
+    CHECK(p.simplified.short_edges_after == prepare::fold_figures(p.model.surface, options).brief_share());
   }
 }

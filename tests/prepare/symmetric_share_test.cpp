@@ -119,7 +119,7 @@ TEST_CASE("after any number of collapses the whole is a surface and its own mirr
     const mesh::LooseFaces all = mesh::take_apart(model);
     const SymmetricShare share = prepare::symmetric_share(model, 0.003, {});
     REQUIRE(share.symmetric());
-    const auto collapses = prepare::collapse_sequence(share.faces, share.points, 0, {}, {});
+    const auto collapses = prepare::collapse_sequence(share.faces, share.points, {}, 0, {}, {});
     REQUIRE(collapses.size() > 50);
     for (std::size_t count = 0; count <= collapses.size(); count += 3) {
       const mesh::LooseFaces faces =
@@ -178,7 +178,7 @@ TEST_CASE("each side keeps its materials and its pictures", "[simplify][symmetry
     }
   };
   check(prepare::whole(share, all), 1e-9);
-  const auto collapses = prepare::collapse_sequence(share.faces, share.points, 1000, {}, {});
+  const auto collapses = prepare::collapse_sequence(share.faces, share.points, {}, 1000, {}, {});
   check(prepare::whole(prepare::collapsed(share, collapses), all), 1.0);
 }
 

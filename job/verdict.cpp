@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/verdict.hpp"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/sentence.hpp"
+#include "prepare/prepare.hpp"
+#include "prepare/prepared/narrow_faces.hpp"
+
+namespace ridgecraft::job {
+
+std::string verdict(const prepare::Prepared& prepared, const prepare::SimplifyOptions& simplify) {
+  if (prepare::can_be_folded(prepared)) {
+    return {};
+  }
+  std::vector<std::string> reasons;
+  if (prepared.simplified.still_too_fine) {
+    reasons.push_back(fmt::format("{:.0f} % of the folds are shorter than {:g} mm",
+                                  100.0 * prepared.simplified.tiny_edges_after, simplify.tiny_edge_mm));
+  }
+  if (prepare::has_many_slivers(prepared)) {
+    reasons.push_back(fmt::format("{:.0f} % of the faces are thinner than {:g} mm",
+                                  100.0 * prepared.sliver_share, prepare::sliver_mm));
+  }
+  const std::string size = prepared.smallest_size_mm
+                               ? fmt::format("at {:.0f} mm it can", *prepared.smallest_size_mm)
+                               : "no size up to a metre helps";
+  return fmt::format("can't be built at {:.4g} mm: {}; {}", prepared.model.surface.bounds().largest_extent(),
+                     listed(reasons, "and"), size);
+}
+
+}  // namespace ridgecraft::job

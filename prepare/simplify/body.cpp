@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepare/simplify/body.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "mesh/model/surface_distance.hpp"
+#include "prepare/simplify/fold_figures.hpp"
+#include "prepare/simplify/sequence.hpp"
+
+namespace ridgecraft::prepare {
+namespace {
+
+/// Nothing recognisable is left of a body below this many faces: a box.
+constexpr std::size_t fewest_faces = 12;
+/// Down to this multiple of the faces that short edges would give, no care is needed.
+constexpr double coarse = 3.0;
+/// How strongly short edges are preferred; which is best depends on the model, so each is tried.
+constexpr std::array<double, 2> powers{2.0, 6.0};
+/// Collapses keep to this share of the deviation allowed, since they measure it at few points.
+constexpr double bound = 0.9;
+/// Bodies of more faces than this are made coarser than they must be, where the surface hardly moves by it
+/// ...
+constexpr std::size_t many_faces = 400;
+/// ... as a share of what it may move, until their edges aren't crowded.
+constexpr double hardly = 0.5;
+/// A body that can't be made foldable is left as it is unless its share of short folds sinks by this much,
+/// ...
+constexpr double least_gain = 0.05;
+/// ... or this share of the folds that are no use to anybody vanishes.
+constexpr double least_gone = 0.2;
+
+/// A surface of equilateral triangles with the short edge has so many faces.
+double faces_of_short_edges(const mesh::Surface& surface, double short_edge_mm) {
+  const double small_face = 0.25 * std::numbers::sqrt3 * short_edge_mm * short_edge_mm;
+  return std::clamp(mesh::total_area(surface) / small_face, double{fewest_faces}, 1e9);
+}
+
+/// A place in a sequence, and what the body is like there.
+struct Candidate {
+  SymmetricShare share;
+  FoldFigures folds;
+  bool foldable = false;
+  bool crowded = false;
+  std::size_t faces = 0;
+};
+
+/// Looks in a sequence for the largest number of faces that can be folded.
+class Search {
+ public:
+  Search(const Sequence& sequence, const mesh::SurfaceTree& original, const BodyRules& rules,
+         const SimplifyOptions& options, const Context& context)
+      : sequence_(sequence), original_(original), rules_(rules), options_(options), context_(context) {}
+
+  [[nodiscard]] Candidate best() const {
+    std::size_t count = 0;
+    Candidate candidate;
+    if (const auto found = fewest_foldable()) {
+      count = *found;
+      candidate.foldable = true;
+    } else {
+      count = std::max(least_share(), sequence_.count_for(rules_.most_faces));
+    }
+    if (deviation(count) > rules_.largest_mm) {
+      count = most_within(count);
+      candidate.foldable = false;
+    }
+    count = uncrowded(count);
+    candidate.share = sequence_.share(count);
+    candidate.folds = folds(count);
+    candidate.crowded = sequence_.faces_after(count) > many_faces && candidate.folds.crowded();
+    candidate.faces = sequence_.faces_after(count);
+    return candidate;
+  }
+
+ private:
+  [[nodiscard]] FoldFigures folds(std::size_t count) const {
+    return fold_figures(sequence_.after(count).surface, options_);
+  }
+  [[nodiscard]] double brief(std::size_t count) const { return folds(count).brief_share(); }
+  [[nodiscard]] bool foldable(std::size_t count) const {
+    return sequence_.faces_after(count) <= rules_.most_faces && brief(count) <= options_.short_edge_share;
+  }
+  [[nodiscard]] double deviation(std::size_t count) const {
+    const mesh::Model model = sequence_.after(count);
+    return greatest_distance(mesh::SurfaceTree(model.surface, rules_.spacing_mm), original_,
+                             rules_.largest_mm, context_);
+  }
+
+  /// Fewest collapses after which the model is foldable, as bisection finds it (the share needn't be
+  /// monotonous); none where none of the numbers tried helps.
+  [[nodiscard]] std::optional<std::size_t> fewest_foldable() const {
+    std::size_t too_few = 0;
+    std::size_t enough = std::max<std::size_t>(1, sequence_.count_for(sequence_.faces_after(0) * 5 / 6));
+    while (!foldable(enough)) {
+      if (enough == sequence_.all()) {
+        return std::nullopt;
+      }
+      too_few = enough;
+      enough = std::max(enough + 1, sequence_.count_for(sequence_.faces_after(enough) * 5 / 6));
+    }
+    while (enough - too_few > 1 + sequence_.faces_after(enough) / 400) {
+      const std::size_t middle = too_few + (enough - too_few) / 2;
+      (foldable(middle) ? enough : too_few) = middle;
+    }
+    return enough;
+  }
+
+  /// Where nothing is foldable: the smallest share of short folds that a few numbers of faces give.
+  [[nodiscard]] std::size_t least_share() const {
+    std::size_t best = 0;
+    double least = brief(0);
+    for (std::size_t count = 1; count < sequence_.all();) {
+      count = std::max(count + 1, sequence_.count_for(sequence_.faces_after(count) * 5 / 6));
+      const double now = brief(count);
+      // A hair less is not worth losing a sixth of the faces for.
+      if (now < least - 0.01) {
+        least = now;
+        best = count;
+      }
+    }
+    return best;
+  }
+
+  /// More collapses of a body that has many faces, as long as these are crowded and the surface hardly moves.
+  [[nodiscard]] std::size_t uncrowded(std::size_t count) const {
+    while (sequence_.faces_after(count) > many_faces && folds(count).crowded()) {
+      const std::size_t next = std::max(
+          count + 1, sequence_.count_for(std::max(many_faces, sequence_.faces_after(count) * 9 / 10)));
+      if (next > sequence_.all() || brief(next) > std::max(brief(count), options_.short_edge_share) ||
+          deviation(next) > hardly * rules_.largest_mm) {
+        break;
+      }
+      count = next;
+    }
+    return count;
+  }
+
+  /// Most collapses that keep the surface within the deviation; 0 where the first ones don't.
+  [[nodiscard]] std::size_t most_within(std::size_t too_many) const {
+    std::size_t fine = 0;
+    while (too_many - fine > 1 + sequence_.faces_after(too_many) / 100) {
+      // By faces, not by collapses: the last few count most.
+      const auto faces =
+          static_cast<std::size_t>(std::sqrt(static_cast<double>(sequence_.faces_after(fine)) *
+                                             static_cast<double>(sequence_.faces_after(too_many))));
+      const std::size_t middle = std::clamp(sequence_.count_for(faces), fine + 1, too_many - 1);
+      (deviation(middle) <= rules_.largest_mm ? fine : too_many) = middle;
+    }
+    return fine;
+  }
+
+  const Sequence& sequence_;
+  const mesh::SurfaceTree& original_;
+  const BodyRules& rules_;
+  const SimplifyOptions& options_;
+  const Context& context_;
+};
+
+bool better(const Candidate& a, const Candidate& b) {
+  if (a.foldable != b.foldable) {
+    return a.foldable;
+  }
+  if (a.crowded != b.crowded) {
+    return b.crowded;
+  }
+  return a.foldable ? a.faces > b.faces : a.folds.brief_share() < b.folds.brief_share();
+}
+
+/// Whether the body is worth what it lost.
+bool pays(const Candidate& candidate, const FoldFigures& before, std::size_t faces_before,
+          std::size_t most_faces) {
+  const double tiny = static_cast<double>(before.tiny);
+  return candidate.foldable || before.brief_share() - candidate.folds.brief_share() >= least_gain ||
+         (before.tiny > 0 && static_cast<double>(candidate.folds.tiny) <= (1.0 - least_gone) * tiny) ||
+         (faces_before > most_faces && candidate.faces < faces_before);
+}
+
+}  // namespace
+
+std::optional<SymmetricShare> simplified_body(const SymmetricShare& body, const BodyRules& rules,
+                                              const SimplifyOptions& options, const Context& context) {
+  const mesh::Model before = model_of(body, rules.model, context);
+  const FoldFigures folds_before = fold_figures(before.surface, options);
+  const std::size_t faces_before = body.face_count();
+  if (folds_before.brief_share() <= options.short_edge_share && faces_before <= rules.most_faces) {
+    return std::nullopt;
+  }
+  const mesh::SurfaceTree original(before.surface, rules.spacing_mm);
+  SymmetricShare start = body;
+  // Far from the aim the surface hardly moves: there the plain error is good and fast.
+  const std::size_t copies = std::max<std::size_t>(1, 1 + body.copies.size());
+  const auto far =
+      copies * static_cast<std::size_t>(coarse * faces_of_short_edges(before.surface, options.short_edge_mm));
+  if (faces_before > far) {
+    const Sequence first(start, rules.model, *rules.walls, far, {options.short_edge_mm}, context);
+    const mesh::Model coarser = first.after(first.all());
+    if (greatest_distance(mesh::SurfaceTree(coarser.surface, rules.spacing_mm), original, rules.largest_mm,
+                          context) <= rules.largest_mm) {
+      start = first.share(first.all());
+    }
+  }
+  mesh::NearField field(original, bound * rules.largest_mm);
+  std::optional<Candidate> best;
+  for (const double power : powers) {
+    const CollapseRules how{options.short_edge_mm, power, &field, bound * rules.largest_mm};
+    const Sequence sequence(start, rules.model, *rules.walls, fewest_faces, how, context);
+    Candidate candidate;
+    if (sequence.all() > 0) {
+      candidate = Search(sequence, original, rules, options, context).best();
+    } else {
+      // Nothing more can go: what the first sequence left is the result.
+      candidate.share = start;
+      candidate.faces = start.face_count();
+      candidate.folds = fold_figures(sequence.after(0).surface, options);
+      candidate.foldable =
+          candidate.folds.brief_share() <= options.short_edge_share && candidate.faces <= rules.most_faces;
+    }
+    if (!best || better(candidate, *best)) {
+      best = std::move(candidate);
+    }
+  }
+  if (!pays(*best, folds_before, faces_before, rules.most_faces)) {
+    return std::nullopt;
+  }
+  return std::move(best->share);
+}
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepare/simplify/walls.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+
+namespace ridgecraft::prepare {
+namespace {
+
+constexpr double degrees = std::numbers::pi / 180.0;
+/// A fold of this much is the edge of something; what is round has smaller ones.
+constexpr double sharp = 30.0 * degrees;
+/// Narrow faces between two folds of less, both to the same side, are a bevel; at a plate's rim they are 90
+/// degrees.
+constexpr double bevel = 75.0 * degrees;
+/// Areas as multiples of the short edge's square: smaller regions are details, ...
+constexpr double detail = 0.5;
+/// ... and regions of this size are walls whatever is around them.
+constexpr double large = 4.0;
+/// Planes at smaller angles have a common line that isn't known well.
+const double distinct = std::sin(2.0 * degrees);
+/// Components of which walls are less of the area are no hard surfaces.
+constexpr double least_share = 0.4;
+
+/// A flat region, and what it meets.
+struct Region {
+  double area = 0.0;
+  Vec3 normal;  ///< of length twice the area
+  double perimeter = 0.0;
+  double sharp = 0.0;  ///< length of its sides that are sharp or borders
+  /// Of each neighbour: the length of the common sides, and that times the fold.
+  std::map<std::uint32_t, std::array<double, 2>> beside;
+
+  /// Short side of the rectangle with the same area and perimeter.
+  [[nodiscard]] double width() const {
+    const double root = perimeter * perimeter - 16.0 * area;
+    return root > 0.0 ? (perimeter - std::sqrt(root)) / 4.0 : std::sqrt(area);
+  }
+
+  /// Between two neighbours that it runs along, and that would meet without it.
+  [[nodiscard]] bool is_bevel() const {
+    std::array<std::array<double, 2>, 2> longest{};
+    for (const auto& [other, side] : beside) {
+      if (side[0] > longest[0][0]) {
+        longest[1] = longest[0];
+        longest[0] = side;
+      } else if (side[0] > longest[1][0]) {
+        longest[1] = side;
+      }
+    }
+    if (longest[1][0] < 0.2 * perimeter) {
+      return false;
+    }
+    const double first = longest[0][1] / longest[0][0];
+    const double second = longest[1][1] / longest[1][0];
+    return first * second > 0.0 && std::abs(first) < bevel && std::abs(second) < bevel;
+  }
+
+  [[nodiscard]] bool is_wall(double short_edge) const {
+    const double unit = short_edge * short_edge;
+    const bool has_edges = sharp >= 0.5 * perimeter;
+    if (area < detail * unit) {
+      return false;
+    }
+    return width() >= short_edge ? has_edges || area >= large * unit : has_edges && !is_bevel();
+  }
+};
+
+std::vector<Region> regions_of(const mesh::Surface& surface, const Panels& panels) {
+  std::vector<Region> regions(panels.count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    Region& region = regions[panels.panel[f].value()];
+    region.area += surface.area(f);
+    region.normal += 2.0 * surface.area(f) * surface.normal(f);
+  }
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    const auto [c, d] = surface.sides(e);
+    const std::uint32_t a = panels.panel[mesh::face_of(c)].value();
+    const std::uint32_t b = d.valid() ? panels.panel[mesh::face_of(d)].value() : a;
+    if (d.valid() && a == b) {
+      continue;
+    }
+    const double length = surface.length(e);
+    const double fold = surface.fold_angle(e);
+    const auto add = [&](Region& region, std::uint32_t other) {
+      region.perimeter += length;
+      region.sharp += !d.valid() || std::abs(fold) >= sharp ? length : 0.0;
+      if (d.valid()) {
+        region.beside[other][0] += length;
+        region.beside[other][1] += length * fold;
+      }
+    };
+    add(regions[a], b);
+    if (d.valid()) {
+      add(regions[b], a);
+    }
+  }
+  return regions;
+}
+
+/// Of each component: are walls a good part of it?
+std::vector<bool> hard_components(const mesh::Surface& surface, const Panels& panels,
+                                  const std::vector<std::uint32_t>& wall) {
+  std::vector<double> area(surface.component_count(), 0.0);
+  std::vector<double> flat(surface.component_count(), 0.0);
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    area[surface.component(f).value()] += surface.area(f);
+    flat[surface.component(f).value()] +=
+        wall[panels.panel[f].value()] != Walls::none ? surface.area(f) : 0.0;
+  }
+  std::vector<bool> hard(area.size());
+  for (std::size_t c = 0; c < hard.size(); ++c) {
+    hard[c] = flat[c] >= least_share * area[c];
+  }
+  return hard;
+}
+
+}  // namespace
+
+void Meeting::add(Vec3 normal, double offset) {
+  if (directions_.size() == 3) {
+    return;
+  }
+  Vec3 direction = normal;
+  for (const Vec3 d : directions_) {
+    direction -= dot(direction, d) * d;
+  }
+  const double rest = length(direction);
+  if (rest < distinct) {
+    return;
+  }
+  direction = direction / rest;
+  place_ += ((offset - dot(place_, normal)) / rest) * direction;
+  directions_.push_back(direction);
+}
+
+Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm) {
+  const std::vector<Region> regions = regions_of(surface, panels);
+  Walls result;
+  std::vector<std::uint32_t> wall(regions.size(), Walls::none);
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const Vec3 normal = normalized(regions[r].normal);
+    if (normal != Vec3{} && regions[r].is_wall(short_edge_mm)) {
+      wall[r] = static_cast<std::uint32_t>(result.walls.size());
+      result.walls.push_back({normal, 0.0});
+    }
+  }
+  const std::vector<bool> hard = hard_components(surface, panels, wall);
+  result.of_face.assign(surface.face_count(), Walls::none);
+  std::vector<double> area(result.walls.size(), 0.0);
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const std::uint32_t w = wall[panels.panel[f].value()];
+    if (w == Walls::none) {
+      continue;
+    }
+    const auto [a, b, c] = surface.vertices(f);
+    const Vec3 middle = (surface.point(a) + surface.point(b) + surface.point(c)) / 3.0;
+    result.walls[w].offset += surface.area(f) * dot(middle, result.walls[w].normal);
+    area[w] += surface.area(f);
+    result.of_face[f.value()] = hard[surface.component(f).value()] ? w : Walls::none;
+  }
+  for (std::size_t w = 0; w < area.size(); ++w) {
+    result.walls[w].offset /= area[w];
+  }
+  return result;
+}
+
+Walls walls_of(const Walls& whole, const SymmetricShare& share) {
+  Walls result;
+  result.walls = whole.walls;
+  for (const std::uint32_t origin : share.faces.material) {
+    result.of_face.push_back(whole.wall(share.origins[origin].face));
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::prepare
