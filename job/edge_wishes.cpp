@@ -199,6 +199,21 @@ void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::Simplify
   }
 }
 
+prepare::Bodies bodies_for(const EdgeRequests& edges, prepare::Bodies wanted) {
+  if (!edges.from) {
+    return wanted;
+  }
+  if (mesh::may_have_seams(edges.from->bytes)) {
+    return prepare::Bodies::keep;
+  }
+  try {
+    return verify::read_file(edges.from->bytes).settings.find("bodies") != nullptr ? prepare::Bodies::unite
+                                                                                   : prepare::Bodies::keep;
+  } catch (const verify::NotInForm&) {
+    return wanted;  // told where the nets are read
+  }
+}
+
 EdgeWishes wishes_of(const EdgeRequests& edges, const prepare::Prepared& prepared, const Context& context,
                      std::vector<std::string>& notes) {
   EdgeWishes wishes;

@@ -10,6 +10,7 @@
 #include "job/options.hpp"
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/options.hpp"
+#include "prepare/prepared/skin_report.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/edge_wishes.hpp"
 
@@ -21,6 +22,9 @@ namespace ridgecraft::job {
 /// asked for. Throws Error(unreadable_input) where an edge is named by a point that the model doesn't have.
 void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,
                 std::vector<std::string>& notes);
+
+/// Whether bodies are to be united: as nets made before say, where there are any.
+[[nodiscard]] prepare::Bodies bodies_for(const EdgeRequests& edges, prepare::Bodies wanted);
 
 /// What is wanted of each edge of the prepared surface; empty where nothing is. What couldn't be matched is
 /// noted. Throws Error(unreadable_input) for nets that can't be read, Error(unusable_mesh) for nets of

@@ -13,6 +13,7 @@
 #include "job/settings.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
+#include "prepare/skin/skin.hpp"
 #include "unfold/replace_tabs.hpp"
 #include "unfold/unfold.hpp"
 
@@ -125,6 +126,14 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   StageClock clock;
   std::vector<std::string> notes;
   heed_edges(options.edges, model, made.options.simplify, notes);
+  made.options.bodies = bodies_for(options.edges, options.bodies);
+  if (made.options.bodies == prepare::Bodies::unite) {
+    made.skin =
+        clock("prepare", context, [&] { return prepare::unite_bodies(model, until_deadline(context)); });
+    if (made.skin.united == 0) {
+      made.options.bodies = prepare::Bodies::keep;
+    }
+  }
   made.searched_with = settings_of(made.options, made.seed);
   const Vec2 area = room_for_pieces(options);
   made.prepared = clock("prepare", context, [&] {

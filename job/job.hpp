@@ -29,10 +29,12 @@ inline constexpr double sliver_mm = 1.0;
 
 /// A finished job with all that was made on the way; every value is complete in itself.
 struct Paper {
-  /// As they were used: where edges are named that are those of the file, `simplify` keeps all faces.
+  /// As they were used: where edges are named that are those of the file, `simplify` keeps all faces; where no
+  /// bodies were united, `bodies` keeps them.
   Options options;
   std::uint64_t seed = 1;         ///< that the nets were searched with
   paper::Settings searched_with;  ///< what else they were: with_tabs and with_pages change `options` alone
+  prepare::SkinReport skin;       ///< of uniting bodies
   prepare::Prepared prepared;
   std::size_t slivers = 0;        ///< faces of it thinner than sliver_mm
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions

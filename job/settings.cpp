@@ -69,6 +69,9 @@ void add_pages(const Options& options, paper::Settings& settings) {
 paper::Settings settings_of(const Options& options, std::uint64_t seed) {
   paper::Settings settings;
   add_size(options, settings);
+  if (options.bodies == prepare::Bodies::unite) {
+    settings["bodies"] = json_string("united");
+  }
   add_tabs(options.tabs, settings);
   add_edges(options.edges, settings);
   settings["seed"] = std::to_string(seed);

@@ -17,6 +17,7 @@ namespace ridgecraft::cli {
 enum class Line {
   lengths,
   size,
+  skin,
   simplified,
   nets,
   hint,
