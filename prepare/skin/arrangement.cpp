@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 
 #include <CGAL/Constrained_triangulation_2.h>
@@ -230,6 +231,8 @@ class Arranger {
     if (!find_pairs(most_pairs)) {
       return std::nullopt;
     }
+    exact_.resize(soup_.points.size());
+    ready_.assign(soup_.points.size(), 0);
     meet_all();
     divide_all();
     find_patches();
@@ -267,13 +270,13 @@ class Arranger {
     return !too_many;
   }
 
+  /// By number; references stay good.
   [[nodiscard]] const Exact::Point_3& point(std::uint32_t number) {
-    const auto [at, fresh] = exact_.try_emplace(number);
-    if (fresh) {
-      at->second = exact(soup_.points[number]);
-      number_.emplace(at->second, number);
+    if (ready_[number] == 0) {
+      exact_[number] = exact(soup_.points[number]);
+      ready_[number] = 1;
     }
-    return at->second;
+    return exact_[number];
   }
   [[nodiscard]] Exact::Triangle_3 triangle(std::uint32_t t) {
     return {point(triangles_[t][0]), point(triangles_[t][1]), point(triangles_[t][2])};
@@ -283,7 +286,8 @@ class Arranger {
     if (fresh) {
       CGAL::exact(p);  // numbers that wait to be computed would hang on each other in long chains
       result_.points.push_back(rounded(p));
-      exact_.emplace(at->second, p);
+      exact_.push_back(p);
+      ready_.push_back(1);
     }
     return at->second;
   }
@@ -299,7 +303,7 @@ class Arranger {
     for (const auto& [s, t] : pairs_) {
       for (const std::uint32_t f : {s, t}) {
         for (const std::uint32_t p : triangles_[f]) {
-          static_cast<void>(point(p));
+          number_.try_emplace(point(p), p);
         }
       }
     }
@@ -388,7 +392,7 @@ class Arranger {
     const View view = exact_view(plane);
     Flat flat;
     const auto put = [&](std::uint32_t number) {
-      const Exact::Point_3& p = point_of(number);
+      const Exact::Point_3& p = point(number);
       const auto vertex = flat.insert(Exact::Point_2(view.first(p), view.second(p)));
       vertex->info().value = number;
       return vertex;
@@ -433,9 +437,11 @@ class Arranger {
         v->info().value = number_of(lifted(v->point(), plane, view));
       }
     }
+    const std::vector<Outline> outlines =
+        group.size() == 1 ? std::vector<Outline>() : outlines_of(group, view);
     for (auto f = flat.finite_faces_begin(); f != flat.finite_faces_end(); ++f) {
       const std::vector<Source> sources =
-          group.size() == 1 ? std::vector<Source>{{group[0], true}} : sources_of(f, group, view);
+          group.size() == 1 ? std::vector<Source>{{group[0], true}} : sources_of(f, outlines);
       if (!sources.empty()) {
         add_facet({f->vertex(0)->info().value, f->vertex(1)->info().value, f->vertex(2)->info().value},
                   sources);
@@ -448,10 +454,6 @@ class Arranger {
   [[nodiscard]] static View exact_view(const Exact::Plane_3& plane) {
     const Vec3 normal{CGAL::to_double(plane.a()), CGAL::to_double(plane.b()), CGAL::to_double(plane.c())};
     return view_along(normal);
-  }
-  [[nodiscard]] const Exact::Point_3& point_of(std::uint32_t number) {
-    const auto at = exact_.find(number);
-    return at != exact_.end() ? at->second : point(number);
   }
   [[nodiscard]] static Exact::Point_3 lifted(const Exact::Point_2& p, const Exact::Plane_3& plane,
                                              View view) {
@@ -467,29 +469,54 @@ class Arranger {
     return {at[0], at[1], at[2]};
   }
 
-  /// The triangles of a group that a face of its triangulation lies in.
-  std::vector<Source> sources_of(Flat::Finite_faces_iterator f, const std::vector<std::uint32_t>& group,
-                                 View view) {
-    const Exact::Point_2 middle =
-        CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
-    std::vector<Source> sources;
+  /// A triangle of a group in its plane.
+  struct Outline {
+    std::uint32_t triangle;
+    std::array<Exact::Point_2, 3> corners;
+    CGAL::Orientation turn;
+    Box2 box;  ///< a little too large
+  };
+  std::vector<Outline> outlines_of(const std::vector<std::uint32_t>& group, View view) {
+    std::vector<Outline> outlines;
     for (const std::uint32_t t : group) {
-      std::array<Exact::Point_2, 3> c;
+      Outline outline{t, {}, CGAL::COLLINEAR, {}};
       for (std::size_t k = 0; k < 3; ++k) {
         const Exact::Point_3& p = point(triangles_[t][k]);
-        c[k] = {view.first(p), view.second(p)};
+        outline.corners[k] = {view.first(p), view.second(p)};
+        outline.box.add(roughly(outline.corners[k]));
       }
-      const auto turn = CGAL::orientation(c[0], c[1], c[2]);
-      if (CGAL::orientation(c[0], c[1], middle) == turn && CGAL::orientation(c[1], c[2], middle) == turn &&
-          CGAL::orientation(c[2], c[0], middle) == turn) {
-        sources.push_back({t, turn == CGAL::LEFT_TURN});
+      const double margin = 1e-9 * length(outline.box.high - outline.box.low);
+      outline.box.low = outline.box.low - Vec2{margin, margin};
+      outline.box.high = outline.box.high + Vec2{margin, margin};
+      outline.turn = CGAL::orientation(outline.corners[0], outline.corners[1], outline.corners[2]);
+      outlines.push_back(outline);
+    }
+    return outlines;
+  }
+  static Vec2 roughly(const Exact::Point_2& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
+
+  /// The triangles of a group that a face of its triangulation lies in.
+  static std::vector<Source> sources_of(Flat::Finite_faces_iterator f, const std::vector<Outline>& outlines) {
+    const Exact::Point_2 middle =
+        CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    const Vec2 rough = roughly(middle);
+    std::vector<Source> sources;
+    for (const Outline& o : outlines) {
+      if (rough.x < o.box.low.x || rough.x > o.box.high.x || rough.y < o.box.low.y ||
+          rough.y > o.box.high.y) {
+        continue;
+      }
+      const auto left_of = [&](std::size_t k) {
+        return CGAL::orientation(o.corners[k], o.corners[(k + 1) % 3], middle) == o.turn;
+      };
+      if (left_of(0) && left_of(1) && left_of(2)) {
+        sources.push_back({o.triangle, o.turn == CGAL::LEFT_TURN});
       }
     }
     return sources;
   }
 
-  // Patches
-  // --------------------------------------------------------------------------------------------------
+  // Patches.
 
   struct Side {
     std::uint32_t low;
@@ -574,8 +601,7 @@ class Arranger {
     return forward(f) != forward(g) && owners(result_.facets[f]) == owners(result_.facets[g]);
   }
 
-  // Windings
-  // -------------------------------------------------------------------------------------------------
+  // Windings.
 
   void find_windings() {
     std::vector<std::uint32_t> solids;
@@ -627,12 +653,12 @@ class Arranger {
   bool shoot(Patch& patch, std::uint32_t f, const BoxTree<Box3>& tree,
              const std::vector<std::uint32_t>& solids, const Box3& all, Random& random) {
     const Corners& c = result_.facets[f].corners;
-    const Exact::Point_3 from = CGAL::centroid(point_of(c[0]), point_of(c[1]), point_of(c[2]));
+    const Exact::Point_3 from = CGAL::centroid(point(c[0]), point(c[1]), point(c[2]));
     const double far = 4.0 * all.diagonal();
     const auto draw = [&] { return (random.below(2) == 0 ? -1.0 : 1.0) * (0.2 + random.unit()); };
     const Vec3 way{far * draw(), far * draw(), far * draw()};
     const Exact::Point_3 to = from + Exact::Vector_3(way.x, way.y, way.z);
-    const auto facing = CGAL::orientation(point_of(c[0]), point_of(c[1]), point_of(c[2]), to);
+    const auto facing = CGAL::orientation(point(c[0]), point(c[1]), point(c[2]), to);
     if (facing == CGAL::COPLANAR) {
       return false;
     }
@@ -702,8 +728,8 @@ class Arranger {
   bool alike(const Corners& facet, const Exact::Point_3& a, const Exact::Point_3& b,
              const Exact::Point_3& c) {
     const auto normal = CGAL::cross_product(b - a, c - a);
-    const Exact::Point_3& p = point_of(facet[0]);
-    const auto own = CGAL::cross_product(point_of(facet[1]) - p, point_of(facet[2]) - p);
+    const Exact::Point_3& p = point(facet[0]);
+    const auto own = CGAL::cross_product(point(facet[1]) - p, point(facet[2]) - p);
     return CGAL::sign(normal * own) == CGAL::POSITIVE;
   }
 
@@ -713,8 +739,9 @@ class Arranger {
   std::vector<Corners> triangles_;    ///< by place
   std::vector<std::uint32_t> whole_;  ///< those with an area
   std::vector<std::array<std::uint32_t, 2>> pairs_;
-  std::map<std::uint32_t, Exact::Point_3> exact_;  ///< of all points that are asked for
-  std::map<Exact::Point_3, std::uint32_t> number_;
+  std::deque<Exact::Point_3> exact_;  ///< of all points, those of the soup once they are asked for
+  std::vector<std::uint8_t> ready_;
+  std::map<Exact::Point_3, std::uint32_t> number_;  ///< of points where triangles meet, and their corners
   std::vector<Marks> marks_;
   DisjointSets planes_;
   std::vector<std::uint32_t> largest_;  ///< facet of each patch

@@ -52,10 +52,12 @@ class Meeting {
     OneSkin skin;
     skin.changed.assign(soup_.solid.size(), 0);
     skin.around.assign(soup_.solid.size(), 0);
+    drop_caps(skin);
+    hide_enclosed();
     if (nothing_hidden()) {
+      skin.rims_closed = 0;
       return skin;
     }
-    drop_caps(skin);
     find_changed(skin);
     collect(skin);
     if (!is_sound(skin)) {
@@ -337,6 +339,103 @@ class Meeting {
         fate_[f] = Fate::hidden;
       }
     }
+  }
+
+  // Shells --------------------------------------------------------------------------------------------------
+
+  /// Facets of solids that are kept and hang together.
+  struct Shell {
+    std::vector<std::array<Vec3, 3>> triangles;
+    Box3 box;
+    bool closed = true;
+    double volume = 0.0;
+  };
+
+  /// What lies in a shell that is closed can't be seen: cavities, and what is in them.
+  void hide_enclosed() {
+    const std::vector<Side> sides = sides_of_kept();
+    DisjointSets together(arranged_.facets.size());
+    for_each_edge(sides, [&](std::span<const Side> edge) {
+      for (const Side& s : edge) {
+        if (of_solid(s.facet) && of_solid(edge.front().facet)) {
+          together.join(edge.front().facet, s.facet);
+        }
+      }
+    });
+    std::map<std::uint32_t, Shell> shells;
+    for (std::uint32_t f = 0; f < arranged_.facets.size(); ++f) {
+      if (fate_[f] != Fate::hidden && of_solid(f)) {
+        add_to(shells[together.find(f)], f);
+      }
+    }
+    for_each_edge(sides, [&](std::span<const Side> edge) {
+      std::ptrdiff_t balance = 0;
+      for (const Side& s : edge) {
+        balance += !of_solid(s.facet) ? 0 : s.forward ? 1 : -1;
+      }
+      for (const Side& s : edge) {
+        if (balance != 0 && of_solid(s.facet)) {
+          shells[together.find(s.facet)].closed = false;
+        }
+      }
+    });
+    std::set<std::uint32_t> enclosed;
+    for (const auto& [outer, around] : shells) {
+      for (const auto& [inner, shell] : shells) {
+        if (outer != inner && around.closed && around.volume > 0.0 && contains(around, shell)) {
+          enclosed.insert(inner);
+        }
+      }
+    }
+    for (std::uint32_t f = 0; f < arranged_.facets.size(); ++f) {
+      if (fate_[f] != Fate::hidden && enclosed.contains(together.find(f))) {
+        fate_[f] = Fate::hidden;
+      }
+    }
+  }
+
+  [[nodiscard]] bool of_solid(std::uint32_t f) const {
+    const auto all = sources(arranged_.facets[f]);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Source& s) { return solid_[soup_.body[s.triangle]] != 0; });
+  }
+
+  void add_to(Shell& shell, std::uint32_t f) const {
+    std::array<std::uint32_t, 3> c = arranged_.facets[f].corners;
+    if (fate_[f] == Fate::turned) {
+      std::swap(c[1], c[2]);
+    }
+    shell.triangles.push_back({arranged_.points[c[0]], arranged_.points[c[1]], arranged_.points[c[2]]});
+    const auto& t = shell.triangles.back();
+    std::for_each(t.begin(), t.end(), [&](Vec3 p) { shell.box.add(p); });
+    const Vec3 origin = shell.triangles.front()[0];
+    shell.volume += dot(t[0] - origin, cross(t[1] - origin, t[2] - origin)) / 6.0;
+  }
+
+  static bool contains(const Shell& outer, const Shell& inner) {
+    const auto within = [](double low, double inner_low, double inner_high, double high) {
+      return low <= inner_low && inner_high <= high;
+    };
+    if (!within(outer.box.low.x, inner.box.low.x, inner.box.high.x, outer.box.high.x) ||
+        !within(outer.box.low.y, inner.box.low.y, inner.box.high.y, outer.box.high.y) ||
+        !within(outer.box.low.z, inner.box.low.z, inner.box.high.z, outer.box.high.z)) {
+      return false;
+    }
+    // Shells don't cross, so any point tells: the middle of a face (van Oosterom, Strackee, 1983).
+    const auto& first = inner.triangles.front();
+    const Vec3 p = (first[0] + first[1] + first[2]) / 3.0;
+    double angle = 0.0;
+    for (const auto& t : outer.triangles) {
+      const Vec3 a = t[0] - p;
+      const Vec3 b = t[1] - p;
+      const Vec3 c = t[2] - p;
+      const double la = length(a);
+      const double lb = length(b);
+      const double lc = length(c);
+      angle +=
+          std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    }
+    return angle > std::numbers::pi;
   }
 
   // The skin ------------------------------------------------------------------------------------------------

@@ -338,6 +338,21 @@ TEST_CASE("sheets end where solids begin, and solids aren't cut by them", "[skin
   CHECK(flag.model.surface.face_count() == 12 + 2 + 1);
 }
 
+TEST_CASE("cavities that nobody can look into are dropped, with what is in them", "[skin]") {
+  Shape shape = box({0, 0, 0}, {4, 4, 4});
+  Shape cavity = box({1, 1, 1}, {3, 3, 3});
+  for (auto& face : cavity.faces) {
+    std::reverse(face.begin(), face.end());
+  }
+  shape.add(cavity);
+  shape.add(box({1.5, 1.5, 1.5}, {2, 2, 2}));
+  const United one = united(shape);
+  CHECK(one.model.surface.face_count() == 12);
+  CHECK(test::volume(one.model.surface) == Approx(64.0));
+  CHECK(one.report.united == 3);
+  CHECK(one.report.united_into == 1);
+}
+
 TEST_CASE("materials and pictures stay where they were", "[skin]") {
   Shape shape = box({0, 0, 0}, {2, 2, 2});
   shape.add(box({1, 0.5, 0.5}, {3, 1.5, 1.5}));
