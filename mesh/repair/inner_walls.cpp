@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t no_pair = Soup::none;
 
-struct Side {
+struct WallSide {
   std::uint32_t low;
   std::uint32_t high;
   std::uint32_t pair;  ///< or no_pair
@@ -33,7 +33,7 @@ std::vector<WallEdge> wall_edges(const PolygonList& list, const std::vector<Wall
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     pair_of[pairs[i][0]] = pair_of[pairs[i][1]] = i;
   }
-  std::vector<Side> sides;
+  std::vector<WallSide> sides;
   sides.reserve(list.corners.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto polygon = list.polygon(i);
@@ -45,7 +45,7 @@ std::vector<WallEdge> wall_edges(const PolygonList& list, const std::vector<Wall
       p = q;
     }
   }
-  const std::vector<Side> ordered = in_edge_order(std::span<const Side>(sides));
+  const std::vector<WallSide> ordered = in_edge_order(std::span<const WallSide>(sides));
   std::vector<WallEdge> edges;
   for (std::size_t i = 0; i < ordered.size();) {
     WallEdge edge;

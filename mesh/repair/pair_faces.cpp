@@ -25,7 +25,7 @@ struct Blade {
   std::uint32_t component;  ///< over edges with two faces
 };
 
-using Pair = std::array<std::uint32_t, 2>;  ///< of uses
+using UsePair = std::array<std::uint32_t, 2>;  ///< of uses
 
 std::uint32_t far_corner(const TriangleList& list, const EdgeUse& use) {
   return list.triangles[use.triangle].points[(use.side + 2U) % 3];
@@ -65,9 +65,9 @@ std::vector<Blade> blades_at(const TriangleList& list, const std::vector<EdgeUse
 }
 
 /// Where solids and air take turns around the edge: each solid's two faces; else nothing.
-std::vector<Pair> around_solids(const std::vector<Blade>& blades) {
+std::vector<UsePair> around_solids(const std::vector<Blade>& blades) {
   const std::size_t n = blades.size();
-  std::vector<Pair> pairs;
+  std::vector<UsePair> pairs;
   for (std::size_t i = 0; i < n; ++i) {
     const Blade& a = blades[i];
     const Blade& b = blades[(i + 1) % n];
@@ -90,9 +90,9 @@ bool two_of_each_component(const std::vector<Blade>& blades) {
 }
 
 /// Those of one component, where it has two here; then those that are folded least.
-std::vector<Pair> by_component_and_turn(const std::vector<Blade>& blades) {
+std::vector<UsePair> by_component_and_turn(const std::vector<Blade>& blades) {
   std::vector<bool> taken(blades.size(), false);
-  std::vector<Pair> pairs;
+  std::vector<UsePair> pairs;
   const auto take = [&](std::size_t i, std::size_t j) {
     taken[i] = taken[j] = true;
     pairs.push_back({blades[i].use, blades[j].use});
@@ -163,7 +163,7 @@ void part_fans(TriangleList& list, const std::vector<bool>& crowded, DisjointSet
   }
 }
 
-std::string first_detail(std::uint32_t polygon) {
+std::string where_crowded(std::uint32_t polygon) {
   return "first: at polygon " + std::to_string(std::uint64_t{polygon} + 1);
 }
 
@@ -189,14 +189,14 @@ void pair_faces(TriangleList& list, std::vector<EdgeUse>& uses, RepairReport& re
       hold_together(list, uses[i], uses[i + 1], fans);
     } else if (j - i > 2) {
       const std::vector<Blade> blades = blades_at(list, uses, i, j, components);
-      std::vector<Pair> pairs;
+      std::vector<UsePair> pairs;
       if (!two_of_each_component(blades)) {
         pairs = around_solids(blades);
       }
       if (pairs.empty()) {
         pairs = by_component_and_turn(blades);
       }
-      for (const Pair& pair : pairs) {
+      for (const UsePair& pair : pairs) {
         hold_together(list, uses[pair[0]], uses[pair[1]], fans);
       }
     }
@@ -218,7 +218,7 @@ void pair_faces(TriangleList& list, std::vector<EdgeUse>& uses, RepairReport& re
           before.begin() + static_cast<std::ptrdiff_t>(i), before.begin() + static_cast<std::ptrdiff_t>(j),
           [&](const EdgeUse& use) { return companions[3 * use.triangle + use.side] == 2; });
       report.add(paired ? RepairKind::edges_paired : RepairKind::edges_split, 1,
-                 first_detail(list.triangles[before[i].triangle].origin));
+                 where_crowded(list.triangles[before[i].triangle].origin));
     }
   });
 }

@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t most_pairs = 200'000;
 /// A body counts as open when so many of 64 looks from a hidden face come out through its opening.
 constexpr std::ptrdiff_t looks_that_count = 2;
+/// A cap over a bent opening is right where most of it is in other bodies, as the back of a beam at a wall.
+constexpr double little_seen = 0.4;
 
 std::vector<Vec3> on_grid(const std::vector<Vec3>& points, double share) {
   const double unit = std::exp2(std::floor(std::log2(share)));
@@ -46,10 +48,15 @@ class Meeting {
   std::optional<OneSkin> run() {
     solid_ = soup_.solid;
     decide();
-    for (std::size_t round = 0; round < soup_.solid.size() && open_bodies(); ++round) {
-      decide();
-    }
     OneSkin skin;
+    if (guessed_bodies() || open_bodies()) {
+      for (std::uint32_t b = 0; b < solid_.size(); ++b) {
+        if (solid_[b] != soup_.solid[b]) {
+          skin.not_solid.push_back(b);
+        }
+      }
+      return skin;
+    }
     skin.changed.assign(soup_.solid.size(), 0);
     skin.around.assign(soup_.solid.size(), 0);
     drop_caps(skin);
@@ -134,6 +141,38 @@ class Meeting {
   }
 
   // Looking in ----------------------------------------------------------------------------------------------
+
+  /// Bodies of whose bent openings more than a little can be seen aren't solid: what closes them is a guess.
+  /// True if there are.
+  bool guessed_bodies() {
+    struct Areas {
+      double all = 0.0;
+      double seen = 0.0;
+      std::uint32_t body = 0;
+    };
+    std::map<std::uint32_t, Areas> caps;
+    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
+      if (is_cap(t) && bodies_.bent[bodies_.cap[t]] != 0) {
+        const auto& [a, b, c] = soup_.triangles[t];
+        Areas& areas = caps[bodies_.cap[t]];
+        areas.all += length(cross(soup_.points[b] - soup_.points[a], soup_.points[c] - soup_.points[a]));
+        areas.body = soup_.body[t];
+      }
+    }
+    for (std::uint32_t f = 0; f < arranged_.facets.size(); ++f) {
+      if (shows_cap(f) && bodies_.bent[bodies_.cap[shown(f)]] != 0) {
+        caps[bodies_.cap[shown(f)]].seen += length(normal_of(arranged_.facets[f]));
+      }
+    }
+    bool any = false;
+    for (const auto& [cap, areas] : caps) {
+      if (areas.seen > little_seen * areas.all) {
+        solid_[areas.body] = 0;
+        any = true;
+      }
+    }
+    return any;
+  }
 
   /// Bodies through whose openings one sees something that would be dropped aren't solid. True if there are.
   bool open_bodies() {

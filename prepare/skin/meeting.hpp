@@ -27,6 +27,7 @@ struct Bodies3 {
   std::vector<FaceId> face;             ///< of each triangle: of the model's surface; none for those of caps
   std::vector<std::uint32_t> cap;       ///< of each triangle: which cap it is of, or no_cap
   std::vector<std::uint8_t> on_ground;  ///< of each cap: the model stands on it
+  std::vector<std::uint8_t> bent;       ///< of each cap: a guess that must not be seen
 };
 
 /// A face of the skin: a piece of a triangle of the soup.
@@ -38,6 +39,9 @@ struct SkinFacet {
 };
 
 struct OneSkin {
+  /// Bodies with caps that mustn't be taken for solids: one can look into them, or sees a guess. Where there
+  /// are any, nothing else is told.
+  std::vector<std::uint32_t> not_solid;
   std::vector<Vec3> points;
   std::vector<SkinFacet> facets;      ///< of bodies that changed; none where no body did
   std::vector<std::uint8_t> changed;  ///< of each body: something of it is hidden, or shown with another's

@@ -13,6 +13,8 @@ namespace {
 
 /// Less volume than this share of area times diagonal is none: the opening was a sheet's outline.
 constexpr double least_volume = 1e-4;
+/// Bent openings with more corners than this stay open: their cube is the time that closing takes.
+constexpr std::size_t most_bent_corners = 60;
 
 /// Vertices along an opening, in the direction in which a cap's faces have it: against the surface's sides.
 using Rim = std::vector<VertexId>;
@@ -88,6 +90,47 @@ std::optional<Cap> cap_of(const mesh::Surface& surface, const Rim& rim, double f
   return cap;
 }
 
+/// The triangles over the corners of a bent opening with the least area.
+std::optional<Cap> bent_cap_of(const mesh::Surface& surface, const Rim& rim) {
+  const std::size_t n = rim.size();
+  if (n > most_bent_corners) {
+    return std::nullopt;
+  }
+  const auto area = [&](std::size_t i, std::size_t j, std::size_t k) {
+    const Vec3 a = surface.point(rim[i]);
+    return length(cross(surface.point(rim[j]) - a, surface.point(rim[k]) - a));
+  };
+  // Of the corners i .. k: the least area over them, and the corner between them that it takes.
+  std::vector<std::vector<double>> least(n, std::vector<double>(n, 0.0));
+  std::vector<std::vector<std::size_t>> between(n, std::vector<std::size_t>(n, 0));
+  for (std::size_t span = 2; span < n; ++span) {
+    for (std::size_t i = 0; i + span < n; ++i) {
+      const std::size_t k = i + span;
+      for (std::size_t j = i + 1; j < k; ++j) {
+        const double sum = least[i][j] + least[j][k] + area(i, j, k);
+        if (j == i + 1 || sum < least[i][k]) {
+          least[i][k] = sum;
+          between[i][k] = j;
+        }
+      }
+    }
+  }
+  Cap cap;
+  cap.bent = true;
+  std::vector<std::array<std::size_t, 2>> open{{0, n - 1}};
+  while (!open.empty()) {
+    const auto [i, k] = open.back();
+    open.pop_back();
+    if (k - i > 1) {
+      const std::size_t j = between[i][k];
+      cap.triangles.push_back({rim[i], rim[j], rim[k]});
+      open.push_back({i, j});
+      open.push_back({j, k});
+    }
+  }
+  return cap;
+}
+
 /// Is what faces and caps enclose more than a sheet?
 bool holds_something(const mesh::Surface& surface, const std::vector<FaceId>& faces,
                      const std::vector<Cap>& caps) {
@@ -122,6 +165,9 @@ std::vector<Cap> find_caps(const mesh::Surface& surface, const std::vector<FaceI
   std::vector<Cap> caps;
   for (const Rim& rim : find_rims(surface, faces)) {
     std::optional<Cap> cap = cap_of(surface, rim, flat);
+    if (!cap) {
+      cap = bent_cap_of(surface, rim);
+    }
     if (!cap) {
       return {};
     }

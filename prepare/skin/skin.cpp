@@ -162,6 +162,34 @@ class Skin {
   [[nodiscard]] bool is_solid(std::uint32_t c) const { return components_[c].closed || !caps_[c].empty(); }
 
   void unite(const std::vector<std::uint32_t>& members) {
+    // Each round but the last finds that something with openings is no solid; soon all guesses go.
+    constexpr std::size_t rounds_with_guesses = 3;
+    for (std::size_t round = 0;; ++round) {
+      const Bodies3 bodies = bodies_of(members);
+      const std::optional<OneSkin> skin = meet(bodies, model_.surface.bounds().diagonal(), context_);
+      if (!skin) {
+        report_.left_crossing += members.size();
+        return;
+      }
+      if (skin->not_solid.empty()) {
+        if (skin->any_change()) {
+          take(members, bodies, *skin);
+        }
+        return;
+      }
+      for (const std::uint32_t b : skin->not_solid) {
+        caps_[members[b]].clear();
+      }
+      for (const std::uint32_t c : members) {
+        if (round + 1 >= rounds_with_guesses &&
+            std::any_of(caps_[c].begin(), caps_[c].end(), [](const Cap& cap) { return cap.bent; })) {
+          caps_[c].clear();
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Bodies3 bodies_of(const std::vector<std::uint32_t>& members) const {
     const Surface& surface = model_.surface;
     Bodies3 bodies;
     std::map<VertexId, std::uint32_t> number;
@@ -197,14 +225,10 @@ class Skin {
           add(t, FaceId(), static_cast<std::uint32_t>(bodies.on_ground.size()));
         }
         bodies.on_ground.push_back(ground_.holds(surface, cap) ? 1 : 0);
+        bodies.bent.push_back(cap.bent ? 1 : 0);
       }
     }
-    const std::optional<OneSkin> skin = meet(bodies, surface.bounds().diagonal(), context_);
-    if (!skin) {
-      report_.left_crossing += members.size();
-    } else if (skin->any_change()) {
-      take(members, bodies, *skin);
-    }
+    return bodies;
   }
 
   /// The faces of bodies that changed are replaced.

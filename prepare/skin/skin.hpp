@@ -12,11 +12,12 @@ namespace ridgecraft::prepare {
 /// run into others, and walls that two bodies have against each other go. In which order bodies are given, or
 /// whether they only touch in a face, an edge or a corner, makes no difference.
 ///
-/// A component is solid when it is closed, or when each of its openings is flat (a thousandth of the
-/// diagonal) and can be closed by a cap. A cap that nothing is glued to is left out again at the end, so that
-/// the model stays open there; where others run into it, it stays and is counted. A body that one can look
-/// into through such an opening, and see what is inside, isn't solid; the side on which a model stands counts
-/// as closed. All other components are sheets: they stay as they are but for what lies inside solids.
+/// A component is solid when it is closed, or when each of its openings can be closed by a cap: a flat one (a
+/// thousandth of the diagonal), or a bent one whose cap turns out to lie inside others for the most part. A
+/// cap that can be seen is left out again at the end, so that the model stays open there; where others run
+/// into it, it stays and is counted. A body that one can look into through such an opening, and see what is
+/// inside, isn't solid; the side on which a model stands counts as closed. All other components are sheets:
+/// they stay as they are but for what lies inside solids.
 ///
 /// Points of bodies that change are laid on a grid of a millionth of the diagonal; faces keep their polygon,
 /// material and place in the picture (a cap has none). Other components, and so all models whose bodies don't

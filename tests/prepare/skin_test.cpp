@@ -318,6 +318,47 @@ TEST_CASE("bodies without a floor are capped, united and left open again", "[ski
   }
 }
 
+TEST_CASE("a beam at a wall that has neither back nor ends", "[skin]") {
+  // Its opening is bent; its back is in the wall, so what closes it is right.
+  Shape shape = box({0, 0, 0}, {4, 1, 4});
+  const bool in_wall = GENERATE(true, false);
+  const double back = in_wall ? 0.75 : 1.25;
+  shape.add({{{1, 1.5, 1},
+              {3, 1.5, 1},
+              {3, 1.5, 1.5},
+              {1, 1.5, 1.5},
+              {1, back, 1},
+              {3, back, 1},
+              {3, back, 1.5},
+              {1, back, 1.5}},
+             {{1, 0, 3, 2}, {0, 1, 5, 4}, {2, 3, 7, 6}}});
+  const United wall = united(shape);
+  if (in_wall) {
+    CHECK(wall.model.surface.component_count() == 1);
+    CHECK(test::border_edges(wall.model.surface) == 0);
+    CHECK(test::volume(wall.model.surface) == Approx(16 + 0.5));
+    CHECK(wall.report.rims_closed > 0);
+  } else {
+    CHECK(wall.report.united == 0);
+    CHECK(wall.model.surface.face_count() == 12 + 6);
+  }
+}
+
+TEST_CASE("a bent leaf with a stem through it stays a sheet", "[skin]") {
+  Shape shape = box({-0.1, -0.1, -1}, {0.1, 0.1, 1.5});
+  shape.add({{{-1, -1, 0}, {0, -1, 0.4}, {1, -1, 0}, {1, 1, 0.2}, {0, 1, 0.6}, {-1, 1, 0.1}},
+             {{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}}});
+  const United leaf = united(shape);
+  double solid = 0.0;
+  for (const FaceId f : ids<FaceId>(leaf.model.surface.face_count())) {
+    solid += leaf.model.polygon[f] < 6 ? leaf.model.surface.area(f) : 0.0;
+    CHECK(leaf.model.polygon[f] != mesh::Soup::none);
+  }
+  CHECK(solid == Approx(4 * 0.2 * 2.5 + 2 * 0.04));
+  // What the stem goes through is a hole in the leaf now.
+  CHECK(test::area(leaf.model.surface) < test::area(model_of(shape).surface) - 0.04);
+}
+
 TEST_CASE("one can look into an open crate: what is in it stays", "[skin]") {
   auto no_lid = box_faces;
   no_lid.erase(no_lid.begin() + 1);
