@@ -58,7 +58,7 @@ struct Arrangement {
 /// Divides all triangles of solids where they meet others of solids, and those of sheets where they meet
 /// solids. Points are exact until the end (CGAL's lazy exact numbers), so nothing is missed and nothing
 /// fails. None where more than `most_pairs` pairs of triangles meet: that would take too long. O(n log n) for
-/// n triangles, and some 50 microseconds a pair that meets.
+/// n triangles, and some 20 microseconds a pair that meets.
 [[nodiscard]] std::optional<Arrangement> arrange(const BodySoup& soup, std::size_t most_pairs,
                                                  const Context& context);
 

@@ -16,8 +16,8 @@
 namespace ridgecraft::prepare {
 namespace {
 
-/// Pairs of triangles that meet: some ten seconds of work. Models that anybody would fold have a hundredth.
-constexpr std::size_t most_pairs = 200'000;
+/// Pairs of triangles that meet: half a minute of work. Models that anybody would fold have a hundredth.
+constexpr std::size_t most_pairs = 1'000'000;
 /// A body counts as open when so many of 64 looks from a hidden face come out through its opening.
 constexpr std::ptrdiff_t looks_that_count = 2;
 /// A cap over a bent opening is right where most of it is in other bodies, as the back of a beam at a wall.

@@ -24,7 +24,7 @@ namespace ridgecraft::prepare {
 /// meet, stay as they are to the last bit. Bodies whose skin wouldn't be sound, because it crosses itself
 /// when its points become doubles, or that meet in too many places, stay as they were and are counted.
 ///
-/// O(n log n) for n faces, and about 50 microseconds for each pair of faces that meets. Throws
+/// O(n log n) for n faces, and about 20 microseconds for each pair of faces that meets. Throws
 /// Error(interrupted), Error(out_of_time).
 SkinReport unite_bodies(mesh::Model& model, const Context& context);
 
