@@ -210,6 +210,17 @@ void use_size_of_nets(const EdgeRequests& edges, const mesh::Model& model, prepa
   }
 }
 
+prepare::Bodies bodies_for(const EdgeRequests& edges, prepare::Bodies wanted) {
+  if (!edges.from) {
+    return wanted;
+  }
+  if (!is_fold_file(*edges.from)) {
+    return prepare::Bodies::keep;
+  }
+  return read_fold_file(*edges.from).settings.find("bodies") != nullptr ? prepare::Bodies::unite
+                                                                        : prepare::Bodies::keep;
+}
+
 EdgeWishes wishes_of(const EdgeRequests& edges, const prepare::Prepared& prepared, const Context& context,
                      std::vector<std::string>& notes) {
   EdgeWishes wishes;

@@ -11,6 +11,7 @@
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/options.hpp"
 #include "prepare/prepared/prepared.hpp"
+#include "prepare/prepared/skin_report.hpp"
 #include "unfold/net/edge_wishes.hpp"
 
 namespace ridgecraft::job {
@@ -26,6 +27,9 @@ void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::Simplify
 /// Edges that are named belong to one size: where the user asked for none it is that of nets made before, or
 /// the usual one.
 void use_size_of_nets(const EdgeRequests& edges, const mesh::Model& model, prepare::SizeOptions& size);
+
+/// Whether bodies are to be united: as nets made before say, where there are any.
+[[nodiscard]] prepare::Bodies bodies_for(const EdgeRequests& edges, prepare::Bodies wanted);
 
 /// What is wanted of each edge of the prepared surface; empty where nothing is. What couldn't be matched is
 /// noted. Throws Error(unreadable_input) for nets that can't be read, Error(unusable_mesh) for nets of

@@ -16,6 +16,7 @@
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/expected_pages.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
+#include "prepare/skin/skin.hpp"
 #include "unfold/replace_tabs.hpp"
 #include "unfold/unfold.hpp"
 
@@ -158,6 +159,14 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   made.ground = prepare::ground_name(model);
   heed_edges(options.edges, model, made.options.simplify, notes);
   use_size_of_nets(options.edges, model, made.options.size);
+  made.options.bodies = bodies_for(options.edges, options.bodies);
+  if (made.options.bodies == prepare::Bodies::unite) {
+    made.skin =
+        clock("prepare", context, [&] { return prepare::unite_bodies(model, until_deadline(context)); });
+    if (made.skin.united == 0) {
+      made.options.bodies = prepare::Bodies::keep;
+    }
+  }
   const Vec2 area = room_for_pieces(options);
   const double units = model.surface.bounds().largest_extent() * model.file_scale;
   made.prepared = clock("prepare", context, [&] {

@@ -29,12 +29,14 @@ using prepare::sliver_mm;
 
 /// A finished job with all that was made on the way; every value is complete in itself.
 struct Paper {
-  /// As they were used: where edges are named that are those of the file, `simplify` keeps all faces.
+  /// As they were used: where edges are named that are those of the file, `simplify` keeps all faces; where
+  /// no bodies were united, `bodies` keeps them.
   Options options;
   std::uint64_t seed = 1;         ///< that the nets were searched with
   paper::Settings searched_with;  ///< what else they were: with_tabs and with_pages change `options` alone
   /// A ground that the model stands on (prepare::ground_name): leaving it out makes the rest larger.
   std::optional<std::string> ground;
+  prepare::SkinReport skin;  ///< of uniting bodies
   prepare::Prepared prepared;
   std::size_t slivers = 0;        ///< faces of it thinner than sliver_mm
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions

@@ -11,6 +11,7 @@
 #include "export/sheet/pages.hpp"
 #include "export/sheet/paper.hpp"
 #include "prepare/prepared/options.hpp"
+#include "prepare/prepared/skin_report.hpp"
 #include "prepare/selection/selection.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/net/piece_rules.hpp"
@@ -49,6 +50,9 @@ enum class PartsFrom {
 
 struct Options {
   prepare::Selection selection;
+  /// Bodies that touch or run into each other become one skin. Not where a model's file holds nets that are
+  /// taken over (EdgeRequests::from): these are of its bodies; nets of our own tell which it was.
+  prepare::Bodies bodies = prepare::Bodies::unite;
   prepare::SizeOptions size;
   prepare::SimplifyOptions simplify;  ///< its hidden_fold_angle is that of `style`, whatever stands here
   PartsFrom parts = PartsFrom::segmentation;

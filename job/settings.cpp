@@ -78,6 +78,9 @@ paper::Settings settings_of(const Options& options, std::uint64_t seed) {
   add_names(options.selection.only, "only", settings);
   add_names(options.selection.without, "without", settings);
   add_size(options, settings);
+  if (options.bodies == prepare::Bodies::unite) {
+    settings["bodies"] = json_string("united");
+  }
   add_tabs(options.tabs, settings);
   add_edges(options.edges, settings);
   settings["seed"] = std::to_string(seed);

@@ -51,6 +51,7 @@ struct PaperTexts {
   std::string margin, tab_height, tab_angle, concavity;
   std::string hide = "3";
   bool no_tabs = false;
+  bool keep_bodies = false;
 
   void add_to(Verb& verb, PaperJob& job) {
     verb.option("Paper", "--paper", paper, "NAME|WxH",
@@ -66,6 +67,10 @@ struct PaperTexts {
     verb.flag("Tabs and lines", "--no-tabs", no_tabs, "Draw no glue tabs.");
     verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
                 "Draw no line where the surface is folded by less than this (3).");
+    verb.flag(
+        "Parts", "--keep-bodies", keep_bodies,
+        "Leave bodies that touch or run into each other as they are, hidden faces and all; without it they "
+        "become one outer skin.");
     verb.option("Parts", "--concavity", concavity, "TOLERANCE",
                 "How far a part may be from convex, as a share of the radius of the model's bounding sphere "
                 "(0.1).");
@@ -74,6 +79,7 @@ struct PaperTexts {
   /// Throws Error(usage).
   void check_into(PaperJob& job) const {
     check_paper(job);
+    job.options.bodies = keep_bodies ? prepare::Bodies::keep : prepare::Bodies::unite;
     job.options.concavity = concavity_or_refuse(concavity);
     check_tabs(job.options.tabs);
     job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;

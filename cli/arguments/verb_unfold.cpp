@@ -21,6 +21,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
                "The whole model as one net, if there is one.");
   UnfoldJob job;
   job.options.paper = std::nullopt;
+  job.options.bodies = prepare::Bodies::keep;
   bool whole = false;
   job.options.tabs.wanted = false;
   job.options.pieces.trials_per_face = patient_trials_per_face;

@@ -47,9 +47,19 @@ std::string paper_line(const PaperJob& job, const job::Paper& made, const GlueFi
                      metres(glue.all_mm));
 }
 
+std::string counted_bodies(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " body" : " bodies");
+}
+
 std::string model_line(const job::Paper& made) {
   const prepare::SimplifyReport& report = made.prepared.simplified;
   Clauses clauses;
+  const prepare::SkinReport& skin = made.skin;
+  if (skin.united > 0) {
+    clauses.push_back(fmt::format(
+        "{} united into {}{}", counted_bodies(skin.united), skin.united_into,
+        skin.faces_hidden > 0 ? fmt::format(", {} dropped", counted(skin.faces_hidden, "hidden face")) : ""));
+  }
   if (report.faces_after < report.faces_before && report.deviation_mm >= seen_mm) {
     clauses.push_back(fmt::format("simplified from {} to {} faces, moved by at most {:.2f} mm",
                                   report.faces_before, report.faces_after, report.deviation_mm));
@@ -94,6 +104,9 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
   }
   if (const std::size_t listed = made.drawn.labels_listed.size(); listed > 0) {
     clauses.push_back(counted(listed, "number") + (listed == 1 ? " stands in a list" : " stand in lists"));
+  }
+  if (made.skin.left_crossing > 0) {
+    clauses.push_back(counted_bodies(made.skin.left_crossing) + " run into each other");
   }
   if (!made.drawn.bodies.empty()) {
     clauses.push_back(fmt::format("{} bodies that nothing joins", made.drawn.bodies.size()));

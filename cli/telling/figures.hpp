@@ -18,6 +18,7 @@ enum class Line {
   brief,  ///< what is told without -v where there is such a line
   lengths,
   size,
+  skin,
   simplified,
   nets,
   hint,

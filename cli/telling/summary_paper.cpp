@@ -35,6 +35,35 @@ void add_size(Summary& summary, const job::Paper& made, const std::string& asked
               "mm");
 }
 
+std::string bodies_text(std::size_t count) {
+  return count == 1 ? "1 body" : fmt::format("{} bodies", count);
+}
+
+/// "103 bodies into 2; 31 % of their area was hidden, with 1240 whole faces"; nothing where none were united.
+void add_skin(Summary& summary, const job::Paper& made) {
+  const prepare::SkinReport& skin = made.skin;
+  summary.add("united", Value::Object{{"bodies_before", skin.united},
+                                      {"bodies_after", skin.united_into},
+                                      {"faces_hidden", skin.faces_hidden},
+                                      {"hidden_share", rounded(skin.hidden_share)},
+                                      {"openings_closed", skin.rims_closed},
+                                      {"left_crossing", skin.left_crossing}});
+  if (skin.united > 0) {
+    summary.say(
+        Line::skin, "united",
+        fmt::format(
+            "{} into {}{}; {:.0f} % of their area was hidden, with {} (--keep-bodies leaves them)",
+            bodies_text(skin.united), skin.united_into,
+            skin.rims_closed == 0 ? "" : fmt::format(", {} closed", counted(skin.rims_closed, "opening")),
+            100.0 * skin.hidden_share, counted(skin.faces_hidden, "whole face")));
+  }
+  if (skin.left_crossing > 0) {
+    summary.say(Line::skin, "not united",
+                bodies_text(skin.left_crossing) +
+                    " that touch or run into each other stay as they are: no sound skin of them was found");
+  }
+}
+
 Value simplified_value(const prepare::SimplifyReport& report) {
   return Value::Object{{"faces_before", report.faces_before},
                        {"faces_after", report.faces_after},
@@ -163,6 +192,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   summary.add("paper", job.paper_name);
   summary.add("buildable", prepare::can_be_folded(made.prepared));
   summary.add("smallest_size_mm", Value(made.prepared.smallest_size_mm), "mm");
+  add_skin(summary, made);
   summary.add("simplified", simplified_value(made.prepared.simplified));
   say_simplified(summary, made);
   say_colours(summary, model);

@@ -32,10 +32,12 @@ enum class RepairKind {
   crossed_polygons_rebuilt,  ///< a polygon that crosses itself was triangulated some other way, or left out
   bent_polygons_split,       ///< a polygon whose corners aren't in one plane
   duplicate_faces_dropped,
+  inner_walls_dropped,   ///< walls between two solids, there once from each side
   flat_faces_collapsed,  ///< faces without area (paper-craft job only)
   faces_turned,          ///< faces turned around to agree with their neighbours
   components_turned,     ///< closed components that were inside out
-  edges_split,           ///< edges with more than two faces
+  edges_paired,          ///< edges with more than two faces that were divided among pairs of them
+  edges_split,           ///< edges with more than two faces where some had to be cut off
   vertices_split,        ///< vertices where several fans touch
   cut_open,              ///< one-sided surfaces (Moebius) cut open
   t_junctions_joined,    ///< vertices set into the edge they lie on

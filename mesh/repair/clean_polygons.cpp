@@ -8,6 +8,8 @@
 #include <span>
 #include <string>
 
+#include "mesh/repair/inner_walls.hpp"
+
 namespace ridgecraft::mesh {
 namespace {
 
@@ -176,6 +178,46 @@ bool shares_sides_with(const PolygonList& list, const EdgeCounts& counts, std::u
   return false;
 }
 
+/// Equal polygons: where they stand in the order.
+struct Group {
+  std::size_t first, last;
+};
+
+std::vector<Group> groups_of(const PolygonList& list, const std::vector<std::uint64_t>& keys,
+                             const std::vector<std::uint32_t>& order) {
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t j = i + 1;
+    if (j < order.size() && keys[order[j]] == keys[order[i]]) {
+      const Cycle first = canonical(list.polygon(order[i]));
+      while (j < order.size() && list.polygon(order[j]).size() == first.points.size() &&
+             canonical(list.polygon(order[j])).points == first.points) {
+        ++j;
+      }
+    }
+    if (j - i > 1) {
+      groups.push_back({i, j});
+    }
+    i = j;
+  }
+  return groups;
+}
+
+/// Polygons that are there once in either direction.
+std::vector<WallPair> opposite_pairs(const PolygonList& list, const std::vector<Group>& groups,
+                                     const std::vector<std::uint32_t>& order) {
+  std::vector<WallPair> pairs;
+  for (const Group& group : groups) {
+    const std::uint32_t a = order[group.first];
+    const std::uint32_t b = order[group.first + 1];
+    if (group.last - group.first == 2 &&
+        canonical(list.polygon(a)).reversed != canonical(list.polygon(b)).reversed) {
+      pairs.push_back({a, b});
+    }
+  }
+  return pairs;
+}
+
 /// Marks what stays of a group of equal polygons, given in ascending order.
 void choose(PolygonList& list, std::span<const std::uint32_t> group, std::vector<bool>& keep,
             std::optional<EdgeCounts>& counts) {
@@ -236,24 +278,25 @@ void drop_duplicates(PolygonList& list, RepairReport& report) {
     return;
   }
   const std::vector<std::uint32_t> order = sorted_by_cycle(list, keys);
+  const std::vector<Group> groups = groups_of(list, keys, order);
+  const std::vector<WallPair> pairs = opposite_pairs(list, groups, order);
+  std::vector<bool> wall(list.size(), false);
+  for (const WallPair& pair : pairs.empty() ? pairs : walls_between_solids(list, pairs)) {
+    wall[pair[0]] = wall[pair[1]] = true;
+    report.add(RepairKind::inner_walls_dropped, 1, first_detail(list.origin[pair[0]]));
+  }
   std::vector<bool> keep(list.size(), true);
   std::optional<EdgeCounts> counts;
-  for (std::size_t i = 0; i < order.size();) {
-    std::size_t j = i + 1;
-    if (j < order.size() && keys[order[j]] == keys[order[i]]) {
-      const Cycle first = canonical(list.polygon(order[i]));
-      while (j < order.size() && list.polygon(order[j]).size() == first.points.size() &&
-             canonical(list.polygon(order[j])).points == first.points) {
-        ++j;
-      }
+  for (const Group& group : groups) {
+    if (!wall[order[group.first]]) {
+      choose(list, std::span(order).subspan(group.first, group.last - group.first), keep, counts);
     }
-    if (j - i > 1) {
-      choose(list, std::span(order).subspan(i, j - i), keep, counts);
-    }
-    i = j;
   }
   PolygonList kept;
   for (std::size_t i = 0; i < list.size(); ++i) {
+    if (wall[i]) {
+      continue;
+    }
     if (!keep[i]) {
       report.add(RepairKind::duplicate_faces_dropped, 1, first_detail(list.origin[i]));
       continue;

@@ -13,9 +13,11 @@ namespace ridgecraft::mesh {
 /// points.
 void drop_repeated_corners(PolygonList& list, RepairReport& report);
 
-/// Keeps the first of several polygons with the same corners in the same or the opposite order. Only a
-/// triangle or quad whose reversed copy is all that it shares its sides with keeps one such copy: the two are
-/// a closed surface, front and back. O(n log n).
+/// Drops both copies of walls between solids: polygons that are there twice, once in either direction, where
+/// what else lies at the rim of such walls then closes (as many sides run one way as the other). Of what
+/// stays it keeps the first of several polygons with the same corners in the same or the opposite order. Only
+/// a triangle or quad whose reversed copy is all that it shares its sides with keeps one such copy: the two
+/// are a closed surface, front and back. O(n log n).
 void drop_duplicates(PolygonList& list, RepairReport& report);
 
 /// The same for triangles, in place.

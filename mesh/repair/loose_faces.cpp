@@ -46,6 +46,26 @@ bool is_surface(const LooseFaces& loose) {
   return is_manifold(list);
 }
 
+void make_surface(LooseFaces& loose, const Context& context) {
+  TriangleList list;
+  list.points = std::move(loose.points);
+  list.triangles.reserve(loose.faces.size());
+  for (std::uint32_t i = 0; i < loose.faces.size(); ++i) {
+    list.triangles.push_back({loose.faces[i], {0, 1, 2}, i});
+  }
+  std::vector<EdgeUse> uses = edge_uses(list.triangles);
+  RepairReport untold;
+  make_manifold(list, uses, untold, context);
+  for (std::size_t i = 0; i < loose.faces.size(); ++i) {
+    const Triangle& t = list.triangles[i];
+    loose.faces[i] = t.points;
+    if (!loose.texture.empty() && t.turned) {
+      std::swap(loose.texture[i][1], loose.texture[i][2]);
+    }
+  }
+  loose.points = std::move(list.points);
+}
+
 void put_together(Model& model, LooseFaces loose) {
   std::vector<std::uint32_t> number(loose.points.size(), Soup::none);
   for (const auto& face : loose.faces) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/context.hpp"
 #include "mesh/model/model.hpp"
 
 namespace ridgecraft::mesh {
@@ -27,6 +28,10 @@ struct LooseFaces {
 
 /// Do the faces fulfil the invariants of Surface (unused points apart)?
 [[nodiscard]] bool is_surface(const LooseFaces& loose);
+
+/// Makes the invariants of Surface true, as repair does (docs/input.md, step 10): by giving points to several
+/// faces separately and turning faces around. No face is dropped or moved in the list. O(n log n).
+void make_surface(LooseFaces& loose, const Context& context);
 
 /// Replaces the model's surface; points that no face uses are left out. The invariants must hold.
 void put_together(Model& model, LooseFaces loose);

@@ -8,6 +8,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "mesh/repair/pair_faces.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
@@ -108,7 +109,7 @@ void remark_cuts(const TriangleList& before, const TriangleList& after, const st
   for_each_edge(uses, [&](std::size_t i, std::size_t j) {
     const EdgeUse& a = uses[i];
     if (j - i > 2) {
-      report.add(RepairKind::edges_split, 1, first_detail(after.triangles[a.triangle].origin));
+      // Told by pair_faces already.
       explained[a.low] = explained[a.high] = true;
     } else if (j - i == 2) {
       surfaces.join(a.triangle, uses[i + 1].triangle);
@@ -148,6 +149,7 @@ bool is_manifold(const TriangleList& list) {
 
 void make_manifold(TriangleList& list, std::vector<EdgeUse>& uses, RepairReport& report,
                    const Context& context) {
+  pair_faces(list, uses, report);
   // One round is enough as far as is known; the others cost nothing where it was.
   constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round) {

@@ -287,6 +287,45 @@ TEST_CASE("pieces that have to fold by themselves are split until they do, and i
   }
 }
 
+TEST_CASE("bodies that became one are told, and kept where that is asked for", "[summaries]") {
+  const TemporaryFolder folder;
+  std::string obj;
+  for (int body = 0; body < 2; ++body) {
+    for (int i = 0; i < 8; ++i) {
+      obj += fmt::format("v {} {} {}\n", 2 * (i % 2) + body, 2 * (i / 2 % 2) + body, 2 * (i / 4) + body);
+    }
+    for (const auto& q : std::vector<std::array<int, 4>>{
+             {0, 2, 3, 1}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}, {4, 5, 7, 6}}) {
+      obj += fmt::format("f {} {} {} {}\n", q[0] - 8, q[1] - 8, q[2] - 8, q[3] - 8);
+    }
+  }
+  write_bytes(folder / "cross.obj", obj);
+  const auto run = [&](std::vector<std::string> all) {
+    all.insert(all.begin(), {"cross.obj", "--overwrite", "-o", "a.fold"});
+    const Outcome outcome = run_program(all, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return outcome.out;
+  };
+  CHECK(
+      run({}).find("2 bodies into 1; 12 % of their area was hidden, with 0 whole faces (--keep-bodies leaves "
+                   "them)\n") != std::string::npos);
+  const Json one = Json::parse(run({"--json"}));
+  CHECK(one["united"]["bodies_before"] == 2);
+  CHECK(one["united"]["bodies_after"] == 1);
+  CHECK(Json::parse(read_bytes(folder / "a.fold"))["ridgecraft:settings"]["bodies"] == "united");
+  CHECK(run_program({"verify", "a.fold", "--model", "cross.obj"}, in(folder)).exit_code == 0);
+  // Nets made before say which it was, whatever is asked for now.
+  fs::copy_file(folder / "a.fold", folder / "one.fold");
+  CHECK(Json::parse(run({"--json", "--from", "one.fold"}))["united"]["bodies_after"] == 1);
+  const Json two = Json::parse(run({"--json", "--keep-bodies"}));
+  CHECK(two["united"]["bodies_before"] == 0);
+  CHECK(two["faces"] == 24);
+  CHECK_FALSE(Json::parse(read_bytes(folder / "a.fold"))["ridgecraft:settings"].contains("bodies"));
+  fs::copy_file(folder / "a.fold", folder / "two.fold");
+  CHECK(Json::parse(run({"--json", "--from", "two.fold"}))["faces"] == 24);
+}
+
 TEST_CASE("what is told of several and of one is worded so", "[summaries]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);

@@ -179,7 +179,9 @@ TEST_CASE("fourteen oars at random have one net", "[job][twins]") {
         const Turned turn = any_turn(boat.random());
         boat.add("oar." + std::to_string(i), oar(), turn, {i % 2 == 0 ? -60.0 : 60.0, 9.0 * i - 60, 10}, false);
       }
-      const job::Paper made = job::paper(boat.model(), keep ? keeping_faces() : job::Options(), {});
+      job::Options options = keep ? keeping_faces() : job::Options();
+      options.bodies = prepare::Bodies::keep;  // oars that run into each other would become one body
+      const job::Paper made = job::paper(boat.model(), options, {});
       REQUIRE(made.prepared.twins.size() == 1);
       CHECK(all_twins_are_equal(made, 14));
       CHECK(made.figures.overlaps == 0);
@@ -294,7 +296,9 @@ TEST_CASE("a file that calls pieces equal that aren't is found", "[job][twins]")
     const Turned turn = any_turn(boat.random());
     boat.add("oar", oar(), turn, {40.0 * i, 90, 0}, false);
   }
-  const job::Paper made = job::paper(boat.model(), {}, {});
+  job::Options options;
+  options.bodies = prepare::Bodies::keep;
+  const job::Paper made = job::paper(boat.model(), options, {});
   const std::size_t begin = made.fold.find('[', made.fold.find("\"ridgecraft:equal_pieces\""));
   REQUIRE(begin != std::string::npos);
   std::size_t end = begin;

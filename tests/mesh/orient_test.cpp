@@ -143,3 +143,109 @@ TEST_CASE("a sound surface comes through as it is, however its faces are turned"
   CHECK(test::euler(model.surface) == 0);
   CHECK(test::volume(model.surface) == Approx(test::volume(torus)));
 }
+
+TEST_CASE("two cubes that share a face from both sides are one box", "[orient]") {
+  const bool with_sheet = GENERATE(false, true);
+  auto faces = both(box_faces, shifted(box_faces, 8));
+  auto points = both(box_points({0, 0, 0}, {1, 1, 1}), box_points({1, 0, 0}, {2, 1, 1}));
+  if (with_sheet) {
+    // A doubled sheet that hangs on the wall's edge stays one sheet.
+    points = both(points, {{1, -1, 0}, {1, -1, 1}});
+    faces = both(faces, {{1, 5, 17, 16}, {16, 17, 5, 1}});
+  }
+  const Model model = repaired(soup(points, faces));
+  CHECK(model.repairs.count(RepairKind::inner_walls_dropped) == 1);
+  CHECK(model.repairs.count(RepairKind::duplicate_faces_dropped) == (with_sheet ? 1 : 0));
+  CHECK(model.surface.component_count() == (with_sheet ? 2 : 1));
+  CHECK(test::border_edges(model.surface) == (with_sheet ? 4 : 0));
+  CHECK(test::area(model.surface) == Approx(with_sheet ? 11.0 : 10.0));
+  test::check_invariants(model.surface);
+}
+
+TEST_CASE("a heap of cubes loses all walls between them", "[orient]") {
+  // Any set of cubes of a grid: what is left is their outside, and its volume their number.
+  Random random(5);
+  for (int round = 0; round < 60; ++round) {
+    INFO("round " << round);
+    std::vector<Vec3> points;
+    std::vector<std::vector<std::uint32_t>> faces;
+    std::set<std::array<int, 3>> cubes;
+    const std::uint32_t share = round == 0 ? 1 : 1 + random.below(3);
+    for (int i = 0; i < 27; ++i) {
+      if (random.below(share) == 0) {
+        cubes.insert({i % 3, i / 3 % 3, i / 9});
+      }
+    }
+    if (cubes.empty()) {
+      continue;
+    }
+    std::size_t outer = 0;
+    std::size_t inner = 0;
+    for (const auto& [x, y, z] : cubes) {
+      faces = both(faces, shifted(box_faces, static_cast<std::uint32_t>(points.size())));
+      points =
+          both(points, box_points(Vec3{double(x), double(y), double(z)}, Vec3{x + 1.0, y + 1.0, z + 1.0}));
+      for (const auto& [i, j, k] : std::vector<std::array<int, 3>>{
+               {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) {
+        (cubes.contains({x + i, y + j, z + k}) ? inner : outer) += 1;
+      }
+    }
+    const Model model = repaired(soup(points, faces));
+    CHECK(model.repairs.count(RepairKind::inner_walls_dropped) == inner / 2);
+    CHECK(test::area(model.surface) == Approx(double(outer)));
+    CHECK(test::volume(model.surface) == Approx(double(cubes.size())));
+    CHECK(test::border_edges(model.surface) == 0);
+    test::check_invariants(model.surface);
+  }
+}
+
+TEST_CASE("walls drawn from both sides stay one sheet", "[orient]") {
+  SECTION("a partition that ends in the open") {
+    // A box without its lid, divided by a wall that is there from both sides.
+    const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0},
+                                   {0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {2, 1, 1}, {1, 1, 1}, {0, 1, 1}};
+    const Model model = repaired(soup(points, {{0, 5, 4, 1},
+                                               {1, 4, 3, 2},
+                                               {0, 1, 7, 6},
+                                               {1, 2, 8, 7},
+                                               {2, 3, 9, 8},
+                                               {3, 4, 10, 9},
+                                               {4, 5, 11, 10},
+                                               {5, 0, 6, 11},
+                                               {1, 4, 10, 7},
+                                               {7, 10, 4, 1}}));
+    CHECK(model.repairs.count(RepairKind::inner_walls_dropped) == 0);
+    CHECK(model.repairs.count(RepairKind::duplicate_faces_dropped) == 1);
+    CHECK(test::area(model.surface) == Approx(9.0));
+    // Box and partition: the box isn't cut open where the partition stands on it.
+    CHECK(model.surface.component_count() == 2);
+    CHECK(model.repairs.count(RepairKind::edges_split) == 3);
+    CHECK(test::border_edges(model.surface) == 6 + 4);
+  }
+  SECTION("a whole box, touching another one") {
+    auto inside_out = box_faces;
+    for (auto& face : inside_out) {
+      std::reverse(face.begin(), face.end());
+    }
+    const Model model =
+        repaired(soup(both(box_points({0, 0, 0}, {1, 1, 1}), box_points({1, 1, 0}, {2, 2, 1})),
+                      both(both(box_faces, inside_out), shifted(box_faces, 8))));
+    CHECK(model.repairs.count(RepairKind::inner_walls_dropped) == 0);
+    CHECK(model.repairs.count(RepairKind::duplicate_faces_dropped) == 6);
+    CHECK(model.surface.component_count() == 2);
+    CHECK(test::volume(model.surface) == Approx(2.0));
+  }
+}
+
+TEST_CASE("of three sheets at an edge the two that are folded least stay joined", "[orient]") {
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 0, 1},   {0, 0, 1},
+                                 {0, 1, 0}, {1, 1, 0}, {0, -1, .2}, {1, -1, .2}};
+  const Model model = repaired(soup(points, {{0, 1, 2, 3}, {0, 1, 5, 4}, {0, 1, 7, 6}}));
+  CHECK(model.surface.component_count() == 2);
+  CHECK(model.repairs.count(RepairKind::edges_split) == 1);
+  CHECK(mesh::sentence(RepairKind::edges_split, 1).find("three or more faces meet") != std::string::npos);
+  // The two that are nearly one plane.
+  CHECK(model.surface.component(FaceId(0)) != model.surface.component(FaceId(2)));
+  CHECK(model.surface.component(FaceId(2)) == model.surface.component(FaceId(4)));
+  test::check_invariants(model.surface);
+}

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nets against the model that they are said to be of.
+#include <fstream>
+
 #include <catch2/catch.hpp>
 
 #include "verify/cube_file.hpp"
@@ -126,4 +128,54 @@ TEST_CASE("the nearest point of a triangle", "[model]") {
   CHECK(verify::nearest_on(t, {2, -3, 1}) == Vec3{2, 0, 0});
   CHECK(verify::nearest_on(t, {4, 4, 0}) == Vec3{2, 2, 0});
   CHECK(verify::nearest_on({Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{2, 0, 0}}, {3, 1, 0}) == Vec3{3, 0, 0});
+}
+
+TEST_CASE("nets of bodies that became one skin", "[model]") {
+  // A tower without a floor, a bay that sticks out of its wall and is open below, a chest inside.
+  const test::TemporaryFolder folder;
+  const std::filesystem::path model = folder / "tower.obj";
+  const auto box = [](std::ostream& out, Vec3 low, Vec3 high, bool floor, int first) {
+    for (int i = 0; i < 8; ++i) {
+      out << "v " << (i % 2 == 0 ? low.x : high.x) << ' ' << (i / 2 % 2 == 0 ? low.y : high.y) << ' '
+          << (i / 4 == 0 ? low.z : high.z) << '\n';
+    }
+    for (const auto& q : std::vector<std::array<int, 4>>{
+             {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}, {4, 5, 7, 6}, {0, 2, 3, 1}}) {
+      if (floor || q[0] != 0 || q[1] != 2) {
+        out << "f " << q[0] + first << ' ' << q[1] + first << ' ' << q[2] + first << ' ' << q[3] + first
+            << '\n';
+      }
+    }
+  };
+  const auto write = [&](double bay) {
+    std::ofstream out(model);
+    box(out, {0, 0, 0}, {2, 2, 3}, false, 1);
+    box(out, {1, 0.5, 1.5}, {2 + bay, 1.5, 2.5}, false, 9);
+    box(out, {0.5, 0.5, 0.25}, {1, 1, 0.75}, true, 17);
+  };
+  write(1.0);
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--faces", "keep"}, {}, {"--faces", "keep", "--scale", "20"}}) {
+    const test::WrittenJob job(model, options);
+    CHECK(job.fold.find("\"bodies\": \"united\"") != std::string::npos);
+    const verify::Report report = test::verify_model(job.fold, test::surface_of(model));
+    INFO(test::first_fault(report));
+    CHECK(report.sound());
+    CHECK(report.model->deviation_mm < 0.001);
+    // Without the setting what is hidden is missing.
+    std::string told = job.fold;
+    told.replace(told.find("\"bodies\": \"united\", "), std::string("\"bodies\": \"united\", ").size(), "");
+    CHECK(test::broken(test::verify_model(told, test::surface_of(model))) == std::vector<int>{model_promise});
+  }
+  // Kept as they are, all is there.
+  const test::WrittenJob kept(model, {"--faces", "keep", "--keep-bodies"});
+  CHECK(kept.fold.find("\"bodies\"") == std::string::npos);
+  CHECK(test::verify_model(kept.fold, test::surface_of(model)).sound());
+  // A bay that is seen, but isn't in the nets.
+  const test::WrittenJob job(model, {"--faces", "keep"});
+  verify::ModelSurface other = test::surface_of(model);
+  for (Vec3& p : other.points) {
+    p.z = p.z == 2.5 ? 2.75 : p.z;
+  }
+  CHECK(test::broken(test::verify_model(job.fold, other)) == std::vector<int>{model_promise});
 }

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/pair_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "base/disjoint_sets.hpp"
+
+namespace ridgecraft::mesh {
+namespace {
+
+/// Triangles that lie on each other are at one angle around their edge, radians.
+constexpr double same_angle = 1e-7;
+
+/// A triangle at an edge: where it goes from there.
+struct Blade {
+  std::uint32_t use;        ///< index into the uses
+  double angle = 0.0;       ///< around the edge, counterclockwise seen against its direction from low to high
+  bool forward = false;     ///< runs from low to high: a solid lies on the side of smaller angles
+  std::uint32_t component;  ///< over edges with two faces
+};
+
+using UsePair = std::array<std::uint32_t, 2>;  ///< of uses
+
+std::uint32_t far_corner(const TriangleList& list, const EdgeUse& use) {
+  return list.triangles[use.triangle].points[(use.side + 2U) % 3];
+}
+
+std::vector<Blade> blades_at(const TriangleList& list, const std::vector<EdgeUse>& uses, std::size_t first,
+                             std::size_t last, DisjointSets& components) {
+  const Vec3 low = list.points[uses[first].low];
+  const Vec3 axis = normalized(list.points[uses[first].high] - low);
+  const auto aside = [&](const EdgeUse& use) {
+    const Vec3 d = list.points[far_corner(list, use)] - low;
+    return d - dot(d, axis) * axis;
+  };
+  const Vec3 x = normalized(aside(uses[first]));
+  const Vec3 y = cross(axis, x);
+  std::vector<Blade> blades;
+  for (std::size_t i = first; i < last; ++i) {
+    const Vec3 d = aside(uses[i]);
+    double angle = std::atan2(dot(d, y), dot(d, x));
+    if (angle < -same_angle) {
+      angle += 2.0 * std::numbers::pi;
+    }
+    blades.push_back(
+        {static_cast<std::uint32_t>(i), angle, uses[i].forward, components.find(uses[i].triangle)});
+  }
+  std::sort(blades.begin(), blades.end(), [](const Blade& a, const Blade& b) {
+    return a.angle != b.angle ? a.angle < b.angle : a.use < b.use;
+  });
+  // Of two that lie on each other the one that ends a solid comes first: each solid keeps its own.
+  for (std::size_t i = 0; i + 1 < blades.size(); ++i) {
+    if (blades[i + 1].angle - blades[i].angle < same_angle && !blades[i].forward && blades[i + 1].forward) {
+      std::swap(blades[i], blades[i + 1]);
+      ++i;
+    }
+  }
+  return blades;
+}
+
+/// Where solids and air take turns around the edge: each solid's two faces; else nothing.
+std::vector<UsePair> around_solids(const std::vector<Blade>& blades) {
+  const std::size_t n = blades.size();
+  std::vector<UsePair> pairs;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Blade& a = blades[i];
+    const Blade& b = blades[(i + 1) % n];
+    if (a.forward == b.forward) {
+      return {};
+    }
+    if (!a.forward) {
+      pairs.push_back({a.use, b.use});
+    }
+  }
+  return pairs;
+}
+
+/// Bodies that only touch: each has two of the faces, whichever way round it is drawn.
+bool two_of_each_component(const std::vector<Blade>& blades) {
+  return std::all_of(blades.begin(), blades.end(), [&](const Blade& a) {
+    return 2 == std::count_if(blades.begin(), blades.end(),
+                              [&](const Blade& b) { return b.component == a.component; });
+  });
+}
+
+/// Those of one component, where it has two here; then those that are folded least.
+std::vector<UsePair> by_component_and_turn(const std::vector<Blade>& blades) {
+  std::vector<bool> taken(blades.size(), false);
+  std::vector<UsePair> pairs;
+  const auto take = [&](std::size_t i, std::size_t j) {
+    taken[i] = taken[j] = true;
+    pairs.push_back({blades[i].use, blades[j].use});
+  };
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    const auto same = [&](const Blade& b) { return b.component == blades[i].component; };
+    if (!taken[i] && std::count_if(blades.begin(), blades.end(), same) == 2) {
+      const auto other =
+          std::find_if(blades.begin() + static_cast<std::ptrdiff_t>(i) + 1, blades.end(), same);
+      take(i, static_cast<std::size_t>(other - blades.begin()));
+    }
+  }
+  struct Turn {
+    double angle;
+    std::size_t i, j;
+  };
+  std::vector<Turn> turns;
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    for (std::size_t j = i + 1; j < blades.size(); ++j) {
+      turns.push_back({std::abs(std::numbers::pi - (blades[j].angle - blades[i].angle)), i, j});
+    }
+  }
+  // Rounding doesn't decide between turns that are equal: the earlier faces do.
+  std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
+    return std::round(a.angle / same_angle) < std::round(b.angle / same_angle);
+  });
+  for (const Turn& turn : turns) {
+    if (!taken[turn.i] && !taken[turn.j]) {
+      take(turn.i, turn.j);
+    }
+  }
+  return pairs;
+}
+
+std::uint32_t corner_at(const TriangleList& list, const EdgeUse& use, std::uint32_t point) {
+  const auto& points = list.triangles[use.triangle].points;
+  const std::uint32_t k = points[use.side] == point ? use.side : (use.side + 1U) % 3;
+  return 3 * use.triangle + k;
+}
+
+/// Joins the corners of two triangles at both ends of their edge.
+void hold_together(const TriangleList& list, const EdgeUse& a, const EdgeUse& b, DisjointSets& fans) {
+  for (const std::uint32_t point : {a.low, a.high}) {
+    fans.join(corner_at(list, a, point), corner_at(list, b, point));
+  }
+}
+
+/// Each fan but the first one at a point of a crowded edge gets a copy of it.
+void part_fans(TriangleList& list, const std::vector<bool>& crowded, DisjointSets& fans) {
+  std::vector<std::uint32_t> first_fan(list.points.size(), Soup::none);
+  std::map<std::uint32_t, std::uint32_t> copy;  // of each fan that isn't the first
+  for (std::uint32_t c = 0; c < 3 * list.triangles.size(); ++c) {
+    std::uint32_t& point = list.triangles[c / 3].points[c % 3];
+    if (!crowded[point]) {
+      continue;
+    }
+    const std::uint32_t fan = fans.find(c);
+    if (first_fan[point] == Soup::none) {
+      first_fan[point] = fan;
+    }
+    if (first_fan[point] != fan) {
+      const auto [at, fresh] = copy.try_emplace(fan, static_cast<std::uint32_t>(list.points.size()));
+      if (fresh) {
+        list.points.push_back(list.points[point]);
+      }
+      point = at->second;
+    }
+  }
+}
+
+std::string where_crowded(std::uint32_t polygon) {
+  return "first: at polygon " + std::to_string(std::uint64_t{polygon} + 1);
+}
+
+}  // namespace
+
+void pair_faces(TriangleList& list, std::vector<EdgeUse>& uses, RepairReport& report) {
+  bool any = false;
+  std::vector<bool> crowded(list.points.size(), false);
+  DisjointSets components(list.triangles.size());
+  for_each_edge(uses, [&](std::size_t i, std::size_t j) {
+    if (j - i > 2) {
+      any = crowded[uses[i].low] = crowded[uses[i].high] = true;
+    } else if (j - i == 2) {
+      components.join(uses[i].triangle, uses[i + 1].triangle);
+    }
+  });
+  if (!any) {
+    return;
+  }
+  DisjointSets fans(3 * list.triangles.size());
+  for_each_edge(uses, [&](std::size_t i, std::size_t j) {
+    if (j - i == 2) {
+      hold_together(list, uses[i], uses[i + 1], fans);
+    } else if (j - i > 2) {
+      const std::vector<Blade> blades = blades_at(list, uses, i, j, components);
+      std::vector<UsePair> pairs;
+      if (!two_of_each_component(blades)) {
+        pairs = around_solids(blades);
+      }
+      if (pairs.empty()) {
+        pairs = by_component_and_turn(blades);
+      }
+      for (const UsePair& pair : pairs) {
+        hold_together(list, uses[pair[0]], uses[pair[1]], fans);
+      }
+    }
+  });
+  const std::vector<EdgeUse> before = std::move(uses);
+  part_fans(list, crowded, fans);
+  uses = edge_uses(list.triangles);
+  // An edge is cut where a triangle at it is alone now, or where it is crowded still.
+  std::vector<std::uint8_t> companions(3 * list.triangles.size(), 0);
+  for_each_edge(uses, [&](std::size_t i, std::size_t j) {
+    for (std::size_t k = i; k < j; ++k) {
+      companions[3 * uses[k].triangle + uses[k].side] =
+          static_cast<std::uint8_t>(std::min<std::size_t>(j - i, 3));
+    }
+  });
+  for_each_edge(before, [&](std::size_t i, std::size_t j) {
+    if (j - i > 2) {
+      const bool paired = std::all_of(
+          before.begin() + static_cast<std::ptrdiff_t>(i), before.begin() + static_cast<std::ptrdiff_t>(j),
+          [&](const EdgeUse& use) { return companions[3 * use.triangle + use.side] == 2; });
+      report.add(paired ? RepairKind::edges_paired : RepairKind::edges_split, 1,
+                 where_crowded(list.triangles[before[i].triangle].origin));
+    }
+  });
+}
+
+}  // namespace ridgecraft::mesh

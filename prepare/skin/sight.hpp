@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can be seen from outside. Private to prepare/.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/box_tree.hpp"
+#include "base/vector.hpp"
+
+namespace ridgecraft::prepare {
+
+/// A triangle in the way of looks: nothing is seen through walls, and openings are told apart by number.
+struct Screen {
+  static constexpr std::uint32_t wall = 0xffffffffU;
+
+  std::array<Vec3, 3> corners;
+  std::uint32_t opening = wall;
+};
+
+class Sight {
+ public:
+  /// At least one triangle. O(n log n).
+  explicit Sight(std::vector<Screen> screens);
+
+  /// From a place beside a surface, on the side that `normal` points to: through which openings one gets out,
+  /// each as often as a look of 64 in even directions goes through it and meets no wall. O(log n) a look
+  /// where the triangles are spread.
+  [[nodiscard]] std::vector<std::uint32_t> openings_seen(Vec3 place, Vec3 normal) const;
+
+ private:
+  bool gets_out(Vec3 from, Vec3 way, std::vector<std::uint32_t>& openings) const;
+
+  std::vector<Screen> screens_;
+  BoxTree<Box3> tree_;
+  double diagonal_ = 0.0;
+};
+
+}  // namespace ridgecraft::prepare
