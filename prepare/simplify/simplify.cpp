@@ -33,6 +33,8 @@ constexpr double speck = 0.5;
 constexpr std::size_t few_faces = 24;
 /// There walls are what would be ones if the short edge were so many times longer.
 constexpr std::array<double, 3> coarser_walls{1.0, 1.6, 2.5};
+/// Models of more faces take long, so that only the second is tried.
+constexpr std::size_t fine_faces = 10000;
 /// The same where a number of faces is asked for; 0: there are no walls.
 constexpr std::array<double, 4> fewer_walls{1.0, 2.0, 4.0, 0.0};
 /// A model that is off its mirror image by no more than this share of its extent becomes symmetric: a fifth
@@ -109,6 +111,9 @@ bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodi
     const std::size_t all = face_count(bodies);
     if (all <= options.most_faces) {
       break;
+    }
+    if (surface.face_count() > fine_faces && factor != coarser_walls[1]) {
+      continue;
     }
     const Walls walls = find_walls(surface, find_panels(surface), factor * options.short_edge_mm);
     rules.walls = &walls;
