@@ -26,7 +26,7 @@ std::string verdict(const prepare::Prepared& prepared, const prepare::SimplifyOp
   }
   const std::string size = prepared.smallest_size_mm
                                ? fmt::format("at {:.0f} mm it can", *prepared.smallest_size_mm)
-                               : "no size up to a metre helps";
+                               : "no larger size that was tried helps";
   return fmt::format("can't be built at {:.4g} mm: {}; {}", prepared.model.surface.bounds().largest_extent(),
                      listed(reasons, "and"), size);
 }

@@ -16,9 +16,11 @@ namespace {
 
 /// Sizes that are tried grow by this factor, ...
 constexpr double size_step = 1.25;
-/// ... or this one where the model has so many faces that each try takes long.
+/// ... or this one where the model has so many faces that each try takes long; there are few then.
 constexpr double large_size_step = 1.6;
-constexpr std::size_t slow_faces = 20000;
+constexpr std::size_t slow_faces = 10000;
+constexpr int slow_tries = 2;
+constexpr int most_tries = 16;
 /// Of larger models other sizes aren't tried: they take too long, and too much memory.
 constexpr std::size_t most_tried_faces = 200000;
 /// Trying has at most this share of the time that there is.
@@ -74,8 +76,11 @@ class SizeSearch {
     return prepare_at_size(model_, size, simplify_, room_, context_);
   }
   [[nodiscard]] std::optional<Prepared> next_larger(double mm) const {
-    const double factor = model_.surface.face_count() > slow_faces ? large_size_step : size_step;
-    for (mm = std::max(mm * factor, smallest_tried_mm); mm <= largest_tried_mm; mm *= factor) {
+    const bool slow = model_.surface.face_count() > slow_faces;
+    const double factor = slow ? large_size_step : size_step;
+    int left = slow ? slow_tries : most_tries;
+    for (mm = std::max(mm * factor, smallest_tried_mm); mm <= largest_tried_mm && left > 0; mm *= factor) {
+      --left;
       mm = centimetre * std::ceil(mm / centimetre);
       context_.check();
       Prepared found = at(mm);

@@ -33,6 +33,10 @@ constexpr double speck = 0.5;
 constexpr std::size_t few_faces = 24;
 /// There walls are what would be ones if the short edge were so many times longer.
 constexpr std::array<double, 3> coarser_walls{1.0, 1.6, 2.5};
+/// Models of more faces take long, so that only the second is tried.
+constexpr std::size_t fine_faces = 10000;
+/// The same where a number of faces is asked for; 0: there are no walls.
+constexpr std::array<double, 4> fewer_walls{1.0, 2.0, 4.0, 0.0};
 /// A model that is off its mirror image by no more than this share of its extent becomes symmetric: a fifth
 /// of what simplification may move it.
 constexpr double symmetric_within = 0.004;
@@ -82,6 +86,10 @@ std::size_t face_count(const std::vector<SymmetricShare>& bodies) {
                          [](std::size_t sum, const SymmetricShare& body) { return sum + body.face_count(); });
 }
 
+bool has_few_faces(const SymmetricShare& body) {
+  return body.face_count() <= few_faces * (1 + body.copies.size());
+}
+
 /// Each as it needs; and where they have too many faces together, those that have many get fewer, and only
 /// larger walls stay. Whether anything was changed.
 bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodies, BodyRules rules,
@@ -104,12 +112,21 @@ bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodi
     if (all <= options.most_faces) {
       break;
     }
+    if (surface.face_count() > fine_faces && factor != coarser_walls[1]) {
+      continue;
+    }
     const Walls walls = find_walls(surface, find_panels(surface), factor * options.short_edge_mm);
     rules.walls = &walls;
+    // What those with few faces keep is lacking to the others.
+    const std::size_t keep = std::accumulate(bodies.begin(), bodies.end(), std::size_t{0},
+                                             [](std::size_t sum, const SymmetricShare& body) {
+                                               return sum + (has_few_faces(body) ? body.face_count() : 0);
+                                             });
+    const std::size_t aim = options.most_faces * 19 / 20;  // bodies count their faces only nearly
+    const std::size_t left = aim > keep ? aim - keep : 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const std::size_t faces = bodies[i].face_count();
-      if (faces > few_faces * (1 + bodies[i].copies.size())) {
-        simplify(i, faces * options.most_faces / all);
+      if (!has_few_faces(bodies[i])) {
+        simplify(i, bodies[i].face_count() * left / (all - keep));
       }
     }
   }
@@ -162,12 +179,22 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const mesh::Surface before = model.surface;
   const mesh::LooseFaces all = mesh::take_apart(model);
-  const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
-  SymmetricShare share = symmetric_share(model, symmetric_within, context);
+  const Panels panels = find_panels(model.surface);
+  const SymmetricShare share = symmetric_share(model, symmetric_within, context);
   report.evened_mm = evened(share, model);
-  const Sequence sequence(std::move(share), all, walls, options.faces, {options.short_edge_mm}, context);
+  SymmetricShare simplified;
+  // The number counts more than walls.
+  for (const double factor : fewer_walls) {
+    const Walls walls =
+        factor > 0.0 ? find_walls(model.surface, panels, factor * options.short_edge_mm) : Walls{};
+    const Sequence sequence(share, all, walls, options.faces, {options.short_edge_mm}, context);
+    simplified = sequence.share(sequence.all());
+    if (sequence.faces_after(sequence.all()) <= options.faces) {
+      break;
+    }
+  }
   mesh::Model result;
-  mesh::put_together(result, whole(sequence.share(sequence.all()), all));
+  mesh::put_together(result, whole(simplified, all));
   remesh_panels(result, context);
   take_over(model, std::move(result));
   report.deviation_mm = greatest_distance(mesh::SurfaceTree(model.surface, spacing),

@@ -218,6 +218,22 @@ TEST_CASE("a smooth model gets few faces, and the deviation told is true", "[wal
   CHECK(farthest >= 0.7 * p.simplified.deviation_mm);
 }
 
+TEST_CASE("a number of faces counts more than walls", "[walls]") {
+  // A staircase: all its regions are walls.
+  std::vector<std::array<int, 3>> cells;
+  for (int x = 0; x < 12; ++x) {
+    for (int z = 0; z <= x; ++z) {
+      cells.push_back({x, 0, z});
+    }
+  }
+  SimplifyOptions options;
+  options.mode = prepare::Simplification::count;
+  options.faces = 30;
+  const Prepared p = prepared(test::soup_of(test::scaled(test::voxels(cells), 12.0)), options);
+  CHECK(p.simplified.faces_before > 90);
+  CHECK(p.simplified.faces_after <= 30);
+}
+
 TEST_CASE("small holes through walls are closed", "[walls]") {
   // A plate of 9 x 9 cells of 5 mm with one missing in the middle.
   std::vector<std::array<int, 3>> cells;
