@@ -59,8 +59,8 @@ class Meeting {
     }
     skin.changed.assign(soup_.solid.size(), 0);
     skin.around.assign(soup_.solid.size(), 0);
-    drop_caps(skin);
     hide_enclosed();
+    drop_caps(skin);
     if (nothing_hidden()) {
       skin.rims_closed = 0;
       return skin;
@@ -390,7 +390,8 @@ class Meeting {
     double volume = 0.0;
   };
 
-  /// What lies in a shell that is closed can't be seen: cavities, and what is in them.
+  /// What lies in a shell that is closed can't be seen: cavities, and what is in them. The ground closes, an
+  /// opening elsewhere doesn't.
   void hide_enclosed() {
     const std::vector<Side> sides = sides_of_kept();
     DisjointSets together(arranged_.facets.size());
@@ -407,10 +408,14 @@ class Meeting {
         add_to(shells[together.find(f)], f);
       }
     }
+    const VisibleCaps caps = visible_caps();
+    const auto is_open = [&](std::uint32_t f) {
+      return caps.opens[f] != 0 && bodies_.on_ground[bodies_.cap[shown(f)]] == 0;
+    };
     for_each_edge(sides, [&](std::span<const Side> edge) {
       std::ptrdiff_t balance = 0;
       for (const Side& s : edge) {
-        balance += !of_solid(s.facet) ? 0 : s.forward ? 1 : -1;
+        balance += !of_solid(s.facet) || is_open(s.facet) ? 0 : s.forward ? 1 : -1;
       }
       for (const Side& s : edge) {
         if (balance != 0 && of_solid(s.facet)) {

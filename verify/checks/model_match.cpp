@@ -237,10 +237,8 @@ class ModelCheck {
     Farthest farthest;
     // Where bodies became one skin, flat openings may have been closed, and what the skin goes around is
     // hidden.
-    look_farther(samples_of(nets_, spacing), SurfaceTree(model), given_.context, farthest, [&](Vec3 p) {
-      const double around = united() ? std::abs(winding(model, p)) : 0.0;
-      return around > in_opening && around < 1.0 - in_opening;
-    });
+    look_farther(samples_of(nets_, spacing), SurfaceTree(model), given_.context, farthest,
+                 [&](Vec3 p) { return united() && std::abs(winding(model, p)) > in_opening; });
     look_farther(samples_of(without_specks_.empty() ? model : placed(without_specks_, place), spacing),
                  SurfaceTree(nets_), given_.context, farthest,
                  [&](Vec3 p) { return united() && std::abs(winding(nets_, p)) > in_opening; });
