@@ -302,6 +302,7 @@ TEST_CASE("bodies that became one are told, and kept where that is asked for", "
   write_bytes(folder / "cross.obj", obj);
   const auto run = [&](std::vector<std::string> all) {
     all.insert(all.begin(), {"cross.obj", "--overwrite", "-o", "a.fold"});
+    all.emplace_back("-v");
     const Outcome outcome = run_program(all, in(folder));
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);

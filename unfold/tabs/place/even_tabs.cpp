@@ -2,6 +2,7 @@
 #include "unfold/tabs/place/even_tabs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -19,6 +20,9 @@ constexpr std::size_t most_models = 6;
 
 /// What was cut back to the clearance on one piece keeps it but for rounding on the other, mm.
 constexpr double equal_clearance_mm = 1e-6;
+
+/// Tabs that touch on one piece may overlap so much on another, mm: a fifth of what counts as a fault.
+constexpr double most_overlap_mm = 2e-4;
 
 /// For each site of the first piece of a kind the same place on another: empty where there isn't exactly one.
 using Images = std::vector<std::uint32_t>;
@@ -72,10 +76,11 @@ ConvexShape turned_over(const ConvexShape& shape, double length) {
 
 class TabCopier {
  public:
-  TabCopier(const std::vector<TabSite>& sites, const TabOptions& options) : sites_(sites), options_(options) {}
+  TabCopier(const std::vector<TabSite>& sites, const TabOptions& options)
+      : sites_(sites), options_(options) {}
 
-  /// The tabs of one piece on another; nothing where a join would lose its tab, or a tab would be in something's
-  /// way. `from`, `to`: sites of either that belong together.
+  /// The tabs of one piece on another; nothing where a join would lose its tab, or a tab would be in
+  /// something's way. `from`, `to`: sites of either that belong together.
   [[nodiscard]] std::optional<Chosen> copied(const Chosen& chosen, const Images& from, const Images& to,
                                              bool mirrored) const {
     Chosen result = chosen;
@@ -96,10 +101,38 @@ class TabCopier {
         return std::nullopt;
       }
     }
-    return result;
+    return tabs_overlap(result, to) ? std::nullopt : std::optional(std::move(result));
   }
 
  private:
+  /// Pieces are equal but for a hundredth of a millimetre: tabs that touched on one may overlap on the other.
+  [[nodiscard]] bool tabs_overlap(const Chosen& chosen, const Images& sites) const {
+    struct Placed {
+      double low = 0.0, high = 0.0;  ///< in x
+      ConvexShape shape;
+    };
+    std::vector<Placed> tabs;
+    for (const std::uint32_t site : sites) {
+      if (chosen[site / 2] && chosen[site / 2]->site == site) {
+        Placed tab{INFINITY, -INFINITY, sites_[site].own.out(chosen[site / 2]->shape.outline)};
+        for (const Vec2 p : tab.shape) {
+          tab.low = std::min(tab.low, p.x);
+          tab.high = std::max(tab.high, p.x);
+        }
+        tabs.push_back(std::move(tab));
+      }
+    }
+    std::sort(tabs.begin(), tabs.end(), [](const Placed& a, const Placed& b) { return a.low < b.low; });
+    for (std::size_t i = 0; i < tabs.size(); ++i) {
+      for (std::size_t j = i + 1; j < tabs.size() && tabs[j].low <= tabs[i].high; ++j) {
+        if (separation(tabs[i].shape, tabs[j].shape) < -most_overlap_mm) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   /// Whether the join of a site has its tab at its other side, and both sides belong to one piece.
   [[nodiscard]] bool gets_another(const Chosen& chosen, std::uint32_t site) const {
     return chosen[site / 2] && sites_[site].piece == sites_[site].target_piece;
