@@ -168,7 +168,6 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     }
   }
   const Vec2 area = room_for_pieces(options);
-  const double units = model.surface.bounds().largest_extent() * model.file_scale;
   made.prepared = clock("prepare", context, [&] {
     Faces faces = faces_to_unfold(std::move(model), made.options, notes, context);
     return prepare::prepare(std::move(faces.model), faces.size, faces.simplify, panel_room(options),
@@ -176,8 +175,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   });
   const mesh::Surface& surface = made.prepared.model.surface;
   if (made.prepared.size_reason != prepare::SizeReason::none) {
-    // Of the model; simplification may have left a little less.
-    made.options.size.largest_extent_mm = std::round(made.prepared.mm_per_unit * units);
+    made.options.size.largest_extent_mm = std::round(surface.bounds().largest_extent());
   }
   made.searched_with = settings_of(made.options, made.seed);
   if (const std::string why = verdict(made.prepared, made.options.simplify); options.strict && !why.empty()) {

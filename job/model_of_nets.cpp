@@ -85,6 +85,7 @@ std::optional<ModelOfNets> model_of_nets(const OldNets& old, const mesh::Model& 
   found.frame = model.frame;
   found.format = model.format;
   found.repairs = model.repairs;
+  found.polygon_count = model.polygon_count;
   found.file_scale = model.file_scale;
   found.file_points = model.file_points;
   return ModelOfNets{std::move(found), *simplify};
