@@ -123,19 +123,26 @@ TEST_CASE("a time limit holds for a model far too large for it", "[limits]") {
   const TemporaryFolder folder;
   // 80,000 faces that overlap a million times in the trees of their first nets.
   write_bytes(folder / "sheet.off", wavy_sheet(200));
+  // What comes before the nets has no end that could be given up, and needs 1 s; sanitizers make 5 to 20 of
+  // it.
+#ifdef RIDGECRAFT_SANITIZED
+  const std::string limit = "20";
+#else
+  const std::string limit = "4";
+#endif
   for (const std::vector<std::string>& job : {std::vector<std::string>{"sheet.off"},
                                               {"unfold", "sheet.off"},
                                               {"unfold", "sheet.off", "--all-tabs"}}) {
     CAPTURE(job);
     std::vector<std::string> arguments = job;
     arguments.insert(arguments.end(),
-                     {"--faces", "keep", "--time-limit", "2", "-o", "n.fold", "--overwrite"});
+                     {"--faces", "keep", "--time-limit", limit, "-o", "n.fold", "--overwrite"});
     const Outcome outcome = run_program(arguments, in(folder));
     INFO(outcome.err);
     CHECK(outcome.exit_code == 0);
 #ifndef RIDGECRAFT_SANITIZED
-    // 5 to 7 s of work, however busy the machine is. It was 30 to 100, half of it in dividing the nets.
-    CHECK(outcome.cpu_seconds < 15.0);
+    // 7 to 9 s of work, however busy the machine is. It was 30 to 100, half of it in dividing the nets.
+    CHECK(outcome.cpu_seconds < 17.0);
 #endif
   }
 }
