@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/reading/ply_header.hpp"
 
+#include <cctype>
 #include <optional>
 
 #include <fmt/format.h>
@@ -36,6 +37,10 @@ class HeaderReader {
   void read_element();
   void read_property();
   void read_comment();
+  /// Before the elements some programs say who wrote the file, without the word comment.
+  [[nodiscard]] bool is_remark(std::string_view keyword) const {
+    return header_.elements.empty() && std::isalpha(static_cast<unsigned char>(keyword.front())) != 0;
+  }
   PlyType read_type();
   void skip_line_end();
   [[noreturn]] void refuse(const char* place, std::string_view reason) {
@@ -89,7 +94,7 @@ bool HeaderReader::read_line() {
     read_property();
   } else if (keyword == "comment") {
     read_comment();
-  } else if (!keyword.empty() && keyword != "obj_info") {
+  } else if (!keyword.empty() && keyword != "obj_info" && !is_remark(keyword)) {
     refuse(keyword.data(),
            fmt::format("{} doesn't belong in the header; end_header may be missing", in_quotes(keyword)));
   }

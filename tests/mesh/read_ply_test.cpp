@@ -74,6 +74,14 @@ TEST_CASE("PLY: edges mark cuts, wherever they stand; those without two points o
   CHECK_THROWS(parsed(ascii(points_header + faces_header + edges_header, points + "3 0 1 2\n0 1\n2"), "ply"));
 }
 
+TEST_CASE("PLY: remarks before the elements that lack the word comment") {
+  CHECK(parsed(ascii("Created by somebody: 3 things\n" + points_header + faces_header, points + "3 0 1 2\n"),
+               "ply")
+            .polygon_count() == 1);
+  CHECK(refusal(ascii(points_header + "Created by somebody\n" + faces_header, points + "3 0 1 2\n"), "ply")
+            .find("doesn't belong") != std::string::npos);
+}
+
 TEST_CASE("PLY: headers with other line ends") {
   for (const std::string end : {"\r\n", "\r"}) {
     std::string text;
