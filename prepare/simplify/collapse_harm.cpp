@@ -19,6 +19,16 @@ const double turn_cosine = std::cos(75.0 * std::numbers::pi / 180.0);
 const double fold_cosine = std::cos(160.0 * std::numbers::pi / 180.0);
 /// Smallest height over longest side of a new face where the old faces weren't worse.
 constexpr double thinnest_face = 0.02;
+/// The same for the triangles of a wall, which are one face on paper: all they need is an area.
+constexpr double thinnest_in_wall = 1e-4;
+
+/// The thinnest of some faces before and after a change: height over longest side.
+struct Worst {
+  double limit = 0.0;
+  double before = 1.0;
+  double after = 1.0;
+  [[nodiscard]] bool is_allowed() const { return after >= limit || after >= before; }
+};
 
 /// Height over longest side.
 double height_share(Vec3 a, Vec3 b, Vec3 c, double doubled) {
@@ -109,8 +119,8 @@ bool harmless(const EditMesh& mesh, const PlanePoints& bound, const WallFaces& w
               std::vector<Rim>& rim) {
   const auto& [v0, v1, place] = change;
   const MirrorPlane* plane = bound.plane(v0, v1);
-  double worst_old = 1.0;
-  double worst_new = 1.0;
+  Worst faces{thinnest_face};
+  Worst in_walls{thinnest_in_wall};
   for (const auto v : {v0, v1}) {
     const auto other = v == v0 ? v1 : v0;
     for (const auto h : mesh.voh_range(v)) {
@@ -120,22 +130,22 @@ bool harmless(const EditMesh& mesh, const PlanePoints& bound, const WallFaces& w
       const auto side = mesh.next_halfedge_handle(h);
       const auto from = mesh.from_vertex_handle(side);
       const auto to = mesh.to_vertex_handle(side);
-      const bool is_wall = walls.is_wall(mesh.face_handle(h));
-      const auto doubled = [&](const Change* when, double& worst) {
+      Worst& worst = walls.is_wall(mesh.face_handle(h)) ? in_walls : faces;
+      const auto doubled = [&](const Change* when, double& share) {
         const Vec3 p = bound.at(mesh, v, when);
         const Vec3 a = bound.at(mesh, from, when);
         const Vec3 b = bound.at(mesh, to, when);
         const Vec3 normal = cross(a - p, b - p);
-        if (!is_wall && !bound.coincide(from, to, when)) {
-          worst = std::min(worst, height_share(p, a, b, length(normal)));
+        if (!bound.coincide(from, to, when)) {
+          share = std::min(share, height_share(p, a, b, length(normal)));
         }
         return normal;
       };
-      const Vec3 old_doubled = doubled(nullptr, worst_old);
+      const Vec3 old_doubled = doubled(nullptr, worst.before);
       if (from == other || to == other || bound.coincide(from, to, &change)) {
         continue;  // vanishes with the edge
       }
-      const Vec3 new_doubled = doubled(&change, worst_new);
+      const Vec3 new_doubled = doubled(&change, worst.after);
       const bool seam = plane != nullptr && (bound.is_seam(mesh, h) || bound.is_seam(mesh, side) ||
                                              bound.is_seam(mesh, mesh.next_halfedge_handle(side)));
       const bool new_seam = plane != nullptr &&
@@ -153,7 +163,7 @@ bool harmless(const EditMesh& mesh, const PlanePoints& bound, const WallFaces& w
       rim.push_back(face);
     }
   }
-  return (worst_new >= thinnest_face || worst_new >= worst_old) && !folds_back(rim, plane) &&
+  return faces.is_allowed() && in_walls.is_allowed() && !folds_back(rim, plane) &&
          !turns_beside_crossings(mesh, bound, change);
 }
 

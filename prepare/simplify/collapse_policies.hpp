@@ -117,6 +117,22 @@ class NearPlacement {
   const WallFaces* walls_;
 };
 
+/// For CGAL's own check of a collapse, which compares the directions of faces beside each other and refuses
+/// any where one has ten thousand times the area of the other: here all have the same. A fine cylinder's lid
+/// has crumbs at its rim beside faces as long as the cylinder; what is thin is the guard's concern.
+struct Directions : EditKernel {
+  struct Construct_cross_product_vector_3 {
+    Vector_3 operator()(const Vector_3& a, const Vector_3& b) const {
+      const Vector_3 product = CGAL::cross_product(a, b);
+      const double length = std::sqrt(product.squared_length());
+      return length > 0.0 ? product / length : product;
+    }
+  };
+  [[nodiscard]] Construct_cross_product_vector_3 construct_cross_product_vector_3_object() const {
+    return {};
+  }
+};
+
 /// Asks now and then whether to stop: when costs are collected, and while no edge may be collapsed.
 class Watch {
  public:

