@@ -64,6 +64,16 @@ std::optional<double> size_of(const OldNets& old) {
   return box.largest_extent() > 0.0 ? std::optional(box.largest_extent()) : std::nullopt;
 }
 
+/// At which size of the model nets of our own leave out what is too small; none where they don't tell.
+std::optional<double> judged_at(const OldNets& old) {
+  if (!is_fold_file(old)) {
+    return std::nullopt;
+  }
+  const verify::File nets = read_fold_file(old);
+  const auto judged = nets.settings.number("judged_at_mm");
+  return judged ? judged : nets.settings.number("size_mm");
+}
+
 /// Those of nets that another program keeps with its model.
 Seams seams_of_model_file(const OldNets& old, const mesh::Surface& surface, const Context& context) {
   const mesh::FileSeams file = mesh::read_seams(old.bytes, old.name, context);
@@ -201,6 +211,9 @@ void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::Simplify
 }
 
 void use_size_of_nets(const EdgeRequests& edges, const mesh::Model& model, prepare::SizeOptions& size) {
+  if (edges.from) {
+    size.judged_at_mm = judged_at(*edges.from);
+  }
   if (!size.adapts || (!edges.any() && model.lines.empty())) {
     return;
   }

@@ -16,6 +16,7 @@
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/expected_pages.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
+#include "prepare/ready_bodies.hpp"
 #include "prepare/skin/skin.hpp"
 #include "unfold/replace_tabs.hpp"
 #include "unfold/unfold.hpp"
@@ -134,6 +135,41 @@ Faces faces_to_unfold(mesh::Model model, const Options& options, std::vector<std
   return faces;
 }
 
+/// Whether bodies meet along so many lines that their skin is finer than what it is made of: the inside of a
+/// machine. Nothing makes that coarse enough to be folded, and its bodies can be.
+bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
+  constexpr std::size_t most_faces = 8000;
+  constexpr std::size_t finer = 2;
+  return faces_of_skin > most_faces && faces_of_skin > finer * faces_of_bodies;
+}
+
+/// The model's bodies become one skin where they meet; those that are too small are left out before.
+void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& context) {
+  clock("prepare", context, [&] {
+    made.ready =
+        prepare::ready_bodies(model, made.options.size, made.options.simplify, until_deadline(context));
+    mesh::Model apart = model;
+    made.skin = prepare::unite_bodies(model, until_deadline(context));
+    if (made.skin.united > 0 && is_tangle(model.surface.face_count(), apart.surface.face_count())) {
+      model = std::move(apart);
+      made.skin = {};
+      made.skin.left_crossing = model.surface.component_count();
+    }
+    return true;
+  });
+  if (made.skin.united == 0 && made.ready.left_out.count() == 0 && made.ready.faces_before == 0) {
+    made.options.bodies = prepare::Bodies::keep;
+  }
+}
+
+/// What was done to the bodies before they were united is a part of what was done to the model.
+void add_ready(const prepare::ReadyReport& ready, double mm_per_unit, prepare::SimplifyReport& report) {
+  if (ready.faces_before > 0) {
+    report.faces_before = ready.faces_before;
+    report.deviation_mm += mm_per_unit * ready.deviation;
+  }
+}
+
 /// All that follows from nets that have changed.
 Paper with_new_nets(Paper made, StageClock clock, const Context& context) {
   made.drawn = {};
@@ -160,12 +196,9 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   heed_edges(options.edges, model, made.options.simplify, notes);
   use_size_of_nets(options.edges, model, made.options.size);
   made.options.bodies = bodies_for(options.edges, options.bodies);
+  const double units = model.file_scale;
   if (made.options.bodies == prepare::Bodies::unite) {
-    made.skin =
-        clock("prepare", context, [&] { return prepare::unite_bodies(model, until_deadline(context)); });
-    if (made.skin.united == 0) {
-      made.options.bodies = prepare::Bodies::keep;
-    }
+    unite(model, made, clock, context);
   }
   const Vec2 area = room_for_pieces(options);
   made.prepared = clock("prepare", context, [&] {
@@ -174,7 +207,11 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
                             until_deadline(context));
   });
   const mesh::Surface& surface = made.prepared.model.surface;
+  add_ready(made.ready, made.prepared.mm_per_unit * units, made.prepared.simplified);
   if (made.prepared.size_reason != prepare::SizeReason::none) {
+    if (made.ready.left_out.count() > 0) {
+      made.options.size.judged_at_mm = options.size.largest_extent_mm;
+    }
     made.options.size.largest_extent_mm = std::round(surface.bounds().largest_extent());
   }
   made.searched_with = settings_of(made.options, made.seed);

@@ -20,6 +20,7 @@
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
 #include "prepare/prepared/prepared.hpp"
+#include "prepare/prepared/ready_report.hpp"
 #include "unfold/net/nets.hpp"
 #include "verify/verify.hpp"
 
@@ -36,7 +37,8 @@ struct Paper {
   paper::Settings searched_with;  ///< what else they were: with_tabs and with_pages change `options` alone
   /// A ground that the model stands on (prepare::ground_name): leaving it out makes the rest larger.
   std::optional<std::string> ground;
-  prepare::SkinReport skin;  ///< of uniting bodies
+  prepare::ReadyReport ready;  ///< of bodies before they were united
+  prepare::SkinReport skin;    ///< of uniting them
   prepare::Prepared prepared;
   std::size_t slivers = 0;        ///< faces of it thinner than sliver_mm
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions

@@ -24,6 +24,9 @@ void add_size(const Options& options, paper::Settings& settings) {
   } else {
     settings["size_mm"] = number(options.size.largest_extent_mm);
   }
+  if (options.size.judged_at_mm) {
+    settings["judged_at_mm"] = number(*options.size.judged_at_mm);
+  }
   settings["faces"] = options.simplify.mode == prepare::Simplification::automatic ? json_string("auto")
                       : options.simplify.mode == prepare::Simplification::keep
                           ? json_string("keep")

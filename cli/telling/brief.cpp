@@ -55,6 +55,9 @@ std::string model_line(const job::Paper& made) {
   const prepare::SimplifyReport& report = made.prepared.simplified;
   Clauses clauses;
   const prepare::SkinReport& skin = made.skin;
+  if (made.ready.left_out.count() > 0) {
+    clauses.push_back(details_text(made.ready.left_out) + " left out");
+  }
   if (skin.united > 0) {
     clauses.push_back(fmt::format(
         "{} united into {}{}", counted_bodies(skin.united), skin.united_into,
@@ -137,6 +140,19 @@ std::string next_line(const PaperResult& result) {
 }
 
 }  // namespace
+
+std::string details_text(const prepare::Details& details) {
+  Clauses clauses;
+  if (details.small > 0) {
+    clauses.push_back(fmt::format("{} too small to be folded", counted_bodies(details.small)));
+  }
+  if (details.flat > 0) {
+    clauses.push_back(details.flat == 1
+                          ? "1 small flat body that lies on another one"
+                          : fmt::format("{} small flat bodies that lie on others", details.flat));
+  }
+  return fmt::format("{}", fmt::join(clauses, " and "));
+}
 
 std::string size_words(const job::Paper& made, const std::string& asked) {
   return made.prepared.size_reason == prepare::SizeReason::none

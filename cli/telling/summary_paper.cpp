@@ -48,6 +48,11 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                       {"hidden_share", rounded(skin.hidden_share)},
                                       {"openings_closed", skin.rims_closed},
                                       {"left_crossing", skin.left_crossing}});
+  const prepare::Details& details = made.ready.left_out;
+  summary.add("left_out", Value::Object{{"small", details.small}, {"flat", details.flat}});
+  if (details.count() > 0) {
+    summary.say(Line::skin, "left out", details_text(details) + " (--keep-bodies leaves them in)");
+  }
   if (skin.united > 0) {
     summary.say(
         Line::skin, "united",
@@ -58,9 +63,11 @@ void add_skin(Summary& summary, const job::Paper& made) {
             100.0 * skin.hidden_share, counted(skin.faces_hidden, "whole face")));
   }
   if (skin.left_crossing > 0) {
-    summary.say(Line::skin, "not united",
-                bodies_text(skin.left_crossing) +
-                    " that touch or run into each other stay as they are: no sound skin of them was found");
+    summary.say(
+        Line::skin, "not united",
+        bodies_text(skin.left_crossing) +
+            " that touch or run into each other stay as they are: no sound skin of them was found, or only "
+            "one that is far too fine");
   }
 }
 

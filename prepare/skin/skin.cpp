@@ -253,6 +253,7 @@ class Skin {
       const FaceId f = facet.triangle == SkinFacet::none ? FaceId() : bodies.face[facet.triangle];
       const auto& c = facet.corners;
       fresh_.faces.push_back({first + c[0], first + c[1], first + c[2]});
+      fresh_cap_.push_back(!f.valid());
       fresh_.polygon.push_back(f.valid() ? loose_.polygon[f.value()] : Soup::none);
       if (!loose_.material.empty()) {
         fresh_.material.push_back(f.valid() ? loose_.material[f.value()] : Soup::none);
@@ -308,8 +309,7 @@ class Skin {
       made.insert(model_.surface.component(FaceId(f)));
     }
     for (std::size_t f = stayed; f < model_.surface.face_count(); ++f) {
-      const bool is_cap = model_.polygon[FaceId(f)] == Soup::none;
-      area_after_ += is_cap ? 0.0 : model_.surface.area(FaceId(f));
+      area_after_ += fresh_cap_[f - stayed] ? 0.0 : model_.surface.area(FaceId(f));
     }
     report_.united_into = made.size() + unchanged_;
     report_.hidden_share = std::max(0.0, 1.0 - area_after_ / area_before_);
@@ -321,10 +321,11 @@ class Skin {
   std::vector<std::vector<Cap>> caps_;
   Ground ground_;
   mesh::LooseFaces loose_;
-  mesh::LooseFaces fresh_;     ///< of the new skins
-  std::vector<bool> gone_;     ///< faces that these replace
-  std::size_t unchanged_ = 0;  ///< components that others are hidden in
-  double area_before_ = 0.0;   ///< of components that took part
+  mesh::LooseFaces fresh_;       ///< of the new skins
+  std::vector<bool> fresh_cap_;  ///< of each of them: it closes an opening
+  std::vector<bool> gone_;       ///< faces that these replace
+  std::size_t unchanged_ = 0;    ///< components that others are hidden in
+  double area_before_ = 0.0;     ///< of components that took part
   double area_after_ = 0.0;
   SkinReport report_;
 };

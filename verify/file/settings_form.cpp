@@ -30,7 +30,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 23> known_settings{{
+constexpr std::array<Known, 24> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"bodies", Kind::bodies, Needed::never},
@@ -41,6 +41,7 @@ constexpr std::array<Known, 23> known_settings{{
     {"all_tabs", Kind::yes_no, Needed::never},
     {"fold_linear", Kind::yes_no, Needed::never},
     {"size_mm", Kind::number, Needed::never, 1.0, 100'000.0},
+    {"judged_at_mm", Kind::number, Needed::never, 1.0, 100'000.0},
     {"mm_per_unit", Kind::number, Needed::never, std::numeric_limits<double>::min(), any},
     {"only", Kind::words, Needed::never},
     {"without", Kind::words, Needed::never},

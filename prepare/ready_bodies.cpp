@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepare/ready_bodies.hpp"
+
+#include "prepare/details/details.hpp"
+#include "prepare/panels/remesh_panels.hpp"
+#include "prepare/simplify/simplify.hpp"
+
+namespace ridgecraft::prepare {
+namespace {
+
+/// Models of more faces are simplified before their bodies are united.
+constexpr std::size_t fine_faces = 10000;
+/// Of the way that simplification may move the surface, the share that it may before.
+constexpr double first_half = 0.5;
+/// A sheet that is no farther than this from another body lies on it, mm.
+constexpr double on_it_mm = 1.0;
+
+}  // namespace
+
+ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const SimplifyOptions& simplify,
+                         const Context& context) {
+  ReadyReport report;
+  if (simplify.mode == Simplification::keep || model.surface.component_count() < 2) {
+    return report;
+  }
+  const double largest = model.surface.bounds().largest_extent();
+  const double mm = size.judged_at_mm  ? *size.judged_at_mm / largest
+                    : size.mm_per_unit ? *size.mm_per_unit * model.file_scale
+                                       : size.largest_extent_mm / largest;
+  if (!(mm > 0.0)) {
+    return report;
+  }
+  report.left_out = leave_out_details(model, {simplify.tiny_edge_mm / mm, on_it_mm / mm}, context);
+  if (simplify.mode != Simplification::automatic || model.surface.face_count() <= fine_faces ||
+      model.surface.component_count() < 2) {
+    return report;
+  }
+  SimplifyOptions first = simplify;
+  first.short_edge_mm /= mm;
+  first.tiny_edge_mm /= mm;
+  first.largest_deviation *= first_half;
+  report.faces_before = model.surface.face_count();
+  remesh_panels(model, context);
+  report.deviation = prepare::simplify(model, first, context).deviation_mm;
+  return report;
+}
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is done to a model's bodies before they are united (prepare/skin).
+#pragma once
+
+#include "base/context.hpp"
+#include "mesh/model/model.hpp"
+#include "prepare/prepared/options.hpp"
+#include "prepare/prepared/ready_report.hpp"
+
+namespace ridgecraft::prepare {
+
+/// Bodies that nobody could cut and hold at this size are left out: once united with a wall, they would be
+/// details of it that nothing takes away any more. Models of very many faces are simplified body by body, as
+/// an exact union of fine bodies would have still more faces, along every line where they meet; the surface
+/// moves by no more than half of what simplification may move it. The model keeps its place and unit. Models
+/// of one body, and those that keep their faces, stay as they are. O(n log n). Throws Error(interrupted),
+/// Error(out_of_time).
+ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const SimplifyOptions& simplify,
+                         const Context& context);
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies before they are united: which are left out as nobody could hold them, which are simplified.
+#include "prepare/ready_bodies.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "mesh/mesh.hpp"
+#include "support/soups.hpp"
+
+using namespace ridgecraft;
+using mesh::Model;
+using prepare::ReadyReport;
+using test::both;
+using test::box_faces;
+using test::box_points;
+using test::shifted;
+using test::soup;
+
+namespace {
+
+struct Bodies {
+  std::vector<Vec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+
+  void add(const std::vector<Vec3>& other, const std::vector<std::vector<std::uint32_t>>& corners) {
+    faces = both(faces, shifted(corners, static_cast<std::uint32_t>(points.size())));
+    points = both(points, other);
+  }
+  void add_box(Vec3 low, Vec3 high) { add(box_points(low, high), box_faces); }
+  void add_sheet(Vec3 at, Vec3 u, Vec3 v) { add({at, at + u, at + u + v, at + v}, {{0, 1, 2, 3}}); }
+
+  [[nodiscard]] Model model() const { return mesh::repair(soup(points, faces), {}, Context()); }
+};
+
+/// A wall of 150 mm with a post on top of it, as long as it is wide.
+Bodies wall() {
+  Bodies bodies;
+  bodies.add_box({0, 0, 0}, {150, 100, 10});
+  bodies.add_box({0, 100, 0}, {150, 102, 2});
+  return bodies;
+}
+
+ReadyReport ready(Model& model, double size_mm, prepare::Simplification mode = {}) {
+  prepare::SizeOptions size;
+  size.largest_extent_mm = size_mm;
+  prepare::SimplifyOptions simplify;
+  simplify.mode = mode;
+  simplify.faces = 10;
+  return ready_bodies(model, size, simplify, Context());
+}
+
+}  // namespace
+
+TEST_CASE("what nobody could hold is left out: bars, crumbs and panes on a wall") {
+  Bodies bodies = wall();
+  bodies.add_box({20, 20, 10}, {40, 22, 12});                // a bar
+  bodies.add_box({60, 20, 10}, {61, 21, 11});                // a crumb
+  bodies.add_box({20, 60, 10}, {40, 64, 12});                // a sill: 4 mm can be cut
+  bodies.add_sheet({80, 20, 10.5}, {20, 0, 0}, {0, 15, 0});  // a pane on the wall
+  bodies.add_sheet({110, 20, 14}, {20, 0, 0}, {0, 15, 0});   // one in the air before it
+  bodies.add_sheet({10, 70, 10.5}, {60, 0, 0}, {0, 25, 0});  // a poster that is large
+  Model model = bodies.model();
+  const std::size_t before = model.surface.component_count();
+  const ReadyReport report = ready(model, 150.0);
+  CHECK(report.left_out.small == 2);
+  CHECK(report.left_out.flat == 1);
+  CHECK(report.faces_before == 0);
+  CHECK(model.surface.component_count() == before - 3);
+  // The long post is as narrow as the bar and stays.
+  CHECK(model.surface.bounds().high.y == 102.0);
+}
+
+TEST_CASE("what is too small depends on the size, not on the file's unit or on where the model stands") {
+  for (const double unit : {1.0, 0.001, 40.0}) {
+    for (const double turn : {0.0, 0.7}) {
+      Bodies bodies = wall();
+      bodies.add_box({20, 20, 10}, {40, 22, 12});
+      for (Vec3& p : bodies.points) {
+        p = unit * Vec3{std::cos(turn) * p.x - std::sin(turn) * p.y + 7.0,
+                        std::sin(turn) * p.x + std::cos(turn) * p.y, p.z};
+      }
+      const double extent = bodies.model().surface.bounds().largest_extent();
+      for (const auto& [scale, small] : {std::pair{1.0, 1U}, {1.6, 0U}}) {
+        Model model = bodies.model();
+        CHECK(ready(model, scale * extent / unit).left_out.small == small);
+      }
+    }
+  }
+}
+
+TEST_CASE("a model that is made of small bodies keeps them") {
+  Bodies bodies;
+  for (int i = 0; i < 20; ++i) {
+    bodies.add_box({8.0 * i, 0, 0}, {8.0 * i + 2, 20, 2});
+  }
+  Model model = bodies.model();
+  CHECK(ready(model, 150.0).left_out.count() == 0);
+  CHECK(model.surface.component_count() == 20);
+}
+
+TEST_CASE("who keeps all faces keeps all bodies") {
+  Bodies bodies = wall();
+  bodies.add_box({20, 20, 10}, {40, 22, 12});
+  Model model = bodies.model();
+  CHECK(ready(model, 150.0, prepare::Simplification::keep).left_out.count() == 0);
+  CHECK(ready(model, 150.0, prepare::Simplification::count).left_out.count() == 1);
+}
+
+TEST_CASE("fine bodies are simplified one by one") {
+  // Two tubes with as many sides as nobody folds.
+  Bodies bodies;
+  constexpr std::uint32_t sides = 3000;
+  for (const double x : {0.0, 60.0}) {
+    std::vector<Vec3> points;
+    std::vector<std::vector<std::uint32_t>> faces(2);
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double t = 2.0 * std::numbers::pi * i / sides;
+      for (const double z : {0.0, 150.0}) {
+        points.push_back({x + 40.0 * std::cos(t), 40.0 * std::sin(t), z});
+      }
+    }
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const std::uint32_t next = (i + 1) % sides;
+      faces.push_back({2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
+      faces[0].push_back(2 * (sides - 1 - i));
+      faces[1].push_back(2 * i + 1);
+    }
+    bodies.add(points, faces);
+  }
+  Model model = bodies.model();
+  const std::size_t before = model.surface.face_count();
+  REQUIRE(before > 10000);
+  const ReadyReport report = ready(model, 300.0);
+  CHECK(report.faces_before == before);
+  CHECK(model.surface.face_count() < 1000);
+  CHECK(model.surface.component_count() == 2);
+  // 1 % of the extent at most, in the file's unit.
+  CHECK(report.deviation > 0.0);
+  CHECK(report.deviation <= 1.5);
+  // Its place and unit stay.
+  CHECK(std::abs(model.surface.bounds().high.x - 100.0) < 1.5);
+}
