@@ -155,6 +155,10 @@ void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& co
       made.skin = {};
       made.skin.left_crossing = model.surface.component_count();
     }
+    if (made.skin.united > 0) {
+      made.ready.left_out += prepare::leave_out_details(model, made.options.size, made.options.simplify,
+                                                        until_deadline(context));
+    }
     return true;
   });
   if (made.skin.united == 0 && made.ready.left_out.count() == 0 && made.ready.faces_before == 0) {

@@ -12,10 +12,26 @@ namespace {
 constexpr std::size_t fine_faces = 10000;
 /// Of the way that simplification may move the surface, the share that it may before.
 constexpr double first_half = 0.5;
-/// A sheet that is no farther than this from another body lies on it, mm.
-constexpr double on_it_mm = 1.0;
+
+/// How many millimetres a unit of the model becomes, as far as is known before it has its size.
+double judged_mm_per_unit(const mesh::Model& model, const SizeOptions& size) {
+  const double largest = model.surface.bounds().largest_extent();
+  return size.judged_at_mm  ? *size.judged_at_mm / largest
+         : size.mm_per_unit ? *size.mm_per_unit * model.file_scale
+                            : size.largest_extent_mm / largest;
+}
 
 }  // namespace
+
+Details leave_out_details(mesh::Model& model, const SizeOptions& size, const SimplifyOptions& simplify,
+                          const Context& context) {
+  const double mm = judged_mm_per_unit(model, size);
+  if (simplify.mode == Simplification::keep || !(mm > 0.0)) {
+    return {};
+  }
+  // A relief that is lower than the shortest fold can't be built: what would be its face lies on the wall.
+  return leave_out_details(model, simplify.tiny_edge_mm / mm, context);
+}
 
 ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const SimplifyOptions& simplify,
                          const Context& context) {
@@ -23,18 +39,12 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
   if (simplify.mode == Simplification::keep || model.surface.component_count() < 2) {
     return report;
   }
-  const double largest = model.surface.bounds().largest_extent();
-  const double mm = size.judged_at_mm  ? *size.judged_at_mm / largest
-                    : size.mm_per_unit ? *size.mm_per_unit * model.file_scale
-                                       : size.largest_extent_mm / largest;
-  if (!(mm > 0.0)) {
-    return report;
-  }
-  report.left_out = leave_out_details(model, {simplify.tiny_edge_mm / mm, on_it_mm / mm}, context);
+  report.left_out = leave_out_details(model, size, simplify, context);
   if (simplify.mode != Simplification::automatic || model.surface.face_count() <= fine_faces ||
       model.surface.component_count() < 2) {
     return report;
   }
+  const double mm = judged_mm_per_unit(model, size);
   SimplifyOptions first = simplify;
   first.short_edge_mm /= mm;
   first.tiny_edge_mm /= mm;

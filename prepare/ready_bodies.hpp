@@ -9,6 +9,12 @@
 
 namespace ridgecraft::prepare {
 
+/// Leaves out bodies that nobody could cut and hold at this size (prepare/details), and tells how many. Worth
+/// doing again when bodies were united: what closes an opening may lie right behind a pane. None where faces
+/// are to be kept. O(n log n). Throws Error(interrupted), Error(out_of_time).
+Details leave_out_details(mesh::Model& model, const SizeOptions& size, const SimplifyOptions& simplify,
+                          const Context& context);
+
 /// Bodies that nobody could cut and hold at this size are left out: once united with a wall, they would be
 /// details of it that nothing takes away any more. Models of very many faces are simplified body by body, as
 /// an exact union of fine bodies would have still more faces, along every line where they meet; the surface

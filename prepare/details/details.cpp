@@ -69,8 +69,8 @@ struct Component {
 
 class DetailSearch {
  public:
-  DetailSearch(const mesh::Surface& surface, const DetailLimits& limits, const Context& context)
-      : surface_(surface), limits_(limits), context_(context), components_(surface.component_count()) {
+  DetailSearch(const mesh::Surface& surface, double narrow, const Context& context)
+      : surface_(surface), narrow_(narrow), context_(context), components_(surface.component_count()) {
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       Component& c = components_[surface.component(f).value()];
       c.faces.push_back(f);
@@ -110,16 +110,16 @@ class DetailSearch {
       return Kind::body;
     }
     const std::array<double, 3> extent = extents(surface_, c.faces);
-    if (extent[1] < limits_.narrow && extent[2] <= short_strip * model) {
+    if (extent[1] < narrow_ && extent[2] <= short_strip * model) {
       return Kind::small;
     }
-    return extent[0] < flat * limits_.narrow && extent[2] <= small_sheet * model ? Kind::sheet : Kind::body;
+    return extent[0] < flat * narrow_ && extent[2] <= small_sheet * model ? Kind::sheet : Kind::body;
   }
 
   /// Of the flat sheets only those stay details that lie on something that stays.
   void drop_sheets_in_the_air() {
     std::vector<Box3> boxes;
-    const Vec3 margin{limits_.near, limits_.near, limits_.near};
+    const Vec3 margin{narrow_, narrow_, narrow_};
     for (const Component& c : components_) {
       boxes.push_back({c.box.low - margin, c.box.high + margin});
     }
@@ -141,11 +141,16 @@ class DetailSearch {
 
   [[nodiscard]] bool lies_on(const Component& sheet, const std::vector<FaceId>& others) const {
     context_.check();
-    const double near = limits_.near * limits_.near;
+    const double near = narrow_ * narrow_;
     return std::all_of(sheet.faces.begin(), sheet.faces.end(), [&](FaceId f) {
-      const auto corners = surface_.vertices(f);
-      return std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
-        const Vec3 p = surface_.point(v);
+      const auto [v0, v1, v2] = surface_.vertices(f);
+      const Vec3 p0 = surface_.point(v0);
+      const Vec3 p1 = surface_.point(v1);
+      const Vec3 p2 = surface_.point(v2);
+      // A pane that fills a hole has its corners on the wall around, but nothing behind its middle.
+      const std::array<Vec3, 7> places{
+          p0, p1, p2, 0.5 * (p0 + p1), 0.5 * (p1 + p2), 0.5 * (p2 + p0), (p0 + p1 + p2) / 3.0};
+      return std::all_of(places.begin(), places.end(), [&](Vec3 p) {
         return std::any_of(others.begin(), others.end(), [&](FaceId other) {
           const auto [a, b, c] = surface_.vertices(other);
           return mesh::squared_distance(surface_.point(a), surface_.point(b), surface_.point(c), p) <= near;
@@ -155,19 +160,19 @@ class DetailSearch {
   }
 
   const mesh::Surface& surface_;
-  DetailLimits limits_;
+  double narrow_;
   const Context& context_;
   std::vector<Component> components_;
 };
 
 }  // namespace
 
-Details leave_out_details(mesh::Model& model, const DetailLimits& limits, const Context& context) {
+Details leave_out_details(mesh::Model& model, double narrow, const Context& context) {
   const mesh::Surface& surface = model.surface;
   if (surface.component_count() < 2) {
     return {};
   }
-  const std::vector<Kind> kinds = DetailSearch(surface, limits, context).kinds();
+  const std::vector<Kind> kinds = DetailSearch(surface, narrow, context).kinds();
   Details details;
   details.small = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::small));
   details.flat = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::sheet));

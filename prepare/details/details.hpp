@@ -10,18 +10,12 @@
 
 namespace ridgecraft::prepare {
 
-/// What counts as too small, in the unit of the surface.
-struct DetailLimits {
-  double narrow = 0.0;  ///< a body that is narrower across its second smallest extent can't be folded
-  double near = 0.0;    ///< a flat sheet all of whose corners are as near to another body lies on it
-};
-
 /// Leaves out three kinds of components: those smaller than `narrow` in every direction; strips narrower than
-/// it (window bars, wires) that are short beside the model; and small flat sheets that lie on another
-/// component (panes, painted stones). Extents are those along a component's principal axes. Where they have
+/// it (window bars, wires) that are short beside the model; and small flat sheets that are everywhere nearer
+/// than it to another component (panes, painted stones). `narrow` is in the unit of the surface. Extents are those along a component's principal axes. Where they have
 /// more than a tenth of the model's area together, they are what the model is made of, and all stay.
 /// O(n log n).
-[[nodiscard]] Details leave_out_details(mesh::Model& model, const DetailLimits& limits,
+[[nodiscard]] Details leave_out_details(mesh::Model& model, double narrow,
                                         const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -12,6 +12,11 @@ struct Details {
   std::size_t flat = 0;   ///< flat, and lying on another one
 
   [[nodiscard]] std::size_t count() const { return small + flat; }
+  Details& operator+=(const Details& other) {
+    small += other.small;
+    flat += other.flat;
+    return *this;
+  }
 };
 
 struct ReadyReport {

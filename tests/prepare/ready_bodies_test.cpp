@@ -57,9 +57,13 @@ TEST_CASE("what nobody could hold is left out: bars, crumbs and panes on a wall"
   bodies.add_box({20, 20, 10}, {40, 22, 12});                // a bar
   bodies.add_box({60, 20, 10}, {61, 21, 11});                // a crumb
   bodies.add_box({20, 60, 10}, {40, 64, 12});                // a sill: 4 mm can be cut
-  bodies.add_sheet({80, 20, 10.5}, {20, 0, 0}, {0, 15, 0});  // a pane on the wall
+  bodies.add_sheet({80, 20, 12.5}, {20, 0, 0}, {0, 15, 0});  // a pane on the wall
   bodies.add_sheet({110, 20, 14}, {20, 0, 0}, {0, 15, 0});   // one in the air before it
-  bodies.add_sheet({10, 70, 10.5}, {60, 0, 0}, {0, 25, 0});  // a poster that is large
+  bodies.add_sheet({10, 70, 12.5}, {60, 0, 0}, {0, 25, 0});  // a poster that is large
+  // One before a hole: the wall has nothing behind its middle.
+  bodies.add_sheet({150, 20, 10}, {5, 0, 0}, {0, 60, 0});
+  bodies.add_sheet({175, 20, 10}, {5, 0, 0}, {0, 60, 0});
+  bodies.add_sheet({155, 40, 10}, {20, 0, 0}, {0, 20, 0});
   Model model = bodies.model();
   const std::size_t before = model.surface.component_count();
   const ReadyReport report = ready(model, 150.0);
