@@ -10,6 +10,8 @@ namespace {
 
 /// Models of more faces are simplified before their bodies are united.
 constexpr std::size_t fine_faces = 10000;
+/// Details that are hard to fold go, too, where they have this share of the faces of a model with too many.
+constexpr double busy = 0.2;
 /// Of the way that simplification may move the surface, the share that it may before.
 constexpr double first_half = 0.5;
 
@@ -30,7 +32,12 @@ Details leave_out_details(mesh::Model& model, const SizeOptions& size, const Sim
     return {};
   }
   // A relief that is lower than the shortest fold can't be built: what would be its face lies on the wall.
-  return leave_out_details(model, simplify.tiny_edge_mm / mm, context);
+  // Where there is too much to be built, whole bodies that would be hard go before others are bent.
+  Details left_out = leave_out_details(model, DetailLimits{simplify.tiny_edge_mm / mm, 0.0}, context);
+  if (simplify.mode == Simplification::automatic && model.surface.face_count() > simplify.most_faces) {
+    left_out += leave_out_details(model, DetailLimits{simplify.short_edge_mm / mm, busy}, context);
+  }
+  return left_out;
 }
 
 ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const SimplifyOptions& simplify,

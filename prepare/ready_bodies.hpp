@@ -9,9 +9,10 @@
 
 namespace ridgecraft::prepare {
 
-/// Leaves out bodies that nobody could cut and hold at this size (prepare/details), and tells how many. Worth
-/// doing again when bodies were united: what closes an opening may lie right behind a pane. None where faces
-/// are to be kept. O(n log n). Throws Error(interrupted), Error(out_of_time).
+/// Leaves out bodies that nobody could cut and hold at this size (prepare/details), and of a model that has
+/// too many faces still those that would be hard to fold; tells how many. Worth doing again when bodies were
+/// united: what closes an opening may lie right behind a pane. None where faces are to be kept. O(n log n).
+/// Throws Error(interrupted), Error(out_of_time).
 Details leave_out_details(mesh::Model& model, const SizeOptions& size, const SimplifyOptions& simplify,
                           const Context& context);
 

@@ -20,7 +20,9 @@ namespace {
 /// A strip is a detail if its length is no more than this share of the model's; longer ones are wires, legs
 /// and rails, which somebody would miss.
 constexpr double short_strip = 0.2;
-/// The same of a flat sheet on a wall.
+/// A component of less area is a crumb: six millimetres square, where what is below three is narrow.
+constexpr double tiny_area = 4.0;
+/// The same as for strips, of a flat sheet on a wall.
 constexpr double small_sheet = 0.25;
 /// Sheets are flat within this share of the width that counts as narrow.
 constexpr double flat = 0.1;
@@ -69,8 +71,8 @@ struct Component {
 
 class DetailSearch {
  public:
-  DetailSearch(const mesh::Surface& surface, double narrow, const Context& context)
-      : surface_(surface), narrow_(narrow), context_(context), components_(surface.component_count()) {
+  DetailSearch(const mesh::Surface& surface, const DetailLimits& limits, const Context& context)
+      : surface_(surface), limits_(limits), context_(context), components_(surface.component_count()) {
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       Component& c = components_[surface.component(f).value()];
       c.faces.push_back(f);
@@ -89,13 +91,16 @@ class DetailSearch {
     drop_sheets_in_the_air();
     double all = 0.0;
     double details = 0.0;
+    std::size_t faces = 0;
     std::vector<Kind> result;
     for (const Component& c : components_) {
       all += c.area;
       details += c.kind == Kind::body ? 0.0 : c.area;
+      faces += c.kind == Kind::body ? 0 : c.faces.size();
       result.push_back(c.kind);
     }
-    if (details > most_area * all) {
+    const double of_faces = static_cast<double>(faces) / static_cast<double>(surface_.face_count());
+    if (details > most_area * all || of_faces < limits_.least_faces) {
       std::fill(result.begin(), result.end(), Kind::body);
     }
     return result;
@@ -110,16 +115,17 @@ class DetailSearch {
       return Kind::body;
     }
     const std::array<double, 3> extent = extents(surface_, c.faces);
-    if (extent[1] < narrow_ && extent[2] <= short_strip * model) {
+    const bool is_crumb = c.area < tiny_area * limits_.narrow * limits_.narrow;
+    if ((is_crumb || extent[1] < limits_.narrow) && extent[2] <= short_strip * model) {
       return Kind::small;
     }
-    return extent[0] < flat * narrow_ && extent[2] <= small_sheet * model ? Kind::sheet : Kind::body;
+    return extent[0] < flat * limits_.narrow && extent[2] <= small_sheet * model ? Kind::sheet : Kind::body;
   }
 
   /// Of the flat sheets only those stay details that lie on something that stays.
   void drop_sheets_in_the_air() {
     std::vector<Box3> boxes;
-    const Vec3 margin{narrow_, narrow_, narrow_};
+    const Vec3 margin{limits_.narrow, limits_.narrow, limits_.narrow};
     for (const Component& c : components_) {
       boxes.push_back({c.box.low - margin, c.box.high + margin});
     }
@@ -141,7 +147,7 @@ class DetailSearch {
 
   [[nodiscard]] bool lies_on(const Component& sheet, const std::vector<FaceId>& others) const {
     context_.check();
-    const double near = narrow_ * narrow_;
+    const double near = limits_.narrow * limits_.narrow;
     return std::all_of(sheet.faces.begin(), sheet.faces.end(), [&](FaceId f) {
       const auto [v0, v1, v2] = surface_.vertices(f);
       const Vec3 p0 = surface_.point(v0);
@@ -160,19 +166,19 @@ class DetailSearch {
   }
 
   const mesh::Surface& surface_;
-  double narrow_;
+  DetailLimits limits_;
   const Context& context_;
   std::vector<Component> components_;
 };
 
 }  // namespace
 
-Details leave_out_details(mesh::Model& model, double narrow, const Context& context) {
+Details leave_out_details(mesh::Model& model, const DetailLimits& limits, const Context& context) {
   const mesh::Surface& surface = model.surface;
   if (surface.component_count() < 2) {
     return {};
   }
-  const std::vector<Kind> kinds = DetailSearch(surface, narrow, context).kinds();
+  const std::vector<Kind> kinds = DetailSearch(surface, limits, context).kinds();
   Details details;
   details.small = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::small));
   details.flat = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::sheet));

@@ -10,12 +10,18 @@
 
 namespace ridgecraft::prepare {
 
-/// Leaves out three kinds of components: those smaller than `narrow` in every direction; strips narrower than
-/// it (window bars, wires) that are short beside the model; and small flat sheets that are everywhere nearer
-/// than it to another component (panes, painted stones). `narrow` is in the unit of the surface. Extents are those along a component's principal axes. Where they have
-/// more than a tenth of the model's area together, they are what the model is made of, and all stay.
-/// O(n log n).
-[[nodiscard]] Details leave_out_details(mesh::Model& model, double narrow,
+/// What is too small, and where that is worth leaving out.
+struct DetailLimits {
+  double narrow = 0.0;       ///< in the unit of the surface
+  double least_faces = 0.0;  ///< the share of the model's faces that details have at least, else all stay
+};
+
+/// Leaves out three kinds of components that are short beside the model: those with less area than a square
+/// of twice `narrow`; strips narrower than `narrow` (window bars, wires); and small flat sheets that are
+/// everywhere nearer than that to another component (panes, painted stones). Extents are those along a
+/// component's principal axes. Where they have more than a tenth of the model's area together, they are what
+/// the model is made of, and all stay. O(n log n).
+[[nodiscard]] Details leave_out_details(mesh::Model& model, const DetailLimits& limits,
                                         const Context& context);
 
 }  // namespace ridgecraft::prepare

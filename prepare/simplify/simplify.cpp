@@ -31,9 +31,15 @@ constexpr double sample_spacing = 0.015;
 constexpr double speck = 0.5;
 /// Where a model has too many faces, bodies with so few keep theirs.
 constexpr std::size_t few_faces = 24;
-/// There walls are what would be ones if the short edge were so many times longer.
-constexpr std::array<double, 3> coarser_walls{1.0, 1.6, 2.5};
-/// Models of more faces take long, so that only the second is tried.
+/// What is tried there, one after the other: walls are what would be ones if the short edge were so many times
+/// longer; and the surface may move by so many times as much, as nobody builds what has more faces.
+struct Coarser {
+  double walls = 1.0;
+  double deviation = 1.0;
+  bool of_fine = false;  ///< tried with models of very many faces, too, which take long
+};
+constexpr std::array<Coarser, 5> coarser{
+    {{1.0, 1.0}, {1.6, 1.0, true}, {2.5, 1.0}, {1.6, 2.0, true}, {2.5, 2.0}}};
 constexpr std::size_t fine_faces = 10000;
 /// The same where a number of faces is asked for; 0: there are no walls.
 constexpr std::array<double, 4> fewer_walls{1.0, 2.0, 4.0, 0.0};
@@ -90,10 +96,15 @@ bool has_few_faces(const SymmetricShare& body) {
   return body.face_count() <= few_faces * (1 + body.copies.size());
 }
 
-/// Each as it needs; and where they have too many faces together, those that have many get fewer, and only
-/// larger walls stay. Whether anything was changed.
-bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodies, BodyRules rules,
-                     const SimplifyOptions& options, const Context& context) {
+struct Allowed {
+  bool changed = false;     ///< anything at all
+  double largest_mm = 0.0;  ///< how far the surface might move
+};
+
+/// Each as it needs; and where they have too many faces together, those that have many get fewer, only larger
+/// walls stay, and in the end the surface may move farther.
+Allowed simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodies, BodyRules rules,
+                        const SimplifyOptions& options, const Context& context) {
   const std::vector<SymmetricShare> before = bodies;
   bool changed = false;
   const auto simplify = [&](std::size_t i, std::size_t most_faces) {
@@ -107,16 +118,18 @@ bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodi
     simplify(i, options.most_faces);
   }
   const mesh::Surface& surface = model.surface;
-  for (const double factor : coarser_walls) {
+  const double largest_mm = rules.largest_mm;
+  for (const Coarser& attempt : coarser) {
     const std::size_t all = face_count(bodies);
     if (all <= options.most_faces) {
       break;
     }
-    if (surface.face_count() > fine_faces && factor != coarser_walls[1]) {
+    if (surface.face_count() > fine_faces && !attempt.of_fine) {
       continue;
     }
-    const Walls walls = find_walls(surface, find_panels(surface), factor * options.short_edge_mm);
+    const Walls walls = find_walls(surface, find_panels(surface), attempt.walls * options.short_edge_mm);
     rules.walls = &walls;
+    rules.largest_mm = attempt.deviation * largest_mm;
     // What those with few faces keep is lacking to the others.
     const std::size_t keep = std::accumulate(bodies.begin(), bodies.end(), std::size_t{0},
                                              [](std::size_t sum, const SymmetricShare& body) {
@@ -130,11 +143,11 @@ bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodi
       }
     }
   }
-  return changed;
+  return {changed, rules.largest_mm};
 }
 
-/// Without features of walls, if asked for.
-void simplify_components(mesh::Model& model, const SimplifyOptions& options, bool features,
+/// Without features of walls, if asked for. How far the surface was allowed to move.
+double simplify_components(mesh::Model& model, const SimplifyOptions& options, bool features,
                          SimplifyReport& report, const Context& context) {
   const mesh::Surface before = model.surface;
   const double extent = before.bounds().largest_extent();
@@ -149,8 +162,9 @@ void simplify_components(mesh::Model& model, const SimplifyOptions& options, boo
   const double evened_mm = evened(start, model);
   const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
   std::vector<SymmetricShare> bodies = divided(start);
-  if (!simplify_bodies(model, bodies, rules, options, context) && report.features_removed == 0) {
-    return;
+  const Allowed allowed = simplify_bodies(model, bodies, rules, options, context);
+  if (!allowed.changed && report.features_removed == 0) {
+    return allowed.largest_mm;
   }
   mesh::Model result;
   mesh::put_together(result, whole(joined(bodies), all));
@@ -159,14 +173,14 @@ void simplify_components(mesh::Model& model, const SimplifyOptions& options, boo
                                           mesh::SurfaceTree(before, rules.spacing_mm), INFINITY, context);
   report.evened_mm = evened_mm;
   take_over(model, std::move(result));
+  return allowed.largest_mm;
 }
 
 void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
                       const Context& context) {
   report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
-  const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
   mesh::Model kept = model;
-  simplify_components(model, options, true, report, context);
+  const double largest_mm = simplify_components(model, options, true, report, context);
   if (report.features_removed > 0 && report.deviation_mm > largest_mm) {
     // What was simplified beside the features moved the surface as far again.
     model = std::move(kept);

@@ -145,3 +145,26 @@ TEST_CASE("fine bodies are simplified one by one") {
   // Its place and unit stay.
   CHECK(std::abs(model.surface.bounds().high.x - 100.0) < 1.5);
 }
+
+TEST_CASE("a model with too many faces loses details that would be hard to fold, if they are why") {
+  const auto stones = [](int count) {
+    Bodies bodies = wall();
+    bodies.add_box({0, 0, -100}, {150, 100, -5});
+    for (int i = 0; i < count; ++i) {
+      const double x = 2.0 + 13.0 * (i % 10);
+      const double y = 4.0 + 9.0 * (i / 10);
+      bodies.add_box({x, y, 10}, {x + 3.5, y + 5, 13.5});  // 3.5 mm: can be folded, if need be
+    }
+    return bodies;
+  };
+  Model few = stones(20).model();
+  CHECK(ready(few, 150.0).left_out.small == 0);
+  Model many = stones(100).model();
+  CHECK(ready(many, 150.0).left_out.small == 100);
+  Bodies slices = stones(20);
+  for (int i = 0; i < 100; ++i) {
+    slices.add_box({0, 0, -200.0 - i}, {150, 100, -199.5 - i});
+  }
+  Model others = slices.model();
+  CHECK(ready(others, 300.0).left_out.small == 0);
+}

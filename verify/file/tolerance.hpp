@@ -65,8 +65,9 @@ constexpr double gap_tolerance_mm = 1e-4;
 /// made quite flat.
 constexpr double same_surface_share = 5e-5;
 /// How far one that was simplified by the program's own choice may be, as a share of its largest extent: a
-/// fiftieth, and a quarter of that because the file doesn't tell how the simplified surface lay on the model.
-constexpr double simplified_share = 0.025;
+/// twenty-fifth, and a quarter of that because the file doesn't tell how the simplified surface lay on the
+/// model.
+constexpr double simplified_share = 0.05;
 /// Distances below this aren't told apart, in mm.
 constexpr double same_point_mm = 1e-7;
 
