@@ -10,6 +10,7 @@
 #include "segment/concavity/vertex_graph.hpp"
 #include "segment/cutting/edge_weights.hpp"
 #include "segment/joining/border.hpp"
+#include "segment/surface/divided_valleys.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {
@@ -220,15 +221,26 @@ Hierarchy find_hierarchy(const mesh::Surface& surface, std::span<const std::uint
   Options options;
   options.concavity = first_tolerance;
   options.holes = Options::Holes::keep;
-  Segmentation finest = segment(surface, polygon, options, context);
+  // What is measured between parts needs the points in the valleys, too.
+  const DividedValleys divided = divide_valleys(surface, polygon, shortest_valley_share * least_tolerance);
+  const mesh::Surface& measured = divided.any() ? divided.surface : surface;
+  const std::span<const std::uint32_t> together = divided.any() ? divided.polygon : polygon;
+  Segmentation finest = segment(measured, together, options, context);
   while (finest.parts.size() < at_least && options.concavity > least_tolerance) {
     options.concavity = std::max(least_tolerance, 0.5 * options.concavity);
-    finest = segment(surface, polygon, options, context);
+    finest = segment(measured, together, options, context);
   }
   if (finest.parts.empty()) {
     return {};
   }
-  return Joiner(surface, polygon, options.concavity, context).run(finest);
+  Hierarchy hierarchy = Joiner(measured, together, options.concavity, context).run(finest);
+  if (divided.any()) {
+    hierarchy.faces = surface.face_count();
+    for (Part& node : hierarchy.nodes) {
+      divided.to_given_numbers(node);
+    }
+  }
+  return hierarchy;
 }
 
 }  // namespace ridgecraft::segment

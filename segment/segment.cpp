@@ -16,6 +16,7 @@
 #include "segment/joining/crumbs.hpp"
 #include "segment/joining/join_parts.hpp"
 #include "segment/surface/component_ties.hpp"
+#include "segment/surface/divided_valleys.hpp"
 #include "segment/surface/scaled_surface.hpp"
 #include "segment/surface/virtual_facets.hpp"
 
@@ -233,15 +234,9 @@ void require_possible(const Options& options) {
   }
 }
 
-}  // namespace
-
-Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
-                     const Options& options, const Context& context) {
-  require_possible(options);
-  context.check();
-  if (surface.face_count() == 0) {
-    return {};
-  }
+/// A surface as it is.
+Segmentation segment_surface(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                             const Options& options, const Context& context) {
   const Ground ground(surface, polygon, options);
   PartWorkers workers(ground.scaled, ground.graph, ground.weights, options.concavity, context, ground.rules);
   PartWorker& worker = workers.first();
@@ -255,6 +250,35 @@ Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t
     absorb_crumbs(ground, worker, parts, context);
   }
   return segmentation_of(std::move(parts), ground);
+}
+
+}  // namespace
+
+Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                     const Options& options, const Context& context) {
+  require_possible(options);
+  context.check();
+  if (surface.face_count() == 0) {
+    return {};
+  }
+  // Where depth isn't capped by the hull, the ends of a valley tell it.
+  const DividedValleys divided =
+      rules_of(options.reading).cap
+          ? divide_valleys(surface, polygon, shortest_valley_share * options.concavity)
+          : DividedValleys();
+  if (!divided.any()) {
+    return segment_surface(surface, polygon, options, context);
+  }
+  Segmentation s = segment_surface(divided.surface, divided.polygon, options, context);
+  s.part = {};
+  s.part.resize(surface.face_count());
+  for (const PartId p : ids<PartId>(s.parts.size())) {
+    divided.to_given_numbers(s.parts[p]);
+    for (const FaceId f : s.parts[p].faces) {
+      s.part[f] = p;
+    }
+  }
+  return s;
 }
 
 }  // namespace ridgecraft::segment
