@@ -151,9 +151,10 @@ void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& co
     mesh::Model apart = model;
     made.skin = prepare::unite_bodies(model, until_deadline(context));
     if (made.skin.united > 0 && is_tangle(model.surface.face_count(), apart.surface.face_count())) {
+      const std::size_t tangled = made.skin.united + made.skin.left_crossing;
       model = std::move(apart);
       made.skin = {};
-      made.skin.left_crossing = model.surface.component_count();
+      made.skin.left_crossing = tangled;
     }
     if (made.skin.united > 0) {
       made.ready.left_out += prepare::leave_out_details(model, made.options.size, made.options.simplify,
@@ -161,16 +162,20 @@ void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& co
     }
     return true;
   });
-  if (made.skin.united == 0 && made.ready.left_out.count() == 0 && made.ready.faces_before == 0) {
+  if (made.skin.united == 0 && made.ready.left_out.count() == 0 &&
+      made.ready.simplified.faces_before == 0) {
     made.options.bodies = prepare::Bodies::keep;
   }
 }
 
 /// What was done to the bodies before they were united is a part of what was done to the model.
-void add_ready(const prepare::ReadyReport& ready, double mm_per_unit, prepare::SimplifyReport& report) {
+void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare::SimplifyReport& report) {
   if (ready.faces_before > 0) {
     report.faces_before = ready.faces_before;
-    report.deviation_mm += mm_per_unit * ready.deviation;
+    report.deviation_mm += mm_per_unit * ready.deviation_mm;
+    report.evened_mm = std::max(report.evened_mm, mm_per_unit * ready.evened_mm);
+    report.specks_dropped += ready.specks_dropped;
+    report.features_removed += ready.features_removed;
   }
 }
 
@@ -211,9 +216,9 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
                             until_deadline(context));
   });
   const mesh::Surface& surface = made.prepared.model.surface;
-  add_ready(made.ready, made.prepared.mm_per_unit * units, made.prepared.simplified);
+  add_ready(made.ready.simplified, made.prepared.mm_per_unit * units, made.prepared.simplified);
   if (made.prepared.size_reason != prepare::SizeReason::none) {
-    if (made.ready.left_out.count() > 0) {
+    if (made.options.bodies == prepare::Bodies::unite) {
       made.options.size.judged_at_mm = options.size.largest_extent_mm;
     }
     made.options.size.largest_extent_mm = std::round(surface.bounds().largest_extent());

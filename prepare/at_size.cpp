@@ -64,6 +64,7 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
   remesh_panels(prepared.model, context);
   prepared.simplified = prepare::simplify(prepared.model, simplify, context);
   prepared.simplified.faces_before = faces_before;
+  prepared.simplified.at_its_size = prepared.simplified.faces_after < faces_before;
   if (prepared.simplified.faces_after < prepared.simplified.faces_before && !size.mm_per_unit) {
     // Collapses move the outermost points, too; the size that was asked for is the finished model's.
     const double factor = resize(prepared.model, size);

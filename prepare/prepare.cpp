@@ -125,8 +125,7 @@ Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSear
 }  // namespace
 
 bool has_many_slivers(const Prepared& prepared) {
-  const bool simplified = prepared.simplified.faces_after < prepared.simplified.faces_before;
-  return prepared.sliver_share > (simplified ? most_slivers : most_own_slivers);
+  return prepared.sliver_share > (prepared.simplified.at_its_size ? most_slivers : most_own_slivers);
 }
 
 bool can_be_folded(const Prepared& prepared) {

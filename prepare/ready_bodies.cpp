@@ -12,8 +12,9 @@ namespace {
 constexpr std::size_t fine_faces = 10000;
 /// Details that are hard to fold go, too, where they have this share of the faces of a model with too many.
 constexpr double busy = 0.2;
-/// Of the way that simplification may move the surface, the share that it may before.
-constexpr double first_half = 0.5;
+/// Of the way that simplification may move the surface, the share that it may before (twice as far where there
+/// are too many faces, as always).
+constexpr double first_part = 0.25;
 
 /// How many millimetres a unit of the model becomes, as far as is known before it has its size.
 double judged_mm_per_unit(const mesh::Model& model, const SizeOptions& size) {
@@ -52,13 +53,17 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
     return report;
   }
   const double mm = judged_mm_per_unit(model, size);
+  if (!(mm > 0.0)) {
+    return report;
+  }
   SimplifyOptions first = simplify;
   first.short_edge_mm /= mm;
   first.tiny_edge_mm /= mm;
-  first.largest_deviation *= first_half;
-  report.faces_before = model.surface.face_count();
+  first.largest_deviation *= first_part;
+  const std::size_t faces_before = model.surface.face_count();
   remesh_panels(model, context);
-  report.deviation = prepare::simplify(model, first, context).deviation_mm;
+  report.simplified = prepare::simplify(model, first, context);
+  report.simplified.faces_before = faces_before;
   return report;
 }
 

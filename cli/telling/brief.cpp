@@ -144,12 +144,13 @@ std::string next_line(const PaperResult& result) {
 std::string details_text(const prepare::Details& details) {
   Clauses clauses;
   if (details.small > 0) {
-    clauses.push_back(fmt::format("{} too small to be folded", counted_bodies(details.small)));
+    clauses.push_back(
+        details.small == 1 ? "1 small body" : fmt::format("{} small bodies", details.small));
   }
   if (details.flat > 0) {
     clauses.push_back(details.flat == 1
-                          ? "1 small flat body that lies on another one"
-                          : fmt::format("{} small flat bodies that lie on others", details.flat));
+                          ? "1 flat one that lies on another body"
+                          : fmt::format("{} flat ones that lie on others", details.flat));
   }
   return fmt::format("{}", fmt::join(clauses, " and "));
 }

@@ -20,7 +20,7 @@ namespace ridgecraft::cli {
 
 void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result);
 
-/// "17 bodies too small to be folded and 4 flat ones that lie on others".
+/// "17 small bodies and 4 flat ones that lie on others".
 [[nodiscard]] std::string details_text(const prepare::Details& details);
 
 }  // namespace ridgecraft::cli

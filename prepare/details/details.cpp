@@ -6,10 +6,11 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <utility>
 #include <vector>
 
-#include "base/near_boxes.hpp"
+#include "base/box_tree.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/symmetry/area_frame.hpp"
@@ -26,10 +27,18 @@ constexpr double tiny_area = 4.0;
 constexpr double small_sheet = 0.25;
 /// Sheets are flat within this share of the width that counts as narrow.
 constexpr double flat = 0.1;
+/// A sheet doesn't lie on what is steeper against it (the cosine of their normals).
+constexpr double steepest = 0.1;
+/// What a wall is larger than its faces, as a share of what is narrow.
+constexpr double side_hair = 0.01;
 /// Details have no more of the model's area together.
 constexpr double most_area = 0.1;
 
-/// Of a part of a surface along its principal axes, ascending.
+/// Turns that are tried about the longest axis.
+constexpr int turns = 24;
+
+/// Of a part of a surface, ascending: along the principal axis with the largest one, and across it as the
+/// body is narrowest. Principal axes alone would be any two of a square bar's.
 std::array<double, 3> extents(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
   std::map<VertexId, VertexId> number;
   std::vector<Vec3> points;
@@ -45,16 +54,31 @@ std::array<double, 3> extents(const mesh::Surface& surface, const std::vector<Fa
     }
     corners.push_back(own);
   }
-  const AreaFrame frame = area_frame(mesh::Surface(points, std::move(corners)));
-  std::array<double, 3> result{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  const auto extent = [&](Vec3 axis) {
     double low = INFINITY;
     double high = -INFINITY;
     for (const Vec3 p : points) {
-      low = std::min(low, dot(p, frame.axes[axis]));
-      high = std::max(high, dot(p, frame.axes[axis]));
+      low = std::min(low, dot(p, axis));
+      high = std::max(high, dot(p, axis));
     }
-    result[axis] = high - low;
+    return high - low;
+  };
+  const std::array<Vec3, 3> axes = area_frame(mesh::Surface(points, std::move(corners))).axes;
+  std::size_t longest = 0;
+  for (std::size_t k = 1; k < axes.size(); ++k) {
+    longest = extent(axes[k]) > extent(axes[longest]) ? k : longest;
+  }
+  const Vec3 u = axes[(longest + 1) % 3];
+  const Vec3 v = axes[(longest + 2) % 3];
+  std::array<double, 3> result{INFINITY, INFINITY, extent(axes[longest])};
+  for (int turn = 0; turn < turns; ++turn) {
+    const double angle = 0.5 * std::numbers::pi * turn / turns;
+    const double one = extent(std::cos(angle) * u + std::sin(angle) * v);
+    const double other = extent(std::cos(angle) * v - std::sin(angle) * u);
+    if (std::min(one, other) < result[0]) {
+      result[0] = std::min(one, other);
+      result[1] = std::max(one, other);
+    }
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -67,6 +91,75 @@ struct Component {
   double area = 0.0;
   Box3 box;
   Kind kind = Kind::body;
+};
+
+bool meet(const Box3& a, const Box3& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+/// What sheets may lie on.
+class Walls {
+ public:
+  Walls(const mesh::Surface& surface, const std::vector<Component>& components)
+      : surface_(surface),
+        faces_(of_bodies(components)),
+        tree_(
+            faces_.size(), [&](std::uint32_t i) { return box_of(faces_[i]); },
+            [&](std::uint32_t i) { return 0.5 * (box_of(faces_[i]).low + box_of(faces_[i]).high); }) {}
+
+  /// Is there a wall between p - way and p + way?
+  [[nodiscard]] bool is_before(Vec3 p, Vec3 way) const {
+    const double hair = side_hair * length(way);
+    const Vec3 around{hair, hair, hair};
+    Box3 box;
+    for (const Vec3 end : {p - way, p + way}) {
+      box.add(end - around);
+      box.add(end + around);
+    }
+    bool found = false;
+    tree_.search([&](std::uint32_t node) { return !found && meet(box, tree_.box(node)); },
+                 [&](std::uint32_t at) { found = found || meets(faces_[tree_.order()[at]], p, way); });
+    return found;
+  }
+
+ private:
+  static std::vector<FaceId> of_bodies(const std::vector<Component>& components) {
+    std::vector<FaceId> faces;
+    for (const Component& c : components) {
+      if (c.kind == Kind::body) {
+        faces.insert(faces.end(), c.faces.begin(), c.faces.end());
+      }
+    }
+    return faces;
+  }
+
+  [[nodiscard]] Box3 box_of(FaceId f) const {
+    Box3 box;
+    for (const VertexId v : surface_.vertices(f)) {
+      box.add(surface_.point(v));
+    }
+    return box;
+  }
+
+  /// The sides of a face belong to it, with a hair around them.
+  [[nodiscard]] bool meets(FaceId f, Vec3 p, Vec3 way) const {
+    const auto [v0, v1, v2] = surface_.vertices(f);
+    const Vec3 a = surface_.point(v0);
+    const Vec3 normal = surface_.normal(f);
+    const double along = dot(normal, way);
+    const double off = dot(normal, a - p);
+    if (std::abs(along) <= steepest * length(way) || std::abs(off) > std::abs(along)) {
+      return false;
+    }
+    const Vec3 q = p + (off / along) * way;
+    const double hair = side_hair * length(way);
+    return mesh::squared_distance(a, surface_.point(v1), surface_.point(v2), q) <= hair * hair;
+  }
+
+  const mesh::Surface& surface_;
+  std::vector<FaceId> faces_;
+  BoxTree<Box3> tree_;
 };
 
 class DetailSearch {
@@ -109,9 +202,8 @@ class DetailSearch {
  private:
   [[nodiscard]] Kind kind_of(const Component& c) const {
     const double model = surface_.bounds().largest_extent();
-    // A component whose box is large in two directions needs no closer look.
-    const Vec3 size = c.box.size();
-    if (std::max({size.x, size.y, size.z}) > std::max(short_strip, small_sheet) * model) {
+    // What is too long needs no closer look.
+    if (c.box.largest_extent() > std::max(short_strip, small_sheet) * model) {
       return Kind::body;
     }
     const std::array<double, 3> extent = extents(surface_, c.faces);
@@ -124,43 +216,30 @@ class DetailSearch {
 
   /// Of the flat sheets only those stay details that lie on something that stays.
   void drop_sheets_in_the_air() {
-    std::vector<Box3> boxes;
-    const Vec3 margin{limits_.narrow, limits_.narrow, limits_.narrow};
-    for (const Component& c : components_) {
-      boxes.push_back({c.box.low - margin, c.box.high + margin});
+    const auto is_sheet = [](const Component& c) { return c.kind == Kind::sheet; };
+    if (std::none_of(components_.begin(), components_.end(), is_sheet)) {
+      return;
     }
-    std::vector<std::vector<FaceId>> around(components_.size());
-    NearBoxes(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
-      for (const auto& [sheet, other] : {std::pair{i, j}, std::pair{j, i}}) {
-        if (components_[sheet].kind == Kind::sheet && components_[other].kind == Kind::body) {
-          const std::vector<FaceId>& faces = components_[other].faces;
-          around[sheet].insert(around[sheet].end(), faces.begin(), faces.end());
-        }
-      }
-    });
-    for (std::size_t c = 0; c < components_.size(); ++c) {
-      if (components_[c].kind == Kind::sheet && !lies_on(components_[c], around[c])) {
-        components_[c].kind = Kind::body;
+    const Walls walls(surface_, components_);
+    for (Component& c : components_) {
+      if (c.kind == Kind::sheet && !lies_on(c, walls)) {
+        c.kind = Kind::body;
       }
     }
   }
 
-  [[nodiscard]] bool lies_on(const Component& sheet, const std::vector<FaceId>& others) const {
-    context_.check();
-    const double near = limits_.narrow * limits_.narrow;
+  /// A pane that fills a hole has a wall all round, but none right behind it.
+  [[nodiscard]] bool lies_on(const Component& sheet, const Walls& walls) const {
     return std::all_of(sheet.faces.begin(), sheet.faces.end(), [&](FaceId f) {
+      context_.check();
       const auto [v0, v1, v2] = surface_.vertices(f);
       const Vec3 p0 = surface_.point(v0);
       const Vec3 p1 = surface_.point(v1);
       const Vec3 p2 = surface_.point(v2);
-      // A pane that fills a hole has its corners on the wall around, but nothing behind its middle.
       const std::array<Vec3, 7> places{
           p0, p1, p2, 0.5 * (p0 + p1), 0.5 * (p1 + p2), 0.5 * (p2 + p0), (p0 + p1 + p2) / 3.0};
       return std::all_of(places.begin(), places.end(), [&](Vec3 p) {
-        return std::any_of(others.begin(), others.end(), [&](FaceId other) {
-          const auto [a, b, c] = surface_.vertices(other);
-          return mesh::squared_distance(surface_.point(a), surface_.point(b), surface_.point(c), p) <= near;
-        });
+        return walls.is_before(p, limits_.narrow * surface_.normal(f));
       });
     });
   }

@@ -25,6 +25,7 @@ struct SimplifyReport {
   double short_edges_before = 0.0;  ///< share of the fold edges below short_edge_mm, but not across a plate
   double short_edges_after = 0.0;
   double tiny_edges_after = 0.0;  ///< share of those that can't be folded by hand: below tiny_edge_mm
+  bool at_its_size = false;       ///< some faces went at the model's size, not just before bodies were united
   bool still_too_fine = false;    ///< nobody could fold it: tiny_edges_after is above short_edge_share
 };
 

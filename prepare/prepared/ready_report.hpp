@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "prepare/prepared/prepared.hpp"
+
 namespace ridgecraft::prepare {
 
 /// Components that were left out.
@@ -21,10 +23,9 @@ struct Details {
 
 struct ReadyReport {
   Details left_out;
-  /// Faces of the model before; 0 where bodies weren't simplified.
-  std::size_t faces_before = 0;
-  /// How far simplification moved the surface, in units of the surface that was given.
-  double deviation = 0.0;
+  /// Of bodies that were simplified one by one, lengths in units of the surface that was given; else without
+  /// any faces.
+  SimplifyReport simplified;
 };
 
 }  // namespace ridgecraft::prepare

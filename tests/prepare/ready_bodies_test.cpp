@@ -69,7 +69,7 @@ TEST_CASE("what nobody could hold is left out: bars, crumbs and panes on a wall"
   const ReadyReport report = ready(model, 150.0);
   CHECK(report.left_out.small == 2);
   CHECK(report.left_out.flat == 1);
-  CHECK(report.faces_before == 0);
+  CHECK(report.simplified.faces_before == 0);
   CHECK(model.surface.component_count() == before - 3);
   // The long post is as narrow as the bar and stays.
   CHECK(model.surface.bounds().high.y == 102.0);
@@ -136,12 +136,12 @@ TEST_CASE("fine bodies are simplified one by one") {
   const std::size_t before = model.surface.face_count();
   REQUIRE(before > 10000);
   const ReadyReport report = ready(model, 300.0);
-  CHECK(report.faces_before == before);
+  CHECK(report.simplified.faces_before == before);
   CHECK(model.surface.face_count() < 1000);
   CHECK(model.surface.component_count() == 2);
   // 1 % of the extent at most, in the file's unit.
-  CHECK(report.deviation > 0.0);
-  CHECK(report.deviation <= 1.5);
+  CHECK(report.simplified.deviation_mm > 0.0);
+  CHECK(report.simplified.deviation_mm <= 1.5);
   // Its place and unit stay.
   CHECK(std::abs(model.surface.bounds().high.x - 100.0) < 1.5);
 }
@@ -167,4 +167,32 @@ TEST_CASE("a model with too many faces loses details that would be hard to fold,
   }
   Model others = slices.model();
   CHECK(ready(others, 300.0).left_out.small == 0);
+}
+
+TEST_CASE("a pane in a hole stays, however small the hole; one right before a wall goes") {
+  // A wall of 150 x 100 with a slot of 5 x 30: four boxes around it.
+  Bodies bodies;
+  bodies.add_box({0, 0, 0}, {70, 100, 10});
+  bodies.add_box({75, 0, 0}, {150, 100, 10});
+  bodies.add_box({70, 0, 0}, {75, 30, 10});
+  bodies.add_box({70, 60, 0}, {75, 100, 10});
+  bodies.add_sheet({70, 30, 9.9}, {5, 0, 0}, {0, 30, 0});
+  bodies.add_sheet({20, 40, 11}, {10, 0, 0}, {0, 10, 0});
+  Model model = bodies.model();
+  CHECK(ready(model, 150.0).left_out.flat == 1);
+}
+
+TEST_CASE("a square bar is as narrow however it is turned about itself") {
+  for (const double turn : {0.0, 0.2, 0.5, 0.785}) {
+    CAPTURE(turn);
+    Bodies bodies = wall();
+    std::vector<Vec3> bar = box_points({0, 0, 0}, {20, 2.7, 2.7});
+    for (Vec3& p : bar) {
+      p = Vec3{20.0 + p.x, 30.0 + std::cos(turn) * p.y - std::sin(turn) * p.z,
+               14.0 + std::sin(turn) * p.y + std::cos(turn) * p.z};
+    }
+    bodies.add(bar, box_faces);
+    Model model = bodies.model();
+    CHECK(ready(model, 150.0).left_out.small == 1);
+  }
 }

@@ -114,8 +114,8 @@ TEST_CASE("a simplified surface may leave the model by what its settings allow",
   const verify::Report report = test::verify_model(json.dump(), cube);
   CHECK(report.sound());
   CHECK(report.model->deviation_mm == Approx(0.3).margin(0.15));
-  CHECK(report.model->allowed_mm.value() == Approx(1.0).margin(0.02));
-  cube.points[8].z = 1.08;
+  CHECK(report.model->allowed_mm.value() == Approx(2.0).margin(0.02));
+  cube.points[8].z = 1.12;
   CHECK_FALSE(test::verify_model(json.dump(), cube).sound());
   json["ridgecraft:settings"]["faces"] = 12;
   CHECK(test::verify_model(json.dump(), cube).sound());
@@ -130,28 +130,50 @@ TEST_CASE("the nearest point of a triangle", "[model]") {
   CHECK(verify::nearest_on({Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{2, 0, 0}}, {3, 1, 0}) == Vec3{3, 0, 0});
 }
 
+namespace {
+
+/// A box of quads, with a floor or without; `first`: number of its first point in the file.
+void write_box(std::ostream& out, Vec3 low, Vec3 high, bool floor, int first) {
+  for (int i = 0; i < 8; ++i) {
+    out << "v " << (i % 2 == 0 ? low.x : high.x) << ' ' << (i / 2 % 2 == 0 ? low.y : high.y) << ' '
+        << (i / 4 == 0 ? low.z : high.z) << '\n';
+  }
+  for (const auto& q : std::vector<std::array<int, 4>>{
+           {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}, {4, 5, 7, 6}, {0, 2, 3, 1}}) {
+    if (floor || q[0] != 0 || q[1] != 2) {
+      out << "f " << q[0] + first << ' ' << q[1] + first << ' ' << q[2] + first << ' ' << q[3] + first
+          << '\n';
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("what is left out as too small needn't be in the nets, all else must", "[model]") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path model = folder / "mast.obj";
+  const auto write = [&](double width) {
+    std::ofstream out(model);
+    write_box(out, {0, 0, 0}, {150, 100, 80}, true, 1);
+    write_box(out, {70, 50, 80}, {70 + width, 50 + width, 105}, true, 9);
+  };
+  write(2.0);
+  const test::WrittenJob job(model, {"--size", "150mm"});
+  CHECK(test::verify_model(job.fold, test::surface_of(model)).sound());
+  write(20.0);
+  const verify::Report report = test::verify_model(job.fold, test::surface_of(model));
+  CHECK(test::broken(report) == std::vector<int>{model_promise});
+}
+
 TEST_CASE("nets of bodies that became one skin", "[model]") {
   // A tower without a floor, a bay that sticks out of its wall and is open below, a chest inside.
   const test::TemporaryFolder folder;
   const std::filesystem::path model = folder / "tower.obj";
-  const auto box = [](std::ostream& out, Vec3 low, Vec3 high, bool floor, int first) {
-    for (int i = 0; i < 8; ++i) {
-      out << "v " << (i % 2 == 0 ? low.x : high.x) << ' ' << (i / 2 % 2 == 0 ? low.y : high.y) << ' '
-          << (i / 4 == 0 ? low.z : high.z) << '\n';
-    }
-    for (const auto& q : std::vector<std::array<int, 4>>{
-             {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}, {4, 5, 7, 6}, {0, 2, 3, 1}}) {
-      if (floor || q[0] != 0 || q[1] != 2) {
-        out << "f " << q[0] + first << ' ' << q[1] + first << ' ' << q[2] + first << ' ' << q[3] + first
-            << '\n';
-      }
-    }
-  };
   const auto write = [&](double bay) {
     std::ofstream out(model);
-    box(out, {0, 0, 0}, {2, 2, 3}, false, 1);
-    box(out, {1, 0.5, 1.5}, {2 + bay, 1.5, 2.5}, false, 9);
-    box(out, {0.5, 0.5, 0.25}, {1, 1, 0.75}, true, 17);
+    write_box(out, {0, 0, 0}, {2, 2, 3}, false, 1);
+    write_box(out, {1, 0.5, 1.5}, {2 + bay, 1.5, 2.5}, false, 9);
+    write_box(out, {0.5, 0.5, 0.25}, {1, 1, 0.75}, true, 17);
   };
   write(1.0);
   for (const std::vector<std::string>& options :

@@ -40,10 +40,15 @@ Box3 bounds_of(const std::vector<Triangle3>& triangles) {
   return box;
 }
 
+/// Normal as long as the triangle's area.
+Vec3 area_vector(const Triangle3& t) {
+  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+}
+
 double area_of(const std::vector<Triangle3>& triangles) {
   double sum = 0.0;
   for (const Triangle3& t : triangles) {
-    sum += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
+    sum += length(area_vector(t));
   }
   return sum;
 }
@@ -143,7 +148,7 @@ class ModelCheck {
     for (const auto& [a, b, c] : surface.faces) {
       model_.push_back({surface.points[a], surface.points[b], surface.points[c]});
     }
-    drop_specks(surface);
+    drop_details(surface);
   }
 
   void run() {
@@ -158,6 +163,14 @@ class ModelCheck {
     }
     Placing place = first_placing(there);
     Farthest farthest = measure(place);
+    if (!without_details_.empty() && farthest.distance > 0.0) {
+      // Details that stick out belong to the model's bounds, not to those of the nets.
+      const Placing without = first_placing(bounds_of(without_details_));
+      if (const Farthest other = measure(without); other.distance < farthest.distance) {
+        farthest = other;
+        place = without;
+      }
+    }
     if (simplified() && farthest.distance > 0.0 && !known_scale_) {
       const Placing better = refined(place);
       if (const Farthest other = measure(better); other.distance < farthest.distance) {
@@ -192,11 +205,13 @@ class ModelCheck {
   /// Did bodies that run into each other become one skin?
   [[nodiscard]] bool united() const { return file_.settings.find("bodies") != nullptr; }
 
-  /// What the program leaves out where it simplifies by its own choice can't be missed.
-  void drop_specks(const ModelSurface& surface) {
+  /// What the program leaves out can't be missed: specks where it simplifies by its own choice, and small
+  /// bodies and flat ones where it unites bodies.
+  void drop_details(const ModelSurface& surface) {
     const Setting* const faces = file_.settings.find("faces");
     const auto* const word = faces == nullptr ? nullptr : std::get_if<std::string>(faces);
-    if (word == nullptr || *word != "auto") {
+    const bool specks = word != nullptr && *word == "auto";
+    if (!specks && !united()) {
       return;
     }
     DisjointSets sets(surface.points.size());
@@ -204,20 +219,45 @@ class ModelCheck {
       sets.join(a, b);
       sets.join(b, c);
     }
-    std::vector<Box3> boxes(surface.points.size());
-    for (const auto& face : surface.faces) {
-      for (const std::uint32_t v : face) {
-        boxes[sets.find(v)].add(surface.points[v]);
+    struct Component {
+      Box3 box;
+      double area = 0.0;
+      Vec3 normal;  // sum of those of its faces
+    };
+    std::vector<Component> components(surface.points.size());
+    for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+      Component& c = components[sets.find(surface.faces[f][0])];
+      for (const Vec3 p : model_[f]) {
+        c.box.add(p);
       }
+      c.normal += area_vector(model_[f]);
+      c.area += length(area_vector(model_[f]));
     }
-    const double scale = bounds_of(nets_).largest_extent() / bounds_of(model_).largest_extent();
+    const double extent = bounds_of(model_).largest_extent();
+    const double scale = bounds_of(nets_).largest_extent() / extent;
+    const auto may_be_missing = [&](const Component& c) {
+      const double longest = scale * c.box.largest_extent();
+      if (specks && longest < speck_mm) {
+        return true;
+      }
+      const double area = scale * scale * c.area;
+      const bool is_strip = area <= 4.0 * detail_mm * (scale * c.box.diagonal() + detail_mm);
+      const bool is_flat = length(c.normal) >= flat_detail_cosine * c.area;
+      return united() && longest <= detail_length_share * scale * extent && (is_strip || is_flat);
+    };
+    double missing = 0.0;
     std::vector<Triangle3> kept;
     for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-      if (scale * boxes[sets.find(surface.faces[f][0])].largest_extent() >= speck_mm) {
+      const Component& c = components[sets.find(surface.faces[f][0])];
+      if (may_be_missing(c)) {
+        missing += length(area_vector(model_[f]));
+      } else {
         kept.push_back(model_[f]);
       }
     }
-    without_specks_ = std::move(kept);
+    if (missing <= details_area_share * area_of(model_)) {
+      without_details_ = std::move(kept);
+    }
   }
 
   Placing first_placing(const Box3& there) {
@@ -239,7 +279,7 @@ class ModelCheck {
     // hidden.
     look_farther(samples_of(nets_, spacing), SurfaceTree(model), given_.context, farthest,
                  [&](Vec3 p) { return united() && std::abs(winding(model, p)) > in_opening; });
-    look_farther(samples_of(without_specks_.empty() ? model : placed(without_specks_, place), spacing),
+    look_farther(samples_of(without_details_.empty() ? model : placed(without_details_, place), spacing),
                  SurfaceTree(nets_), given_.context, farthest,
                  [&](Vec3 p) { return united() && std::abs(winding(nets_, p)) > in_opening; });
     return farthest;
@@ -304,7 +344,7 @@ class ModelCheck {
   std::string digest_;
   std::vector<Triangle3> nets_;   ///< the second frame
   std::vector<Triangle3> model_;  ///< in its own unit
-  std::vector<Triangle3> without_specks_;
+  std::vector<Triangle3> without_details_;
   bool known_scale_ = false;
 };
 

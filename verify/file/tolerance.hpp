@@ -71,6 +71,14 @@ constexpr double simplified_share = 0.05;
 /// Distances below this aren't told apart, in mm.
 constexpr double same_point_mm = 1e-7;
 
+/// Bodies that may be missing where others became one skin: strips of this width, in mm, ...
+constexpr double detail_mm = 6.0;
+/// ... or flat sheets, whose normals add up to this share of their area; ...
+constexpr double flat_detail_cosine = 0.99;
+/// ... no longer than this share of the model; together no more of its area than this.
+constexpr double detail_length_share = 0.26;
+constexpr double details_area_share = 0.35;
+
 /// Components smaller than this are left out where the program simplifies, in mm: half of a short edge, and
 /// what the final size adds.
 constexpr double speck_mm = 3.1;
