@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/files/edge_arguments.hpp"
+#include "export/export.hpp"
 #include "job/options.hpp"
 #include "segment/segment.hpp"
 
@@ -40,6 +41,7 @@ struct PaperJob {
   bool overwrite = false;
   AskedSize size_asked;
   std::string paper_name = "A4";
+  paper::DxfKind dxf = paper::DxfKind::r2000;
   job::Options options;  ///< but for the edges that these name:
   EdgeArguments edges;
 };

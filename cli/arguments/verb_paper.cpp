@@ -17,6 +17,9 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
+const Choices<paper::DxfKind> dxf_kinds{
+    {"r2000", paper::DxfKind::r2000}, {"r12", paper::DxfKind::r12}, {"plain", paper::DxfKind::plain}};
+
 ManualSection verbs_section() {
   return {"Verbs for single steps",
           {{"info MODEL", "What a file holds, and what had to be repaired."},
@@ -142,7 +145,11 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.list(
       "Output", "-o,--output", job.outputs, "WHERE",
       "A folder gets all default formats (PDF, SVG, FOLD); a file's suffix names its format (.pdf, .svg, "
-      ".fold, .png). May be given several times (the current folder).");
+      ".fold, .png, .dxf). May be given several times (the current folder).");
+  std::string dxf;
+  verb.option("Output", "--dxf", dxf, "r2000|r12|plain",
+              "Which DXF: r2000 tells the unit; r12 is for older machines; plain is single lines on one layer "
+              "(r2000).");
   verb.flag("Output", "--overwrite", job.overwrite,
             "Replace existing files, also those that weren't made from this model.");
   size.add_to(verb, "auto");
@@ -167,6 +174,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     }
     require(job.model, "name the model to turn into paper", "ridgecraft");
     job.common = common.checked();
+    job.dxf = choice_or_refuse<paper::DxfKind>("--dxf", dxf, dxf_kinds);
     size.check_into(job.options, job.size_asked);
     texts.check_into(job);
     job.options.pieces = pieces.rules();

@@ -12,7 +12,7 @@
 namespace ridgecraft::cli {
 
 /// What the main job writes.
-enum class Format { pdf, svg, fold, png };
+enum class Format { pdf, svg, fold, png, dxf };
 
 /// The main job's format with this suffix (lower case, with its dot); none where it writes no such files.
 [[nodiscard]] std::optional<Format> paper_format(std::string_view suffix);
@@ -20,13 +20,13 @@ enum class Format { pdf, svg, fold, png };
 /// ".pdf"
 [[nodiscard]] const char* suffix(Format format);
 
-/// SVG and PNG hold one page each, PDF and FOLD all of them.
+/// SVG, PNG and DXF hold one page each, PDF and FOLD all of them.
 [[nodiscard]] bool one_file_per_page(Format format);
 
 /// What a folder after -o gets, and what is written without -o.
 [[nodiscard]] std::vector<Format> default_formats();
 
-/// ".pdf, .svg, .fold and .png", for a sentence.
+/// ".pdf, .svg, .fold, .png and .dxf", for a sentence.
 [[nodiscard]] std::string paper_suffixes();
 
 /// The suffix in lower case, with its dot.

@@ -27,7 +27,7 @@ std::string printed(const fs::path& file) {
 }
 
 /// Writes one target's files under their temporary names.
-void add_target(const Target& target, const job::Paper& made, PendingFiles& pending,
+void add_target(const Target& target, const job::Paper& made, paper::DxfKind dxf, PendingFiles& pending,
                 std::vector<std::string>& written) {
   const paper::Mark mark = mark_of(made.prepared.model);
   const std::vector<fs::path> files = files_of(target, made.drawings.size());
@@ -41,6 +41,9 @@ void add_target(const Target& target, const job::Paper& made, PendingFiles& pend
         break;
       case Format::png:
         pending.add(files[i], paper::write_png(made.drawings[i], mark));
+        break;
+      case Format::dxf:
+        pending.add(files[i], paper::write_dxf(made.drawings[i], mark, dxf));
         break;
       case Format::fold:
         pending.add(files[i], made.fold);
@@ -164,7 +167,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
     const std::size_t pages = result.made.drawings.size();
     require_all_replaceable(job, targets, pages, digest);
     for (const Target& target : targets) {
-      add_target(target, result.made, pending, result.files);
+      add_target(target, result.made, job.dxf, pending, result.files);
     }
     context.check();
     result.file_notes = pending.commit([&] {

@@ -109,6 +109,9 @@ std::string read_mark_digest(std::string_view bytes) {
   if (bytes.starts_with("# ") && bytes.substr(2).starts_with(word_start)) {
     return leading_digest(bytes.substr(2 + word_start.size()));  // OBJ
   }
+  if (bytes.starts_with("999\n")) {
+    return digest_after_word(bytes.substr(0, mesh_header_size));  // DXF
+  }
   const auto first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) {
     return {};

@@ -123,11 +123,12 @@ std::string json_text(const Words& words, const TemporaryFolder& folder) {
 TEST_CASE("printed nets are as they were", "[golden]") {
   const TemporaryFolder folder;
   write_model(folder);
-  for (const std::string name : {"house.pdf", "house.svg", "house.png", "house.fold"}) {
+  for (const std::string name : {"house.pdf", "house.svg", "house.png", "house.fold", "house.dxf"}) {
     run_well({"house.obj", "--size", "45mm", "--paper", "A6", "-o", name}, folder);
   }
   check_golden("files/house.pdf.txt", pdf_text("house.pdf", folder));
   check_golden("files/house.png.txt", png_text(read_bytes(folder / "house.png")));
+  check_golden("files/house.dxf", read_bytes(folder / "house.dxf"));
   check_golden("files/house.svg", read_bytes(folder / "house.svg"));
   check_golden("files/house.fold", read_bytes(folder / "house.fold"));
 }

@@ -31,6 +31,7 @@ const std::string svg = "<?xml version='1.0'?>\n<svg><metadata>\n" + word + "</m
 const std::string pdf = "%PDF-1.5\n1 0 obj\n<< /Keywords (" + word + ") >>\nendobj\n";
 const std::string fold = "{\n\"file_spec\": 1.2, \"ridgecraft:model_digest\" : \"" + digest + "\"}";
 const std::string obj = "# " + word + "\nv 0 0 0\n";
+const std::string dxf = "999\nridgecraft 1 " + word + "\n  0\nSECTION\n";
 const std::string urdf = "<?xml version=\"1.0\"?>\n<!-- " + word + " -->\n<robot name=\"x\">\n</robot>\n";
 
 }  // namespace
@@ -38,6 +39,7 @@ const std::string urdf = "<?xml version=\"1.0\"?>\n<!-- " + word + " -->\n<robot
 TEST_CASE("the mark is found in every format", "[mark]") {
   CHECK(read_mark_digest(obj) == digest);
   CHECK(read_mark_digest(urdf) == digest);
+  CHECK(read_mark_digest(dxf) == digest);
   CHECK(read_mark_digest(png) == digest);
   CHECK(read_mark_digest(svg) == digest);
   CHECK(read_mark_digest(pdf) == digest);
@@ -64,7 +66,7 @@ TEST_CASE("a file of another program has no mark", "[mark]") {
 }
 
 TEST_CASE("the mark survives no byte that is cut off, and any bytes are read", "[mark]") {
-  for (const std::string& whole : {png, svg, pdf, fold, obj, urdf}) {
+  for (const std::string& whole : {png, svg, pdf, fold, obj, urdf, dxf}) {
     for (std::size_t size = 0; size <= whole.size(); ++size) {
       const std::string found = read_mark_digest(std::string_view(whole).substr(0, size));
       CHECK((found.empty() || digest.starts_with(found)));

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/machine/operations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "export/style/stroke_font.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+constexpr double shortest_path_mm = 0.2;
+constexpr double nearest_points_mm = 0.05;
+
+double length_of(const std::vector<Vec2>& points, bool closed) {
+  double sum = closed ? length(points.front() - points.back()) : 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    sum += length(points[i] - points[i - 1]);
+  }
+  return sum;
+}
+
+double doubled_area(const std::vector<Vec2>& points) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sum += cross(points[i], points[(i + 1) % points.size()]);
+  }
+  return sum;
+}
+
+/// Without crumbs; none where nothing is left.
+std::optional<Path> cleaned(Operation operation, const std::vector<Vec2>& points, bool closed) {
+  Path path{operation, {}, closed};
+  for (const Vec2 p : points) {
+    if (path.points.empty() || length(p - path.points.back()) >= nearest_points_mm) {
+      path.points.push_back(p);
+    }
+  }
+  // An open line ends where it ended.
+  if (!closed && path.points.size() > 1) {
+    path.points.back() = points.back();
+  }
+  while (closed && path.points.size() > 1 &&
+         length(path.points.back() - path.points.front()) < nearest_points_mm) {
+    path.points.pop_back();
+  }
+  if (path.points.size() < (closed ? 3 : 2) || length_of(path.points, closed) < shortest_path_mm) {
+    return std::nullopt;
+  }
+  return path;
+}
+
+std::optional<Operation> operation_of(Layer layer) {
+  switch (layer) {
+    case Layer::mountain:
+      return Operation::mountain;
+    case Layer::valley:
+      return Operation::valley;
+    case Layer::tab_fold:
+      return Operation::tab_fold;
+    case Layer::label:
+    case Layer::piece_name:
+      return Operation::engrave;
+    case Layer::cut:
+      return Operation::cut_inner;  // but for the outline
+    case Layer::tab_fill:
+    case Layer::mark:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// Of a piece's closed cuts the one that goes round all others.
+const Line* outline_of(const Group& group) {
+  const Line* outline = nullptr;
+  double largest = 0.0;
+  for (const Line& line : group.lines) {
+    if (line.layer == Layer::cut && line.closed) {
+      if (const double area = std::abs(doubled_area(line.points)); area > largest) {
+        largest = area;
+        outline = &line;
+      }
+    }
+  }
+  return outline;
+}
+
+class Plan {
+ public:
+  void add(const Group& group) {
+    const Line* const outline = outline_of(group);
+    for (const Line& line : group.lines) {
+      if (const auto operation = operation_of(line.layer)) {
+        add(&line == outline ? Operation::cut_outer : *operation, line.points, line.closed);
+      }
+    }
+    for (const Text& text : group.texts) {
+      if (const auto operation = operation_of(text.layer)) {
+        for (const std::vector<Vec2>& stroke : text_strokes(text)) {
+          add(*operation, stroke, false);
+        }
+      }
+    }
+  }
+
+  std::vector<Path> in_order() {
+    std::stable_sort(paths_.begin(), paths_.end(),
+                     [](const Path& a, const Path& b) { return a.operation < b.operation; });
+    return std::move(paths_);
+  }
+
+ private:
+  void add(Operation operation, const std::vector<Vec2>& points, bool closed) {
+    std::optional<Path> path = cleaned(operation, points, closed);
+    if (!path) {
+      return;
+    }
+    if (closed && (doubled_area(path->points) > 0.0) != (operation == Operation::cut_outer)) {
+      std::reverse(path->points.begin(), path->points.end());
+    }
+    paths_.push_back(std::move(*path));
+  }
+
+  std::vector<Path> paths_;
+};
+
+/// Furniture isn't a piece: all its lines and texts are marks.
+bool is_piece(const Group& group) {
+  return outline_of(group) != nullptr;
+}
+
+}  // namespace
+
+std::vector<Path> machine_paths(const Drawing& page) {
+  Plan plan;
+  for (const Group& group : page.groups) {
+    if (is_piece(group)) {
+      plan.add(group);
+    }
+  }
+  return plan.in_order();
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a machine does on a page, in order: nothing but lines, each once, none too short to be meant.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "export/sheet/drawing.hpp"
+
+namespace ridgecraft::paper {
+
+/// In the order in which a sheet is worked: while it lies still and whole, what is written and folded; then
+/// what falls out; outlines last.
+enum class Operation {
+  engrave,   ///< numbers and names
+  mountain,  ///< folds away from the printed side
+  valley,    ///< folds towards it
+  tab_fold,  ///< bases of tabs
+  cut_inner, ///< holes, and slits in a piece
+  cut_outer, ///< outlines of pieces
+};
+inline constexpr int operation_count = 6;
+
+struct Path {
+  Operation operation = Operation::cut_outer;
+  std::vector<Vec2> points;  ///< two or more; of a closed path three or more, the first one once
+  bool closed = false;       ///< outlines, counterclockwise, and holes, clockwise
+};
+
+/// The pieces of a page as paths, by operation and then by piece. What a printer draws around them (scale bar,
+/// legend, lists) isn't there, and neither are the areas of tabs. Paths shorter than 0.2 mm are left out and
+/// points within 0.05 mm of the one before: rounding makes them, where nets touch themselves, and a laser burns
+/// holes there. Names in letters that the alphabet of lines doesn't have are left out. O(n).
+[[nodiscard]] std::vector<Path> machine_paths(const Drawing& page);
+
+}  // namespace ridgecraft::paper
