@@ -41,6 +41,7 @@ struct PaperJob {
   bool overwrite = false;
   AskedSize size_asked;
   std::string paper_name = "A4";
+  const paper::Preset* preset = nullptr;  ///< none: a printer
   paper::DxfKind dxf = paper::DxfKind::r2000;
   job::Options options;  ///< but for the edges that these name:
   EdgeArguments edges;

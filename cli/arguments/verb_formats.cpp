@@ -6,7 +6,8 @@
 namespace ridgecraft::cli {
 
 Job build_formats(const Arguments* arguments, Manual* manual) {
-  Verb verb("ridgecraft formats", "lists the formats that are read and written");
+  Verb verb("ridgecraft formats",
+            "lists the formats that are read and written, and the presets for machines");
   verb.usage("ridgecraft formats [--json]");
   verb.example("ridgecraft formats", "The list.");
   FormatsJob job;

@@ -20,6 +20,23 @@ constexpr double degree = std::numbers::pi / 180.0;
 const Choices<paper::DxfKind> dxf_kinds{
     {"r2000", paper::DxfKind::r2000}, {"r12", paper::DxfKind::r12}, {"plain", paper::DxfKind::plain}};
 
+Choices<const paper::Preset*> preset_choices() {
+  Choices<const paper::Preset*> choices{{"print", nullptr}};
+  for (const paper::Preset& preset : paper::presets()) {
+    choices.emplace_back(preset.name, &preset);
+  }
+  return choices;
+}
+
+/// "print|lightburn|..."
+std::string preset_words() {
+  std::string words;
+  for (const auto& [word, preset] : preset_choices()) {
+    words += (words.empty() ? "" : "|") + word;
+  }
+  return words;
+}
+
 ManualSection verbs_section() {
   return {"Verbs for single steps",
           {{"info MODEL", "What a file holds, and what had to be repaired."},
@@ -146,10 +163,14 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
       "Output", "-o,--output", job.outputs, "WHERE",
       "A folder gets all default formats (PDF, SVG, FOLD); a file's suffix names its format (.pdf, .svg, "
       ".fold, .png, .dxf). May be given several times (the current folder).");
+  std::string preset;
+  verb.option("Output", "--preset", preset, preset_words(),
+              "Files as a machine or its program expects them, named after it: pieces alone, lines by "
+              "operation (formats lists them; print).");
   std::string dxf;
   verb.option("Output", "--dxf", dxf, "r2000|r12|plain",
-              "Which DXF: r2000 tells the unit; r12 is for older machines; plain is single lines on one layer "
-              "(r2000).");
+              "Which DXF: r2000 tells the unit; r12 is for older machines; plain is single lines on one "
+              "layer (r2000).");
   verb.flag("Output", "--overwrite", job.overwrite,
             "Replace existing files, also those that weren't made from this model.");
   size.add_to(verb, "auto");
@@ -174,7 +195,11 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     }
     require(job.model, "name the model to turn into paper", "ridgecraft");
     job.common = common.checked();
-    job.dxf = choice_or_refuse<paper::DxfKind>("--dxf", dxf, dxf_kinds);
+    job.preset = choice_or_refuse<const paper::Preset*>("--preset", preset, preset_choices());
+    if (job.preset != nullptr && job.preset->dxf && dxf.empty()) {
+      job.dxf = *job.preset->dxf;
+    }
+    job.dxf = dxf.empty() ? job.dxf : choice_or_refuse<paper::DxfKind>("--dxf", dxf, dxf_kinds);
     size.check_into(job.options, job.size_asked);
     texts.check_into(job);
     job.options.pieces = pieces.rules();

@@ -34,7 +34,8 @@ constexpr std::array paper_formats{
     PaperRow{Format::svg, {".svg", "pages with a layer for each class of line; default"}, true, true},
     PaperRow{Format::fold, {".fold", "FOLD 1.2: nets, joins, tabs and the model; default"}, false, true},
     PaperRow{Format::png, {".png", "pages as pictures"}, true, false},
-    PaperRow{Format::dxf, {".dxf", "pieces for cutters and lasers, a layer for each operation"}, true, false}};
+    PaperRow{
+        Format::dxf, {".dxf", "pieces for cutters and lasers, a layer for each operation"}, true, false}};
 /// What the other verbs write.
 constexpr std::array verb_formats{Row{".fold", "nets without pages (unfold)"},
                                   Row{".ply", "parts in colour (segment); meshes (cage, shell, deform)"},
@@ -81,7 +82,17 @@ bool one_file_per_page(Format format) {
   return row(format).per_page;
 }
 
-std::vector<Format> default_formats() {
+std::vector<Format> default_formats(const paper::Preset* preset) {
+  if (preset != nullptr) {
+    std::vector<Format> formats;
+    if (preset->svg) {
+      formats.push_back(Format::svg);
+    }
+    if (preset->dxf) {
+      formats.push_back(Format::dxf);
+    }
+    return formats;
+  }
   std::vector<Format> formats;
   for (const PaperRow& r : paper_formats) {
     if (r.by_default) {

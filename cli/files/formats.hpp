@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "export/export.hpp"
+
 namespace ridgecraft::cli {
 
 /// What the main job writes.
@@ -23,8 +25,8 @@ enum class Format { pdf, svg, fold, png, dxf };
 /// SVG, PNG and DXF hold one page each, PDF and FOLD all of them.
 [[nodiscard]] bool one_file_per_page(Format format);
 
-/// What a folder after -o gets, and what is written without -o.
-[[nodiscard]] std::vector<Format> default_formats();
+/// What a folder after -o gets, and what is written without -o: for a printer, or for a machine.
+[[nodiscard]] std::vector<Format> default_formats(const paper::Preset* preset = nullptr);
 
 /// ".pdf, .svg, .fold, .png and .dxf", for a sentence.
 [[nodiscard]] std::string paper_suffixes();

@@ -63,11 +63,13 @@ void require_no_dash(const std::string& option, const std::string& output) {
   }
 }
 
-std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name) {
+std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name,
+                                 const paper::Preset* preset) {
   std::vector<Target> targets;
+  const std::string stem = preset == nullptr ? model_name : model_name + "-" + std::string(preset->name);
   const auto add_folder = [&](const fs::path& folder) {
-    for (const Format format : default_formats()) {
-      targets.push_back({format, folder, model_name, suffix(format)});
+    for (const Format format : default_formats(preset)) {
+      targets.push_back({format, folder, stem, suffix(format)});
     }
   };
   if (outputs.empty()) {

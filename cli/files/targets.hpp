@@ -26,11 +26,13 @@ struct Target {
 /// Refuses - after an option that names a result ("--labels"): Error(usage).
 void require_no_dash(const std::string& option, const std::string& output);
 
-/// What -o asks for; without any, all default formats (PDF, SVG, FOLD) in the current folder. Folders that
+/// What -o asks for; without any, all default formats in the current folder (PDF, SVG and FOLD; or those of the
+/// preset, whose name the files bear). Folders that
 /// are asked for and don't exist are created when files are written. Throws Error(usage) for a suffix that is
 /// no format, Error(cant_write) for a folder that can't be written to.
 [[nodiscard]] std::vector<Target> plan_targets(const std::vector<std::string>& outputs,
-                                               const std::string& model_name);
+                                               const std::string& model_name,
+                                               const paper::Preset* preset = nullptr);
 
 /// The same for all names of one place in the file system: the folder without links, dots and the like. A
 /// link as last name stays, since a file that is written replaces it.

@@ -27,9 +27,10 @@ std::string printed(const fs::path& file) {
 }
 
 /// Writes one target's files under their temporary names.
-void add_target(const Target& target, const job::Paper& made, paper::DxfKind dxf, PendingFiles& pending,
+void add_target(const Target& target, const job::Paper& made, const PaperJob& job, PendingFiles& pending,
                 std::vector<std::string>& written) {
   const paper::Mark mark = mark_of(made.prepared.model);
+  const paper::PathRules rules = job.preset == nullptr ? paper::PathRules{} : job.preset->paths;
   const std::vector<fs::path> files = files_of(target, made.drawings.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     switch (target.format) {
@@ -37,13 +38,15 @@ void add_target(const Target& target, const job::Paper& made, paper::DxfKind dxf
         pending.add(files[i], paper::write_pdf(made.drawings, mark));
         break;
       case Format::svg:
-        pending.add(files[i], paper::write_svg(made.drawings[i], mark));
+        pending.add(files[i], job.preset == nullptr
+                                  ? paper::write_svg(made.drawings[i], mark)
+                                  : paper::write_machine_svg(made.drawings[i], mark, *job.preset));
         break;
       case Format::png:
         pending.add(files[i], paper::write_png(made.drawings[i], mark));
         break;
       case Format::dxf:
-        pending.add(files[i], paper::write_dxf(made.drawings[i], mark, dxf));
+        pending.add(files[i], paper::write_dxf(made.drawings[i], mark, job.dxf, rules));
         break;
       case Format::fold:
         pending.add(files[i], made.fold);
@@ -88,7 +91,7 @@ void require_all_replaceable(const PaperJob& job, const std::vector<Target>& tar
 
 /// What is known of the outputs is checked before the long work.
 std::vector<Target> checked_targets(const PaperJob& job) {
-  std::vector<Target> targets = plan_targets(job.outputs, results_name(job.model));
+  std::vector<Target> targets = plan_targets(job.outputs, results_name(job.model), job.preset);
   if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
     paper::check_pdf_size(job.options.paper->size);
   }
@@ -167,7 +170,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
     const std::size_t pages = result.made.drawings.size();
     require_all_replaceable(job, targets, pages, digest);
     for (const Target& target : targets) {
-      add_target(target, result.made, job.dxf, pending, result.files);
+      add_target(target, result.made, job, pending, result.files);
     }
     context.check();
     result.file_notes = pending.commit([&] {

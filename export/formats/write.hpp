@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "export/machine/presets.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/mark.hpp"
 #include "export/sheet/pages.hpp"
@@ -24,15 +25,13 @@ void check_pdf_size(Vec2 page_mm);
 [[nodiscard]] std::string write_pdf(std::span<const Drawing> pages, const Mark& mark);
 /// Bytes of the SVG of one page, in true millimetres, a layer for each class of line.
 [[nodiscard]] std::string write_svg(const Drawing& page, const Mark& mark);
-/// Which DXF.
-enum class DxfKind {
-  r2000,  ///< release 2000: millimetres stand in the file
-  r12,    ///< release 12, for older machines: a unit can't be told
-  plain,  ///< release 12, single lines on layer 0
-};
-/// Bytes of the DXF of one page's pieces, in true millimetres, y up: what a machine cuts, folds and engraves,
-/// in that order, a layer for each (export/machine/operations.hpp). Same input, same bytes.
-[[nodiscard]] std::string write_dxf(const Drawing& page, const Mark& mark, DxfKind kind = DxfKind::r2000);
+/// Bytes of the SVG of one page's pieces as a machine's program expects it: in true millimetres, a colour and
+/// a layer for each operation, in the order of work.
+[[nodiscard]] std::string write_machine_svg(const Drawing& page, const Mark& mark, const Preset& preset);
+/// Bytes of the DXF of one page's pieces, in true millimetres, y up: what a machine engraves, folds and cuts,
+/// in that order, a layer for each. Same input, same bytes.
+[[nodiscard]] std::string write_dxf(const Drawing& page, const Mark& mark, DxfKind kind = DxfKind::r2000,
+                                    const PathRules& rules = {});
 /// Bytes of a PNG of one page; coarser than asked where it would have more than 100 million pixels.
 [[nodiscard]] std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch = 150.0);
 

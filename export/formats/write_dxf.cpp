@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DXF of one page (Autodesk, DXF reference, releases 12 and 2000): ASCII, millimetres, y up, straight lines and
-// closed polylines on a layer for each operation. No blocks, splines, texts or hatches, as cutters and laser
-// shops ask. Written by hand: the library at hand leaves out the owners of its tables, which readers repair.
+// DXF of one page (Autodesk, DXF reference, releases 12 and 2000): ASCII, millimetres, y up, straight lines
+// and closed polylines on a layer for each operation. No blocks, splines, texts or hatches, as cutters and
+// laser shops ask. Written by hand: the library at hand leaves out the owners of its tables, which readers
+// repair.
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -54,8 +55,8 @@ enum Handle : unsigned {
 
 class DxfWriter {
  public:
-  DxfWriter(const Drawing& page, const Mark& mark, DxfKind kind)
-      : page_(page), mark_(mark), kind_(kind), paths_(machine_paths(page)) {}
+  DxfWriter(const Drawing& page, const Mark& mark, DxfKind kind, const PathRules& rules)
+      : page_(page), mark_(mark), kind_(kind), paths_(machine_paths(page, rules)) {}
 
   std::string write() {
     // The handle after the last one stands in the header, before any of them.
@@ -371,8 +372,8 @@ class DxfWriter {
 
 }  // namespace
 
-std::string write_dxf(const Drawing& page, const Mark& mark, DxfKind kind) {
-  return DxfWriter(page, mark, kind).write();
+std::string write_dxf(const Drawing& page, const Mark& mark, DxfKind kind, const PathRules& rules) {
+  return DxfWriter(page, mark, kind, rules).write();
 }
 
 }  // namespace ridgecraft::paper

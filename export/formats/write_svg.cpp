@@ -11,6 +11,7 @@
 
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
+#include "export/formats/decimals.hpp"
 #include "export/formats/layer_order.hpp"
 #include "export/formats/write.hpp"
 #include "export/style/line_style.hpp"
@@ -21,16 +22,6 @@ namespace {
 
 std::string escaped(std::string_view text) {
   return xml_escaped(printable_utf8(text));
-}
-
-/// At most four decimals (0.1 micrometre), no trailing zeros, no negative zero.
-std::string number(double value) {
-  std::string text = fmt::format("{:.4f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') {
-    text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
 }
 
 std::string color(Color c) {
@@ -61,12 +52,12 @@ class SvgWriter {
     fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
   }
 
-  [[nodiscard]] std::string x(Vec2 p) const { return number(p.x); }
-  [[nodiscard]] std::string y(Vec2 p) const { return number(page_.size.y - p.y); }
+  [[nodiscard]] std::string x(Vec2 p) const { return decimals(p.x); }
+  [[nodiscard]] std::string y(Vec2 p) const { return decimals(page_.size.y - p.y); }
 
   void head() {
-    const std::string width = number(page_.size.x);
-    const std::string height = number(page_.size.y);
+    const std::string width = decimals(page_.size.x);
+    const std::string height = decimals(page_.size.y);
     put("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
@@ -130,11 +121,11 @@ class SvgWriter {
   void write_line(const Line& line) {
     const LineStyle style = style_of(line);
     put("      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", color(style.color),
-        number(style.width));
+        decimals(style.width));
     if (const std::vector<double> dashes = dashes_of(line); !dashes.empty()) {
       put(" stroke-linecap=\"butt\" stroke-dasharray=\"");
       for (std::size_t i = 0; i < dashes.size(); ++i) {
-        put("{}{}", i == 0 ? "" : " ", number(dashes[i]));
+        put("{}{}", i == 0 ? "" : " ", decimals(dashes[i]));
       }
       put("\"");
     }
@@ -155,7 +146,7 @@ class SvgWriter {
     }
     // The words stay in the file for people who search it and for programs that read it aloud.
     put("      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" aria-label=\"{}\" d=\"{}\"/>\n",
-        color(color_of(text)), number(pen_width(text)), escaped(text.text), d);
+        color(color_of(text)), decimals(pen_width(text)), escaped(text.text), d);
   }
 
   void write_real_text(const Text& text) {
@@ -165,12 +156,12 @@ class SvgWriter {
     const Vec2 baseline = text.centre + 0.5 * text.height * down + half * perpendicular(-down);
     put("      <text x=\"{}\" y=\"{}\"", x(baseline), y(baseline));
     if (std::abs(text.angle) > 0.0) {
-      put(" transform=\"rotate({} {} {})\"", number(-text.angle * 180.0 / 3.14159265358979323846),
+      put(" transform=\"rotate({} {} {})\"", decimals(-text.angle * 180.0 / 3.14159265358979323846),
           x(baseline), y(baseline));
     }
     put(" font-family=\"sans-serif\" font-size=\"{}\" fill=\"{}\" "
         "stroke=\"none\">{}</text>\n",
-        number(text.height * font_size_per_height), color(color_of(text)), escaped(text.text));
+        decimals(text.height * font_size_per_height), color(color_of(text)), escaped(text.text));
   }
 
   const Drawing& page_;

@@ -2,11 +2,13 @@
 #include "export/machine/operations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
+#include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
@@ -88,16 +90,68 @@ const Line* outline_of(const Group& group) {
   return outline;
 }
 
+/// Dash, gap.
+constexpr std::array dash_pattern{2.0, 1.0};
+
+/// The dashes of a line, each as a line.
+std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& points) {
+  const std::vector<double> pattern = fitted_dashes(dash_pattern, length_of(points, false));
+  if (pattern.empty()) {
+    return {points};
+  }
+  std::vector<std::vector<Vec2>> dashes{{points.front()}};
+  std::size_t at = 0;  // of the pattern: even ones are dashes
+  double left = pattern[0];
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    Vec2 from = points[i - 1];
+    double rest = length(points[i] - from);
+    while (rest > left) {
+      from += (left / rest) * (points[i] - from);
+      rest -= left;
+      if (at % 2 == 0) {
+        dashes.back().push_back(from);
+      } else {
+        dashes.push_back({from});
+      }
+      at = (at + 1) % pattern.size();
+      left = pattern[at];
+    }
+    left -= rest;
+    if (at % 2 == 0) {
+      dashes.back().push_back(points[i]);
+    }
+  }
+  return dashes;
+}
+
+bool is_fold(Operation operation) {
+  return operation == Operation::mountain || operation == Operation::valley ||
+         operation == Operation::tab_fold;
+}
+
+/// Where the edge at a tab is folded, its base is a fold like any other.
+Operation with_fold(Operation operation, Fold fold) {
+  return operation != Operation::tab_fold || fold == Fold::none ? operation
+         : fold == Fold::mountain                               ? Operation::mountain
+                                                                : Operation::valley;
+}
+
 class Plan {
  public:
+  explicit Plan(const PathRules& rules) : rules_(rules) {}
+
   void add(const Group& group) {
     const Line* const outline = outline_of(group);
     for (const Line& line : group.lines) {
       if (const auto operation = operation_of(line.layer)) {
-        add(&line == outline ? Operation::cut_outer : *operation, line.points, line.closed);
+        add(&line == outline ? Operation::cut_outer : with_fold(*operation, line.fold), line.points,
+            line.closed);
       }
     }
     for (const Text& text : group.texts) {
+      if (!rules_.engraves) {
+        break;
+      }
       if (const auto operation = operation_of(text.layer)) {
         for (const std::vector<Vec2>& stroke : text_strokes(text)) {
           add(*operation, stroke, false);
@@ -114,6 +168,16 @@ class Plan {
 
  private:
   void add(Operation operation, const std::vector<Vec2>& points, bool closed) {
+    if (rules_.dashes && is_fold(operation)) {
+      for (const std::vector<Vec2>& dash : dashes_along(points)) {
+        add_whole(operation, dash, false);
+      }
+    } else {
+      add_whole(operation, points, closed);
+    }
+  }
+
+  void add_whole(Operation operation, const std::vector<Vec2>& points, bool closed) {
     std::optional<Path> path = cleaned(operation, points, closed);
     if (!path) {
       return;
@@ -124,6 +188,7 @@ class Plan {
     paths_.push_back(std::move(*path));
   }
 
+  PathRules rules_;
   std::vector<Path> paths_;
 };
 
@@ -134,8 +199,8 @@ bool is_piece(const Group& group) {
 
 }  // namespace
 
-std::vector<Path> machine_paths(const Drawing& page) {
-  Plan plan;
+std::vector<Path> machine_paths(const Drawing& page, const PathRules& rules) {
+  Plan plan(rules);
   for (const Group& group : page.groups) {
     if (is_piece(group)) {
       plan.add(group);

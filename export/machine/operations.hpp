@@ -15,7 +15,7 @@ enum class Operation {
   engrave,   ///< numbers and names
   mountain,  ///< folds away from the printed side
   valley,    ///< folds towards it
-  tab_fold,  ///< bases of tabs
+  tab_fold,  ///< bases of tabs that go on flat; others are folds
   cut_inner, ///< holes, and slits in a piece
   cut_outer, ///< outlines of pieces
 };
@@ -27,10 +27,17 @@ struct Path {
   bool closed = false;       ///< outlines, counterclockwise, and holes, clockwise
 };
 
-/// The pieces of a page as paths, by operation and then by piece. What a printer draws around them (scale bar,
-/// legend, lists) isn't there, and neither are the areas of tabs. Paths shorter than 0.2 mm are left out and
-/// points within 0.05 mm of the one before: rounding makes them, where nets touch themselves, and a laser burns
-/// holes there. Names in letters that the alphabet of lines doesn't have are left out. O(n).
-[[nodiscard]] std::vector<Path> machine_paths(const Drawing& page);
+struct PathRules {
+  bool engraves = true;  ///< numbers and names are there
+  /// Folds are dashes of about 2 mm with gaps of 1 mm, each a path of its own, for machines that cut where
+  /// they can't score; else whole lines.
+  bool dashes = false;
+};
+
+/// The pieces of a page as paths, by operation and then by piece. What a printer draws around them (scale
+/// bar, legend, lists) isn't there, and neither are the areas of tabs. Paths shorter than 0.2 mm are left out
+/// and points within 0.05 mm of the one before: rounding makes them, where nets touch themselves, and a laser
+/// burns holes there. Names in letters that the alphabet of lines doesn't have are left out. O(n).
+[[nodiscard]] std::vector<Path> machine_paths(const Drawing& page, const PathRules& rules = {});
 
 }  // namespace ridgecraft::paper

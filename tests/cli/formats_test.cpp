@@ -28,11 +28,11 @@ TEST_CASE("the printed list and the JSON have the same rows", "[formats]") {
   const auto json = nlohmann::json::parse(formats_json());
   const std::string text = formats_text();
   std::size_t rows = 0;
-  for (const char* list : {"read", "written"}) {
+  for (const char* list : {"read", "written", "presets"}) {
     for (const auto& row : json[list]) {
       CHECK(text.find(row["what"].get<std::string>()) != std::string::npos);
       ++rows;
     }
   }
-  CHECK(std::count(text.begin(), text.end(), '\n') == static_cast<std::ptrdiff_t>(rows + 2));
+  CHECK(std::count(text.begin(), text.end(), '\n') == static_cast<std::ptrdiff_t>(rows + 3));
 }

@@ -21,6 +21,26 @@ TEST_CASE("a model becomes PDF, SVG and FOLD in the current folder", "[written_f
   CHECK(run_program({"verify", "house.fold"}, in(folder)).exit_code == 0);
 }
 
+TEST_CASE("a preset's files bear its name and stand beside those for the printer", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "--size", "8cm"}, in(folder)).exit_code == 0);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "--preset", "laser"}, in(folder)).exit_code == 0);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "--preset", "plotter", "--dxf", "plain"}, in(folder))
+              .exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold",
+                                                "house-laser.svg", "house-laser.dxf", "house-plotter.dxf"});
+  CHECK(read_bytes(folder / "house-laser.dxf").find("AC1015") != std::string::npos);
+  // The DXF that was asked for wins over the preset's.
+  CHECK(read_bytes(folder / "house-plotter.dxf").find("POLYLINE") == std::string::npos);
+  // Files of this model may be replaced, others not.
+  CHECK(run_program({"house.obj", "--size", "9cm", "--preset", "laser"}, in(folder)).exit_code == 0);
+  write_bytes(folder / "house.obj", std::string(house) + "# edited\n");
+  check_refusal(run_program({"house.obj", "--size", "9cm", "--preset", "laser"}, in(folder)), 7,
+                "house-laser.");
+  check_refusal(run_program({"house.obj", "--preset", "chainsaw"}, in(folder)), 2, "lightburn");
+}
+
 TEST_CASE("two runs with one seed give the same bytes, with one thread and with two", "[written_files]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What machines get: paths in order, and DXF files, read back pair by pair and by ezdxf where it is installed.
+// What machines get: paths in order, SVG by preset, and DXF files, read back pair by pair and by ezdxf where it
+// is installed.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -13,6 +15,7 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <pugixml.hpp>
 
 #include "export/machine/operations.hpp"
 #include "sample_pages.hpp"
@@ -146,6 +149,63 @@ TEST_CASE("paths are in the order of work, and none is too short to be meant") {
   for (const Path& path : paths) {
     if (path.operation == Operation::cut_inner && path.closed) {
       CHECK(area(path.points) == Approx(-200.0));
+    }
+  }
+}
+
+TEST_CASE("dashes cover a fold from end to end, and are lines of their own") {
+  const paper::PathRules rules{.engraves = false, .dashes = true};
+  const std::vector<Path> paths = paper::machine_paths(frame_with_crumbs(), rules);
+  double covered = 0.0;
+  std::size_t dashes = 0;
+  double least = 1000.0;
+  double most = 0.0;
+  for (const Path& path : paths) {
+    CHECK(path.operation != Operation::engrave);
+    if (path.operation == Operation::mountain) {
+      ++dashes;
+      for (const Vec2 p : path.points) {
+        CHECK(p.y == Approx(55.0));
+        least = std::min(least, p.x);
+        most = std::max(most, p.x);
+      }
+      covered += length(path.points.back() - path.points.front());
+    }
+  }
+  CHECK(least == Approx(30.0));
+  CHECK(most == Approx(90.0));
+  CHECK(dashes == Approx(20).margin(2));
+  CHECK(covered == Approx(40.0).margin(2.0));
+}
+
+TEST_CASE("a preset's SVG has one colour for each operation, in the order of work, and nothing else") {
+  for (const paper::Preset& preset : paper::presets()) {
+    CAPTURE(preset.name);
+    for (const paper::Drawing& page : pages()) {
+      pugi::xml_document document;
+      REQUIRE(document.load_string(paper::write_machine_svg(page, mark, preset).c_str()));
+      const pugi::xml_node root = document.child("svg");
+      CHECK(std::string(root.child("metadata").child_value()).find("preset:" + std::string(preset.name)) !=
+            std::string::npos);
+      CHECK_FALSE(document.select_node("//text | //*[@transform] | //*[@style] | //*[@stroke-dasharray]"));
+      std::vector<std::string> ids;
+      std::size_t lines = 0;
+      for (const pugi::xml_node group : root.children("g")) {
+        ids.emplace_back(group.attribute("id").value());
+        std::set<std::string> colors;
+        for (const pugi::xml_node path : group.children("path")) {
+          colors.insert(path.attribute("stroke").value());
+          const std::string d = path.attribute("d").value();
+          lines += static_cast<std::size_t>(std::count(d.begin(), d.end(), 'M'));
+          CHECK(std::string(path.attribute("fill").value()) == "none");
+        }
+        CHECK(colors.size() == 1);
+        CHECK((!preset.joined || std::distance(group.begin(), group.end()) == 1));
+      }
+      REQUIRE_FALSE(ids.empty());
+      CHECK(ids.back() == "cut");
+      CHECK((std::find(ids.begin(), ids.end(), "engrave") != ids.end()) == preset.paths.engraves);
+      CHECK(lines == paper::machine_paths(page, preset.paths).size());
     }
   }
 }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lengths as texts in files. Private to export/formats/.
+#pragma once
+
+#include <string>
+
+#include <fmt/format.h>
+
+namespace ridgecraft::paper {
+
+/// At most four decimals (0.1 micrometre), no trailing zeros, no negative zero.
+[[nodiscard]] inline std::string decimals(double value) {
+  std::string text = fmt::format("{:.4f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') {
+    text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+}  // namespace ridgecraft::paper
