@@ -26,21 +26,39 @@ std::string printed(const fs::path& file) {
   return file.lexically_normal().string();
 }
 
+/// Lists of numbers at the end have pages of their own, which no machine needs.
+struct PageCounts {
+  std::size_t drawn = 0;
+  std::size_t of_pieces = 0;
+};
+
+std::vector<fs::path> pages_of(const Target& target, const PaperJob& job, const PageCounts& counts) {
+  const bool for_machine =
+      target.format == Format::dxf || (target.format == Format::svg && job.preset != nullptr);
+  return files_of(target, for_machine ? counts.of_pieces : counts.drawn);
+}
+
+std::string svg_of(const job::Paper& made, std::size_t page, const PaperJob& job, const paper::Mark& mark) {
+  if (job.preset == nullptr) {
+    return paper::write_svg(made.drawings[page], mark);
+  }
+  return job.preset->simulates
+             ? paper::write_simulator_svg(made.prepared, made.nets, made.pages, PageId(page), mark)
+             : paper::write_machine_svg(made.drawings[page], mark, *job.preset);
+}
+
 /// Writes one target's files under their temporary names.
-void add_target(const Target& target, const job::Paper& made, const PaperJob& job, PendingFiles& pending,
-                std::vector<std::string>& written) {
+void add_target(const Target& target, const std::vector<fs::path>& files, const job::Paper& made,
+                const PaperJob& job, PendingFiles& pending, std::vector<std::string>& written) {
   const paper::Mark mark = mark_of(made.prepared.model);
   const paper::PathRules rules = job.preset == nullptr ? paper::PathRules{} : job.preset->paths;
-  const std::vector<fs::path> files = files_of(target, made.drawings.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     switch (target.format) {
       case Format::pdf:
         pending.add(files[i], paper::write_pdf(made.drawings, mark));
         break;
       case Format::svg:
-        pending.add(files[i], job.preset == nullptr
-                                  ? paper::write_svg(made.drawings[i], mark)
-                                  : paper::write_machine_svg(made.drawings[i], mark, *job.preset));
+        pending.add(files[i], svg_of(made, i, job, mark));
         break;
       case Format::png:
         pending.add(files[i], paper::write_png(made.drawings[i], mark));
@@ -58,11 +76,11 @@ void add_target(const Target& target, const job::Paper& made, const PaperJob& jo
 
 /// Pages of an earlier set of these names that this run doesn't write again: of this model, and of one that
 /// another file of the set, which is replaced now, was made from.
-std::vector<fs::path> find_leftovers(const std::vector<Target>& targets, std::size_t pages,
+std::vector<fs::path> find_leftovers(const std::vector<Target>& targets,
+                                     const std::vector<std::vector<fs::path>>& of_targets,
                                      const std::string& digest) {
   std::vector<fs::path> files;
-  for (const Target& target : targets) {
-    const std::vector<fs::path> of_target = files_of(target, pages);
+  for (const std::vector<fs::path>& of_target : of_targets) {
     files.insert(files.end(), of_target.begin(), of_target.end());
   }
   std::set<std::string> digests = digests_of(files);
@@ -79,10 +97,10 @@ std::vector<fs::path> find_leftovers(const std::vector<Target>& targets, std::si
   return found;
 }
 
-void require_all_replaceable(const PaperJob& job, const std::vector<Target>& targets, std::size_t pages,
+void require_all_replaceable(const PaperJob& job, const std::vector<std::vector<fs::path>>& of_targets,
                              const std::string& digest) {
-  for (const Target& target : targets) {
-    for (const fs::path& file : files_of(target, pages)) {
+  for (const std::vector<fs::path>& of_target : of_targets) {
+    for (const fs::path& file : of_target) {
       require_no_input(file, input_files(job.edges), job.overwrite);
       require_replaceable(file, digest, job.overwrite);
     }
@@ -167,16 +185,19 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   result.made = make(job, edge_files, std::move(model), context, listener);
   clock.add(result.made.seconds);
   clock("write", context, [&] {
-    const std::size_t pages = result.made.drawings.size();
-    require_all_replaceable(job, targets, pages, digest);
+    std::vector<std::vector<fs::path>> files;
     for (const Target& target : targets) {
-      add_target(target, result.made, job, pending, result.files);
+      files.push_back(pages_of(target, job, {result.made.drawings.size(), result.made.pages.count}));
+    }
+    require_all_replaceable(job, files, digest);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      add_target(targets[i], files[i], result.made, job, pending, result.files);
     }
     context.check();
     result.file_notes = pending.commit([&] {
       // Another run may have put files there since.
-      require_all_replaceable(job, targets, pages, digest);
-      return find_leftovers(targets, pages, digest);
+      require_all_replaceable(job, files, digest);
+      return find_leftovers(targets, files, digest);
     });
     return true;
   });

@@ -2,13 +2,11 @@
 #include "export/machine/operations.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
-#include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
@@ -90,36 +88,40 @@ const Line* outline_of(const Group& group) {
   return outline;
 }
 
-/// Dash, gap.
-constexpr std::array dash_pattern{2.0, 1.0};
+/// Lengths of what is cut of a fold and of the bridges that hold it.
+constexpr double dash_mm = 2.0;
+constexpr double bridge_mm = 1.0;
 
-/// The dashes of a line, each as a line.
-std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& points) {
-  const std::vector<double> pattern = fitted_dashes(dash_pattern, length_of(points, false));
-  if (pattern.empty()) {
-    return {points};
-  }
-  std::vector<std::vector<Vec2>> dashes{{points.front()}};
-  std::size_t at = 0;  // of the pattern: even ones are dashes
-  double left = pattern[0];
+/// What lies between two places along a line.
+std::vector<Vec2> stretch(const std::vector<Vec2>& points, double from, double to) {
+  std::vector<Vec2> result;
+  double passed = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    Vec2 from = points[i - 1];
-    double rest = length(points[i] - from);
-    while (rest > left) {
-      from += (left / rest) * (points[i] - from);
-      rest -= left;
-      if (at % 2 == 0) {
-        dashes.back().push_back(from);
-      } else {
-        dashes.push_back({from});
+    const double side = length(points[i] - points[i - 1]);
+    const auto at = [&](double place) {
+      return points[i - 1] + ((place - passed) / side) * (points[i] - points[i - 1]);
+    };
+    if (side > 0.0 && passed < to && passed + side > from) {
+      if (result.empty()) {
+        result.push_back(at(std::max(from, passed)));
       }
-      at = (at + 1) % pattern.size();
-      left = pattern[at];
+      result.push_back(at(std::min(to, passed + side)));
     }
-    left -= rest;
-    if (at % 2 == 0) {
-      dashes.back().push_back(points[i]);
-    }
+    passed += side;
+  }
+  return result;
+}
+
+/// The dashes of a fold, each as a line. It begins and ends with a bridge: a dash that met an outline would
+/// begin a tear.
+std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& points) {
+  const double whole = length_of(points, false);
+  const double count = std::max(1.0, std::round((whole - bridge_mm) / (dash_mm + bridge_mm)));
+  const double fit = whole / (count * dash_mm + (count + 1.0) * bridge_mm);
+  std::vector<std::vector<Vec2>> dashes;
+  for (double i = 0.0; i < count; i += 1.0) {
+    const double from = fit * (bridge_mm + i * (dash_mm + bridge_mm));
+    dashes.push_back(stretch(points, from, from + fit * dash_mm));
   }
   return dashes;
 }

@@ -14,26 +14,45 @@ constexpr Color violet{0x80, 0x00, 0xff};
 constexpr Color lightburn_green{0x00, 0xe0, 0x00};
 constexpr Color lightburn_purple{0xa0, 0x00, 0xa0};
 
-constexpr PathRules solid{};
 constexpr PathRules dashed{.engraves = true, .dashes = true};
 constexpr PathRules dashed_without_words{.engraves = false, .dashes = true};
 
-/// Colours: engraving, mountain, valley, tab (never used: as its fold), inner cut, outer cut.
+/// Colours: engraving, mountain, valley, flat base of a tab, inner cut, outer cut.
 constexpr std::array table{
-    Preset{"lightburn", "LightBurn, any laser", true, std::nullopt, solid,
-           {lightburn_green, blue, lightburn_purple, blue, red, black}, 0.1, false},
-    Preset{"laser", "other lasers' programs: red cuts, blue scores, green engraves", true, DxfKind::r2000,
-           dashed, {green, blue, blue, blue, red, red}, 0.01, false},
-    Preset{"glowforge", "Glowforge", true, std::nullopt, solid, {green, blue, violet, blue, orange, red}, 0.1,
-           false},
-    Preset{"cricut", "Cricut Design Space: one path for each operation", true, std::nullopt, solid,
-           {green, red, blue, red, black, black}, 0.25, true},
-    Preset{"silhouette", "Silhouette Studio, whose free edition reads DXF alone", true, DxfKind::r12,
-           dashed_without_words, {green, red, blue, red, black, black}, 0.25, false},
-    Preset{"scanncut", "Brother ScanNCut (CanvasWorkspace)", true, std::nullopt, dashed_without_words,
-           {green, red, blue, red, black, black}, 0.25, false},
-    Preset{"plotter", "cutting plotters and CAD", false, DxfKind::r12, dashed_without_words,
-           {green, red, blue, red, black, black}, 0.1, false}};
+    Preset{.name = "lightburn",
+           .what = "LightBurn, any laser",
+           .colors = {lightburn_green, blue, lightburn_purple, blue, red, black}},
+    Preset{.name = "laser",
+           .what = "other lasers' programs: red cuts, blue scores, green engraves",
+           .dxf = DxfKind::r2000,
+           .paths = dashed,
+           .colors = {green, blue, blue, blue, red, red},
+           .width = 0.01},
+    Preset{.name = "glowforge", .what = "Glowforge", .colors = {green, blue, violet, blue, orange, red}},
+    Preset{.name = "cricut",
+           .what = "Cricut Design Space: one path for each operation",
+           .colors = {green, red, blue, red, black, black},
+           .width = 0.25,
+           .joined = true},
+    Preset{.name = "silhouette",
+           .what = "Silhouette Studio, whose free edition reads DXF alone",
+           .dxf = DxfKind::r12,
+           .paths = dashed_without_words,
+           .colors = {green, red, blue, red, black, black},
+           .width = 0.25},
+    Preset{.name = "scanncut",
+           .what = "Brother ScanNCut (CanvasWorkspace)",
+           .paths = dashed_without_words,
+           .colors = {green, red, blue, red, black, black},
+           .width = 0.25},
+    Preset{.name = "plotter",
+           .what = "cutting plotters and CAD",
+           .svg = false,
+           .dxf = DxfKind::r12,
+           .paths = dashed_without_words},
+    Preset{.name = "origami-simulator",
+           .what = "Origami Simulator: nets without tabs, each fold with its angle",
+           .simulates = true}};
 
 }  // namespace
 
