@@ -113,8 +113,15 @@ void PartWorkers::run_one(PartTask& task, const MeasureOptions& options, const V
   context_->check();
   PartWorker* worker = take_worker();
   // A worker that an error keeps isn't missed: the error ends everything.
-  Measurer& measurer = worker->measurer;
-  Measurement& measurement = worker->measurement;
+  run_with(*worker, task, options, known, outcome);
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(worker);
+}
+
+void PartWorkers::run_with(PartWorker& worker, PartTask& task, const MeasureOptions& options,
+                           const ValleyCache& known, TaskOutcome& outcome) const {
+  Measurer& measurer = worker.measurer;
+  Measurement& measurement = worker.measurement;
   const ValleyLoan loan(measurer.valleys(), outcome.found, &known);
   if (task.hull) {
     measurer.measure_with_hull(task.facets, std::move(*task.hull), options, measurement);
@@ -124,11 +131,9 @@ void PartWorkers::run_one(PartTask& task, const MeasureOptions& options, const V
   }
   outcome.concavity = measurement.concavity;
   if (measurement.concavity > measurer.tolerance()) {
-    divide(*worker, task.depth, outcome);
+    divide(worker, task.depth, outcome);
   }
   outcome.hull = std::move(measurement.hull);
-  const std::lock_guard lock(mutex_);
-  idle_.push_back(worker);
 }
 
 }  // namespace ridgecraft::segment

@@ -69,6 +69,9 @@ class PartWorkers {
   /// An idle worker, or a new one.
   [[nodiscard]] PartWorker* take_worker();
   void run_one(PartTask& task, const MeasureOptions& options, const ValleyCache& known, TaskOutcome& outcome);
+  /// All that is lent to the worker is back when this returns: only then may another thread take it.
+  void run_with(PartWorker& worker, PartTask& task, const MeasureOptions& options, const ValleyCache& known,
+                TaskOutcome& outcome) const;
 
   const ScaledSurface* surface_;
   const VertexGraph* graph_;
