@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,9 +42,10 @@ std::string joined(const Clauses& clauses, const std::string& if_none) {
 }
 
 std::string paper_line(const PaperJob& job, const job::Paper& made, const GlueFigures& glue) {
-  return fmt::format("{} on {}, {}: {} to cut, {} to fold, {} to glue",
+  const std::size_t lists = made.drawn.list_pages;
+  return fmt::format("{} on {}{}, {}: {} to cut, {} to fold, {} to glue",
                      counted(made.nets.pieces.size(), "piece"), counted(made.pages.count, "page"),
-                     job.paper_name, metres(made.figures.cut_mm), metres(made.figures.fold_mm),
+                     lists == 0 ? "" : fmt::format(" (and {} of numbers)", lists), job.paper_name, metres(made.figures.cut_mm), metres(made.figures.fold_mm),
                      metres(glue.all_mm));
 }
 
@@ -97,7 +99,8 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
     clauses.push_back(std::move(why));
   }
   if (made.slivers > 0) {
-    clauses.push_back(fmt::format("{} thinner than {:g} mm", counted(made.slivers, "face"), job::sliver_mm));
+    clauses.push_back(fmt::format("{} thinner than {:g} mm ({})", counted(made.slivers, "face"),
+                                  job::sliver_mm, piece_names(made.nets, pieces_with_slivers(made))));
   }
   add_glue(glue, clauses);
   const std::vector<PieceId> bent = pieces_with_care(made.nets);
@@ -140,6 +143,19 @@ std::string next_line(const PaperResult& result) {
 }
 
 }  // namespace
+
+std::vector<PieceId> pieces_with_slivers(const job::Paper& made) {
+  const prepare::Prepared& prepared = made.prepared;
+  std::set<PieceId> found;
+  for (const PanelId p : ids<PanelId>(prepared.panels.count())) {
+    if (prepare::is_narrow(prepared.model.surface, prepared.panels, p, job::sliver_mm)) {
+      for (const FaceId f : prepared.panels.faces[p]) {
+        found.insert(made.nets.piece[f]);
+      }
+    }
+  }
+  return {found.begin(), found.end()};
+}
 
 std::string details_text(const prepare::Details& details) {
   Clauses clauses;

@@ -69,7 +69,7 @@ void check_bounds(const Case& given, Findings& findings) {
       ++findings.figures().outside_page;
       findings.add(Promise::page_bounds, {{"face", face}, {"page", page}}, [&] {
         return fmt::format("{} is {:.4g} mm outside the printable area of page {}", face_name(file, face), by,
-                           page);
+                           page + 1);
       });
     }
   }
@@ -79,7 +79,7 @@ void check_bounds(const Case& given, Findings& findings) {
       ++findings.figures().outside_page;
       findings.add(Promise::page_bounds, {{"tab", tab}, {"page", page}}, [&] {
         return fmt::format("{} is {:.4g} mm outside the printable area of page {}", tab_name(file, tab), by,
-                           page);
+                           page + 1);
       });
     }
   }
