@@ -12,7 +12,7 @@
 
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
-#include "export/formats/decimals.hpp"
+#include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
 #include "export/machine/operations.hpp"
 
@@ -36,27 +36,23 @@ class MachineSvg {
   std::string write() {
     const std::string width = decimals(page_.size.x);
     const std::string height = decimals(page_.size.y);
-    put("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\"\n"
-        "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
-        width, height);
-    put("  <title>{} – page {} of {}</title>\n", escaped(page_.title), page_.page, page_.page_count);
-    put("  <metadata id=\"metadata\">{} preset:{} {}</metadata>\n", escaped(mark_.producer), preset_.name,
-        escaped(mark_word(mark_)));
+    append(out_,
+           "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+           "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+           "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\"\n"
+           "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
+           width, height);
+    append(out_, "  <title>{} – page {} of {}</title>\n", escaped(page_.title), page_.page, page_.page_count);
+    append(out_, "  <metadata id=\"metadata\">{} preset:{} {}</metadata>\n", escaped(mark_.producer),
+           preset_.name, escaped(mark_word(mark_)));
     for (std::size_t i = 0; i < groups.size(); ++i) {
       group(static_cast<Operation>(i));
     }
-    put("</svg>\n");
+    append(out_, "</svg>\n");
     return std::move(out_);
   }
 
  private:
-  template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
-  }
-
   static std::string escaped(std::string_view text) { return xml_escaped(printable_utf8(text)); }
 
   /// Programs honour empty layers in ways of their own, so there are none.
@@ -72,16 +68,16 @@ class MachineSvg {
       return;
     }
     const auto& [id, title] = groups[static_cast<std::size_t>(operation)];
-    put("  <g inkscape:groupmode=\"layer\" inkscape:label=\"{}\" id=\"{}\">\n", title, id);
+    append(out_, "  <g inkscape:groupmode=\"layer\" inkscape:label=\"{}\" id=\"{}\">\n", title, id);
     if (preset_.joined) {
       lines = {fmt::format("{}", fmt::join(lines, " "))};
     }
     const Color c = preset_.colors[static_cast<std::size_t>(operation)];
     for (const std::string& line : lines) {
-      put("    <path fill=\"none\" stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{}\" d=\"{}\"/>\n", c.red,
-          c.green, c.blue, decimals(preset_.width), line);
+      append(out_, "    <path fill=\"none\" stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{}\" d=\"{}\"/>\n",
+             c.red, c.green, c.blue, decimals(preset_.width), line);
     }
-    put("  </g>\n");
+    append(out_, "  </g>\n");
   }
 
   [[nodiscard]] std::string outline(const Path& path) const {

@@ -3,7 +3,6 @@
 // simulation using GPU computation, 2018): nothing but edges, a path of two points each. Colours tell what an
 // edge is, opacity by how much it is folded.
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -13,8 +12,8 @@
 
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
-#include "export/formats/decimals.hpp"
 #include "export/formats/net_frame.hpp"
+#include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
 
 namespace ridgecraft::paper {
@@ -52,16 +51,15 @@ std::string write_simulator_svg(const prepare::Prepared& model, const unfold::Ne
     ++faces[nets.piece[f]];
   }
   std::string out;
-  const auto put = [&]<class... Args>(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-  };
   const Vec2 size = pages.paper.size;
-  put("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"\n"
-      "     width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">\n",
-      decimals(size.x), decimals(size.y), decimals(units_per_mm * size.x), decimals(units_per_mm * size.y));
-  put("  <metadata id=\"metadata\">{} preset:origami-simulator {}</metadata>\n",
-      xml_escaped(printable_utf8(mark.producer)), xml_escaped(printable_utf8(mark_word(mark))));
+  append(out,
+         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"\n"
+         "     width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">\n",
+         decimals(size.x), decimals(size.y), decimals(units_per_mm * size.x),
+         decimals(units_per_mm * size.y));
+  append(out, "  <metadata id=\"metadata\">{} preset:origami-simulator {}</metadata>\n",
+         xml_escaped(printable_utf8(mark.producer)), xml_escaped(printable_utf8(mark_word(mark))));
   const auto x = [&](Vec2 p) { return decimals(units_per_mm * p.x); };
   const auto y = [&](Vec2 p) { return decimals(units_per_mm * (size.y - p.y)); };
   for (const NetFrame::Edge& edge : frame.edges) {
@@ -73,11 +71,12 @@ std::string write_simulator_svg(const prepare::Prepared& model, const unfold::Ne
     const Look look = look_of(edge.fold, degrees);
     const Vec2 from = frame.points[edge.vertices[0]] - frame.origins[page.value()];
     const Vec2 to = frame.points[edge.vertices[1]] - frame.origins[page.value()];
-    put("  <path fill=\"none\" stroke=\"{}\" stroke-width=\"10\" opacity=\"1\" stroke-opacity=\"{:.6f}\" "
-        "d=\"M{},{} L{},{}\"/>\n",
-        look.color, look.opacity, x(from), y(from), x(to), y(to));
+    append(out,
+           "  <path fill=\"none\" stroke=\"{}\" stroke-width=\"10\" opacity=\"1\" stroke-opacity=\"{:.6f}\" "
+           "d=\"M{},{} L{},{}\"/>\n",
+           look.color, look.opacity, x(from), y(from), x(to), y(to));
   }
-  put("</svg>\n");
+  append(out, "</svg>\n");
   return out;
 }
 

@@ -11,8 +11,8 @@
 
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
-#include "export/formats/decimals.hpp"
 #include "export/formats/layer_order.hpp"
+#include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
 #include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
@@ -35,38 +35,35 @@ class SvgWriter {
   std::string write() {
     head();
     for (const Layer layer : layer_order) {
-      put("  <g inkscape:groupmode=\"layer\" inkscape:label=\"{}\" id=\"{}\"{}>\n", title(layer), id(layer),
-          layer_attributes(layer));
+      append(out_, "  <g inkscape:groupmode=\"layer\" inkscape:label=\"{}\" id=\"{}\"{}>\n", title(layer),
+             id(layer), layer_attributes(layer));
       for (const Group& group : page_.groups) {
         write_group(group, layer);
       }
-      put("  </g>\n");
+      append(out_, "  </g>\n");
     }
-    put("</svg>\n");
+    append(out_, "</svg>\n");
     return std::move(out_);
   }
 
  private:
-  template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
-  }
-
   [[nodiscard]] std::string x(Vec2 p) const { return decimals(p.x); }
   [[nodiscard]] std::string y(Vec2 p) const { return decimals(page_.size.y - p.y); }
 
   void head() {
     const std::string width = decimals(page_.size.x);
     const std::string height = decimals(page_.size.y);
-    put("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
-        "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" version=\"1.1\"\n"
-        "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
-        width, height);
-    put("  <title>{} – page {} of {}</title>\n", escaped(page_.title), page_.page, page_.page_count);
-    put("  <metadata id=\"metadata\">{} {}</metadata>\n", escaped(mark_.producer), escaped(mark_word(mark_)));
-    put("  <sodipodi:namedview id=\"view\" inkscape:document-units=\"mm\"/>\n");
+    append(out_,
+           "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+           "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+           "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+           "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" version=\"1.1\"\n"
+           "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
+           width, height);
+    append(out_, "  <title>{} – page {} of {}</title>\n", escaped(page_.title), page_.page, page_.page_count);
+    append(out_, "  <metadata id=\"metadata\">{} {}</metadata>\n", escaped(mark_.producer),
+           escaped(mark_word(mark_)));
+    append(out_, "  <sodipodi:namedview id=\"view\" inkscape:document-units=\"mm\"/>\n");
   }
 
   static std::string layer_attributes(Layer layer) {
@@ -87,11 +84,11 @@ class SvgWriter {
     if (!has(group, layer)) {
       return;
     }
-    put("    <g id=\"{}-{}\">\n", id(layer), escaped(group.id));
+    append(out_, "    <g id=\"{}-{}\">\n", id(layer), escaped(group.id));
     for (const Area& area : group.areas) {
       if (area.layer == layer) {
-        put("      <path fill=\"{}\" stroke=\"none\" d=\"{}\"/>\n", color(fill_of(layer)),
-            path(area.outline, true));
+        append(out_, "      <path fill=\"{}\" stroke=\"none\" d=\"{}\"/>\n", color(fill_of(layer)),
+               path(area.outline, true));
       }
     }
     for (const Line& line : group.lines) {
@@ -104,7 +101,7 @@ class SvgWriter {
         write_text(text);
       }
     }
-    put("    </g>\n");
+    append(out_, "    </g>\n");
   }
 
   [[nodiscard]] std::string path(const std::vector<Vec2>& points, bool closed) const {
@@ -120,16 +117,16 @@ class SvgWriter {
 
   void write_line(const Line& line) {
     const LineStyle style = style_of(line);
-    put("      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", color(style.color),
-        decimals(style.width));
+    append(out_, "      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", color(style.color),
+           decimals(style.width));
     if (const std::vector<double> dashes = dashes_of(line); !dashes.empty()) {
-      put(" stroke-linecap=\"butt\" stroke-dasharray=\"");
+      append(out_, " stroke-linecap=\"butt\" stroke-dasharray=\"");
       for (std::size_t i = 0; i < dashes.size(); ++i) {
-        put("{}{}", i == 0 ? "" : " ", decimals(dashes[i]));
+        append(out_, "{}{}", i == 0 ? "" : " ", decimals(dashes[i]));
       }
-      put("\"");
+      append(out_, "\"");
     }
-    put(" d=\"{}\"/>\n", path(line.points, line.closed));
+    append(out_, " d=\"{}\"/>\n", path(line.points, line.closed));
   }
 
   void write_text(const Text& text) {
@@ -145,8 +142,8 @@ class SvgWriter {
       return;
     }
     // The words stay in the file for people who search it and for programs that read it aloud.
-    put("      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" aria-label=\"{}\" d=\"{}\"/>\n",
-        color(color_of(text)), decimals(pen_width(text)), escaped(text.text), d);
+    append(out_, "      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" aria-label=\"{}\" d=\"{}\"/>\n",
+           color(color_of(text)), decimals(pen_width(text)), escaped(text.text), d);
   }
 
   void write_real_text(const Text& text) {
@@ -154,14 +151,15 @@ class SvgWriter {
     // From the left end of its estimated box: only titles can be such texts.
     const double half = 0.5 * text_width(text.text, text.height);
     const Vec2 baseline = text.centre + 0.5 * text.height * down + half * perpendicular(-down);
-    put("      <text x=\"{}\" y=\"{}\"", x(baseline), y(baseline));
+    append(out_, "      <text x=\"{}\" y=\"{}\"", x(baseline), y(baseline));
     if (std::abs(text.angle) > 0.0) {
-      put(" transform=\"rotate({} {} {})\"", decimals(-text.angle * 180.0 / 3.14159265358979323846),
-          x(baseline), y(baseline));
+      append(out_, " transform=\"rotate({} {} {})\"", decimals(-text.angle * 180.0 / 3.14159265358979323846),
+             x(baseline), y(baseline));
     }
-    put(" font-family=\"sans-serif\" font-size=\"{}\" fill=\"{}\" "
-        "stroke=\"none\">{}</text>\n",
-        decimals(text.height * font_size_per_height), color(color_of(text)), escaped(text.text));
+    append(out_,
+           " font-family=\"sans-serif\" font-size=\"{}\" fill=\"{}\" "
+           "stroke=\"none\">{}</text>\n",
+           decimals(text.height * font_size_per_height), color(color_of(text)), escaped(text.text));
   }
 
   const Drawing& page_;

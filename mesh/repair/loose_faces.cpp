@@ -91,4 +91,16 @@ void put_together(Model& model, LooseFaces loose) {
   model.texture = IdVector<FaceId, std::array<Vec2, 3>>(std::move(loose.texture));
 }
 
+void keep_faces(Model& model, const std::vector<bool>& kept) {
+  const LooseFaces all = take_apart(model);
+  LooseFaces left;
+  left.points = all.points;
+  for (std::size_t f = 0; f < all.faces.size(); ++f) {
+    if (kept[f]) {
+      left.add(all, f, all.faces[f], all.texture.empty() ? std::array<Vec2, 3>{} : all.texture[f]);
+    }
+  }
+  put_together(model, std::move(left));
+}
+
 }  // namespace ridgecraft::mesh

@@ -36,4 +36,7 @@ void make_surface(LooseFaces& loose, const Context& context);
 /// Replaces the model's surface; points that no face uses are left out. The invariants must hold.
 void put_together(Model& model, LooseFaces loose);
 
+/// Leaves out the faces that aren't `kept`, one answer for each; materials and places in pictures stay.
+void keep_faces(Model& model, const std::vector<bool>& kept);
+
 }  // namespace ridgecraft::mesh

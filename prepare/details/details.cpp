@@ -264,15 +264,11 @@ Details leave_out_details(mesh::Model& model, const DetailLimits& limits, const 
   if (details.count() == 0) {
     return details;
   }
-  const mesh::LooseFaces all = mesh::take_apart(model);
-  mesh::LooseFaces kept;
-  kept.points = all.points;
-  for (std::size_t f = 0; f < all.faces.size(); ++f) {
-    if (kinds[surface.component(FaceId(f)).value()] == Kind::body) {
-      kept.add(all, f, all.faces[f], all.texture.empty() ? std::array<Vec2, 3>{} : all.texture[f]);
-    }
+  std::vector<bool> kept;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    kept.push_back(kinds[surface.component(f).value()] == Kind::body);
   }
-  mesh::put_together(model, std::move(kept));
+  mesh::keep_faces(model, kept);
   return details;
 }
 

@@ -63,15 +63,11 @@ std::size_t drop_specks(mesh::Model& model, double smallest_mm) {
   if (specks == 0 || specks == boxes.size()) {
     return 0;
   }
-  const mesh::LooseFaces all = mesh::take_apart(model);
-  mesh::LooseFaces kept;
-  kept.points = all.points;
-  for (std::size_t f = 0; f < all.faces.size(); ++f) {
-    if (!is_speck(boxes[surface.component(FaceId(f)).value()])) {
-      kept.add(all, f, all.faces[f], all.texture.empty() ? std::array<Vec2, 3>{} : all.texture[f]);
-    }
+  std::vector<bool> kept;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    kept.push_back(!is_speck(boxes[surface.component(f).value()]));
   }
-  mesh::put_together(model, std::move(kept));
+  mesh::keep_faces(model, kept);
   return specks;
 }
 
