@@ -27,7 +27,7 @@ namespace {
 
 constexpr double points_per_mm = 72.0 / 25.4;
 
-cairo_status_t append(void* out, const unsigned char* data, unsigned int size) {
+cairo_status_t append_bytes(void* out, const unsigned char* data, unsigned int size) {
   static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), size);
   return CAIRO_STATUS_SUCCESS;
 }
@@ -35,7 +35,7 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned int size) {
 /// One layer of all pages.
 std::string layer_pdf(std::span<const Drawing> pages, Layer layer) {
   std::string bytes;
-  const CairoSurface surface(cairo_pdf_surface_create_for_stream(append, &bytes, 1.0, 1.0));
+  const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, 1.0, 1.0));
   check_cairo(cairo_surface_status(surface.get()));
   // Cairo would write the time of the run.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
