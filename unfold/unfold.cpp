@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "unfold/all_tabs.hpp"
+#include "unfold/foldable_pieces.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/give_tabs.hpp"
 #include "unfold/linear_folding.hpp"
@@ -27,6 +28,7 @@
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/moved_borders.hpp"
 #include "unfold/pieces/part_merging.hpp"
+#include "unfold/pieces/ragged_pieces.hpp"
 #include "unfold/pieces/twin_pieces.hpp"
 #include "unfold/plan.hpp"
 #include "unfold/unfolded_parts.hpp"
@@ -134,11 +136,20 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
   const auto twins_of = [&](const Folds& folds) {
     return context.out_of_time() ? TwinPieces() : find_twin_pieces(asked.surface, patch, folds, context);
   };
-  const Patch apart = with_twins_apart(patch, even, twins_of(even));
-  const Folds bordered =
-      better_borders(asked.surface, plan.whole, apart, even, images.edge, asked.options, plan.room, context);
-  const Folds better = better_trees(asked.surface, plan.whole, patch, bordered, images.edge, asked.options,
-                                    plan.room, context);
+  const auto bordered = [&](const Folds& folds) {
+    const Patch apart = with_twins_apart(patch, folds, twins_of(folds));
+    return better_borders(asked.surface, plan.whole, apart, folds, images.edge, asked.options, plan.room,
+                          context);
+  };
+  Folds calm = bordered(even);
+  if (rules.merge) {
+    const Folds cut = with_ragged_pieces_cut(patch, asked.part.items(), calm, rules.weights, context);
+    if (blame(patch, calm, cut, PieceReason::shape, parts.causes) > 0) {
+      calm = bordered(cut);
+    }
+  }
+  const Folds better =
+      better_trees(asked.surface, plan.whole, patch, calm, images.edge, asked.options, plan.room, context);
   return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
           std::move(parts.causes), std::move(parts.notes)};
 }
@@ -184,6 +195,9 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
     split.folds = std::move(linear.folds);
     split.causes = std::move(linear.causes);
     split_off_to_fold = linear.split_pieces;
+  } else if (options.pieces.merge && options.pieces.mode != PieceMode::few) {
+    split.folds =
+        with_foldable_pieces(asked, plan, patch, split.folds, split.causes, for_searches(plan, context));
   }
   Nets nets = nets_of_folds(asked.surface, asked.part, patch, split.folds, split.causes);
   nets.notes = std::move(notes);

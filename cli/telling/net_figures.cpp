@@ -48,6 +48,8 @@ std::string sentence_of_several(unfold::PieceReason reason, std::size_t max_face
       return "their parts aren't connected";
     case PieceReason::folding:
       return "their parts don't fold up with all creases together in one piece (--fold-linear)";
+    case PieceReason::shape:
+      return "one piece with their neighbours would be hard to cut out or to fold";
     case PieceReason::part:
     case PieceReason::time:
     case PieceReason::request:

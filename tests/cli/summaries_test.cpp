@@ -262,9 +262,13 @@ TEST_CASE("pieces that have to fold by themselves are split until they do, and i
     return outcome.out;
   };
   const std::vector<std::string> paper{"seam.obj", "--paper", "A2", "--concavity", "2", "-o", "a.fold"};
-  const std::string text = run(paper);
+  std::vector<std::string> few = paper;
+  few.insert(few.end(), {"--pieces", "few"});
+  const std::string text = run(few);
   CHECK(text.find("no order was found in which no face is in another's way") != std::string::npos);
   CHECK(text.find("of the FOLD file)") != std::string::npos);
+  // Where pieces may be more, two are easier to fold.
+  CHECK(run(paper).find("hard to cut out or to fold") != std::string::npos);
   std::vector<std::string> linear = paper;
   linear.emplace_back("--fold-linear");
   CHECK(run(linear).find("doesn't fold up with all creases together in one piece (--fold-linear)") !=

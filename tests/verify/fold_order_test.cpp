@@ -64,9 +64,10 @@ const Json& sheets() {
   static const Json json = [] {
     const test::TemporaryFolder folder;
     test::write_bytes(folder / "sheets.obj", bent_sheets());
-    return Json::parse(test::WrittenJob(folder / "sheets.obj", {"--scale", "1", "--unit", "mm", "--faces",
-                                                                "keep", "--concavity", "2", "--paper", "A2"})
-                           .fold);
+    return Json::parse(
+        test::WrittenJob(folder / "sheets.obj", {"--scale", "1", "--unit", "mm", "--faces", "keep",
+                                                 "--concavity", "2", "--paper", "A2", "--pieces", "few"})
+            .fold);
   }();
   return json;
 }

@@ -17,6 +17,7 @@ std::string_view name(PieceReason reason) {
     case PieceReason::tabs:
       return "tabs";
     case PieceReason::faces:
+    case PieceReason::shape:
       return "faces";
     case PieceReason::time:
       return "time";
@@ -51,6 +52,8 @@ std::string_view sentence(PieceReason reason) {
       return "its part isn't connected";
     case PieceReason::folding:
       return "its part doesn't fold up with all creases together in one piece";
+    case PieceReason::shape:
+      return "one piece with its neighbour would be hard to cut out or to fold";
   }
   return "";
 }

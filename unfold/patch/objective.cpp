@@ -47,13 +47,18 @@ double square(double x) {
 
 }  // namespace
 
+double outline_cost(double outline, const Weights& weights) {
+  return weights.outline * square(outline) / 1000.0;
+}
+
 double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights& weights) {
   double outline = 0.0;
   for (std::size_t side = 0; side < piece.twin.size(); ++side) {
-    // Each cut has two sides; those of another piece count there.
-    outline += piece.twin[side] == nothing ? 0.5 * piece.length[side] : 0.0;
+    outline += piece.twin[side] == nothing ? piece.length[side] : 0.0;
   }
-  return weights.pieces + weights.seam * outline + weights.parts * static_cast<double>(parts - 1) +
+  // Each cut has two sides; those of another piece count there.
+  return weights.pieces + weights.seam * 0.5 * outline + outline_cost(outline, weights) +
+         weights.parts * static_cast<double>(parts - 1) +
          weights.small * std::max(0.0, 1.0 - std::sqrt(area_of(piece)) / handy_mm) +
          weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
 }
@@ -63,6 +68,9 @@ PieceCost::PieceCost(const Patch& piece, std::size_t parts, const Weights& weigh
       weights_(weights),
       least_(least_cost_of_piece(piece, parts, weights)),
       place_(piece.size(), nothing) {
+  for (std::size_t side = 0; side < piece.twin.size(); ++side) {
+    border_ += piece.twin[side] == nothing ? piece.length[side] : 0.0;
+  }
   for (const Triangle& t : piece.shape) {
     area_.push_back(area_of(t));
     whole_area_ += area_.back();
@@ -79,7 +87,8 @@ double PieceCost::of(const Folds& tree, std::span<const Vec2> hull) {
     hull_area += 0.5 * cross(hull[i] - hull[0], hull[i + 1] - hull[0]);
   }
   const double hollow = std::max(0.0, hull_area - whole_area_) / 100.0;
-  return least_ + weights_.seam * cut + weights_.compact * hollow +
+  const double outline = outline_cost(border_ + 2.0 * cut, weights_) - outline_cost(border_, weights_);
+  return least_ + outline + weights_.seam * cut + weights_.compact * hollow +
          weights_.thin * thinness(piece_, rooted_tree(piece_, tree, 0, place_), area_);
 }
 

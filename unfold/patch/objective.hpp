@@ -15,6 +15,9 @@ namespace ridgecraft::unfold {
 /// For a piece whose tree alone changes: the number of its parts costs the same whatever that is.
 inline constexpr std::size_t one_part = 1;
 
+/// What an outline of so many mm costs.
+[[nodiscard]] double outline_cost(double outline, const Weights& weights);
+
 /// The cost of one piece under changing trees. The patch must outlive it.
 class PieceCost {
  public:
@@ -28,6 +31,7 @@ class PieceCost {
   const Patch& piece_;
   Weights weights_;
   double least_;                      ///< whatever the tree is
+  double border_ = 0.0;               ///< outline that belongs to other pieces or to none, mm
   std::vector<double> area_;          ///< of each face, mm2
   double whole_area_ = 0.0;           ///< of all
   std::vector<std::uint32_t> place_;  ///< space to work in

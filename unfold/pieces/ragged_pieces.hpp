@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces that are so ragged that two would be easier to build become two.
+#pragma once
+
+#include <span>
+
+#include "base/context.hpp"
+#include "base/id.hpp"
+#include "unfold/net/piece_rules.hpp"
+#include "unfold/patch/patch.hpp"
+
+namespace ridgecraft::unfold {
+
+/// Cuts pieces at a fold where both sides together cost less than the one (objective.hpp), as long as there
+/// are such folds: mostly at necks, where little seam parts a long outline. The fold that saves most goes
+/// first. The patch is the whole surface; `part`: of each of its faces. Folds in panels stay. O(n log n) for
+/// each cut of a piece of n faces. Deterministic.
+[[nodiscard]] Folds with_ragged_pieces_cut(const Patch& patch, std::span<const PartId> part,
+                                           const Folds& folds, const Weights& weights,
+                                           const Context& context);
+
+}  // namespace ridgecraft::unfold
