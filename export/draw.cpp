@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/utf8.hpp"
 #include "export/export.hpp"
 #include "export/page/furniture.hpp"
@@ -60,6 +62,41 @@ void report_numbers(const std::vector<PieceDrawing>& pieces, bool can_list, Draw
   }
 }
 
+/// Rows of numbers that their page's index has no room for.
+struct Unlisted {
+  std::size_t page = 0;
+  std::vector<std::string> rows;
+};
+
+/// Puts lists where pages have room for them by themselves, their own page first, then any. Returns the rows
+/// for which none has.
+std::vector<std::string> list_beside_pieces(const Paper& paper,
+                                            const std::vector<std::vector<PieceDrawing>>& pieces,
+                                            const std::vector<Unlisted>& lists,
+                                            std::vector<std::vector<Text>>& indices) {
+  const auto listed = [&](std::size_t page, const std::vector<std::string>& rows) {
+    const auto texts = number_list_beside(paper, pieces[page], indices[page], rows);
+    if (texts) {
+      indices[page].insert(indices[page].end(), texts->begin(), texts->end());
+    }
+    return texts.has_value();
+  };
+  std::vector<std::string> left;
+  for (const Unlisted& list : lists) {
+    if (!listed(list.page, list.rows)) {
+      for (const std::string& row : list.rows) {
+        left.push_back(fmt::format("page {}, {}", list.page + 1, row));
+      }
+    }
+  }
+  for (std::size_t page = pieces.size(); page-- > 0 && !left.empty();) {
+    if (listed(page, left)) {
+      left.clear();
+    }
+  }
+  return left;
+}
+
 }  // namespace
 
 std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
@@ -70,7 +107,7 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds);
   const auto neighbours = find_neighbours(model.model.surface, nets);
   std::vector<std::vector<Text>> indices;
-  std::vector<std::string> unlisted;  // rows of numbers for which a page has no room
+  std::vector<Unlisted> unlisted;
   const bool can_list = has_room_for_lists(pages.paper);
   const auto contents = piece_contents(model.model.surface, nets);
   std::vector<std::vector<PieceDrawing>> pieces(pages.count);
@@ -87,16 +124,26 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
     report_numbers(pieces[i], can_list, sum);
     PageIndex index = page_index(nets, pages, PageId(i), neighbours, sum.kinds, pieces[i]);
     indices.push_back(std::move(index.texts));
-    drawings.emplace_back();
-    for (PieceDrawing& piece : pieces[i]) {
+    Unlisted list{i, {}};
+    for (const PieceDrawing& piece : pieces[i]) {
       if (std::string row = number_row(piece); !index.lists_numbers && !row.empty()) {
-        unlisted.push_back(std::move(row));
+        list.rows.push_back(std::move(row));
       }
+    }
+    if (!list.rows.empty()) {
+      unlisted.push_back(std::move(list));
+    }
+  }
+  const std::vector<std::string> left =
+      can_list ? list_beside_pieces(pages.paper, pieces, unlisted, indices) : std::vector<std::string>();
+  for (std::vector<PieceDrawing>& on_page : pieces) {
+    drawings.emplace_back();
+    for (PieceDrawing& piece : on_page) {
       drawings.back().groups.push_back(std::move(piece.group));
     }
   }
   if (can_list) {
-    for (std::vector<Text>& list : number_pages(unlisted, pages.paper)) {
+    for (std::vector<Text>& list : number_pages(left, pages.paper)) {
       indices.push_back(std::move(list));
       drawings.emplace_back();
       ++sum.list_pages;

@@ -35,10 +35,10 @@ void PieceTexts::add_to(Verb& verb) {
       "bands=1: a mm of seam across a strip that goes round, beyond its first seam;\n"
       "open=0.1: a mm of seam on smooth places;\n"
       "compact=4: a cm2 inside a piece's hull that is no paper;\n"
-      "outline=0.3: the square of a piece's outline, over 1000 mm;\n"
+      "outline=0.5: the square of a piece's outline, over 1000 mm;\n"
       "thin=0.5: a mm by which what hangs on a neck is wider than three times the neck;\n"
-      "pieces=600: a piece;\n"
-      "parts=800: a further part in a piece;\n"
+      "pieces=350: a piece;\n"
+      "parts=200: a further part in a piece;\n"
       "small=1200: a piece under 30 mm;\n"
       "panels=800: the square of a piece's flat faces, over 80.");
 }

@@ -18,6 +18,8 @@ constexpr double index_clearance = 2.5;  ///< from lines and texts of the page, 
 constexpr double step = 5.0;             ///< between places that are tried, mm
 /// Widths of the table that are tried, shares of the printable width.
 constexpr std::array<double, 4> widths{0.95, 0.62, 0.42, 0.28};
+/// The same for a list of numbers by itself.
+constexpr std::array<double, 5> list_widths{0.95, 0.62, 0.42, 0.28, 0.2};
 /// A longer list would be a page of its own.
 constexpr std::size_t most_rows = 40;
 constexpr std::string_view full_heading = "where the other edges are: piece and numbers";
@@ -113,6 +115,12 @@ class PageRoom {
     }
   }
 
+  void add(const std::vector<Text>& texts) {
+    for (const Text& text : texts) {
+      obstacles_.add(text);
+    }
+  }
+
   /// The texts at the lowest place that has room, the leftmost of those.
   [[nodiscard]] std::optional<std::vector<Text>> place(const std::vector<Text>& texts) const {
     Box2 box;
@@ -202,6 +210,25 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
     }
   }
   return {};
+}
+
+std::optional<std::vector<Text>> number_list_beside(const Paper& paper,
+                                                    const std::vector<PieceDrawing>& pieces,
+                                                    const std::vector<Text>& others,
+                                                    const std::vector<std::string>& rows) {
+  PageRoom room(paper, pieces);
+  room.add(others);
+  for (const double share : list_widths) {
+    std::vector<std::string> lines;
+    append_numbers(lines, rows, share * piece_area(paper).x);
+    if (lines.size() > most_rows) {
+      continue;
+    }
+    if (auto texts = room.place(table(lines))) {
+      return texts;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace ridgecraft::paper

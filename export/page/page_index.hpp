@@ -3,6 +3,8 @@
 // numbers; and which numbers have no room at their edges.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "export/page/neighbours.hpp"
@@ -25,5 +27,13 @@ struct PageIndex {
                                    const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
                                    const std::vector<PieceKind>& kinds,
                                    const std::vector<PieceDrawing>& pieces);
+
+/// The heading of number lists and these rows, at the lowest place of a page that has room for them beside
+/// its pieces, with their texts, and `others`, which stand there, too. None where there is no room. O(places
+/// tried x lines).
+[[nodiscard]] std::optional<std::vector<Text>> number_list_beside(const Paper& paper,
+                                                                  const std::vector<PieceDrawing>& pieces,
+                                                                  const std::vector<Text>& others,
+                                                                  const std::vector<std::string>& rows);
 
 }  // namespace ridgecraft::paper

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "cli/arguments/parse.hpp"
+#include "cli/program_checks.hpp"
+#include "unfold/net/piece_rules.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::cli;
@@ -233,5 +236,15 @@ TEST_CASE("each help says what a time limit does there", "[options]") {
     CAPTURE(verb);
     CHECK(help({verb}).find("exit code 130") != std::string::npos);
     CHECK(help({verb}).find("searches") == std::string::npos);
+  }
+}
+
+TEST_CASE("help tells the weights that hold", "[options]") {
+  const std::string help = test::run_program({"--help"}, {}).out;
+  unfold::Weights weights = unfold::rules_of(unfold::PieceMode::parts).weights;
+  for (const std::string_view term : unfold::term_names()) {
+    CAPTURE(std::string(term));
+    CHECK(help.find(fmt::format(" {}={:g}: ", term, *unfold::weight_named(weights, term))) !=
+          std::string::npos);
   }
 }

@@ -20,8 +20,8 @@ struct Weights {
   double compact = 4.0;   ///< each cm2 of a piece's convex hull that is no paper
   double outline = 0.5;   ///< square of a piece's outline, over 1000 mm
   double thin = 0.5;      ///< necks: mm by which what hangs on one is wider than three times its own width
-  double pieces = 400.0;  ///< each piece
-  double parts = 800.0;   ///< each part beyond the first that a piece has faces of
+  double pieces = 350.0;  ///< each piece
+  double parts = 200.0;   ///< each part beyond the first that a piece has faces of
   double small = 1200.0;  ///< pieces less than 30 mm wide: by the share that is missing
   double panels = 800.0;  ///< square of a piece's flat regions over 80
 };
