@@ -136,16 +136,16 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
   const auto twins_of = [&](const Folds& folds) {
     return context.out_of_time() ? TwinPieces() : find_twin_pieces(asked.surface, patch, folds, context);
   };
-  const auto bordered = [&](const Folds& folds) {
+  const auto bordered = [&](const Folds& folds, Start start) {
     const Patch apart = with_twins_apart(patch, folds, twins_of(folds));
     return better_borders(asked.surface, plan.whole, apart, folds, images.edge, asked.options, plan.room,
-                          context);
+                          start, context);
   };
-  Folds calm = bordered(even);
+  Folds calm = bordered(even, Start::anywhere);
   if (rules.merge) {
     const Folds cut = with_ragged_pieces_cut(patch, asked.part.items(), calm, rules.weights, context);
     if (blame(patch, calm, cut, PieceReason::shape, parts.causes) > 0) {
-      calm = bordered(cut);
+      calm = bordered(cut, Start::near);
     }
   }
   const Folds better =

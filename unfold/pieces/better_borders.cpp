@@ -19,6 +19,9 @@
 namespace ridgecraft::unfold {
 namespace {
 
+/// Where the search begins near the best, mm: walls that go round stay strips at this heat.
+constexpr double heat_nearby = 8.0;
+
 /// Pieces that are searched together, and the sides that link them.
 struct Group {
   std::vector<std::uint32_t> faces;  ///< ascending
@@ -55,7 +58,8 @@ std::vector<Group> groups_of(const Patch& patch, const Layout& layout) {
 /// The trees of one group with less energy, as folds of its sub-patch.
 Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& whole,
                const Folds& folds, const Group& group, const IdVector<EdgeId, EdgeId>& mirrored,
-               const Options& options, const Room& room, std::uint64_t seed, const Context& context) {
+               const Options& options, const Room& room, Start start, std::uint64_t seed,
+               const Context& context) {
   const Patch patch = sub_patch(whole, group.faces);
   Folds tree = sub_folds(whole, folds, group.faces);
   std::vector<std::uint32_t> links;
@@ -72,7 +76,10 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
   CutFacts facts = cut_facts(net, options.tabs);
   const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart, mirrored);
   facts.mirror = mirror;
-  const Annealing rules = annealing_for(options.pieces.trials_per_face, patch.size());
+  Annealing rules = annealing_for(options.pieces.trials_per_face, patch.size());
+  if (start == Start::near) {
+    rules.first_heat = heat_nearby;
+  }
   anneal(net, facts, room, options.pieces.weights, rules, seed, context);
   tree = net.folds();
   for (const std::uint32_t side : links) {
@@ -85,7 +92,7 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
 
 Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
                      const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,
-                     const Room& room, const Context& context) {
+                     const Room& room, Start start, const Context& context) {
   const std::vector<Group> groups = groups_of(patch, lay_out(patch, folds));
   std::vector<Folds> trees(groups.size());
   do_in_parallel(
@@ -97,7 +104,8 @@ Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels
         }
         // Beside those of the parts (the seed) and of the trees (its complement).
         const std::uint64_t seed = Random::stream(~context.seed + 1, i).next();
-        trees[i] = searched(surface, panels, patch, folds, groups[i], mirrored, options, room, seed, own);
+        trees[i] =
+            searched(surface, panels, patch, folds, groups[i], mirrored, options, room, start, seed, own);
       },
       [&](std::size_t done) {
         context.report("unfold", 0.8 + 0.1 * static_cast<double>(done) / static_cast<double>(groups.size()));

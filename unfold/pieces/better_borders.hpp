@@ -12,6 +12,9 @@
 
 namespace ridgecraft::unfold {
 
+/// How far a forest may be from the best: a search that begins hot leaves nothing of a good one.
+enum class Start { anywhere, near };
+
 /// Brings a clean forest to less energy (energy/anneal.hpp), groups of pieces that meet by groups. Pieces may
 /// hand faces to each other; their number stays, they stay clean and fit the room if they did. `mirrored`:
 /// mirror_images. The patch is the whole surface. Deterministic for one seed but for the deadline; one group
@@ -19,6 +22,6 @@ namespace ridgecraft::unfold {
 [[nodiscard]] Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels,
                                    const Patch& patch, const Folds& folds,
                                    const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,
-                                   const Room& room, const Context& context);
+                                   const Room& room, Start start, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "unfold/energy/bands.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/objective.hpp"
@@ -21,6 +23,9 @@ using Faces = std::vector<std::uint32_t>;
 
 /// So many folds of a piece are measured: those where outline, seam and number of pieces alone save most.
 constexpr std::size_t most_measured = 8;
+
+/// So many folds across a wall that goes round make a stretch of it.
+constexpr std::size_t few_rungs = 2;
 
 /// A piece, and what it costs.
 struct Costed {
@@ -37,6 +42,7 @@ class RaggedPieces {
         folds_(std::move(folds)),
         weights_(weights),
         context_(context),
+        bands_(weights.bands > 0.0 ? find_bands(patch) : Bands()),
         place_(patch.size(), nothing) {}
 
   Folds run() {
@@ -68,6 +74,19 @@ class RaggedPieces {
     return {std::move(faces), cost};
   }
 
+  /// Does the piece have a stretch of a wall that goes round? That makes a long outline, and is what a master
+  /// would draw.
+  [[nodiscard]] bool has_band(const RootedTree& tree) const {
+    std::map<std::uint32_t, std::size_t> rungs;  // that are folds, of each band
+    return std::any_of(tree.up.begin() + 1, tree.up.end(), [&](std::uint32_t up) {
+      return is_rung(up) && ++rungs[bands_.band[up]] >= few_rungs;
+    });
+  }
+
+  [[nodiscard]] bool is_rung(std::uint32_t side) const {
+    return !bands_.empty() && bands_.band[side] != nothing;
+  }
+
   /// Where the outline in front of and behind a fold would cost so much less, by its place in the tree.
   [[nodiscard]] std::vector<std::pair<double, std::size_t>> promising(const RootedTree& tree) const {
     std::vector<double> outline(tree.order.size(), 0.0);  // of the face with all that hangs on it
@@ -84,7 +103,7 @@ class RaggedPieces {
       const double fold = patch_.length[tree.up[i]];
       const double saved = outline_cost(outline[0], weights_) - outline_cost(outline[i] + fold, weights_) -
                            outline_cost(outline[0] - outline[i] + fold, weights_) - weights_.seam * fold;
-      if (patch_.frozen[tree.up[i]] == 0 && saved > 0.0) {
+      if (patch_.frozen[tree.up[i]] == 0 && !is_rung(tree.up[i]) && saved > 0.0) {
         found.emplace_back(-saved, i);
       }
     }
@@ -97,6 +116,9 @@ class RaggedPieces {
   /// Both halves, if the piece is cut.
   std::optional<std::array<Costed, 2>> cut(const Costed& piece) {
     const RootedTree tree = rooted_tree(patch_, folds_, piece.faces.front(), place_);
+    if (has_band(tree)) {
+      return std::nullopt;
+    }
     std::optional<std::array<Costed, 2>> best;
     std::uint32_t best_side = nothing;
     double least = piece.cost;
@@ -125,6 +147,8 @@ class RaggedPieces {
   Folds folds_;
   const Weights& weights_;
   const Context& context_;
+  Bands bands_;
+  std::vector<std::size_t> rungs_;    ///< how many each band has
   std::vector<std::uint32_t> place_;  ///< space to work in
 };
 
