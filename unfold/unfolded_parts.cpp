@@ -23,6 +23,15 @@ struct Task {
   std::vector<FaceId> faces;
 };
 
+/// Why these faces are several patches. What hangs together at needles alone counts as not connected.
+PieceReason why_apart(const Asked& asked, const std::vector<FaceId>& faces) {
+  const EdgeWishes& wishes = asked.options.wishes;
+  const bool connected_before = connected(asked.surface, faces).size() == 1;
+  return connected_before && !wishes.empty() && connected(asked.surface, faces, wishes.items()).size() > 1
+             ? PieceReason::request
+             : PieceReason::component;
+}
+
 std::vector<Task> make_tasks(const Asked& asked, const Plan& plan) {
   std::uint32_t groups = 0;
   for (const PartId g : plan.group) {
@@ -35,8 +44,7 @@ std::vector<Task> make_tasks(const Asked& asked, const Plan& plan) {
   const EdgeWishes& wishes = plan.possible_wishes;
   std::vector<Task> tasks;
   for (const PartId g : ids<PartId>(groups)) {
-    const bool one_without_wishes = !wishes.empty() && connected(asked.surface, faces[g]).size() == 1;
-    const PieceReason beside_first = one_without_wishes ? PieceReason::request : PieceReason::component;
+    const PieceReason beside_first = why_apart(asked, faces[g]);
     PieceReason reason = PieceReason::part;
     for (auto& patch : connected(asked.surface, faces[g], wishes.items())) {
       tasks.push_back({asked.part[patch.front()], reason, std::move(patch)});

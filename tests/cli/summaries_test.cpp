@@ -365,3 +365,22 @@ TEST_CASE("a size without a unit is told of where it makes a tiny model", "[summ
   CHECK_FALSE(told("10mm"));
   CHECK_FALSE(told("2cm"));
 }
+
+TEST_CASE("what hangs together at a thread of paper alone becomes two pieces, in every mode", "[summaries]") {
+  // Two flaps at the ends of a strip of a fiftieth of a millimetre.
+  const TemporaryFolder folder;
+  write_bytes(folder / "strip.obj",
+              "v 0 0 0\nv 10 0 0\nv 75 0 0\nv 86 0 0\nv 86 0.02 0\nv 0 0.02 0\n"
+              "v 0 0 -20\nv 10 0 -20\nv 75 0 -20\nv 86 0 -20\n"
+              "f 1 2 3 4 5 6\nf 2 1 7 8\nf 4 3 9 10\n");
+  for (const std::vector<std::string>& mode :
+       {std::vector<std::string>{}, {"--pieces", "few"}, {"--max-faces", "any"}, {"--pieces", "small"}}) {
+    std::vector<std::string> words{"strip.obj", "--scale", "1",      "--unit", "mm",         "--faces",
+                                   "keep",      "-o",      "a.fold", "--json", "--overwrite"};
+    words.insert(words.end(), mode.begin(), mode.end());
+    const Outcome outcome = run_program(words, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(Json::parse(outcome.out)["pieces"] == 2);
+  }
+}

@@ -204,6 +204,12 @@ class StatementCheck {
     }
   }
 
+  [[nodiscard]] bool wants_few_pieces() const {
+    const Setting* const pieces = file_.settings.find("pieces");
+    const auto* const word = pieces != nullptr ? std::get_if<std::string>(pieces) : nullptr;
+    return word != nullptr && *word == "few";
+  }
+
   /// Whether no piece is mostly of some part.
   [[nodiscard]] bool has_free_part(const std::vector<Share>& share) const {
     return std::any_of(file_.model.face_part.begin(), file_.model.face_part.end(), [&](std::int64_t part) {
@@ -211,8 +217,8 @@ class StatementCheck {
     });
   }
 
-  /// The largest piece of a part stands for it, and comes first; others say why they are there. Where no piece is
-  /// mostly of a part, another one may stand for it.
+  /// The largest piece of a part stands for it, and comes first; others say why they are there. Where no
+  /// piece is mostly of a part, another one may stand for it.
   void check_reason(std::size_t i, const std::vector<Share>& share) {
     const Piece& piece = file_.pieces[i];
     const auto name = [&] { return piece_name(file_, static_cast<Index>(i)); };
@@ -227,11 +233,14 @@ class StatementCheck {
     const auto asks = [&](std::string_view setting) {
       return file_.settings.find(setting) != nullptr || searched_with(file_.settings, setting) != nullptr;
     };
+    // Without a limit of faces pieces can still be hard to cut out or to fold, unless few are wanted above
+    // all.
+    const bool any_faces = file_.settings.number("max_faces") == 0.0 && wants_few_pieces();
     const bool stands = piece.reason == "part";
     const bool impossible = (certain && (stands ? follows && !has_free_part(share) : !follows)) ||
                             (piece.reason == "page" && !file_.pages[piece.page].bounded) ||
                             (piece.reason == "tabs" && !asks("all_tabs")) ||
-                            (piece.reason == "faces" && file_.settings.number("max_faces") == 0.0) ||
+                            (piece.reason == "faces" && any_faces) ||
                             (piece.reason == "request" && !asks("cuts") && !asks("keep") && !asks("from") &&
                              !asks("fold_linear"));
     if (impossible) {
