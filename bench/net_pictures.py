@@ -17,6 +17,7 @@ SCALE = 0.56  # pixels a mm
 GAP = 8
 GROUPS_APART = 24
 TITLE = 16
+LETTER = 7  # about the width of one, pixels
 FINER = 3  # drawn so many times as large, for smooth lines
 PAPER, FACE, TAB, FOLD, CUT = "white", "#f2e9d8", "#d8d8d8", "#777777", "black"
 
@@ -59,16 +60,18 @@ def pages(path):
 
 def row(name, before, now):
     groups = [pages(before / f"{name}.fold"), pages(now / f"{name}.fold")]
-    width = sum(p.width + GAP for group in groups for p in group) + GROUPS_APART
-    picture = Image.new("RGB", (width, TITLE + max(p.height for g in groups for p in g) + GAP), "white")
+    titles = [f"{name}: before", "now"]
+    widths = [max(sum(p.width + GAP for p in group), LETTER * len(title)) for title, group in zip(titles, groups)]
+    picture = Image.new("RGB", (sum(widths) + GROUPS_APART, TITLE + max(p.height for g in groups for p in g) + GAP), "white")
     draw = ImageDraw.Draw(picture)
     x = 0
-    for title, group in zip((f"{name}: before", "now"), groups):
+    for title, width, group in zip(titles, widths, groups):
         draw.text((x + 2, 2), title, fill="black")
+        at = x
         for page in group:
-            picture.paste(page, (x, TITLE))
-            x += page.width + GAP
-        x += GROUPS_APART
+            picture.paste(page, (at, TITLE))
+            at += page.width + GAP
+        x += width + GROUPS_APART
     return picture
 
 
