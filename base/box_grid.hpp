@@ -8,18 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/vector.hpp"
+#include "base/boxes.hpp"
 
 namespace ridgecraft {
-
-/// The box grown by `margin` on all sides.
-[[nodiscard]] inline Box2 grown(const Box2& box, double margin) {
-  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
-}
-/// Do the closed boxes have a point in common?
-[[nodiscard]] inline bool meet(const Box2& a, const Box2& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
 
 /// Boxes 0 .. n-1, each listed in all cells that it meets. Cells are about as large as the mean box, and
 /// never more than a few per box, so building is O(n) and a query O(answer) for boxes of similar size.

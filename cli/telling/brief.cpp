@@ -168,6 +168,10 @@ std::string details_text(const prepare::Details& details) {
                           ? "1 flat one that lies on another body"
                           : fmt::format("{} flat ones that lie on others", details.flat));
   }
+  if (details.low > 0) {
+    clauses.push_back(details.low == 1 ? "1 that hardly stands out of another body"
+                                       : fmt::format("{} that hardly stand out of others", details.low));
+  }
   return fmt::format("{}", fmt::join(clauses, " and "));
 }
 

@@ -49,7 +49,7 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                       {"openings_closed", skin.rims_closed},
                                       {"left_crossing", skin.left_crossing}});
   const prepare::Details& details = made.ready.left_out;
-  summary.add("left_out", Value::Object{{"small", details.small}, {"flat", details.flat}});
+  summary.add("left_out", Value::Object{{"small", details.small}, {"flat", details.flat}, {"low", details.low}});
   if (details.count() > 0) {
     summary.say(Line::skin, "left out", details_text(details) + " (--keep-bodies leaves them in)");
   }

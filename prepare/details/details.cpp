@@ -5,14 +5,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include "base/box_tree.hpp"
+#include "base/boxes.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
+#include "prepare/details/faces_alone.hpp"
+#include "prepare/details/reliefs.hpp"
 #include "prepare/symmetry/area_frame.hpp"
 
 namespace ridgecraft::prepare {
@@ -25,6 +27,10 @@ constexpr double short_strip = 0.2;
 constexpr double tiny_area = 4.0;
 /// The same as for strips, of a flat sheet on a wall.
 constexpr double small_sheet = 0.25;
+/// The same as for strips, of a body that hardly stands out of another.
+constexpr double short_relief = 0.25;
+/// A body with no more faces is no trouble, however little it stands out.
+constexpr std::size_t faces_of_box = 12;
 /// Sheets are flat within this share of the width that counts as narrow.
 constexpr double flat = 0.1;
 /// A sheet doesn't lie on what is steeper against it (the cosine of their normals).
@@ -40,30 +46,17 @@ constexpr int turns = 24;
 /// Of a part of a surface, ascending: along the principal axis with the largest one, and across it as the
 /// body is narrowest. Principal axes alone would be any two of a square bar's.
 std::array<double, 3> extents(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
-  std::map<VertexId, VertexId> number;
-  std::vector<Vec3> points;
-  std::vector<std::array<VertexId, 3>> corners;
-  for (const FaceId f : faces) {
-    std::array<VertexId, 3> own = surface.vertices(f);
-    for (VertexId& v : own) {
-      const auto [at, fresh] = number.try_emplace(v, static_cast<std::uint32_t>(points.size()));
-      if (fresh) {
-        points.push_back(surface.point(v));
-      }
-      v = at->second;
-    }
-    corners.push_back(own);
-  }
+  const mesh::Surface alone = faces_alone(surface, faces);
   const auto extent = [&](Vec3 axis) {
     double low = INFINITY;
     double high = -INFINITY;
-    for (const Vec3 p : points) {
+    for (const Vec3 p : alone.points()) {
       low = std::min(low, dot(p, axis));
       high = std::max(high, dot(p, axis));
     }
     return high - low;
   };
-  const std::array<Vec3, 3> axes = area_frame(mesh::Surface(points, std::move(corners))).axes;
+  const std::array<Vec3, 3> axes = area_frame(alone).axes;
   std::size_t longest = 0;
   for (std::size_t k = 1; k < axes.size(); ++k) {
     longest = extent(axes[k]) > extent(axes[longest]) ? k : longest;
@@ -84,7 +77,7 @@ std::array<double, 3> extents(const mesh::Surface& surface, const std::vector<Fa
   return result;
 }
 
-enum class Kind { body, small, sheet };
+enum class Kind { body, small, sheet, relief };
 
 struct Component {
   std::vector<FaceId> faces;
@@ -92,11 +85,6 @@ struct Component {
   Box3 box;
   Kind kind = Kind::body;
 };
-
-bool meet(const Box3& a, const Box3& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
 
 /// What sheets may lie on.
 class Walls {
@@ -106,17 +94,15 @@ class Walls {
         faces_(of_bodies(components)),
         tree_(
             faces_.size(), [&](std::uint32_t i) { return box_of(faces_[i]); },
-            [&](std::uint32_t i) { return 0.5 * (box_of(faces_[i]).low + box_of(faces_[i]).high); }) {}
+            [&](std::uint32_t i) { return centre(box_of(faces_[i])); }) {}
 
   /// Is there a wall between p - way and p + way?
   [[nodiscard]] bool is_before(Vec3 p, Vec3 way) const {
     const double hair = side_hair * length(way);
-    const Vec3 around{hair, hair, hair};
-    Box3 box;
-    for (const Vec3 end : {p - way, p + way}) {
-      box.add(end - around);
-      box.add(end + around);
-    }
+    Box3 ends;
+    ends.add(p - way);
+    ends.add(p + way);
+    const Box3 box = grown(ends, hair);
     bool found = false;
     tree_.search([&](std::uint32_t node) { return !found && meet(box, tree_.box(node)); },
                  [&](std::uint32_t at) { found = found || meets(faces_[tree_.order()[at]], p, way); });
@@ -182,13 +168,15 @@ class DetailSearch {
       c.kind = kind_of(c);
     }
     drop_sheets_in_the_air();
+    find_reliefs();
     double all = 0.0;
     double details = 0.0;
     std::size_t faces = 0;
     std::vector<Kind> result;
     for (const Component& c : components_) {
       all += c.area;
-      details += c.kind == Kind::body ? 0.0 : c.area;
+      // Reliefs leave the walls behind them.
+      details += c.kind == Kind::small || c.kind == Kind::sheet ? c.area : 0.0;
       faces += c.kind == Kind::body ? 0 : c.faces.size();
       result.push_back(c.kind);
     }
@@ -228,6 +216,29 @@ class DetailSearch {
     }
   }
 
+  /// What is neither long nor a detail by itself may be one by where it lies.
+  void find_reliefs() {
+    std::vector<ComponentFaces> candidates;
+    std::vector<std::size_t> number;
+    std::vector<FaceId> ground;
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      const Component& c = components_[i];
+      if (c.kind != Kind::body) {
+        continue;
+      }
+      if (c.box.largest_extent() > short_relief * surface_.bounds().largest_extent()) {
+        ground.insert(ground.end(), c.faces.begin(), c.faces.end());
+      } else if (c.faces.size() > faces_of_box) {
+        candidates.push_back(c.faces);
+        number.push_back(i);
+      }
+    }
+    const std::vector<bool> are = are_reliefs(surface_, candidates, ground, limits_.narrow, context_);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      components_[number[i]].kind = are[i] ? Kind::relief : Kind::body;
+    }
+  }
+
   /// A pane that fills a hole has a wall all round, but none right behind it.
   [[nodiscard]] bool lies_on(const Component& sheet, const Walls& walls) const {
     return std::all_of(sheet.faces.begin(), sheet.faces.end(), [&](FaceId f) {
@@ -238,9 +249,8 @@ class DetailSearch {
       const Vec3 p2 = surface_.point(v2);
       const std::array<Vec3, 7> places{
           p0, p1, p2, 0.5 * (p0 + p1), 0.5 * (p1 + p2), 0.5 * (p2 + p0), (p0 + p1 + p2) / 3.0};
-      return std::all_of(places.begin(), places.end(), [&](Vec3 p) {
-        return walls.is_before(p, limits_.narrow * surface_.normal(f));
-      });
+      return std::all_of(places.begin(), places.end(),
+                         [&](Vec3 p) { return walls.is_before(p, limits_.narrow * surface_.normal(f)); });
     });
   }
 
@@ -261,6 +271,7 @@ Details leave_out_details(mesh::Model& model, const DetailLimits& limits, const 
   Details details;
   details.small = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::small));
   details.flat = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::sheet));
+  details.low = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::relief));
   if (details.count() == 0) {
     return details;
   }

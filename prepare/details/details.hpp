@@ -16,9 +16,10 @@ struct DetailLimits {
   double least_faces = 0.0;  ///< the share of the model's faces that details have at least, else all stay
 };
 
-/// Leaves out three kinds of components that are short beside the model: those with less area than a square
-/// of twice `narrow`; strips narrower than `narrow` (window bars, wires); and small flat sheets that are
-/// everywhere nearer than that to another component (panes, painted stones). Extents are those along a
+/// Leaves out four kinds of components that are short beside the model: those with less area than a square
+/// of twice `narrow`; strips narrower than `narrow` (window bars, wires); small flat sheets that are
+/// everywhere nearer than that to another component (panes, painted stones); and bodies that stand out of
+/// large ones, or into them, by less than that all over (window frames, buttons). Extents are those along a
 /// component's principal axes. Where they have more than a tenth of the model's area together, they are what
 /// the model is made of, and all stay. O(n log n).
 [[nodiscard]] Details leave_out_details(mesh::Model& model, const DetailLimits& limits,

@@ -12,11 +12,13 @@ namespace ridgecraft::prepare {
 struct Details {
   std::size_t small = 0;  ///< too small or too narrow to be folded and held
   std::size_t flat = 0;   ///< flat, and lying on another one
+  std::size_t low = 0;    ///< bodies that hardly stand out of another one
 
-  [[nodiscard]] std::size_t count() const { return small + flat; }
+  [[nodiscard]] std::size_t count() const { return small + flat + low; }
   Details& operator+=(const Details& other) {
     small += other.small;
     flat += other.flat;
+    low += other.low;
     return *this;
   }
 };

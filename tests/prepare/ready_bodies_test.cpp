@@ -28,6 +28,23 @@ struct Bodies {
     points = both(points, other);
   }
   void add_box(Vec3 low, Vec3 high) { add(box_points(low, high), box_faces); }
+  /// Over a polygon that goes round to the left, seen from above.
+  void add_prism(const std::vector<Vec3>& outline, double low, double high) {
+    const auto n = static_cast<std::uint32_t>(outline.size());
+    std::vector<Vec3> own;
+    std::vector<std::vector<std::uint32_t>> sides(2);
+    for (const double z : {low, high}) {
+      for (const Vec3 p : outline) {
+        own.push_back({p.x, p.y, z});
+      }
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      sides[0].push_back(n - 1 - i);
+      sides[1].push_back(n + i);
+      sides.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+    }
+    add(own, sides);
+  }
   void add_sheet(Vec3 at, Vec3 u, Vec3 v) { add({at, at + u, at + u + v, at + v}, {{0, 1, 2, 3}}); }
 
   [[nodiscard]] Model model() const { return mesh::repair(soup(points, faces), {}, Context()); }
@@ -73,6 +90,28 @@ TEST_CASE("what nobody could hold is left out: bars, crumbs and panes on a wall"
   CHECK(model.surface.component_count() == before - 3);
   // The long post is as narrow as the bar and stays.
   CHECK(model.surface.bounds().high.y == 102.0);
+}
+
+TEST_CASE("a body that hardly stands out of a wall is left out, unless it is as plain as a box") {
+  const auto framed = [](double thick, bool plain) {
+    Bodies bodies = wall();
+    const std::vector<Vec3> corners{{60, 40, 0}, {80, 40, 0}, {85, 50, 0},
+                                    {80, 60, 0}, {60, 60, 0}, {55, 50, 0}};
+    if (plain) {
+      bodies.add_box({60, 40, 9}, {80, 60, 10 + thick});
+    } else {
+      bodies.add_prism(corners, 9, 10 + thick);
+    }
+    return bodies.model();
+  };
+  for (const double thick : {1.0, 2.5, 3.5}) {
+    Model plate = framed(thick, false);
+    CHECK(ready(plate, 150.0).left_out.low == (thick < 3.0 ? 1U : 0U));
+    Model block = framed(thick, true);
+    CHECK(ready(block, 150.0).left_out.count() == 0);
+  }
+  Model kept = framed(1.0, false);
+  CHECK(ready(kept, 150.0, prepare::Simplification::keep).left_out.count() == 0);
 }
 
 TEST_CASE("what is too small depends on the size, not on the file's unit or on where the model stands") {

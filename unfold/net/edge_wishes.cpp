@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/boxes.hpp"
 #include "base/near_boxes.hpp"
 
 namespace ridgecraft::unfold {
@@ -17,16 +18,9 @@ constexpr double most = 0.5;
 
 Box3 box_of(Vec3 a, Vec3 b, double margin) {
   Box3 box;
-  for (const Vec3 p : {a, b}) {
-    box.add(p - Vec3{margin, margin, margin});
-    box.add(p + Vec3{margin, margin, margin});
-  }
-  return box;
-}
-
-bool meet(const Box3& a, const Box3& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
+  box.add(a);
+  box.add(b);
+  return grown(box, margin);
 }
 
 /// How much of the segment lies on the line from a to b; 0 where it runs elsewhere.
