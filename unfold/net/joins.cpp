@@ -31,7 +31,8 @@ class SeamWalk {
       return pieces_at(surface_, nets_, a) < pieces_at(surface_, nets_, b);
     });
     for (const EdgeId e : cuts) {
-      if (numbered_[e.value()] == 0) {
+      // Where seams run into themselves the way from an end may miss some of what led there.
+      while (numbered_[e.value()] == 0) {
         walk(seam_end(e));
       }
     }

@@ -74,6 +74,16 @@ ConvexShape turned_over(const ConvexShape& shape, double length) {
   return result;
 }
 
+/// The shape on an edge of another length, which differs by no more than pieces do that count as equal. The
+/// base is that of the edge: a corner that was at its end is at the other's end.
+ConvexShape fitted(const ConvexShape& shape, double before, double length) {
+  ConvexShape result = shape;
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    result[i].x = result[i].x >= before ? length : std::clamp(result[i].x, 0.0, length);
+  }
+  return result;
+}
+
 class TabCopier {
  public:
   TabCopier(const std::vector<TabSite>& sites, const TabOptions& options)
@@ -89,6 +99,7 @@ class TabCopier {
       std::optional<ChosenTab>& own = result[to[i] / 2];
       if (tab && tab->site == from[i]) {
         ChosenTab copy{to[i], tab->shape};
+        copy.shape.outline = fitted(copy.shape.outline, sites_[from[i]].length, sites_[to[i]].length);
         if (mirrored) {
           copy.shape.outline = turned_over(copy.shape.outline, sites_[to[i]].length);
         }
