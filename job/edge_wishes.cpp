@@ -234,6 +234,18 @@ prepare::Bodies bodies_for(const EdgeRequests& edges, prepare::Bodies wanted) {
                                                                         : prepare::Bodies::keep;
 }
 
+prepare::Skins skins_for(const EdgeRequests& edges, prepare::Skins wanted) {
+  if (!edges.from || !is_fold_file(*edges.from)) {
+    return wanted;
+  }
+  const verify::File before = read_fold_file(*edges.from);
+  const verify::Setting* const skins = before.settings.find("skins");
+  if (skins == nullptr) {
+    return prepare::Skins::outer;
+  }
+  return *skins == verify::Setting("middle") ? prepare::Skins::middle : prepare::Skins::both;
+}
+
 EdgeWishes wishes_of(const EdgeRequests& edges, const prepare::Prepared& prepared, const Context& context,
                      std::vector<std::string>& notes) {
   EdgeWishes wishes;

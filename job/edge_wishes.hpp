@@ -30,6 +30,8 @@ void use_size_of_nets(const EdgeRequests& edges, const mesh::Model& model, prepa
 
 /// Whether bodies are to be united: as nets made before say, where there are any.
 [[nodiscard]] prepare::Bodies bodies_for(const EdgeRequests& edges, prepare::Bodies wanted);
+/// What becomes of thin walls, the same way.
+[[nodiscard]] prepare::Skins skins_for(const EdgeRequests& edges, prepare::Skins wanted);
 
 /// What is wanted of each edge of the prepared surface; empty where nothing is. What couldn't be matched is
 /// noted. Throws Error(unreadable_input) for nets that can't be read, Error(unusable_mesh) for nets of

@@ -162,7 +162,7 @@ void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& co
     }
     return true;
   });
-  if (made.skin.united == 0 && made.ready.left_out.count() == 0 &&
+  if (made.skin.united == 0 && made.ready.left_out.count() == 0 && made.ready.sheets.walls == 0 &&
       made.ready.simplified.faces_before == 0) {
     made.options.bodies = prepare::Bodies::keep;
   }
@@ -205,6 +205,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   heed_edges(options.edges, model, made.options.simplify, notes);
   use_size_of_nets(options.edges, model, made.options.size);
   made.options.bodies = bodies_for(options.edges, options.bodies);
+  made.options.simplify.skins = skins_for(options.edges, options.simplify.skins);
   const double units = model.file_scale;
   if (made.options.bodies == prepare::Bodies::unite) {
     unite(model, made, clock, context);

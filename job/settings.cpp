@@ -83,6 +83,9 @@ paper::Settings settings_of(const Options& options, std::uint64_t seed) {
   add_size(options, settings);
   if (options.bodies == prepare::Bodies::unite) {
     settings["bodies"] = json_string("united");
+    if (options.simplify.skins != prepare::Skins::outer) {
+      settings["skins"] = json_string(options.simplify.skins == prepare::Skins::both ? "both" : "middle");
+    }
   }
   add_tabs(options.tabs, settings);
   add_edges(options.edges, settings);

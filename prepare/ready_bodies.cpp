@@ -3,6 +3,7 @@
 
 #include "prepare/details/details.hpp"
 #include "prepare/panels/remesh_panels.hpp"
+#include "prepare/sheets/double_skins.hpp"
 #include "prepare/simplify/simplify.hpp"
 
 namespace ridgecraft::prepare {
@@ -44,16 +45,18 @@ Details leave_out_details(mesh::Model& model, const SizeOptions& size, const Sim
 ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const SimplifyOptions& simplify,
                          const Context& context) {
   ReadyReport report;
-  if (simplify.mode == Simplification::keep || model.surface.component_count() < 2) {
+  const double mm = judged_mm_per_unit(model, size);
+  if (simplify.mode == Simplification::keep || !(mm > 0.0)) {
+    return report;
+  }
+  report.sheets = leave_one_skin(model, simplify.skins, simplify.tiny_edge_mm / mm, context);
+  report.sheets.thickness_mm *= mm;
+  if (model.surface.component_count() < 2) {
     return report;
   }
   report.left_out = leave_out_details(model, size, simplify, context);
   if (simplify.mode != Simplification::automatic || model.surface.face_count() <= fine_faces ||
       model.surface.component_count() < 2) {
-    return report;
-  }
-  const double mm = judged_mm_per_unit(model, size);
-  if (!(mm > 0.0)) {
     return report;
   }
   SimplifyOptions first = simplify;

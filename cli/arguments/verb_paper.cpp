@@ -72,6 +72,7 @@ struct PaperTexts {
   std::string hide = "3";
   bool no_tabs = false;
   bool keep_bodies = false;
+  std::string skins = "outer";
 
   void add_to(Verb& verb, PaperJob& job) {
     verb.option("Paper", "--paper", paper, "NAME|WxH",
@@ -91,6 +92,10 @@ struct PaperTexts {
         "Parts", "--keep-bodies", keep_bodies,
         "Leave bodies that touch or run into each other as they are, hidden faces and all; without it they "
         "become one outer skin.");
+    verb.option(
+        "Parts", "--skins", skins, "outer|middle|both",
+        "Walls thinner than 3 mm become a sheet: their outer skin, or one in the middle of the wall; both "
+        "leaves inside and outside (outer).");
     verb.option("Parts", "--concavity", concavity, "TOLERANCE",
                 "How far a part may be from convex, as a share of the radius of the model's bounding sphere "
                 "(0.1).");
@@ -100,12 +105,26 @@ struct PaperTexts {
   void check_into(PaperJob& job) const {
     check_paper(job);
     job.options.bodies = keep_bodies ? prepare::Bodies::keep : prepare::Bodies::unite;
+    job.options.simplify.skins = skins_or_refuse();
     job.options.concavity = concavity_or_refuse(concavity);
     check_tabs(job.options.tabs);
     job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
   }
 
  private:
+  [[nodiscard]] prepare::Skins skins_or_refuse() const {
+    if (skins == "outer") {
+      return prepare::Skins::outer;
+    }
+    if (skins == "middle") {
+      return prepare::Skins::middle;
+    }
+    if (skins != "both") {
+      refuse("--skins is outer, middle or both, not " + skins);
+    }
+    return prepare::Skins::both;
+  }
+
   void check_paper(PaperJob& job) const {
     job.options.paper = paper::parse_paper(paper);
     job.paper_name = paper;

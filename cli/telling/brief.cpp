@@ -45,8 +45,8 @@ std::string paper_line(const PaperJob& job, const job::Paper& made, const GlueFi
   const std::size_t lists = made.drawn.list_pages;
   return fmt::format("{} on {}{}, {}: {} to cut, {} to fold, {} to glue",
                      counted(made.nets.pieces.size(), "piece"), counted(made.pages.count, "page"),
-                     lists == 0 ? "" : fmt::format(" (and {} of numbers)", lists), job.paper_name, metres(made.figures.cut_mm), metres(made.figures.fold_mm),
-                     metres(glue.all_mm));
+                     lists == 0 ? "" : fmt::format(" (and {} of numbers)", lists), job.paper_name,
+                     metres(made.figures.cut_mm), metres(made.figures.fold_mm), metres(glue.all_mm));
 }
 
 std::string counted_bodies(std::size_t count) {
@@ -57,6 +57,9 @@ std::string model_line(const job::Paper& made) {
   const prepare::SimplifyReport& report = made.prepared.simplified;
   Clauses clauses;
   const prepare::SkinReport& skin = made.skin;
+  if (made.ready.sheets.walls > 0) {
+    clauses.push_back(sheets_text(made.ready.sheets));
+  }
   if (made.ready.left_out.count() > 0) {
     clauses.push_back(details_text(made.ready.left_out) + " left out");
   }
@@ -157,16 +160,24 @@ std::vector<PieceId> pieces_with_slivers(const job::Paper& made) {
   return {found.begin(), found.end()};
 }
 
+std::string sheets_text(const prepare::SheetsReport& sheets) {
+  if (sheets.thickness_mm < 0.05) {
+    return sheets.walls == 1 ? "two skins in one place became one"
+                             : "skins that lay in one place twice became one";
+  }
+  return fmt::format("{} of up to {:.1f} mm became {}",
+                     sheets.walls == 1 ? "a thin wall" : fmt::format("{} thin walls", sheets.walls),
+                     sheets.thickness_mm, sheets.walls == 1 ? "a sheet" : "sheets");
+}
+
 std::string details_text(const prepare::Details& details) {
   Clauses clauses;
   if (details.small > 0) {
-    clauses.push_back(
-        details.small == 1 ? "1 small body" : fmt::format("{} small bodies", details.small));
+    clauses.push_back(details.small == 1 ? "1 small body" : fmt::format("{} small bodies", details.small));
   }
   if (details.flat > 0) {
-    clauses.push_back(details.flat == 1
-                          ? "1 flat one that lies on another body"
-                          : fmt::format("{} flat ones that lie on others", details.flat));
+    clauses.push_back(details.flat == 1 ? "1 flat one that lies on another body"
+                                        : fmt::format("{} flat ones that lie on others", details.flat));
   }
   if (details.low > 0) {
     clauses.push_back(details.low == 1 ? "1 that hardly stands out of another body"

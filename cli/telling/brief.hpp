@@ -23,6 +23,9 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
 /// Pieces with faces that are thinner than job::sliver_mm.
 [[nodiscard]] std::vector<PieceId> pieces_with_slivers(const job::Paper& made);
 
+/// "a thin wall of up to 1.2 mm became a sheet".
+[[nodiscard]] std::string sheets_text(const prepare::SheetsReport& sheets);
+
 /// "17 small bodies and 4 flat ones that lie on others".
 [[nodiscard]] std::string details_text(const prepare::Details& details);
 

@@ -49,7 +49,14 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                       {"openings_closed", skin.rims_closed},
                                       {"left_crossing", skin.left_crossing}});
   const prepare::Details& details = made.ready.left_out;
-  summary.add("left_out", Value::Object{{"small", details.small}, {"flat", details.flat}, {"low", details.low}});
+  summary.add("left_out",
+              Value::Object{{"small", details.small}, {"flat", details.flat}, {"low", details.low}});
+  const prepare::SheetsReport& sheets = made.ready.sheets;
+  summary.add("thin_walls",
+              Value::Object{{"count", sheets.walls}, {"thickness_mm", rounded(sheets.thickness_mm)}});
+  if (sheets.walls > 0) {
+    summary.say(Line::skin, "thin walls", sheets_text(sheets) + " (--skins both leaves inside and outside)");
+  }
   if (details.count() > 0) {
     summary.say(Line::skin, "left out", details_text(details) + " (--keep-bodies leaves them in)");
   }
@@ -134,14 +141,13 @@ void add_page_saving(Summary& summary, const job::Paper& made) {
 }
 
 void add_slivers(Summary& summary, const job::Paper& made) {
-  summary.add(
-      "slivers", made.slivers, Line::slivers, "slivers",
-      made.slivers == 0
-          ? ""
-          : fmt::format("{} thinner than {:g} mm, too thin to cut or fold, on {}; a larger --size or "
-                        "--faces N helps",
-                        counted(made.slivers, "face"), job::sliver_mm,
-                        piece_names(made.nets, pieces_with_slivers(made))));
+  summary.add("slivers", made.slivers, Line::slivers, "slivers",
+              made.slivers == 0
+                  ? ""
+                  : fmt::format("{} thinner than {:g} mm, too thin to cut or fold, on {}; a larger --size or "
+                                "--faces N helps",
+                                counted(made.slivers, "face"), job::sliver_mm,
+                                piece_names(made.nets, pieces_with_slivers(made))));
 }
 
 /// With the option where a limit that the user set is the cause.

@@ -11,9 +11,9 @@
 
 #include "base/box_tree.hpp"
 #include "base/boxes.hpp"
+#include "mesh/model/faces_alone.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/details/faces_alone.hpp"
 #include "prepare/details/reliefs.hpp"
 #include "prepare/symmetry/area_frame.hpp"
 
@@ -46,7 +46,7 @@ constexpr int turns = 24;
 /// Of a part of a surface, ascending: along the principal axis with the largest one, and across it as the
 /// body is narrowest. Principal axes alone would be any two of a square bar's.
 std::array<double, 3> extents(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
-  const mesh::Surface alone = faces_alone(surface, faces);
+  const mesh::Surface alone = mesh::faces_alone(surface, faces);
   const auto extent = [&](Vec3 axis) {
     double low = INFINITY;
     double high = -INFINITY;

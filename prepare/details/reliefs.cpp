@@ -5,8 +5,8 @@
 
 #include "base/box_tree.hpp"
 #include "base/boxes.hpp"
+#include "mesh/model/faces_alone.hpp"
 #include "mesh/model/surface_distance.hpp"
-#include "prepare/details/faces_alone.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -66,11 +66,11 @@ std::vector<bool> are_reliefs(const mesh::Surface& surface, const std::vector<Co
     return result;
   }
   const Neighbours neighbours(surface);
-  const mesh::Surface walls = faces_alone(surface, ground);
+  const mesh::Surface walls = mesh::faces_alone(surface, ground);
   const mesh::SurfaceTree near(walls, walls.bounds().largest_extent());
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     context.check();
-    const mesh::Surface alone = faces_alone(surface, candidates[c]);
+    const mesh::Surface alone = mesh::faces_alone(surface, candidates[c]);
     const auto is_near = [&](Vec3 p) { return near.distance(p, height) <= height; };
     // Corners alone tell of most bodies that they stand out.
     const bool may_be = std::all_of(alone.points().begin(), alone.points().end(), is_near);

@@ -31,6 +31,9 @@ struct SizeOptions {
 /// How many faces it keeps.
 enum class Simplification { automatic, keep, count };
 
+/// What becomes of thin walls with a skin on either side: one of the skins, a sheet between them, or both stay.
+enum class Skins { outer, middle, both };
+
 struct SimplifyOptions {
   Simplification mode = Simplification::automatic;
   std::size_t faces = 0;  ///< for Simplification::count
@@ -44,6 +47,8 @@ struct SimplifyOptions {
   std::size_t most_faces = 1000;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;
+  /// Walls are thin below tiny_edge_mm: their rims are lower than can be folded.
+  Skins skins = Skins::outer;
   /// Folds of less are drawn as no line, so they don't count; radians.
   double hidden_fold_angle = prepare::hidden_fold_angle;
 };

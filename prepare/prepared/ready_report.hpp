@@ -23,7 +23,14 @@ struct Details {
   }
 };
 
+/// Thin walls that became sheets.
+struct SheetsReport {
+  std::size_t walls = 0;   ///< components
+  double thickness_mm = 0.0;  ///< of the thickest one, on paper as far as its size is known
+};
+
 struct ReadyReport {
+  SheetsReport sheets;
   Details left_out;
   /// Of bodies that were simplified one by one, lengths in units of the surface that was given; else without
   /// any faces.

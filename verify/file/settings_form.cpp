@@ -16,7 +16,7 @@
 namespace ridgecraft::verify {
 namespace {
 
-enum class Kind { yes_no, number, whole_number, sheet, hash, faces, bodies, piece_mode, words };
+enum class Kind { yes_no, number, whole_number, sheet, hash, faces, bodies, skins, piece_mode, words };
 
 /// Which jobs have the setting: those with pages, those without, both; or whoever asked for it.
 enum class Needed { always, with_pages, without_pages, never };
@@ -30,10 +30,11 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 24> known_settings{{
+constexpr std::array<Known, 25> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"bodies", Kind::bodies, Needed::never},
+    {"skins", Kind::skins, Needed::never},
     {"concavity", Kind::number, Needed::always, 0.001, 2.0},
     {"tabs", Kind::yes_no, Needed::always},
     {"tab_height_mm", Kind::number, Needed::always, 1.5, 50.0},
@@ -114,6 +115,8 @@ bool fits(const Setting& value, const Known& known) {
       return word_is_one_of(value, {"auto", "keep"}) || number_fits(value, 4.0, any, true);
     case Kind::bodies:
       return word_is_one_of(value, {"united"});
+    case Kind::skins:
+      return word_is_one_of(value, {"both", "middle"});
     case Kind::piece_mode:
       return word_is_one_of(value, {"few", "parts", "small"});
     case Kind::words: {

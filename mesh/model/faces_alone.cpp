@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "prepare/details/faces_alone.hpp"
+#include "mesh/model/faces_alone.hpp"
 
 #include <array>
 #include <cstdint>
 #include <map>
 #include <utility>
 
-namespace ridgecraft::prepare {
+namespace ridgecraft::mesh {
 
-mesh::Surface faces_alone(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
+Surface faces_alone(const Surface& surface, const std::vector<FaceId>& faces) {
   std::map<VertexId, VertexId> number;
   std::vector<Vec3> points;
   std::vector<std::array<VertexId, 3>> corners;
@@ -26,4 +26,4 @@ mesh::Surface faces_alone(const mesh::Surface& surface, const std::vector<FaceId
   return {std::move(points), std::move(corners)};
 }
 
-}  // namespace ridgecraft::prepare
+}  // namespace ridgecraft::mesh
