@@ -37,6 +37,8 @@ constexpr double least_paired = 0.8;
 /// Components that are smaller than this share of the model are plates on something: as sheets they would
 /// hang on nothing.
 constexpr double least_extent = 0.5;
+/// No wall is thin that is thicker than this share of the model: a house as small as a thumbnail is a house.
+constexpr double most_share = 0.05;
 /// Of so many faces of a component, spread over it, those with another skin behind them have this share of
 /// the area at least, or nothing is looked at more closely.
 constexpr std::size_t few_faces = 200;
@@ -311,6 +313,7 @@ void move_to_middle(mesh::LooseFaces& loose, const mesh::Surface& surface,
 SheetsReport leave_one_skin(mesh::Model& model, Skins skins, double thin, const Context& context) {
   SheetsReport report;
   const mesh::Surface& surface = model.surface;
+  thin = std::min(thin, most_share * surface.bounds().largest_extent());
   if (skins == Skins::both || !(thin > 0.0)) {
     return report;
   }

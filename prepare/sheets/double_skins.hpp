@@ -16,8 +16,9 @@ namespace ridgecraft::prepare {
 /// out of it farther than that. What goes is the other skin with the rim between them, and no place of that
 /// is farther than 1.25 times `thin` from what stays. A component stays as it is where a quarter of its area
 /// at least wouldn't go by this. With Skins::middle the skin that stays is moved by half of the wall's
-/// thickness at each point. The report's lengths are in the unit of the surface. O(n log n) for n faces,
-/// where walls are no narrower than they are thick.
+/// thickness at each point. Walls thicker than a twentieth of the model aren't thin, whatever `thin` says.
+/// The report's lengths are in the unit of the surface. O(n log n) for n faces, where walls are no narrower
+/// than they are thick.
 SheetsReport leave_one_skin(mesh::Model& model, Skins skins, double thin, const Context& context);
 
 }  // namespace ridgecraft::prepare

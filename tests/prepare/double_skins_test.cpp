@@ -67,6 +67,9 @@ TEST_CASE("thick walls, solids and what is asked to stay keep both skins", "[she
     CHECK(prepare::leave_one_skin(model, skins, 3.0, Context()).walls == 0);
     CHECK(model.surface.face_count() == faces);
   }
+  // The walls of a house as small as a thumbnail are its whole body.
+  mesh::Model tiny = model_of(cup(5.0));
+  CHECK(prepare::leave_one_skin(tiny, Skins::outer, 100.0, Context()).walls == 0);
   mesh::Model ball = model_of(test::scaled(test::sphere(16, 12), 40.0));
   CHECK(prepare::leave_one_skin(ball, Skins::outer, 3.0, Context()).walls == 0);
 }
