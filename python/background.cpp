@@ -36,13 +36,17 @@ struct Shared {
   StopSource stop;
 };
 
-/// How many workers have been left behind and still work. Threads that nobody waits for have no other place.
-std::atomic<int>& left_behind() {
+/// How many workers there are, those that were left behind among them: nothing else knows of these any more.
+std::atomic<int>& workers() {
   static std::atomic<int> count{0};
   return count;
 }
 
 Context context_of(const std::shared_ptr<Shared>& shared, const RunSettings& settings) {
+  constexpr double longest_s = 1e9;
+  if (settings.time_limit_s && !(*settings.time_limit_s > 0.0 && *settings.time_limit_s <= longest_s)) {
+    throw Error(ErrorKind::usage, "time_limit is a number of seconds above 0");
+  }
   Context context;
   context.threads =
       settings.threads > 0 ? settings.threads : std::max(1U, std::thread::hardware_concurrency());
@@ -100,7 +104,7 @@ void end_or_leave(std::thread& worker, const std::shared_ptr<Shared>& shared) {
 void run_in_background(std::function<void(const Context&)> work, const RunSettings& settings) {
   const auto shared = std::make_shared<Shared>();
   const Context context = context_of(shared, settings);
-  ++left_behind();
+  ++workers();
   std::thread worker([shared, context, work = std::move(work)]() mutable {
     std::exception_ptr failure;
     try {
@@ -115,7 +119,7 @@ void run_in_background(std::function<void(const Context&)> work, const RunSettin
       shared->done = true;
     }
     shared->changed.notify_all();
-    --left_behind();
+    --workers();
   });
   try {
     while (!wait(*shared, look_every)) {
@@ -137,9 +141,15 @@ void run_in_background(std::function<void(const Context&)> work, const RunSettin
 
 void wait_for_left_work_at_exit() {
   py::module_::import("atexit").attr("register")(py::cpp_function([] {
-    const py::gil_scoped_release unlocked;
-    while (left_behind() > 0) {
-      std::this_thread::sleep_for(look_every);
+    while (workers() > 0) {
+      {
+        const py::gil_scoped_release unlocked;
+        std::this_thread::sleep_for(look_every);
+      }
+      // Ctrl-C once more: whoever is that impatient gets an end in the middle of the work.
+      if (PyErr_CheckSignals() != 0) {
+        throw py::error_already_set();
+      }
     }
   }));
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Tuple, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -89,13 +89,14 @@ def hulls(
     seed: int,
     progress: Optional[Callable[[str, float], Any]],
 ) -> List[Tuple[npt.NDArray[np.float64], npt.NDArray[np.int32]]]: ...
+@overload
 def make(
     vertices: npt.ArrayLike,
     faces: Any,
     *,
     size: Optional[float],
     scale: Optional[float],
-    sheet: Optional[str],
+    sheet: None,
     margin: float,
     simplify: Union[int, str],
     concavity: float,
@@ -112,4 +113,29 @@ def make(
     seed: int,
     time_limit: Optional[float],
     progress: Optional[Callable[[str, float], Any]],
-) -> Union[Nets, Paper]: ...
+) -> Nets: ...
+@overload
+def make(
+    vertices: npt.ArrayLike,
+    faces: Any,
+    *,
+    size: Optional[float],
+    scale: Optional[float],
+    sheet: str,
+    margin: float,
+    simplify: Union[int, str],
+    concavity: float,
+    whole: bool,
+    pieces: str,
+    tabs: bool,
+    tab_height: float,
+    all_tabs: bool,
+    unite: bool,
+    fold_linear: bool,
+    strict: bool,
+    title: str,
+    threads: int,
+    seed: int,
+    time_limit: Optional[float],
+    progress: Optional[Callable[[str, float], Any]],
+) -> Paper: ...

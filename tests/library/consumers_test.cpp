@@ -125,6 +125,27 @@ fs::path plain_off(const TemporaryFolder& folder) {
 
 }  // namespace
 
+TEST_CASE("the code that docs show of an example is the example's", "[library]") {
+  const std::regex begins("`examples/(\\w+)`:");
+  std::istringstream lines(text_of(root / "docs/library.md"));
+  std::string line, example;
+  std::set<std::string> shown;
+  while (std::getline(lines, line)) {
+    std::smatch match;
+    if (std::regex_search(line, match, begins)) {
+      example = match[1];
+    } else if (!line.empty() && !line.starts_with(" ") && shown.contains(example)) {
+      example.clear();
+    } else if (line.starts_with("    ") && !example.empty()) {
+      shown.insert(example);
+      INFO(example << ": " << line);
+      CHECK(text_of(root / "examples" / example / "main.cpp").find(line.substr(2) + "\n") !=
+            std::string::npos);
+    }
+  }
+  CHECK(shown == std::set<std::string>{"segment", "unfold", "job"});
+}
+
 TEST_CASE("a program that links segment finds the program's parts, without what pages need", "[library]") {
   const TemporaryFolder folder;
   const std::string example = built_example("segment", folder, nothing_for_pages(folder));
@@ -196,6 +217,10 @@ TEST_CASE("what a component lacks is told in a sentence", "[library]") {
   CHECK(refusal(folder, "export", {pkg_config_of(folder, {"gmp", "mpfr"})})
             .find("pkg-config doesn't find cairo, which export needs") != std::string::npos);
   CHECK(refusal(folder, "hats", {}).find("hats isn't installed; there are base, mesh,") != std::string::npos);
+  const test::Outcome built = test::run_command({"cmake", "-G", "Ninja", "-S", root.string(), "-B",
+                                                 (folder / "hats").string(), "-DRIDGECRAFT_COMPONENTS=hats"});
+  CHECK(built.exit_code != 0);
+  CHECK(built.err.find("there is no hats; there are base, mesh,") != std::string::npos);
 }
 
 TEST_CASE("another project has segment as a part of it, without what pages need", "[library][slow]") {

@@ -3,11 +3,14 @@
 
 import ast
 import json
+import re
+import subprocess
+import textwrap
 from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import SAMPLES, read_obj, told
+from conftest import PROGRAM, SAMPLES, read_obj, told
 
 import ridgecraft
 
@@ -110,6 +113,9 @@ def test_two_runs_are_equal():
         ({"pieces": "big"}, ridgecraft.UsageError),
         ({"concavity": 0}, ridgecraft.UsageError),
         ({"tab_height": 0}, ridgecraft.UsageError),
+        ({"time_limit": 0}, ridgecraft.UsageError),
+        ({"time_limit": float("nan")}, ridgecraft.UsageError),
+        ({"time_limit": 1e-6}, ridgecraft.OutOfTime),
         ({"scale": 1e9}, ridgecraft.NoNets),
     ],
 )
@@ -132,6 +138,20 @@ def test_everything_says_what_it_does():
         for name in dir(of):
             if not name.startswith("_"):
                 assert getattr(of, name).__doc__, name
+
+
+def test_the_version_is_that_of_the_program():
+    words = subprocess.run([PROGRAM, "--version"], check=True, capture_output=True, text=True).stdout.split()
+    assert words == ["ridgecraft", ridgecraft.__version__]
+
+
+def test_the_code_of_the_docs_runs(tmp_path, monkeypatch):
+    text = (SAMPLES.parent / "docs" / "library.md").read_text()
+    code = re.search(r"\n    import ridgecraft\n(?:    .*\n|\n)+", text).group()
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "samples").symlink_to(SAMPLES)
+    exec(textwrap.dedent(code), {})
+    assert (tmp_path / "whale.pdf").read_bytes().startswith(b"%PDF")
 
 
 def test_the_stub_names_everything():
