@@ -29,6 +29,7 @@ foreach(component IN LISTS ridgecraft_components)
 endforeach()
 install(DIRECTORY ${ridgecraft_include_folder}/ridgecraft DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
   FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 include(CMakePackageConfigHelpers)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/RidgecraftConfig.cmake.in
   ${PROJECT_BINARY_DIR}/RidgecraftConfig.cmake INSTALL_DESTINATION ${ridgecraft_package_folder})

@@ -48,12 +48,16 @@ Context context_of(const std::shared_ptr<Shared>& shared, const RunSettings& set
     throw Error(ErrorKind::usage, "time_limit is a number of seconds above 0");
   }
   Context context;
-  context.threads =
-      settings.threads > 0 ? settings.threads : std::max(1U, std::thread::hardware_concurrency());
+  constexpr unsigned most_threads = 256;
+  context.threads = settings.threads > 0 ? std::min(settings.threads, most_threads)
+                                         : std::max(1U, std::thread::hardware_concurrency());
   context.seed = settings.seed;
   context.stop = shared->stop.get_token();
   if (settings.time_limit_s) {
+    // What completes a result (tabs, numbers on pages) may take a tenth longer.
+    constexpr double finishing_share = 0.1;
     context.deadline = Deadline::in(*settings.time_limit_s);
+    context.grace_s = finishing_share * *settings.time_limit_s;
   }
   context.progress = [shared](std::string_view stage, double share) {
     const std::lock_guard lock(shared->mutex);

@@ -64,10 +64,11 @@ class Mesh(NamedTuple):
     indices: Any
 
 
-def read(file: Union[str, "os.PathLike[str]"]) -> Hull:
-    """The vertices and triangles of a model file (OBJ, STL, PLY, OFF, glTF, GLB, 3MF or PDO), repaired.
+def read(file: Union[str, "os.PathLike[str]"]) -> Tuple[npt.NDArray[np.float64], Any]:
+    """The vertices and faces of a model file (OBJ, STL, PLY, OFF, glTF, GLB, 3MF or PDO), as they stand there.
 
-    Vertices are in the file's unit. Raises UnreadableInput or UnusableMesh.
+    Vertices are in the file's unit. Faces are an array of m x k integers where all have k corners, else a list of
+    lists. Raises UnreadableInput or UnusableMesh.
     """
     return _core.read(os.fspath(file))
 

@@ -353,4 +353,9 @@ TEST_CASE("a header that is installed includes only such, of its folder or those
       }
     }
   }
+  // The Python module has no more than others who link the libraries.
+  for (const auto& [file, included, quoted] : includes_of("python")) {
+    INFO(file << " includes " << included);
+    CHECK((!quoted || included.starts_with("python/") || installed.contains(included)));
+  }
 }

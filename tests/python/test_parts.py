@@ -97,10 +97,27 @@ def test_numbers_of_any_size(cross):
         assert points.max() == pytest.approx(2 * factor, rel=1e-6)
 
 
-def test_files_are_read():
-    vertices, faces = ridgecraft.read(SAMPLES / "gem.stl")
-    assert faces.shape == (110, 3)
-    assert faces.max() == len(vertices) - 1
+@pytest.mark.parametrize("name", ["gem.stl", "torus.off", "vase.ply", "whale.obj", "fish.obj"])
+def test_files_are_read_as_the_program_reads_them(name, tmp_path):
+    vertices, faces = ridgecraft.read(SAMPLES / name)
+    told("segment", SAMPLES / name, "--labels", tmp_path / "parts.seg")
+    labels = [int(word) for word in (tmp_path / "parts.seg").read_text().split()]
+    assert len(faces) == len(labels)
+    assert ridgecraft.segment(vertices, faces).tolist() == labels
+
+
+def test_faces_of_several_kinds_are_lists(tmp_path):
+    (tmp_path / "tent.obj").write_text(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\n"
+        "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n"
+    )
+    vertices, faces = ridgecraft.read(tmp_path / "tent.obj")
+    assert vertices.shape == (5, 3)
+    assert faces == [[3, 2, 1, 0], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+    assert ridgecraft.segment(vertices, faces).tolist() == [0] * 5
+
+
+def test_files_that_can_t_be_read_are_refused():
     with pytest.raises(ridgecraft.UnreadableInput, match="nowhere.obj"):
         ridgecraft.read("nowhere.obj")
     with pytest.raises(OSError):
