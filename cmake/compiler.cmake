@@ -16,8 +16,9 @@ target_include_directories(ridgecraft_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(ridgecraft_options INTERFACE
   # Equal bytes on every machine: no fused multiply-add behind our back.
   -ffp-contract=off
-  # Libraries may become a part of somebody's shared object; nobody replaces functions of theirs one by one.
-  -fno-semantic-interposition
+  # Libraries may become a part of somebody's shared object; nobody replaces functions of theirs one by one, which is
+  # what other compilers assume anyway.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Woverloaded-virtual
   -Wnon-virtual-dtor -Wdouble-promotion -Wimplicit-fallthrough
   # GCC 12 takes std::string + std::string for overlapping copies (bug 105651).
