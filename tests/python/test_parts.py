@@ -66,6 +66,18 @@ def test_hulls_are_convex_and_hold_their_parts(cross):
             assert heights.max() < 1e-9
 
 
+def test_hulls_are_those_of_the_program(tmp_path):
+    told("hulls", SAMPLES / "dinosaur.obj", "--max-vertices", 32, "-o", tmp_path / "hulls.obj")
+    hulls = ridgecraft.hulls(*ridgecraft.read(SAMPLES / "dinosaur.obj"), max_vertices=32)
+    vertices, faces = [], []
+    for points, triangles in hulls:
+        faces.extend((triangles + len(vertices) + 1).tolist())
+        vertices.extend(points.tolist())
+    lines = [line.split() for line in (tmp_path / "hulls.obj").read_text().splitlines()]
+    assert [[float(x) for x in words[1:]] for words in lines if words and words[0] == "v"] == vertices
+    assert [[int(x) for x in words[1:]] for words in lines if words and words[0] == "f"] == faces
+
+
 def test_hulls_have_no_more_vertices_than_asked_for():
     vertices, faces = read_obj("whale.obj")
     limited = ridgecraft.hulls(vertices, faces, max_vertices=12)
