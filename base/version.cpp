@@ -3,6 +3,10 @@
 
 namespace ridgecraft {
 
+std::string version() {
+  return RIDGECRAFT_VERSION;
+}
+
 std::string program_and_version() {
   return "ridgecraft " RIDGECRAFT_VERSION;
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compiler settings that every library of ours shares, as the interface target ridgecraft_options.
+# Compiler settings of our own code, as the interface target ridgecraft_options: libraries, programs and tests link it, and
+# nothing of it reaches those who link the libraries.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -15,6 +16,9 @@ target_include_directories(ridgecraft_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(ridgecraft_options INTERFACE
   # Equal bytes on every machine: no fused multiply-add behind our back.
   -ffp-contract=off
+  # Libraries may become a part of somebody's shared object; nobody replaces functions of theirs one by one, which is
+  # what other compilers assume anyway.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Woverloaded-virtual
   -Wnon-virtual-dtor -Wdouble-promotion -Wimplicit-fallthrough
   # GCC 12 takes std::string + std::string for overlapping copies (bug 105651).
@@ -85,23 +89,34 @@ if(RIDGECRAFT_UNITY)
   target_compile_options(ridgecraft_options INTERFACE -Wno-shadow)
 endif()
 
-# ridgecraft_library(NAME SOURCES... [CGAL_SOURCES...] [PUBLIC libs...] [PRIVATE libs...]): one folder, one static
-# library. All may use fmt. What includes CGAL is compiled apart: CGAL asks for compiler settings of its own, with which
-# headers that were compiled for the others can't be read. (Its kernel precompiled is 450 MB and takes longer than it
-# saves.)
+# ridgecraft_library(NAME SOURCES... [PUBLIC_HEADERS...] [CGAL_SOURCES...] [CGAL_PRIVATE libs...] [PUBLIC libs...]
+# [PRIVATE libs...] [READS libs...]): one folder, one static library. All may use fmt. PUBLIC_HEADERS are those that
+# others may include (cmake/headers.cmake). READS are libraries of headers that nobody needs who links the archive. What
+# includes CGAL is compiled apart: CGAL asks for compiler settings of its own, with which headers that were compiled for
+# the others can't be read. (Its kernel precompiled is 450 MB and takes longer than it saves.)
 function(ridgecraft_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;CGAL_SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC_HEADERS;CGAL_SOURCES;CGAL_PRIVATE;PUBLIC;PRIVATE;READS" ${ARGN})
   add_library(ridgecraft_${name} STATIC ${arg_SOURCES})
-  add_library(ridgecraft::${name} ALIAS ridgecraft_${name})
-  target_link_libraries(ridgecraft_${name} PUBLIC ridgecraft_options ${arg_PUBLIC} PRIVATE fmt::fmt ${arg_PRIVATE})
+  add_library(Ridgecraft::${name} ALIAS ridgecraft_${name})
+  set_target_properties(ridgecraft_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(ridgecraft_${name} PUBLIC cxx_std_20)
+  target_include_directories(ridgecraft_${name} INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(ridgecraft_${name} PUBLIC ${arg_PUBLIC} PRIVATE fmt::fmt ${arg_PRIVATE})
+  foreach(settings_or_headers IN ITEMS ridgecraft_options ${arg_READS})
+    target_link_libraries(ridgecraft_${name} PRIVATE $<BUILD_INTERFACE:${settings_or_headers}>)
+  endforeach()
   ridgecraft_precompile(ridgecraft_${name} ridgecraft_base ${ridgecraft_common_headers} <fmt/format.h>)
   ridgecraft_unity(ridgecraft_${name} ${arg_SOURCES})
   if(arg_CGAL_SOURCES)
     add_library(ridgecraft_${name}_cgal OBJECT ${arg_CGAL_SOURCES})
+    set_target_properties(ridgecraft_${name}_cgal PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_link_libraries(ridgecraft_${name}_cgal PRIVATE
-      ridgecraft_options OpenMeshCore CGAL::CGAL CGAL::Eigen3_support Boost::headers)
+      ridgecraft_options ${arg_CGAL_PRIVATE} CGAL::CGAL CGAL::Eigen3_support Boost::headers)
     ridgecraft_unity(ridgecraft_${name}_cgal ${arg_CGAL_SOURCES})
     target_sources(ridgecraft_${name} PRIVATE $<TARGET_OBJECTS:ridgecraft_${name}_cgal>)
-    target_link_libraries(ridgecraft_${name} PRIVATE $<LINK_ONLY:OpenMeshCore> $<LINK_ONLY:CGAL::CGAL>)
+    target_link_libraries(ridgecraft_${name} PRIVATE ${arg_CGAL_PRIVATE} PkgConfig::mpfr PkgConfig::gmp)
   endif()
+  list(TRANSFORM arg_PUBLIC_HEADERS PREPEND ${name}/)
+  set_property(GLOBAL APPEND PROPERTY RIDGECRAFT_PUBLIC_HEADERS ${arg_PUBLIC_HEADERS})
 endfunction()

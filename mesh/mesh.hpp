@@ -2,12 +2,17 @@
 // What a model is: reading and repair. Read this header first.
 //
 //   file --read--> Model (repaired, in the file's unit)
+//   points + polygons --repair--> Model (repaired, in the points' unit)
 //
 // Errors are ridgecraft::Error of kinds unreadable_input, unusable_mesh, interrupted.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/context.hpp"
 #include "mesh/model/model.hpp"
@@ -32,5 +37,16 @@ struct ModelFile {
                          const Context& context);
 /// The same for bytes in memory.
 [[nodiscard]] Model read(const ModelFile& file, const ReadOptions& options, const Context& context);
+
+/// The same for points and polygons in memory, whoever made them: they needn't fit together. A polygon names
+/// points by their indices from 0, counterclockwise seen from outside, and may have any number of corners;
+/// Model::polygon tells the one that each face is part of. Model::name is empty, Model::digest that of the
+/// numbers. Cost O(n log n). Throws unusable_mesh where a coordinate isn't finite, an index is out of range,
+/// or nothing with an area is left.
+[[nodiscard]] Model repair(std::span<const Vec3> points, std::span<const std::vector<std::uint32_t>> polygons,
+                           const ReadOptions& options, const Context& context);
+[[nodiscard]] Model repair(std::span<const Vec3> points,
+                           std::span<const std::array<std::uint32_t, 3>> triangles,
+                           const ReadOptions& options, const Context& context);
 
 }  // namespace ridgecraft::mesh

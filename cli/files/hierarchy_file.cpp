@@ -9,6 +9,7 @@
 #include "cli/files/label_files.hpp"
 #include "cli/files/value.hpp"
 #include "export/export.hpp"
+#include "segment/polygon_labels.hpp"
 
 namespace ridgecraft::cli {
 
@@ -25,8 +26,8 @@ std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& h
                                {"concavity", joining.concavity}});
   }
   Value leaves(Value::List{});
-  for (const std::uint32_t label : polygon_labels(model, hierarchy.parts(hierarchy.leaves))) {
-    leaves.add(label == no_part ? Value(-1) : Value(label));
+  for (const std::uint32_t label : segment::polygon_labels(model, hierarchy.parts(hierarchy.leaves))) {
+    leaves.add(label == segment::no_part ? Value(-1) : Value(label));
   }
   Value text;
   text.set("by", program_and_version());

@@ -9,24 +9,15 @@
 #include "base/error.hpp"
 #include "base/sentence.hpp"
 #include "mesh/reading/read_file.hpp"
+#include "segment/polygon_labels.hpp"
 
 namespace ridgecraft::cli {
-
-Labels polygon_labels(const mesh::Model& model, const segment::Segmentation& segmentation) {
-  Labels labels(model.polygon_count, no_part);
-  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
-    if (model.polygon[f] < labels.size()) {
-      labels[model.polygon[f]] = segmentation.part[f].value();
-    }
-  }
-  return labels;
-}
 
 std::string label_text(const Labels& labels) {
   std::string text;
   text.reserve(4 * labels.size());
   for (const std::uint32_t label : labels) {
-    text += label == no_part ? "-1" : std::to_string(label);
+    text += label == segment::no_part ? "-1" : std::to_string(label);
     text += '\n';
   }
   return text;
@@ -43,12 +34,12 @@ Labels read_labels(const std::string& file, std::size_t polygons) {
     const std::string_view word = rest.substr(0, rest.find_first_of(space));
     long long value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || value < -1 || value >= no_part) {
+    if (error != std::errc() || end != word.data() + word.size() || value < -1 || value >= segment::no_part) {
       throw Error(ErrorKind::unreadable_input,
                   fmt::format("{}: label {} is no part number (0, 1, 2 ... or -1)", file, labels.size() + 1),
                   file);
     }
-    labels.push_back(value < 0 ? no_part : static_cast<std::uint32_t>(value));
+    labels.push_back(value < 0 ? segment::no_part : static_cast<std::uint32_t>(value));
     if (labels.size() > polygons) {
       break;
     }

@@ -22,6 +22,7 @@
 #include "mesh/write.hpp"
 #include "segment/hierarchy.hpp"
 #include "segment/judging/evaluate.hpp"
+#include "segment/polygon_labels.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -71,7 +72,7 @@ Comparison compare_with(const std::vector<std::string>& files, const mesh::Model
     of_face.push_back(part.value());
   }
   comparison.volume_ratio = segment::hull_volume_ratio(model.surface, of_face, volume_rays, context);
-  const Labels ours = polygon_labels(model, segmentation);
+  const Labels ours = segment::polygon_labels(model, segmentation);
   for (const std::string& file : files) {
     context.check();
     const Labels theirs = read_labels(file, model.polygon_count);
@@ -180,7 +181,7 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
   }
   clock("write", context, [&] {
     const std::string labels =
-        job.labels.empty() ? "" : label_text(polygon_labels(result.model, result.segmentation));
+        job.labels.empty() ? "" : label_text(segment::polygon_labels(result.model, result.segmentation));
     add_files(job, labels, result, pending);
     if (!job.hierarchy.empty()) {
       pending.add(job.hierarchy, hierarchy_text(result.model, *hierarchy));

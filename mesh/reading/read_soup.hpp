@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a file to what it says: reads OBJ, STL, PLY and OFF into a Soup, whatever the file is called.
+// From a file to what it says: reads each format of format_names() into a Soup, whatever the file is called.
 #pragma once
 
 #include <filesystem>

@@ -70,7 +70,8 @@ const std::vector<Folder>& folders() {
         {"cutting", {"parts", "surface", "hull", "concavity"}},
         {"joining", {"parts", "surface", "hull", "concavity", "cutting"}},
         {"judging", {"parts", "surface", "hull"}}},
-       {"segment.hpp", "hierarchy.hpp", "judging/agreement.hpp", "judging/evaluate.hpp"}},
+       {"segment.hpp", "hierarchy.hpp", "polygon_labels.hpp", "judging/agreement.hpp",
+        "judging/evaluate.hpp"}},
       {"solid", {"segment", "mesh"}, {}, {"solid.hpp", "body.hpp", "write_bodies.hpp", "cage_check.hpp"}},
       {"unfold",
        {"prepare", "mesh"},
@@ -121,7 +122,22 @@ const std::vector<Folder>& folders() {
 }
 
 /// What looks at the program from beside it; no folder of the program includes any of these.
-const std::set<std::string> beside_the_program = {"tests", "bench", "samples"};
+const std::set<std::string> beside_the_program = {"tests", "bench", "samples", "python"};
+
+/// Headers that others may include who link the libraries: PUBLIC_HEADERS of the folder's CMakeLists.txt.
+std::set<std::string> public_headers(const std::string& folder) {
+  std::ifstream in(fs::path(RIDGECRAFT_SOURCE_DIR) / folder / "CMakeLists.txt");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t begin = text.find("PUBLIC_HEADERS");
+  const std::size_t end = text.find("SOURCES", begin);
+  std::set<std::string> headers;
+  const std::regex name(R"re([\w/]+\.hpp)re");
+  const std::string list = begin == std::string::npos ? "" : text.substr(begin, end - begin);
+  for (std::sregex_iterator i(list.begin(), list.end(), name), none; i != none; ++i) {
+    headers.insert(folder + "/" + i->str());
+  }
+  return headers;
+}
 
 struct Include {
   fs::path file;         ///< from the root
@@ -200,7 +216,7 @@ UnitGraph circles_of(UnitGraph units) {
 }  // namespace
 
 TEST_CASE("every folder that is built is one of the program, or beside it", "[architecture]") {
-  const std::regex directive(R"re(add_subdirectory\((\w+))re");
+  const std::regex directive(R"re((?:add_subdirectory|ridgecraft_component)\((\w+)\))re");
   std::ifstream in(fs::path(RIDGECRAFT_SOURCE_DIR) / "CMakeLists.txt");
   std::set<std::string> built;
   std::string line;
@@ -316,5 +332,31 @@ TEST_CASE("CGAL and OpenMesh stay behind plain headers", "[architecture]") {
         CHECK_FALSE(included.starts_with("OpenMesh/"));
       }
     }
+  }
+}
+
+TEST_CASE("a header that is installed includes only such, of its folder or those below", "[architecture]") {
+  std::set<std::string> installed;
+  for (const Folder& folder : folders()) {
+    installed.merge(public_headers(folder.name));
+  }
+  CHECK(installed.size() > 60);
+  for (const std::string& header : installed) {
+    INFO(header);
+    CHECK(fs::exists(fs::path(RIDGECRAFT_SOURCE_DIR) / header));
+    CHECK_FALSE(header.starts_with("cli/"));
+  }
+  for (const Folder& folder : folders()) {
+    for (const auto& [file, included, quoted] : includes_of(folder.name)) {
+      if (quoted && installed.contains(file.generic_string())) {
+        INFO(file << " includes " << included);
+        CHECK(installed.contains(included));
+      }
+    }
+  }
+  // The Python module has no more than others who link the libraries.
+  for (const auto& [file, included, quoted] : includes_of("python")) {
+    INFO(file << " includes " << included);
+    CHECK((!quoted || included.starts_with("python/") || installed.contains(included)));
   }
 }

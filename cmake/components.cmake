@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Which libraries there are, on which others each stands, and which packages of others each needs. The build reads this,
+# and so does find_package(Ridgecraft): it is installed beside RidgecraftConfig.cmake.
+set(ridgecraft_all_components base mesh prepare segment solid unfold verify export job)
+
+set(ridgecraft_needs_base "")
+set(ridgecraft_needs_mesh base)
+set(ridgecraft_needs_prepare mesh)
+set(ridgecraft_needs_segment mesh)
+set(ridgecraft_needs_solid segment)
+set(ridgecraft_needs_unfold prepare)
+set(ridgecraft_needs_verify base)
+set(ridgecraft_needs_export unfold)
+set(ridgecraft_needs_job export segment verify)
+
+# What is linked, beside what those below need: whoever links an archive of ours needs it, too.
+set(ridgecraft_links_base Threads fmt mpfr gmp)
+set(ridgecraft_links_mesh pugixml ZLIB)
+set(ridgecraft_links_prepare OpenMesh)
+set(ridgecraft_links_segment "")
+set(ridgecraft_links_solid "")
+set(ridgecraft_links_unfold "")
+set(ridgecraft_links_verify pugixml qpdf)
+set(ridgecraft_links_export cairo qpdf ZLIB)
+set(ridgecraft_links_job "")
+
+# Headers that only the build reads.
+set(ridgecraft_reads_base CGAL Eigen3 Boost)
+set(ridgecraft_reads_mesh nlohmann_json)
+set(ridgecraft_reads_prepare "")
+set(ridgecraft_reads_segment Eigen3)
+set(ridgecraft_reads_solid "")
+set(ridgecraft_reads_unfold "")
+set(ridgecraft_reads_verify nlohmann_json)
+set(ridgecraft_reads_export nlohmann_json)
+set(ridgecraft_reads_job "")
+
+# How each package is found: as find_package takes it, or by the modules of pkg-config.
+set(ridgecraft_find_Threads Threads)
+set(ridgecraft_find_fmt fmt CONFIG)
+set(ridgecraft_find_pugixml pugixml CONFIG)
+set(ridgecraft_find_ZLIB ZLIB)
+# CGAL puts a FindOpenMesh of its own on the module path that fails on Debian: ask for OpenMesh's config.
+set(ridgecraft_find_OpenMesh OpenMesh CONFIG)
+set(ridgecraft_find_qpdf qpdf CONFIG)
+set(ridgecraft_find_CGAL CGAL 5.5 CONFIG)
+set(ridgecraft_find_Eigen3 Eigen3 3.4 CONFIG)
+set(ridgecraft_find_Boost Boost 1.74)
+set(ridgecraft_find_nlohmann_json nlohmann_json 3.11 CONFIG)
+set(ridgecraft_modules_gmp gmp)
+set(ridgecraft_modules_mpfr mpfr)
+set(ridgecraft_modules_cairo cairo cairo-pdf cairo-png)
+
+# ridgecraft_with_needs(OUT COMPONENTS...): these and all that they stand on, from the ground up.
+function(ridgecraft_with_needs out)
+  set(wanted ${ARGN})
+  set(found "")
+  while(wanted)
+    list(POP_FRONT wanted component)
+    if(NOT component IN_LIST found)
+      list(APPEND found ${component})
+      list(APPEND wanted ${ridgecraft_needs_${component}})
+    endif()
+  endwhile()
+  set(sorted "")
+  foreach(component IN LISTS ridgecraft_all_components)
+    if(component IN_LIST found)
+      list(APPEND sorted ${component})
+    endif()
+  endforeach()
+  set(${out} ${sorted} PARENT_SCOPE)
+endfunction()

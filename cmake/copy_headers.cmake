@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -DFROM=FOLDER -DTO=FOLDER -DHEADERS=a/b.hpp,c.hpp -P copy_headers.cmake: copies of headers that include each
+# other as <ridgecraft/...>. What hasn't changed keeps its time; what is public no more is removed.
+cmake_minimum_required(VERSION 3.25)
+string(REPLACE "," ";" HEADERS "${HEADERS}")
+file(GLOB_RECURSE copies RELATIVE ${TO} ${TO}/*.hpp)
+foreach(copy IN LISTS copies)
+  if(NOT copy IN_LIST HEADERS)
+    file(REMOVE ${TO}/${copy})
+  endif()
+endforeach()
+foreach(header IN LISTS HEADERS)
+  file(READ ${FROM}/${header} text)
+  string(REGEX REPLACE "#include \"([^\"]+)\"" "#include <ridgecraft/\\1>" text "${text}")
+  set(there "")
+  if(EXISTS ${TO}/${header})
+    file(READ ${TO}/${header} there)
+  endif()
+  if(NOT "${text}" STREQUAL "${there}")
+    file(WRITE ${TO}/${header} "${text}")
+  endif()
+endforeach()

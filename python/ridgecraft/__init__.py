@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Nearly convex parts of triangle meshes, their convex hulls, and paper models: nets, pages, PDF.
+
+Vertices are arrays of n x 3 numbers, faces arrays of m x k integers (or sequences of sequences of any
+lengths) that name rows of the vertices from 0, counterclockwise seen from outside. Meshes needn't be clean:
+doubled points, faces turned around and edges with three faces are repaired first.
+
+Long work runs without the interpreter's lock, on as many threads as the machine has (`threads` says fewer);
+neither their number nor the machine changes a result. Ctrl-C ends it. `progress(stage, share)` is called now
+and then with what is being done and how much of it is done, from 0 to 1; what it raises ends the work.
+What can't be done is raised as `Error` or one of the classes below it, each with one sentence.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Callable, List, NamedTuple, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from ._core import (
+    Error,
+    Nets,
+    NoNets,
+    OutOfTime,
+    Paper,
+    Unbuildable,
+    UnreadableInput,
+    UnusableMesh,
+    UsageError,
+    __version__,
+)
+from . import _core
+
+__all__ = [
+    "Error",
+    "Mesh",
+    "Nets",
+    "NoNets",
+    "OutOfTime",
+    "Paper",
+    "Unbuildable",
+    "UnreadableInput",
+    "UnusableMesh",
+    "UsageError",
+    "__version__",
+    "hulls",
+    "paper",
+    "read",
+    "run_coacd",
+    "segment",
+    "unfold",
+]
+
+Progress = Callable[[str, float], Any]
+Hull = Tuple["npt.NDArray[np.float64]", "npt.NDArray[np.int32]"]
+
+
+class Mesh(NamedTuple):
+    """Vertices and faces under the names that CoACD gives them."""
+
+    vertices: npt.ArrayLike
+    indices: Any
+
+
+def read(file: Union[str, "os.PathLike[str]"]) -> Tuple[npt.NDArray[np.float64], Any]:
+    """The vertices and faces of a model file (OBJ, STL, PLY, OFF, glTF, GLB, 3MF or PDO), as they stand there.
+
+    Vertices are in the file's unit. Faces are an array of m x k integers where all have k corners, else a list of
+    lists. Raises UnreadableInput or UnusableMesh.
+    """
+    return _core.read(os.fspath(file))
+
+
+def segment(
+    vertices: npt.ArrayLike,
+    faces: Any,
+    concavity: float = 0.1,
+    *,
+    effort: int = 1,
+    parts: Optional[int] = None,
+    volume_weight: Optional[float] = None,
+    planes: bool = False,
+    pockets: bool = False,
+    holes: str = "automatic",
+    components: str = "apart",
+    threads: int = 0,
+    seed: int = 1,
+    progress: Optional[Progress] = None,
+) -> npt.NDArray[np.int32]:
+    """Cuts a surface into nearly convex parts; gives the part of each face, from 0, or -1 for faces that repair
+    dropped (copies, faces with fewer than three different corners).
+
+    concavity: the largest that a part may have, as a length in the scale where the model's smallest enclosing
+        ball has radius 1.
+    effort: 1, 2 or 3; higher ones try more and take about 4 and 25 times as long.
+    parts: exactly that many, whatever their concavity; the other ways to say how to cut don't count then.
+    volume_weight: how many parts more may be spent to lower the ratio of the hulls' volume to the solid's by 1.
+    planes: cut by planes, too, where that saves volume.
+    pockets: no part's hull may have a pocket deeper than `concavity`; takes a surface without holes.
+    holes: 'keep' takes holes as borders, 'close' closes small ones while cutting, 'automatic' looks.
+    components: 'apart' cuts each connected component for itself, 'tied' all as one object.
+    seed: of the trials of effort 2 and 3.
+    """
+    return _core.segment(
+        vertices, faces, concavity=concavity, effort=effort, parts=parts, volume_weight=volume_weight,
+        planes=planes, pockets=pockets, holes=holes, components=components, threads=threads, seed=seed,
+        progress=progress,
+    )
+
+
+def hulls(
+    vertices: npt.ArrayLike,
+    faces: Any,
+    concavity: float = 0.1,
+    *,
+    max_vertices: int = 0,
+    effort: int = 1,
+    parts: Optional[int] = None,
+    volume_weight: Optional[float] = None,
+    planes: bool = False,
+    pockets: bool = False,
+    holes: str = "automatic",
+    components: str = "apart",
+    threads: int = 0,
+    seed: int = 1,
+    progress: Optional[Progress] = None,
+) -> List[Hull]:
+    """A convex body around each nearly convex part, as (vertices, triangles): for physics engines.
+
+    max_vertices: no body has more (at least 8); 0 for any number. The other arguments are those of segment().
+    """
+    return _core.hulls(
+        vertices, faces, concavity=concavity, effort=effort, parts=parts, most_parts=None,
+        max_vertices=max_vertices, volume_weight=volume_weight, planes=planes, pockets=pockets, holes=holes,
+        components=components, threads=threads, seed=seed, progress=progress,
+    )
+
+
+def run_coacd(
+    mesh: Any,
+    threshold: float = 0.05,
+    max_convex_hull: int = -1,
+    *,
+    max_ch_vertex: int = 256,
+    decimate: bool = False,
+    seed: int = 0,
+    threads: int = 0,
+    progress: Optional[Progress] = None,
+) -> List[List[Any]]:
+    """hulls() in the shape of coacd.run_coacd: takes anything with `vertices` and `indices` (or `faces`), and
+    gives a list of [vertices, faces].
+
+    threshold is the concavity of segment(), which measures something else than CoACD does: the same number
+    gives other parts. max_convex_hull joins parts until there are no more than that, as far as they hang
+    together. max_ch_vertex counts where decimate is set, as it does there. CoACD's other arguments belong to
+    its own search and aren't taken.
+    """
+    faces = mesh.indices if hasattr(mesh, "indices") else mesh.faces
+    made = _core.hulls(
+        mesh.vertices, faces, concavity=threshold, effort=1, parts=None,
+        most_parts=max_convex_hull if max_convex_hull > 0 else None,
+        max_vertices=max_ch_vertex if decimate else 0, volume_weight=None, planes=False, pockets=False,
+        holes="automatic", components="apart", threads=threads, seed=seed, progress=progress,
+    )
+    return [[points, triangles] for points, triangles in made]
+
+
+def unfold(
+    vertices: npt.ArrayLike,
+    faces: Any,
+    *,
+    size: Optional[float] = None,
+    scale: Optional[float] = None,
+    whole: bool = False,
+    concavity: float = 0.1,
+    tabs: bool = False,
+    tab_height: float = 5.0,
+    all_tabs: bool = False,
+    simplify: Union[int, str] = "keep",
+    fold_linear: bool = False,
+    title: str = "model",
+    threads: int = 0,
+    seed: int = 1,
+    time_limit: Optional[float] = None,
+    progress: Optional[Progress] = None,
+) -> Nets:
+    """Unfolds a model into nets without overlap, without pages: pieces may be as large as they like.
+
+    size: the model's largest extent, mm (150). scale: millimetres for one unit of the vertices, instead.
+    whole: don't cut the model into parts first, and cut a flat region before a piece is added.
+    concavity: of the parts, as segment() has it.
+    tabs: search nets whose cut edges have room for glue tabs `tab_height` mm high, and make these; all_tabs splits
+        pieces until every edge with a face wide enough behind it has one.
+    simplify: 'keep', a number of faces, or 'auto': so that a person could fold it.
+    fold_linear: every piece folds up with all creases together.
+    time_limit: seconds after which searches end with the best they have. Raises OutOfTime where there is
+        nothing yet.
+
+    The result has passed its check: lengths, overlaps, coverage, joins and refolding.
+    """
+    return _core.make(
+        vertices, faces, size=size, scale=scale, sheet=None, margin=0.0, simplify=simplify,
+        concavity=concavity, whole=whole, pieces="parts", tabs=tabs, tab_height=tab_height, all_tabs=all_tabs,
+        unite=False, fold_linear=fold_linear, strict=False, title=title, threads=threads, seed=seed,
+        time_limit=time_limit, progress=progress,
+    )
+
+
+def paper(
+    vertices: npt.ArrayLike,
+    faces: Any,
+    *,
+    size: Optional[float] = None,
+    scale: Optional[float] = None,
+    sheet: str = "A4",
+    margin: float = 10.0,
+    simplify: Union[int, str] = "auto",
+    concavity: float = 0.1,
+    whole: bool = False,
+    pieces: str = "parts",
+    tabs: bool = True,
+    tab_height: float = 5.0,
+    all_tabs: bool = False,
+    unite: bool = True,
+    fold_linear: bool = False,
+    strict: bool = False,
+    title: str = "model",
+    threads: int = 0,
+    seed: int = 1,
+    time_limit: Optional[float] = None,
+    progress: Optional[Progress] = None,
+) -> Paper:
+    """Turns a model into pages of paper, as the program does.
+
+    size: the model's largest extent, mm; without it 150, or as large as its folds need. scale: millimetres for
+        one unit of the vertices, instead.
+    sheet: 'A4', 'letter-landscape', '300x200mm', ...; margin: mm on all sides.
+    pieces: 'few', 'parts' or 'small'.
+    unite: bodies that touch or run into each other become one skin.
+    strict: raise Unbuildable where nobody could fold it at this size.
+    title: what pages and files call the model.
+
+    The other arguments are those of unfold(). The result has passed its check.
+    """
+    return _core.make(
+        vertices, faces, size=size, scale=scale, sheet=sheet, margin=margin, simplify=simplify,
+        concavity=concavity, whole=whole, pieces=pieces, tabs=tabs, tab_height=tab_height, all_tabs=all_tabs,
+        unite=unite, fold_linear=fold_linear, strict=strict, title=title, threads=threads, seed=seed,
+        time_limit=time_limit, progress=progress,
+    )

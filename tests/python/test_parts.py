@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Parts and hulls: what the program finds, in arrays."""
+
+import numpy as np
+import pytest
+from conftest import SAMPLES, read_obj, told, volume
+
+import ridgecraft
+
+
+@pytest.mark.parametrize("name", ["whale.obj", "mug.obj", "dinosaur.obj", "chess_rook.obj"])
+def test_labels_are_those_of_the_program(name, tmp_path):
+    vertices, faces = read_obj(name)
+    for concavity in (0.1, 0.03):
+        labels = ridgecraft.segment(vertices, faces, concavity)
+        told("segment", SAMPLES / name, "--concavity", concavity, "--labels", tmp_path / f"{concavity}.seg")
+        assert labels.dtype == np.int32
+        assert labels.tolist() == [int(w) for w in (tmp_path / f"{concavity}.seg").read_text().split()]
+
+
+def test_faces_are_taken_in_every_form(cross):
+    vertices, faces = cross
+    labels = ridgecraft.segment(vertices, faces)
+    assert labels.shape == (len(faces),)
+    assert labels.max() > 0
+    for same in (faces.tolist(), faces.astype(np.uint16), np.asfortranarray(faces), [tuple(f) for f in faces],
+                 [np.array(f) for f in faces]):
+        assert np.array_equal(ridgecraft.segment(vertices.tolist(), same), labels)
+    triangles = np.concatenate([faces[:, [0, 1, 2]], faces[:, [0, 2, 3]]])
+    both = ridgecraft.segment(vertices.astype(np.float32), triangles)
+    assert len(set(both)) == len(set(labels))
+
+
+def test_dropped_faces_have_no_part(cube):
+    vertices, faces = cube
+    labels = ridgecraft.segment(vertices, faces.tolist() + [faces[0].tolist(), [0, 1]])
+    assert labels.tolist() == [0] * 6 + [-1, -1]
+
+
+def test_neither_threads_nor_their_number_change_a_result():
+    vertices, faces = read_obj("whale.obj")
+    one = ridgecraft.segment(vertices, faces, 0.03, threads=1)
+    assert np.array_equal(one, ridgecraft.segment(vertices, faces, 0.03, threads=4))
+
+
+def test_as_many_parts_as_asked_for(cross):
+    for count in (1, 3, 5):
+        assert len(set(ridgecraft.segment(*cross, parts=count))) == count
+    with pytest.raises(ridgecraft.UsageError, match="can be divided into 1 to"):
+        ridgecraft.segment(*cross, parts=1000)
+
+
+def test_hulls_are_convex_and_hold_their_parts(cross):
+    vertices, faces = cross
+    labels = ridgecraft.segment(vertices, faces)
+    hulls = ridgecraft.hulls(vertices, faces)
+    assert len(hulls) == labels.max() + 1
+    for part, (points, triangles) in enumerate(hulls):
+        assert triangles.dtype == np.int32
+        assert points.dtype == np.float64
+        assert volume(points, triangles) > 0.9
+        normals = np.cross(points[triangles[:, 1]] - points[triangles[:, 0]],
+                           points[triangles[:, 2]] - points[triangles[:, 0]])
+        for inside in (points, vertices[np.unique(faces[labels == part])]):
+            heights = np.einsum("tpi,ti->tp", inside[None] - points[triangles[:, 0]][:, None], normals)
+            assert heights.max() < 1e-9
+
+
+def test_hulls_are_those_of_the_program(tmp_path):
+    told("hulls", SAMPLES / "dinosaur.obj", "--max-vertices", 32, "-o", tmp_path / "hulls.obj")
+    hulls = ridgecraft.hulls(*ridgecraft.read(SAMPLES / "dinosaur.obj"), max_vertices=32)
+    vertices, faces = [], []
+    for points, triangles in hulls:
+        faces.extend((triangles + len(vertices) + 1).tolist())
+        vertices.extend(points.tolist())
+    lines = [line.split() for line in (tmp_path / "hulls.obj").read_text().splitlines()]
+    assert [[float(x) for x in words[1:]] for words in lines if words and words[0] == "v"] == vertices
+    assert [[int(x) for x in words[1:]] for words in lines if words and words[0] == "f"] == faces
+
+
+def test_hulls_have_no_more_vertices_than_asked_for():
+    vertices, faces = read_obj("whale.obj")
+    limited = ridgecraft.hulls(vertices, faces, max_vertices=12)
+    assert max(len(points) for points, _ in limited) <= 12
+    assert len(limited) == len(ridgecraft.hulls(vertices, faces))
+
+
+def test_coacd_s_form(cross):
+    mesh = ridgecraft.Mesh(*cross)
+    parts = ridgecraft.run_coacd(mesh, threshold=0.1)
+    assert [len(part) for part in parts] == [2] * len(parts)
+    for (points, triangles), (same, as_well) in zip(parts, ridgecraft.hulls(*cross)):
+        assert np.array_equal(points, same) and np.array_equal(triangles, as_well)
+    assert len(ridgecraft.run_coacd(mesh, 0.1, max_convex_hull=2)) == 2
+    assert len(ridgecraft.run_coacd(mesh, 0.1, max_convex_hull=100)) == len(parts)
+
+    class Trimesh:
+        vertices, faces = cross
+
+    assert len(ridgecraft.run_coacd(Trimesh(), 0.1)) == len(parts)
+
+
+def test_numbers_of_any_size(cross):
+    vertices, faces = cross
+    labels = ridgecraft.segment(vertices, faces)
+    for factor in (1e-250, 1e250):
+        assert np.array_equal(ridgecraft.segment(factor * vertices, faces), labels)
+        points, _ = ridgecraft.hulls(factor * vertices, faces, parts=1)[0]
+        assert points.max() == pytest.approx(2 * factor, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ["gem.stl", "torus.off", "vase.ply", "whale.obj", "fish.obj"])
+def test_files_are_read_as_the_program_reads_them(name, tmp_path):
+    vertices, faces = ridgecraft.read(SAMPLES / name)
+    told("segment", SAMPLES / name, "--labels", tmp_path / "parts.seg")
+    labels = [int(word) for word in (tmp_path / "parts.seg").read_text().split()]
+    assert len(faces) == len(labels)
+    assert ridgecraft.segment(vertices, faces).tolist() == labels
+
+
+def test_faces_of_several_kinds_are_lists(tmp_path):
+    (tmp_path / "tent.obj").write_text(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\n"
+        "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n"
+    )
+    vertices, faces = ridgecraft.read(tmp_path / "tent.obj")
+    assert vertices.shape == (5, 3)
+    assert faces == [[3, 2, 1, 0], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+    assert ridgecraft.segment(vertices, faces).tolist() == [0] * 5
+
+
+def test_files_that_can_t_be_read_are_refused():
+    with pytest.raises(ridgecraft.UnreadableInput, match="nowhere.obj"):
+        ridgecraft.read("nowhere.obj")
+    with pytest.raises(OSError):
+        ridgecraft.read("nowhere.obj")
+
+
+@pytest.mark.parametrize(
+    "vertices, faces, kind, sentence",
+    [
+        ([[0, 0]], [[0, 0, 0]], ridgecraft.UsageError, r"n x 3 numbers, not of \(1, 2\)"),
+        ("points", [[0, 1, 2]], ridgecraft.UsageError, "vertices must be an array"),
+        ([[0, 0, 0]], 7, ridgecraft.UsageError, "faces must be an array"),
+        ([[0, 0, 0]], ["012"], ridgecraft.UsageError, "faces must be an array"),
+        ([[0, 0, 0]], np.array([[0.0, 1.0, 2.0]]), ridgecraft.UsageError, "faces must be an array"),
+        ([[0, 0, 0]], [[0.5, 1, 2]], ridgecraft.UsageError, "faces must be an array"),
+        ([[0, 0, 0]], [[0, 0, 1]], ridgecraft.UnusableMesh, "face 0 names vertex 1, and there are 1"),
+        ([[0, 0, 0]], np.array([[0, 0, -1]]), ridgecraft.UnusableMesh, "face 0 names vertex -1"),
+        ([[0, 0, 0]], [[0, 0, 2**70]], ridgecraft.UnusableMesh, "face 0 names vertex"),
+        ([[0, 0, np.inf]], [[0, 0, 0]], ridgecraft.UnusableMesh, "point 0 has a coordinate"),
+        ([[0, 0, 0], [1, 0, 0]], [[0, 1, 0]], ridgecraft.UnusableMesh, "no face has an area"),
+        (np.zeros((0, 3)), np.zeros((0, 3), int), ridgecraft.UnusableMesh, "there are no faces"),
+    ],
+)
+def test_what_is_no_mesh_is_refused(vertices, faces, kind, sentence):
+    with pytest.raises(kind, match=sentence) as raised:
+        ridgecraft.segment(vertices, faces)
+    assert isinstance(raised.value, ridgecraft.Error)
+    assert isinstance(raised.value, ValueError)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        {"concavity": -1.0}, {"concavity": float("nan")}, {"effort": 4}, {"holes": "maybe"},
+        {"components": "all"}, {"volume_weight": -1.0}, {"max_vertices": 5},
+    ],
+)
+def test_wrong_arguments_are_refused(cube, arguments):
+    with pytest.raises(ridgecraft.UsageError):
+        ridgecraft.hulls(*cube, **arguments)

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""While work goes on: other threads run, progress is told, Ctrl-C ends it. What is ended here takes seconds else."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import pytest
+
+import ridgecraft
+
+
+def interrupt_after(seconds):
+    timer = threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    return timer
+
+
+def test_ctrl_c_ends_it(large):
+    interrupt_after(0.3)
+    with pytest.raises(KeyboardInterrupt):
+        ridgecraft.segment(*large, 0.01, effort=3)
+
+
+def test_ctrl_c_ends_paper(large):
+    interrupt_after(1.0)
+    with pytest.raises(KeyboardInterrupt):
+        ridgecraft.paper(*large, size=3000, simplify="keep")
+
+
+def test_a_program_that_was_interrupted_ends(large, tmp_path):
+    script = tmp_path / "work.py"
+    script.write_text(
+        "import numpy as np, ridgecraft\n"
+        "rng = np.random.default_rng(1)\n"
+        "n = 3000\n"
+        "points = rng.normal(size=(3 * n, 3))\n"
+        "ridgecraft.segment(points, np.arange(3 * n).reshape(n, 3), 0.005, effort=3,"
+        " progress=lambda stage, share: print(stage, flush=True))\n"
+    )
+    with subprocess.Popen([sys.executable, script], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        _, told = process.communicate(timeout=60)
+    assert process.returncode != 0
+    assert b"KeyboardInterrupt" in told
+
+
+def test_other_threads_run_meanwhile(large):
+    done = threading.Event()
+    counted = 0
+
+    def count():
+        nonlocal counted
+        while not done.is_set():
+            counted += 1
+            time.sleep(0.001)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    ridgecraft.segment(*large)
+    done.set()
+    counter.join()
+    assert counted > 20
+
+
+def test_two_threads_work_at_once(cross):
+    results = {}
+    threads = [
+        threading.Thread(target=lambda i=i: results.setdefault(i, ridgecraft.segment(*cross).tolist()))
+        for i in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(results) == 4
+    assert all(labels == results[0] for labels in results.values())
+
+
+def test_progress_is_told(large):
+    stages = []
+    ridgecraft.segment(*large, progress=lambda stage, share: stages.append((stage, share, threading.get_ident())))
+    assert stages
+    assert all(isinstance(stage, str) and 0.0 <= share <= 1.0 for stage, share, _ in stages)
+    assert {thread for _, _, thread in stages} == {threading.get_ident()}
+
+
+def test_what_progress_raises_ends_the_work(large):
+    class Enough(Exception):
+        pass
+
+    def stop(stage, share):
+        raise Enough(stage)
+
+    with pytest.raises(Enough):
+        ridgecraft.segment(*large, 0.01, effort=3, progress=stop)
+    # And the next call works as ever.
+    assert len(ridgecraft.segment(*large, 0.5)) == len(large[1])
