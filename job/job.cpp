@@ -2,6 +2,7 @@
 #include "job/job.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -143,6 +144,13 @@ bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
   return faces_of_skin > most_faces && faces_of_skin > finer * faces_of_bodies;
 }
 
+/// What the model looks like as it was read, for pages in colour.
+std::shared_ptr<const mesh::Look> look_for(const Options& options, const mesh::Model& model,
+                                           const Context& context, std::vector<std::string>& notes) {
+  return options.paper && options.style.ink != paper::Ink::lines ? mesh::look_of(model, context, notes)
+                                                                 : nullptr;
+}
+
 /// The model's bodies become one skin where they meet; those that are too small are left out before.
 void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& context) {
   clock("prepare", context, [&] {
@@ -162,8 +170,7 @@ void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& co
     }
     return true;
   });
-  if (made.skin.united == 0 && made.ready.left_out.count() == 0 &&
-      made.ready.simplified.faces_before == 0) {
+  if (made.skin.united == 0 && made.ready.left_out.count() == 0 && made.ready.simplified.faces_before == 0) {
     made.options.bodies = prepare::Bodies::keep;
   }
 }
@@ -206,6 +213,8 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   use_size_of_nets(options.edges, model, made.options.size);
   made.options.bodies = bodies_for(options.edges, options.bodies);
   const double units = model.file_scale;
+  const std::shared_ptr<const mesh::Look> look =
+      clock("prepare", context, [&] { return look_for(options, model, context, notes); });
   if (made.options.bodies == prepare::Bodies::unite) {
     unite(model, made, clock, context);
   }
@@ -215,6 +224,10 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     return prepare::prepare(std::move(faces.model), faces.size, faces.simplify, panel_room(options),
                             until_deadline(context));
   });
+  if (look) {
+    made.prepared.look = std::make_shared<const mesh::Look>(
+        look->moved(made.prepared.from_model.factor, made.prepared.from_model.shift));
+  }
   const mesh::Surface& surface = made.prepared.model.surface;
   add_ready(made.ready.simplified, made.prepared.mm_per_unit * units, made.prepared.simplified);
   if (made.prepared.size_reason != prepare::SizeReason::none) {
