@@ -92,6 +92,7 @@ const std::vector<Folder>& folders() {
        {{"sheet", {}},
         {"style", {"sheet"}},
         {"page", {"sheet", "style"}},
+        {"paint", {"sheet", "style", "page"}},
         {"machine", {"sheet", "style"}},
         {"packing", {}},
         {"formats", {"sheet", "style", "machine"}}},
