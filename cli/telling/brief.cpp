@@ -45,8 +45,8 @@ std::string paper_line(const PaperJob& job, const job::Paper& made, const GlueFi
   const std::size_t lists = made.drawn.list_pages;
   return fmt::format("{} on {}{}, {}: {} to cut, {} to fold, {} to glue",
                      counted(made.nets.pieces.size(), "piece"), counted(made.pages.count, "page"),
-                     lists == 0 ? "" : fmt::format(" (and {} of numbers)", lists), job.paper_name, metres(made.figures.cut_mm), metres(made.figures.fold_mm),
-                     metres(glue.all_mm));
+                     lists == 0 ? "" : fmt::format(" (and {} of numbers)", lists), job.paper_name,
+                     metres(made.figures.cut_mm), metres(made.figures.fold_mm), metres(glue.all_mm));
 }
 
 std::string counted_bodies(std::size_t count) {
@@ -78,7 +78,7 @@ std::string model_line(const job::Paper& made) {
   if (report.specks_dropped > 0) {
     clauses.push_back(counted(report.specks_dropped, "component") + " too small to be held left out");
   }
-  if (has_colours(made.prepared.model)) {
+  if (made.options.style.ink == paper::Ink::lines && has_colours(made.prepared.model)) {
     clauses.emplace_back("its colours aren't printed");
   }
   return joined(clauses, "as it is in the file");
@@ -160,13 +160,11 @@ std::vector<PieceId> pieces_with_slivers(const job::Paper& made) {
 std::string details_text(const prepare::Details& details) {
   Clauses clauses;
   if (details.small > 0) {
-    clauses.push_back(
-        details.small == 1 ? "1 small body" : fmt::format("{} small bodies", details.small));
+    clauses.push_back(details.small == 1 ? "1 small body" : fmt::format("{} small bodies", details.small));
   }
   if (details.flat > 0) {
-    clauses.push_back(details.flat == 1
-                          ? "1 flat one that lies on another body"
-                          : fmt::format("{} flat ones that lie on others", details.flat));
+    clauses.push_back(details.flat == 1 ? "1 flat one that lies on another body"
+                                        : fmt::format("{} flat ones that lie on others", details.flat));
   }
   return fmt::format("{}", fmt::join(clauses, " and "));
 }

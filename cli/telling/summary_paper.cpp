@@ -134,14 +134,13 @@ void add_page_saving(Summary& summary, const job::Paper& made) {
 }
 
 void add_slivers(Summary& summary, const job::Paper& made) {
-  summary.add(
-      "slivers", made.slivers, Line::slivers, "slivers",
-      made.slivers == 0
-          ? ""
-          : fmt::format("{} thinner than {:g} mm, too thin to cut or fold, on {}; a larger --size or "
-                        "--faces N helps",
-                        counted(made.slivers, "face"), job::sliver_mm,
-                        piece_names(made.nets, pieces_with_slivers(made))));
+  summary.add("slivers", made.slivers, Line::slivers, "slivers",
+              made.slivers == 0
+                  ? ""
+                  : fmt::format("{} thinner than {:g} mm, too thin to cut or fold, on {}; a larger --size or "
+                                "--faces N helps",
+                                counted(made.slivers, "face"), job::sliver_mm,
+                                piece_names(made.nets, pieces_with_slivers(made))));
 }
 
 /// With the option where a limit that the user set is the cause.
@@ -203,7 +202,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   add_skin(summary, made);
   summary.add("simplified", simplified_value(made.prepared.simplified));
   say_simplified(summary, made);
-  say_colours(summary, model);
+  say_colours(summary, made);
   summary.add_seconds(result.seconds);
   summary.add_repairs(model.repairs);
   summary.add_notes(notes_of(made));

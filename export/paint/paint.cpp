@@ -185,7 +185,6 @@ class PiecePainter {
         Line halo = line;
         halo.layer = Layer::paint;
         halo.like = line.layer == Layer::mark ? line.like : line.layer;
-        halo.fold = Fold::none;
         halos.push_back(std::move(halo));
       }
     }

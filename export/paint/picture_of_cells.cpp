@@ -16,6 +16,10 @@ namespace {
 constexpr int block = 4;
 /// Beyond a cell's border dots are painted, too, so many: what mixes dots finds the same colour there.
 constexpr double overhang_dots = 1.5;
+/// How far inside its face the place lies whose colour a rim takes, mm, and as a share of the way to the
+/// middle.
+constexpr double inside_mm = 0.4;
+constexpr double inside_share = 0.3;
 /// JPEG has no longer sides.
 constexpr double longest_side = 65000.0;
 
@@ -228,7 +232,11 @@ Vec3 place_on_surface(const mesh::Surface& surface, const Cell& cell, Vec2 on_pa
       const Vec2 p = nearest_on_segment(on_page, cell.at[k], cell.at[(k + 1) % 3]);
       nearest = length(on_page - p) < length(on_page - nearest) ? p : nearest;
     }
-    weights = weights_at(cell.at, nearest);
+    // Right on an edge the face beyond it is as near: a little inside it isn't.
+    const Vec2 middle = (cell.at[0] + cell.at[1] + cell.at[2]) / 3.0;
+    const double way = length(middle - nearest);
+    const double share = way > 0.0 ? std::min(inside_mm / way, inside_share) : 0.0;
+    weights = weights_at(cell.at, nearest + share * (middle - nearest));
   }
   const auto vertices = surface.vertices(cell.face);
   return weights[0] * surface.point(vertices[0]) + weights[1] * surface.point(vertices[1]) +

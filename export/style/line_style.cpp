@@ -67,7 +67,8 @@ LineStyle style_of(const Line& line) {
   if (line.layer == Layer::paint) {
     Line around = line;
     around.layer = line.like;
-    return {dark_style_of(around).width + 2.0 * halo_mm, light_tone, {}};
+    const LineStyle style = dark_style_of(around);
+    return {style.width + 2.0 * halo_mm, light_tone, style.dashes};
   }
   LineStyle style = dark_style_of(line);
   if (line.tone == Tone::light) {
