@@ -12,8 +12,10 @@
 namespace ridgecraft::paper {
 namespace {
 
-/// Dots whose corners lie on one original face are worked out together: so many in each direction.
-constexpr int block = 4;
+/// Dots whose corners and middle lie on one original face are worked out together: so many in each direction,
+/// 0.7 mm on usual pages, or a quarter as many where they don't.
+constexpr int block = 8;
+constexpr int smallest_block = 4;
 /// Beyond a cell's border dots are painted, too, so many: what mixes dots finds the same colour there.
 constexpr double overhang_dots = 1.5;
 /// How far inside its face the place lies whose colour a rim takes, mm, and as a share of the way to the
@@ -174,12 +176,22 @@ class CellPainter {
     if (count == 0) {
       return;
     }
-    if (count > block && cell_.kind == CellKind::face) {
+    if (count > smallest_block && cell_.kind == CellKind::face) {
       const std::array<mesh::LookPlace, 4> corners{look_up(left, low), look_up(right, low),
                                                    look_up(left, high), look_up(right, high)};
+      const mesh::LookPlace middle = look_up((left + right) / 2, (low + high) / 2);
       if (std::all_of(corners.begin(), corners.end(),
-                      [&](const mesh::LookPlace& c) { return c.face == corners[0].face; })) {
+                      [&](const mesh::LookPlace& c) { return c.face == middle.face; })) {
         paint_between(corners, left, low, right, high);
+        return;
+      }
+      if (right - left >= smallest_block && high - low >= smallest_block) {
+        const int x = left + smallest_block;
+        const int y = low + smallest_block;
+        paint_block(left, low, x - 1, y - 1);
+        paint_block(x, low, right, y - 1);
+        paint_block(left, y, x - 1, high);
+        paint_block(x, y, right, high);
         return;
       }
     }

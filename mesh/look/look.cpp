@@ -16,6 +16,9 @@ constexpr int most_compared = 48;
 /// Lengths on the surface that count as equal, share of its extent: far below what a printer shows.
 constexpr double equal_share = 2e-4;
 
+/// A place on a face in its own plane: no other is nearer. Share of what counts as equal.
+constexpr double no_distance = 1e-9;
+
 Box3 box_of(const LookFace& face) {
   Box3 box;
   for (const Vec3 p : face.corners) {
@@ -140,6 +143,9 @@ LookPlace Look::nearest(Vec3 p, Vec3 normal, std::uint32_t hint) const {
     Best best;
     if (hint < faces_.size()) {
       try_face(best, hint, any_side);
+      if (best.cost < no_distance * tie_) {
+        return best.place;
+      }
     }
     best = tree_.nearest_first(
         p, best,

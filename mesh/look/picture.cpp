@@ -13,6 +13,9 @@ constexpr std::uint32_t shortest_side = 4;
 
 /// A number in [0, size) for any whole number: pictures repeat.
 std::uint32_t wrapped(double index, std::uint32_t size) {
+  if (index >= 0.0 && index < size) {
+    return static_cast<std::uint32_t>(index);
+  }
   const double rest = index - std::floor(index / size) * size;
   return std::min(static_cast<std::uint32_t>(std::max(rest, 0.0)), size - 1);
 }
@@ -51,29 +54,26 @@ unsigned Picture::level_for(double pixels_per_dot) const {
 }
 
 Rgb Picture::at(Vec2 uv, unsigned level) const {
+  constexpr int whole = 256;  // shares of pixels are counted in this
   const Level& in = levels_[level];
   const double x = uv.x * in.width - 0.5;
   const double y = (1.0 - uv.y) * in.height - 0.5;
   const double left = std::floor(x);
   const double top = std::floor(y);
-  const double right_share = x - left;
-  const double low_share = y - top;
+  const int right_share = static_cast<int>((x - left) * whole);
+  const int low_share = static_cast<int>((y - top) * whole);
   const std::size_t x0 = wrapped(left, in.width);
   const std::size_t x1 = x0 + 1 == in.width ? 0 : x0 + 1;
   const std::size_t y0 = wrapped(top, in.height);
   const std::size_t y1 = y0 + 1 == in.height ? 0 : y0 + 1;
-  const auto pixel = [&](std::size_t px, std::size_t py) {
-    return in.pixels.data() + 3 * (py * in.width + px);
-  };
-  const std::uint8_t* const a = pixel(x0, y0);
-  const std::uint8_t* const b = pixel(x1, y0);
-  const std::uint8_t* const c = pixel(x0, y1);
-  const std::uint8_t* const d = pixel(x1, y1);
+  const std::uint8_t* const above = in.pixels.data() + 3 * y0 * in.width;
+  const std::uint8_t* const below = in.pixels.data() + 3 * y1 * in.width;
   Rgb mixed{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const double above = a[k] + right_share * (b[k] - a[k]);
-    const double below = c[k] + right_share * (d[k] - c[k]);
-    mixed[k] = static_cast<std::uint8_t>(above + low_share * (below - above) + 0.5);
+    const int high = above[3 * x0 + k] * (whole - right_share) + above[3 * x1 + k] * right_share;
+    const int low = below[3 * x0 + k] * (whole - right_share) + below[3 * x1 + k] * right_share;
+    mixed[k] = static_cast<std::uint8_t>((high * (whole - low_share) + low * low_share + whole * whole / 2) /
+                                         (whole * whole));
   }
   return mixed;
 }
