@@ -85,8 +85,8 @@ class RimMaker {
     }
     std::vector<Vec2> rim{edge.b + reach * along, edge.a - reach * along, edge.a + reach * (out - along),
                           edge.b + reach * (out + along)};
-    rim = cut_at_corner(std::move(rim), edge.a, along, -1.0);
-    return cut_at_corner(std::move(rim), edge.b, -along, 1.0);
+    rim = cut_at_corner(std::move(rim), edge.a, along, -1.0, reach);
+    return cut_at_corner(std::move(rim), edge.b, -along, 1.0, reach);
   }
 
  private:
@@ -126,8 +126,8 @@ class RimMaker {
 
   /// Two rims that meet at a corner of the outline share the gap between their edges. `way`: from the corner
   /// along the edge; `sense`: 1 where the rim lies against the clock of it.
-  [[nodiscard]] std::vector<Vec2> cut_at_corner(std::vector<Vec2> rim, Vec2 corner, Vec2 way,
-                                                double sense) const {
+  [[nodiscard]] std::vector<Vec2> cut_at_corner(std::vector<Vec2> rim, Vec2 corner, Vec2 way, double sense,
+                                                double reach) const {
     double gap = 2.0 * std::numbers::pi;
     bool met = false;
     for (const Segment2& other : own_) {
@@ -148,7 +148,9 @@ class RimMaker {
       return clipped(rim, corner, -way);
     }
     const Vec2 bisector = turned(way, 0.5 * sense * gap);
-    return clipped(rim, corner, sense * perpendicular(bisector));
+    rim = clipped(rim, corner, sense * perpendicular(bisector));
+    // Round a tip of the piece it reaches no farther than anywhere else.
+    return gap > std::numbers::pi ? clipped(rim, corner + reach * bisector, bisector) : rim;
   }
 
   std::vector<Segment2> own_;

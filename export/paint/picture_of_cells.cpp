@@ -20,7 +20,7 @@ constexpr int smallest_block = 4;
 constexpr double overhang_dots = 1.5;
 /// How far inside its face the place lies whose colour a rim takes, mm, and as a share of the way to the
 /// middle.
-constexpr double inside_mm = 0.4;
+constexpr double inside_mm = 0.8;
 constexpr double inside_share = 0.3;
 /// JPEG has no longer sides.
 constexpr double longest_side = 65000.0;
