@@ -18,8 +18,8 @@ namespace {
 /// Of a pale colour, the share that is left of it; the rest is white.
 constexpr double pale_share = 0.35;
 constexpr mesh::Rgb white_ground{255, 255, 255};
-/// The relative luminance (WCAG 2) on which black and white can be seen equally well: 4.6 : 1.
-constexpr double middle_light = 0.18;
+/// The relative luminance (WCAG 2) on which black and the light tone are seen equally well: 4.2 : 1.
+constexpr double middle_light = 0.16;
 /// On both sides of a line its ground is looked at so far away, mm, ...
 constexpr double beside_mm = 0.3;
 /// ... and at places so far from each other, at most so many.

@@ -47,18 +47,20 @@ const std::string quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 }  // namespace
 
-TEST_CASE("Look: colours of points run over faces, in PLY and OFF") {
+TEST_CASE("Look: colours of points run over faces, in PLY, OBJ and OFF") {
   const std::string numbers = "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n";
   const std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
       "property list uchar int vertex_indices\nend_header\n" +
       numbers + "3 0 1 2\n";
+  const std::string obj = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n";
   const std::string off = "COFF\n3 1 0\n" + numbers + "3 0 1 2\n";
   const std::string shares =
       "CNOFF\n3 1 0\n0 0 0 0 0 1 1.0 0.0 0.0 1\n1 0 0 0 0 1 0.0 1.0 0.0 1\n"
       "0 1 0 0 0 1 0.0 0.0 1.0 1\n3 0 1 2\n";
-  for (const auto& [bytes, name] : {std::pair(ply, "a.ply"), {off, "a.off"}, {shares, "a.off"}}) {
+  for (const auto& [bytes, name] :
+       {std::pair(ply, "a.ply"), {obj, "a.obj"}, {off, "a.off"}, {shares, "a.off"}}) {
     INFO(bytes);
     const auto seen = look(model_of(bytes, name));
     REQUIRE(seen);
