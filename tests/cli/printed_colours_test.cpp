@@ -376,3 +376,30 @@ TEST_CASE("Printed colours of makers' models", "[slow]") {
     check(name, difference(folder, makers / name, {}), 0.05);
   }
 }
+
+TEST_CASE("Colours are printed as they are, pale or not at all") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "a.mtl", "newmtl red\nKd 0.8 0.1 0.1\n");
+  write_bytes(folder / "a.obj", "mtllib a.mtl\nusemtl red\n" + std::string(house));
+  const auto page = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"a.obj", "-o", "a.svg", "--overwrite", "--size", "80"});
+    const Outcome outcome = run_program(options, in(folder));
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    return read_bytes(folder / "a.svg");
+  };
+  const std::string colour = page({});
+  CHECK(colour.find("fill=\"#cc1a1a\"") != std::string::npos);
+  CHECK(page({"--ink", "colour"}) == colour);
+  CHECK(page({"--ink", "pale"}).find("fill=\"#edafaf\"") != std::string::npos);
+  const std::string lines = page({"--ink", "lines"});
+  CHECK(lines.find("id=\"paint\"") == std::string::npos);
+  // The same pages as without a material file.
+  write_bytes(folder / "a.mtl", "");
+  CHECK(page({}) == lines);
+
+  check_refusal(run_program({"a.obj", "--ink", "purple"}, in(folder)), 2, "purple");
+  check_refusal(run_program({"a.obj", "--dpi", "10"}, in(folder)), 2, "--dpi");
+  check_refusal(run_program({"a.obj", "--dpi", "300", "--ink", "lines"}, in(folder)), 2, "--dpi");
+  check_refusal(run_program({"a.obj", "--dpi", "300", "--preset", "laser"}, in(folder)), 2, "--dpi");
+}
