@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -145,10 +146,10 @@ bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
 }
 
 /// What the model looks like as it was read, for pages in colour.
-std::shared_ptr<const mesh::Look> look_for(const Options& options, const mesh::Model& model,
-                                           const Context& context, std::vector<std::string>& notes) {
+std::optional<mesh::LookParts> look_for(const Options& options, const mesh::Model& model,
+                                        const Context& context, std::vector<std::string>& notes) {
   return options.paper && options.style.ink != paper::Ink::lines ? mesh::look_of(model, context, notes)
-                                                                 : nullptr;
+                                                                 : std::nullopt;
 }
 
 /// The model's bodies become one skin where they meet; those that are too small are left out before.
@@ -213,7 +214,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   use_size_of_nets(options.edges, model, made.options.size);
   made.options.bodies = bodies_for(options.edges, options.bodies);
   const double units = model.file_scale;
-  const std::shared_ptr<const mesh::Look> look =
+  std::optional<mesh::LookParts> look =
       clock("prepare", context, [&] { return look_for(options, model, context, notes); });
   if (made.options.bodies == prepare::Bodies::unite) {
     unite(model, made, clock, context);
@@ -225,8 +226,8 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
                             until_deadline(context));
   });
   if (look) {
-    made.prepared.look = std::make_shared<const mesh::Look>(
-        look->moved(made.prepared.from_model.factor, made.prepared.from_model.shift));
+    made.prepared.look = std::make_shared<const mesh::Look>(std::move(*look), made.prepared.from_model.factor,
+                                                            made.prepared.from_model.shift);
   }
   const mesh::Surface& surface = made.prepared.model.surface;
   add_ready(made.ready.simplified, made.prepared.mm_per_unit * units, made.prepared.simplified);

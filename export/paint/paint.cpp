@@ -63,7 +63,7 @@ class PiecePainter {
     }
   }
 
-  void paint(std::vector<Cell> cells, PieceDrawing& piece) {
+  void paint(std::vector<Cell> cells, PieceDrawing& piece, const Context& context) {
     cells_ = std::move(cells);
     std::vector<const Cell*> pictures;
     std::map<mesh::Rgb, Fill> ground, fills;
@@ -90,7 +90,8 @@ class PiecePainter {
       piece.group.fills.push_back(std::move(fill));
     }
     if (!pictures.empty()) {
-      piece.group.images.push_back(picture_of(pictures, surface_, look_, style_.dots_per_inch, shade_));
+      piece.group.images.push_back(
+          picture_of(pictures, surface_, look_, style_.dots_per_inch, shade_, context));
     }
     uncover_strips(piece);
     set_tones(piece);
@@ -237,7 +238,7 @@ void paint_pieces(const prepare::Prepared& model, const unfold::Nets& nets,
     });
     do_in_parallel(cells.size(), context, [&](std::size_t i, const Context& own) {
       own.check();
-      PiecePainter(model, colours, style).paint(std::move(cells[i]), pages[page][i]);
+      PiecePainter(model, colours, style).paint(std::move(cells[i]), pages[page][i], own);
     });
   }
 }

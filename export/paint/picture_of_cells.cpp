@@ -24,6 +24,8 @@ constexpr double inside_mm = 0.8;
 constexpr double inside_share = 0.3;
 /// JPEG has no longer sides.
 constexpr double longest_side = 65000.0;
+/// More dots in one picture take more than 200 MB: larger pictures are coarser.
+constexpr double most_dots = 5e7;
 
 class Raster {
  public:
@@ -256,20 +258,22 @@ Vec3 place_on_surface(const mesh::Surface& surface, const Cell& cell, Vec2 on_pa
 }
 
 Image picture_of(const std::vector<const Cell*>& cells, const mesh::Surface& surface, const mesh::Look& look,
-                 double dots_per_inch, const Shade& shade) {
+                 double dots_per_inch, const Shade& shade, const Context& context) {
   Box2 box;
   for (const Cell* const cell : cells) {
     box.add(cell->box.low);
     box.add(cell->box.high);
   }
   const Vec2 size = box.high - box.low;
-  const double dots_per_mm = std::min(dots_per_inch / 25.4, longest_side / std::max({size.x, size.y, 1.0}));
+  const double dots_per_mm = std::min({dots_per_inch / 25.4, longest_side / std::max({size.x, size.y, 1.0}),
+                                       std::sqrt(most_dots / std::max(size.x * size.y, 1.0))});
   Raster raster(box, dots_per_mm);
   // Each face's own dots first, then what lies beyond its borders.
   for (const double overhang : {0.0, overhang_dots / dots_per_mm}) {
     for (const CellKind kind : {CellKind::face, CellKind::tab, CellKind::bleed}) {
       for (const Cell* const cell : cells) {
         if (cell->kind == kind) {
+          context.check();
           CellPainter(raster, *cell, surface, look, shade, overhang).paint();
         }
       }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/context.hpp"
 #include "export/paint/cells.hpp"
 #include "export/sheet/drawing.hpp"
 #include "mesh/look/look.hpp"
@@ -21,6 +22,7 @@ using Shade = std::function<mesh::Rgb(mesh::Rgb)>;
 /// last word on each. O(dots x log n); neighbouring dots mostly lie on one original face, which makes it
 /// quick.
 [[nodiscard]] Image picture_of(const std::vector<const Cell*>& cells, const mesh::Surface& surface,
-                               const mesh::Look& look, double dots_per_inch, const Shade& shade);
+                               const mesh::Look& look, double dots_per_inch, const Shade& shade,
+                               const Context& context);
 
 }  // namespace ridgecraft::paper

@@ -101,11 +101,20 @@ double pixel_size(const LookFace& face, const Paint& paint) {
   return pixels > 0.0 ? std::sqrt(area / pixels) : 0.0;
 }
 
+std::vector<LookFace> moved(std::vector<LookFace> faces, double factor, Vec3 shift) {
+  for (LookFace& face : faces) {
+    for (Vec3& p : face.corners) {
+      p = factor * p + shift;
+    }
+  }
+  return faces;
+}
+
 }  // namespace
 
-Look::Look(std::vector<LookFace> faces, std::vector<Paint> paints)
-    : faces_(std::move(faces)),
-      paints_(std::move(paints)),
+Look::Look(LookParts parts, double factor, Vec3 shift)
+    : faces_(moved(std::move(parts.faces), factor, shift)),
+      paints_(std::move(parts.paints)),
       tree_(
           faces_.size(), [&](std::uint32_t f) { return box_of(faces_[f]); },
           [&](std::uint32_t f) {
@@ -205,16 +214,6 @@ Rgb Look::colour_at(const LookPlace& place, double dot) const {
         std::lround(place.weights[0] * a[k] + place.weights[1] * b[k] + place.weights[2] * c[k]), 0L, 255L));
   }
   return colour;
-}
-
-Look Look::moved(double factor, Vec3 shift) const {
-  std::vector<LookFace> faces = faces_;
-  for (LookFace& face : faces) {
-    for (Vec3& p : face.corners) {
-      p = factor * p + shift;
-    }
-  }
-  return {std::move(faces), paints_};
 }
 
 }  // namespace ridgecraft::mesh

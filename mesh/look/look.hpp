@@ -42,10 +42,17 @@ struct LookPlace {
   std::array<double, 3> weights{};  ///< of the face's corners; their sum is 1
 };
 
+/// All faces with what is on them.
+struct LookParts {
+  std::vector<LookFace> faces;
+  std::vector<Paint> paints;
+};
+
+/// Finds colours by place.
 class Look {
  public:
-  /// O(n log n).
-  Look(std::vector<LookFace> faces, std::vector<Paint> paints);
+  /// Of a surface whose points have become factor * p + shift since. O(n log n + pixels under faces).
+  explicit Look(LookParts parts, double factor = 1.0, Vec3 shift = {});
 
   [[nodiscard]] const std::vector<LookFace>& faces() const { return faces_; }
   [[nodiscard]] const std::vector<Paint>& paints() const { return paints_; }
@@ -72,9 +79,6 @@ class Look {
   /// `dot`: the distance between two dots of a printer, in the unit of the surface; 0 for the finest picture.
   [[nodiscard]] Rgb colour_at(const LookPlace& place, double dot) const;
 
-  /// The same look of the surface after p became factor * p + shift. O(n log n).
-  [[nodiscard]] Look moved(double factor, Vec3 shift) const;
-
  private:
   [[nodiscard]] std::optional<Rgb> find_flat_colour(const LookFace& face) const;
   std::vector<LookFace> faces_;
@@ -85,10 +89,10 @@ class Look {
   double tie_ = 0.0;                ///< squared lengths that differ by less are equal
 };
 
-/// Null where the model has no colours: its faces are all white, or all of one grey, which programs write
+/// Nothing where the model has no colours: its faces are all white, or all of one grey, which programs write
 /// where nobody chose a colour. Pictures that can't be unpacked are told by `faults`, and faces that bear
-/// them have the material's colour. O(n log n + pixels). Throws Error(interrupted).
-[[nodiscard]] std::shared_ptr<const Look> look_of(const Model& model, const Context& context,
-                                                  std::vector<std::string>& faults);
+/// them have the material's colour. O(n + pixels). Throws Error(interrupted).
+[[nodiscard]] std::optional<LookParts> look_of(const Model& model, const Context& context,
+                                               std::vector<std::string>& faults);
 
 }  // namespace ridgecraft::mesh

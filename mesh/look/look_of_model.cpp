@@ -149,10 +149,10 @@ bool is_plain(const std::vector<LookFace>& faces, const std::vector<Paint>& pain
 
 }  // namespace
 
-std::shared_ptr<const Look> look_of(const Model& model, const Context& context,
-                                    std::vector<std::string>& faults) {
+std::optional<LookParts> look_of(const Model& model, const Context& context,
+                                 std::vector<std::string>& faults) {
   if (model.material.empty() && !model.corner_colours) {
-    return nullptr;
+    return std::nullopt;
   }
   std::vector<Paint> paints = paints_of(model, context, faults);
   const auto none = static_cast<std::uint32_t>(paints.size() - 1);
@@ -183,9 +183,9 @@ std::shared_ptr<const Look> look_of(const Model& model, const Context& context,
     faces.push_back(face);
   }
   if (is_plain(faces, paints)) {
-    return nullptr;
+    return std::nullopt;
   }
-  return std::make_shared<const Look>(std::move(faces), std::move(paints));
+  return LookParts{std::move(faces), std::move(paints)};
 }
 
 }  // namespace ridgecraft::mesh

@@ -37,7 +37,7 @@ std::shared_ptr<const mesh::Look> look_of(const SamplePages& sample, const std::
     face.paint = sample.model.panels.panel[f].value() % static_cast<std::uint32_t>(colours.size());
     faces.push_back(face);
   }
-  return std::make_shared<const mesh::Look>(std::move(faces), std::move(paints));
+  return std::make_shared<const mesh::Look>(mesh::LookParts{std::move(faces), std::move(paints)});
 }
 
 std::vector<Drawing> drawn(const SamplePages& sample, paper::Ink ink = paper::Ink::colour,
@@ -219,9 +219,8 @@ TEST_CASE("Pictures have the dots that are asked for, and lie under their faces"
   for (mesh::LookFace& face : faces) {
     face.places = {Vec2{0.1, 0.1}, {0.9, 0.1}, {0.5, 0.9}};
   }
-  sample.model.look = std::make_shared<const mesh::Look>(
-      faces, std::vector<mesh::Paint>{
-                 {{255, 255, 255}, std::make_shared<const mesh::Picture>(64, 64, pixels), nullptr}});
+  sample.model.look = std::make_shared<const mesh::Look>(mesh::LookParts{
+      faces, {{{255, 255, 255}, std::make_shared<const mesh::Picture>(64, 64, pixels), nullptr}}});
   for (const double dots : {72.0, 300.0}) {
     paper::Style style;
     style.dots_per_inch = dots;

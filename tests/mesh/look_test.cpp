@@ -21,9 +21,11 @@ mesh::Model model_of(const std::string& bytes, const std::string& name) {
   return mesh::read(mesh::ModelFile{.bytes = bytes, .name = name, .title = "model", .folder = {}}, {}, {});
 }
 
-std::shared_ptr<const Look> look(const mesh::Model& model) {
+std::optional<Look> look(const mesh::Model& model) {
   std::vector<std::string> faults;
-  return mesh::look_of(model, {}, faults);
+  std::optional<mesh::LookParts> parts = mesh::look_of(model, {}, faults);
+  CHECK(faults.empty());
+  return parts ? std::optional<Look>(std::in_place, std::move(*parts)) : std::nullopt;
 }
 
 Rgb colour(const Look& look, Vec3 p, Vec3 normal) {
@@ -166,7 +168,7 @@ TEST_CASE("Look: the nearest place is that of all faces one by one, and looks to
     face.corners = {at, at + 0.2 * vector(), at + 0.2 * vector()};
     face.normal = normalized(cross(face.corners[1] - at, face.corners[2] - at));
   }
-  const Look look(faces, {mesh::Paint{}});
+  const Look look({faces, {mesh::Paint{}}});
   for (int i = 0; i < 300; ++i) {
     const Vec3 p = 1.5 * vector();
     const Vec3 normal = normalized(vector());
