@@ -15,7 +15,7 @@ set(ridgecraft_needs_job export segment verify)
 
 # What is linked, beside what those below need: whoever links an archive of ours needs it, too.
 set(ridgecraft_links_base Threads fmt mpfr gmp)
-set(ridgecraft_links_mesh pugixml ZLIB)
+set(ridgecraft_links_mesh pugixml JPEG PNG ZLIB)
 set(ridgecraft_links_prepare OpenMesh)
 set(ridgecraft_links_segment "")
 set(ridgecraft_links_solid "")
@@ -39,6 +39,8 @@ set(ridgecraft_reads_job "")
 set(ridgecraft_find_Threads Threads)
 set(ridgecraft_find_fmt fmt CONFIG)
 set(ridgecraft_find_pugixml pugixml CONFIG)
+set(ridgecraft_find_JPEG JPEG)
+set(ridgecraft_find_PNG PNG)
 set(ridgecraft_find_ZLIB ZLIB)
 # CGAL puts a FindOpenMesh of its own on the module path that fails on Debian: ask for OpenMesh's config.
 set(ridgecraft_find_OpenMesh OpenMesh CONFIG)

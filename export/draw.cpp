@@ -14,6 +14,7 @@
 #include "export/page/page_index.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/page/text_placement.hpp"
+#include "export/paint/paint.hpp"
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/piece_kinds.hpp"
 
@@ -111,11 +112,13 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   const bool can_list = has_room_for_lists(pages.paper);
   const auto contents = piece_contents(model.model.surface, nets);
   std::vector<std::vector<PieceDrawing>> pieces(pages.count);
+  std::vector<std::vector<PieceId>> piece_ids(pages.count);
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
     const Placement& placement = pages.placements[piece];
     pieces[placement.page.value()].push_back(
         piece_drawing(model, nets, piece, contents[piece], placement, style));
     pieces[placement.page.value()].back().notes = notes[piece];
+    piece_ids[placement.page.value()].push_back(piece);
   }
   std::vector<Drawing> drawings;
   for (std::size_t i = 0; i < pages.count; ++i) {
@@ -136,6 +139,7 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   }
   const std::vector<std::string> left =
       can_list ? list_beside_pieces(pages.paper, pieces, unlisted, indices) : std::vector<std::string>();
+  paint_pieces(model, nets, contents, pages, style, piece_ids, pieces, context);
   for (std::vector<PieceDrawing>& on_page : pieces) {
     drawings.emplace_back();
     for (PieceDrawing& piece : on_page) {

@@ -2,6 +2,8 @@
 #include "job/job.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -143,6 +145,13 @@ bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
   return faces_of_skin > most_faces && faces_of_skin > finer * faces_of_bodies;
 }
 
+/// What the model looks like as it was read, for pages in colour.
+std::optional<mesh::LookParts> look_for(const Options& options, const mesh::Model& model,
+                                        const Context& context, std::vector<std::string>& notes) {
+  return options.paper && options.style.ink != paper::Ink::lines ? mesh::look_of(model, context, notes)
+                                                                 : std::nullopt;
+}
+
 /// The model's bodies become one skin where they meet; those that are too small are left out before.
 void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& context) {
   clock("prepare", context, [&] {
@@ -207,6 +216,8 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   made.options.bodies = bodies_for(options.edges, options.bodies);
   made.options.simplify.skins = skins_for(options.edges, options.simplify.skins);
   const double units = model.file_scale;
+  std::optional<mesh::LookParts> look =
+      clock("prepare", context, [&] { return look_for(options, model, context, notes); });
   if (made.options.bodies == prepare::Bodies::unite) {
     unite(model, made, clock, context);
   }
@@ -216,6 +227,10 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     return prepare::prepare(std::move(faces.model), faces.size, faces.simplify, panel_room(options),
                             until_deadline(context));
   });
+  if (look) {
+    made.prepared.look = std::make_shared<const mesh::Look>(std::move(*look), made.prepared.from_model.factor,
+                                                            made.prepared.from_model.shift);
+  }
   const mesh::Surface& surface = made.prepared.model.surface;
   add_ready(made.ready.simplified, made.prepared.mm_per_unit * units, made.prepared.simplified);
   if (made.prepared.size_reason != prepare::SizeReason::none) {

@@ -73,7 +73,8 @@ struct Paper {
 /// the file (docs/formats.md), whatever this context's seed.
 [[nodiscard]] Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context);
 
-/// The same nets on other paper, or drawn in another style. Throws Error(no_nets) where a piece is larger
+/// The same nets on other paper, or drawn in another style; colours only where they were wanted (Style::ink)
+/// when the job began. Throws Error(no_nets) where a piece is larger
 /// than it.
 [[nodiscard]] Paper with_pages(Paper made, const paper::Paper& paper, const paper::Style& style,
                                const Context& context);

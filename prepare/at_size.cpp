@@ -23,6 +23,11 @@ namespace {
 /// are off.
 constexpr double kept_share = 4e-5;
 
+void add_to_way(Prepared& prepared, const Resized& resized) {
+  prepared.from_model.factor *= resized.factor;
+  prepared.from_model.shift = resized.factor * (prepared.from_model.shift - resized.centre);
+}
+
 /// Equal bodies become copies of one. The model stays of its size.
 void copy_equal_bodies(Prepared& prepared, const SizeOptions& size, bool keeps_faces,
                        const Context& context) {
@@ -36,7 +41,9 @@ void copy_equal_bodies(Prepared& prepared, const SizeOptions& size, bool keeps_f
   }
   prepared.twins = make_copies(model, equal);
   if (model.surface.bounds().largest_extent() != extent && !size.mm_per_unit) {
-    prepared.mm_per_unit *= resize(model, size);
+    const Resized resized = resize(model, size);
+    prepared.mm_per_unit *= resized.mm_per_unit;
+    add_to_way(prepared, resized);
   }
   prepared.panels = find_panels(model.surface);
   copy_panels(prepared.twins, prepared.panels);
@@ -58,7 +65,9 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
   context.report("preparing", 0.0);
   Prepared prepared;
   prepared.model = std::move(model);
-  prepared.mm_per_unit = resize(prepared.model, size);
+  const Resized to_size = resize(prepared.model, size);
+  prepared.mm_per_unit = to_size.mm_per_unit;
+  add_to_way(prepared, to_size);
   const std::size_t faces_before = prepared.model.surface.face_count();
   const BodyNames names(prepared.model);
   remesh_panels(prepared.model, context);
@@ -67,7 +76,9 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
   prepared.simplified.at_its_size = prepared.simplified.faces_after < faces_before;
   if (prepared.simplified.faces_after < prepared.simplified.faces_before && !size.mm_per_unit) {
     // Collapses move the outermost points, too; the size that was asked for is the finished model's.
-    const double factor = resize(prepared.model, size);
+    const Resized resized = resize(prepared.model, size);
+    const double factor = resized.mm_per_unit;
+    add_to_way(prepared, resized);
     prepared.mm_per_unit *= factor;
     prepared.simplified.deviation_mm *= factor;
     prepared.simplified.evened_mm *= factor;

@@ -17,7 +17,7 @@ constexpr double smallest_size_mm = 0.1;
 
 }  // namespace
 
-double resize(mesh::Model& model, const SizeOptions& size) {
+Resized resize(mesh::Model& model, const SizeOptions& size) {
   const Box3& box = model.surface.bounds();
   const double largest = box.largest_extent();
   const double factor =
@@ -45,7 +45,7 @@ double resize(mesh::Model& model, const SizeOptions& size) {
   model.surface = mesh::Surface(std::move(points), std::move(faces));
   const double mm_per_unit = size.mm_per_unit ? *size.mm_per_unit : factor / model.file_scale;
   model.file_scale = 1.0;
-  return mm_per_unit;
+  return {mm_per_unit, factor, centre};
 }
 
 }  // namespace ridgecraft::prepare

@@ -7,9 +7,15 @@
 
 namespace ridgecraft::prepare {
 
-/// Moves the bounding box's centre to the origin and scales the points; returns the millimetres of one unit
-/// of the file. Throws Error(no_nets) where the result would have no size at all or one that no number of
-/// sheets can hold.
-double resize(mesh::Model& model, const SizeOptions& size);
+/// How a model was brought to its size: a point p of it is now factor * (p - centre).
+struct Resized {
+  double mm_per_unit = 1.0;  ///< of the file
+  double factor = 1.0;
+  Vec3 centre;
+};
+
+/// Moves the bounding box's centre to the origin and scales the points. Throws Error(no_nets) where the
+/// result would have no size at all or one that no number of sheets can hold.
+Resized resize(mesh::Model& model, const SizeOptions& size);
 
 }  // namespace ridgecraft::prepare

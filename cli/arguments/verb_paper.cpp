@@ -70,6 +70,7 @@ struct PaperTexts {
   std::string paper = "A4";
   std::string margin, tab_height, tab_angle, concavity;
   std::string hide = "3";
+  std::string ink, dpi;
   bool no_tabs = false;
   bool keep_bodies = false;
   std::string skins = "outer";
@@ -88,6 +89,11 @@ struct PaperTexts {
     verb.flag("Tabs and lines", "--no-tabs", no_tabs, "Draw no glue tabs.");
     verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
                 "Draw no line where the surface is folded by less than this (3).");
+    verb.option(
+        "Colours", "--ink", ink, "colour|pale|lines",
+        "Print the model's colours and pictures, print them as light tints, or print lines alone (colour; "
+        "lines with a machine's preset).");
+    verb.option("Colours", "--dpi", dpi, "DOTS", "Dots an inch of printed pictures (300).");
     verb.flag(
         "Parts", "--keep-bodies", keep_bodies,
         "Leave bodies that touch or run into each other as they are, hidden faces and all; without it they "
@@ -105,24 +111,29 @@ struct PaperTexts {
   void check_into(PaperJob& job) const {
     check_paper(job);
     job.options.bodies = keep_bodies ? prepare::Bodies::keep : prepare::Bodies::unite;
-    job.options.simplify.skins = skins_or_refuse();
+    const Choices<prepare::Skins> skin_choices{
+        {"outer", prepare::Skins::outer}, {"middle", prepare::Skins::middle}, {"both", prepare::Skins::both}};
+    job.options.simplify.skins = choice_or_refuse<prepare::Skins>("--skins", skins, skin_choices);
     job.options.concavity = concavity_or_refuse(concavity);
     check_tabs(job.options.tabs);
     job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
+    check_ink(job);
   }
 
  private:
-  [[nodiscard]] prepare::Skins skins_or_refuse() const {
-    if (skins == "outer") {
-      return prepare::Skins::outer;
+  void check_ink(PaperJob& job) const {
+    const Choices<paper::Ink> inks{
+        {"colour", paper::Ink::colour}, {"pale", paper::Ink::pale}, {"lines", paper::Ink::lines}};
+    // What a machine cuts out bears no colours, unless somebody says that it is printed before.
+    job.options.style.ink = !ink.empty()            ? choice_or_refuse<paper::Ink>("--ink", ink, inks)
+                            : job.preset != nullptr ? paper::Ink::lines
+                                                    : paper::Ink::colour;
+    if (!dpi.empty()) {
+      if (job.options.style.ink == paper::Ink::lines) {
+        refuse("--dpi is about printed pictures; with --ink lines or a machine's preset there are none");
+      }
+      job.options.style.dots_per_inch = number_or_refuse("--dpi", dpi, 36.0, 1200.0);
     }
-    if (skins == "middle") {
-      return prepare::Skins::middle;
-    }
-    if (skins != "both") {
-      refuse("--skins is outer, middle or both, not " + skins);
-    }
-    return prepare::Skins::both;
   }
 
   void check_paper(PaperJob& job) const {

@@ -81,7 +81,7 @@ std::string model_line(const job::Paper& made) {
   if (report.specks_dropped > 0) {
     clauses.push_back(counted(report.specks_dropped, "component") + " too small to be held left out");
   }
-  if (has_colours(made.prepared.model)) {
+  if (made.options.style.ink == paper::Ink::lines && has_colours(made.prepared.model)) {
     clauses.emplace_back("its colours aren't printed");
   }
   return joined(clauses, "as it is in the file");

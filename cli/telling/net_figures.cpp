@@ -336,8 +336,11 @@ bool has_colours(const mesh::Model& model) {
   });
 }
 
-void say_colours(Summary& summary, const mesh::Model& model) {
-  if (has_colours(model)) {
+void say_colours(Summary& summary, const job::Paper& made) {
+  if (made.prepared.look) {
+    summary.say(Line::colours, "colours",
+                "of the model are printed; --ink pale saves ink, --ink lines leaves them out");
+  } else if (made.options.style.ink == paper::Ink::lines && has_colours(made.prepared.model)) {
     summary.say(Line::colours, "colours", "of the model aren't printed: pages show lines only");
   }
 }

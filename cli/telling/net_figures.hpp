@@ -7,6 +7,7 @@
 
 #include "cli/telling/figures.hpp"
 #include "export/sheet/pages.hpp"
+#include "job/job.hpp"
 #include "mesh/model/model.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
@@ -60,8 +61,8 @@ void add_folding(Summary& summary, const unfold::Nets& nets);
 
 /// Whether the model has colours other than white, or pictures.
 [[nodiscard]] bool has_colours(const mesh::Model& model);
-/// Says where it has, since pages show none.
-void say_colours(Summary& summary, const mesh::Model& model);
+/// Says whether pages show them, where there are any.
+void say_colours(Summary& summary, const job::Paper& made);
 
 /// Which pieces make each separate body, and beside which piece it belongs.
 void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<paper::Body>& bodies);

@@ -209,7 +209,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   add_skin(summary, made);
   summary.add("simplified", simplified_value(made.prepared.simplified));
   say_simplified(summary, made);
-  say_colours(summary, model);
+  say_colours(summary, made);
   summary.add_seconds(result.seconds);
   summary.add_repairs(model.repairs);
   summary.add_notes(notes_of(made));

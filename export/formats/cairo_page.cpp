@@ -2,6 +2,9 @@
 #include "export/formats/cairo_page.hpp"
 
 #include <algorithm>
+#include <cstring>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +12,7 @@
 #include "base/utf8.hpp"
 #include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
+#include "mesh/look/picture.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -74,7 +78,7 @@ void paint(cairo_t* cairo, const Text& text) {
     paint_real_text(cairo, text);
     return;
   }
-  cairo_set_line_width(cairo, pen_width(text));
+  cairo_set_line_width(cairo, pen_width(text) + (text.layer == Layer::paint ? 2.0 * halo_mm : 0.0));
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
   cairo_new_path(cairo);
   for (const auto& stroke : text_strokes(text)) {
@@ -82,6 +86,71 @@ void paint(cairo_t* cairo, const Text& text) {
     trace(cairo, stroke, false);
   }
   cairo_stroke(cairo);
+}
+
+/// All at once: polygons that meet leave no gap between them.
+void trace_all(cairo_t* cairo, const std::vector<std::vector<Vec2>>& polygons) {
+  cairo_new_path(cairo);
+  for (const std::vector<Vec2>& polygon : polygons) {
+    cairo_new_sub_path(cairo);
+    trace(cairo, polygon, true);
+  }
+}
+
+void paint(cairo_t* cairo, const Fill& fill) {
+  set_color(cairo, fill.color);
+  trace_all(cairo, fill.polygons);
+  cairo_fill_preserve(cairo);
+  cairo_set_line_width(cairo, fill_rim_mm);
+  cairo_stroke(cairo);
+}
+
+void destroy_bytes(void* bytes) {
+  delete static_cast<std::shared_ptr<const std::string>*>(bytes);
+}
+
+/// A file of vectors takes the packed bytes as they are; a picture of dots needs the pixels.
+CairoSurface surface_of(const Image& image, bool packed) {
+  CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(image.width),
+                                                  static_cast<int>(image.height)));
+  check_cairo(cairo_surface_status(surface.get()));
+  if (packed) {
+    auto* const held = new std::shared_ptr<const std::string>(image.jpeg);
+    check_cairo(cairo_surface_set_mime_data(surface.get(), CAIRO_MIME_TYPE_JPEG,
+                                            reinterpret_cast<const unsigned char*>(image.jpeg->data()),
+                                            image.jpeg->size(), destroy_bytes, held));
+    return surface;
+  }
+  const std::optional<mesh::Picture> picture = mesh::unpack_picture(*image.jpeg);
+  if (!picture) {
+    throw Error(ErrorKind::internal, "a picture of a page can't be unpacked again");
+  }
+  cairo_surface_flush(surface.get());
+  unsigned char* const data = cairo_image_surface_get_data(surface.get());
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  for (std::size_t y = 0; y < image.height; ++y) {
+    const std::uint8_t* from = picture->pixels().data() + 3 * y * image.width;
+    for (std::size_t x = 0; x < image.width; ++x, from += 3) {
+      const std::uint32_t pixel = std::uint32_t{from[0]} << 16U | std::uint32_t{from[1]} << 8U | from[2];
+      std::memcpy(data + y * stride + 4 * x, &pixel, sizeof pixel);
+    }
+  }
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
+}
+
+void paint(cairo_t* cairo, const Image& image) {
+  const bool packed = cairo_surface_get_type(cairo_get_target(cairo)) == CAIRO_SURFACE_TYPE_PDF;
+  const CairoSurface surface = surface_of(image, packed);
+  cairo_save(cairo);
+  trace_all(cairo, image.clip);
+  cairo_clip(cairo);
+  const Vec2 size = image.place.high - image.place.low;
+  cairo_translate(cairo, image.place.low.x, image.place.high.y);
+  cairo_scale(cairo, size.x / image.width, -size.y / image.height);  // rows from the top
+  cairo_set_source_surface(cairo, surface.get(), 0.0, 0.0);
+  cairo_paint(cairo);
+  cairo_restore(cairo);
 }
 
 template <class Items>
@@ -106,6 +175,17 @@ void paint_layer(cairo_t* cairo, const Drawing& page, Layer layer, double units_
   cairo_scale(cairo, units_per_mm, -units_per_mm);
   cairo_translate(cairo, 0.0, -page.size.y);
   cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  if (layer == Layer::paint) {
+    for (const auto member : {&Group::ground, &Group::fills}) {
+      for (const Group& group : page.groups) {
+        // Pictures lie between: over what reaches under them, below what is drawn exactly.
+        if (member == &Group::fills) {
+          std::ranges::for_each(group.images, [&](const Image& image) { paint(cairo, image); });
+        }
+        std::ranges::for_each(group.*member, [&](const Fill& fill) { paint(cairo, fill); });
+      }
+    }
+  }
   for (const Group& group : page.groups) {
     paint_all(cairo, group.areas, layer);
     paint_all(cairo, group.lines, layer);
@@ -113,14 +193,6 @@ void paint_layer(cairo_t* cairo, const Drawing& page, Layer layer, double units_
   }
   cairo_restore(cairo);
   check_cairo(cairo_status(cairo));
-}
-
-bool has_layer(const Drawing& page, Layer layer) {
-  const auto is_of = [layer](const auto& item) { return item.layer == layer; };
-  return std::ranges::any_of(page.groups, [&](const Group& group) {
-    return std::ranges::any_of(group.areas, is_of) || std::ranges::any_of(group.lines, is_of) ||
-           std::ranges::any_of(group.texts, is_of);
-  });
 }
 
 }  // namespace ridgecraft::paper

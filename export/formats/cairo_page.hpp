@@ -23,7 +23,4 @@ void check_cairo(cairo_status_t status);
 /// Paints what belongs to one layer. One unit of the drawing (1 mm) becomes `units_per_mm` of the surface.
 void paint_layer(cairo_t* cairo, const Drawing& page, Layer layer, double units_per_mm);
 
-/// Whether a page has anything in a layer.
-[[nodiscard]] bool has_layer(const Drawing& page, Layer layer);
-
 }  // namespace ridgecraft::paper

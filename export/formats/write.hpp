@@ -28,8 +28,8 @@ void check_pdf_size(Vec2 page_mm);
 /// Bytes of the SVG of one page's pieces as a machine's program expects it: in true millimetres, a colour and
 /// a layer for each operation, in the order of work.
 [[nodiscard]] std::string write_machine_svg(const Drawing& page, const Mark& mark, const Preset& preset);
-/// Bytes of the SVG that Origami Simulator folds: the edges of the nets on one page, without tabs, each with its
-/// angle. Pieces of a single face have nothing to fold and are left out. O(n) in all faces.
+/// Bytes of the SVG that Origami Simulator folds: the edges of the nets on one page, without tabs, each with
+/// its angle. Pieces of a single face have nothing to fold and are left out. O(n) in all faces.
 [[nodiscard]] std::string write_simulator_svg(const prepare::Prepared& model, const unfold::Nets& nets,
                                               const Pages& pages, PageId page, const Mark& mark);
 /// Bytes of the DXF of one page's pieces, in true millimetres, y up: what a machine engraves, folds and cuts,

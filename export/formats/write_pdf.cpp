@@ -65,7 +65,11 @@ class PdfAssembler {
 
   std::string write() {
     for (const Layer layer : layer_order) {
-      add_layer(layer);
+      const bool any =
+          std::ranges::any_of(pages_, [&](const Drawing& page) { return has_layer(page, layer); });
+      if (layer != Layer::paint || any) {
+        add_layer(layer);
+      }
     }
     add_pages();
     add_catalogue();

@@ -2,6 +2,7 @@
 // SVG of one page: plain XML in true millimetres, y down, a layer for each class of line, presentation
 // attributes only (no CSS, no transforms, no reuse), since cutters' importers understand little more.
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -28,6 +29,23 @@ std::string color(Color c) {
   return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
 }
 
+/// RFC 4648.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) {
+      return k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[k])) : 0U;
+    };
+    const std::uint32_t three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+    for (std::size_t k = 0; k < 4; ++k) {
+      text.push_back(i + k <= bytes.size() ? letters[three >> (18U - 6U * k) & 63U] : '=');
+    }
+  }
+  return text;
+}
+
 class SvgWriter {
  public:
   SvgWriter(const Drawing& page, const Mark& mark) : page_(page), mark_(mark) {}
@@ -35,8 +53,14 @@ class SvgWriter {
   std::string write() {
     head();
     for (const Layer layer : layer_order) {
+      if (layer == Layer::paint && !has_layer(page_, layer)) {
+        continue;
+      }
       append(out_, "  <g inkscape:groupmode=\"layer\" inkscape:label=\"{}\" id=\"{}\"{}>\n", title(layer),
              id(layer), layer_attributes(layer));
+      if (layer == Layer::paint) {
+        write_grounds();
+      }
       for (const Group& group : page_.groups) {
         write_group(group, layer);
       }
@@ -56,10 +80,11 @@ class SvgWriter {
     append(out_,
            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
            "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-           "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+           "{2}xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
            "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" version=\"1.1\"\n"
            "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
-           width, height);
+           width, height,
+           has_layer(page_, Layer::paint) ? "xmlns:xlink=\"http://www.w3.org/1999/xlink\" " : "");
     append(out_, "  <title>{} – page {} of {}</title>\n", escaped(page_.title), page_.page, page_.page_count);
     append(out_, "  <metadata id=\"metadata\">{} {}</metadata>\n", escaped(mark_.producer),
            escaped(mark_word(mark_)));
@@ -73,18 +98,19 @@ class SvgWriter {
     return " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
   }
 
-  static bool has(const Group& group, Layer layer) {
-    const auto is_of = [layer](const auto& item) { return item.layer == layer; };
-    return std::any_of(group.lines.begin(), group.lines.end(), is_of) ||
-           std::any_of(group.areas.begin(), group.areas.end(), is_of) ||
-           std::any_of(group.texts.begin(), group.texts.end(), is_of);
-  }
-
   void write_group(const Group& group, Layer layer) {
-    if (!has(group, layer)) {
+    if (!has_layer(group, layer)) {
       return;
     }
     append(out_, "    <g id=\"{}-{}\">\n", id(layer), escaped(group.id));
+    if (layer == Layer::paint) {
+      for (const Image& image : group.images) {
+        write_image(image, group);
+      }
+      for (const Fill& fill : group.fills) {
+        write_fill(fill);
+      }
+    }
     for (const Area& area : group.areas) {
       if (area.layer == layer) {
         append(out_, "      <path fill=\"{}\" stroke=\"none\" d=\"{}\"/>\n", color(fill_of(layer)),
@@ -102,6 +128,42 @@ class SvgWriter {
       }
     }
     append(out_, "    </g>\n");
+  }
+
+  /// What reaches under the colours of other pieces lies below them all.
+  void write_grounds() {
+    for (const Group& group : page_.groups) {
+      if (!group.ground.empty()) {
+        append(out_, "    <g id=\"bleed-{}\">\n", escaped(group.id));
+        for (const Fill& fill : group.ground) {
+          write_fill(fill);
+        }
+        append(out_, "    </g>\n");
+      }
+    }
+  }
+
+  [[nodiscard]] std::string path(const std::vector<std::vector<Vec2>>& polygons) const {
+    std::string d;
+    for (const std::vector<Vec2>& polygon : polygons) {
+      d += (d.empty() ? "" : " ") + path(polygon, true);
+    }
+    return d;
+  }
+
+  void write_fill(const Fill& fill) {
+    append(out_, "      <path fill=\"{0}\" stroke=\"{0}\" stroke-width=\"{1}\" d=\"{2}\"/>\n",
+           color(fill.color), decimals(fill_rim_mm), path(fill.polygons));
+  }
+
+  void write_image(const Image& image, const Group& group) {
+    const std::string clip = "clip-" + escaped(group.id);
+    append(out_, "      <clipPath id=\"{}\"><path d=\"{}\"/></clipPath>\n", clip, path(image.clip));
+    append(out_,
+           "      <image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+           "clip-path=\"url(#{})\" xlink:href=\"data:image/jpeg;base64,{}\"/>\n",
+           x(image.place.low), y(image.place.high), decimals(image.place.high.x - image.place.low.x),
+           decimals(image.place.high.y - image.place.low.y), clip, base64(*image.jpeg));
   }
 
   [[nodiscard]] std::string path(const std::vector<Vec2>& points, bool closed) const {
@@ -139,6 +201,11 @@ class SvgWriter {
       d += (d.empty() ? "" : " ") + path(stroke, false);
     }
     if (d.empty()) {
+      return;
+    }
+    if (text.layer == Layer::paint) {
+      append(out_, "      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"/>\n",
+             color(color_of(text)), decimals(pen_width(text) + 2.0 * halo_mm), d);
       return;
     }
     // The words stay in the file for people who search it and for programs that read it aloud.

@@ -66,6 +66,7 @@ std::optional<Operation> operation_of(Layer layer) {
       return Operation::engrave;
     case Layer::cut:
       return Operation::cut_inner;  // but for the outline
+    case Layer::paint:
     case Layer::tab_fill:
     case Layer::mark:
       break;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/sheet/drawing.hpp"
 
+#include <algorithm>
+
 #include "export/sheet/pages.hpp"
 
 namespace ridgecraft::paper {
 
 std::string_view id(Layer layer) {
   switch (layer) {
+    case Layer::paint:
+      return "paint";
     case Layer::tab_fill:
       return "tab-fill";
     case Layer::cut:
@@ -29,6 +33,8 @@ std::string_view id(Layer layer) {
 
 std::string_view title(Layer layer) {
   switch (layer) {
+    case Layer::paint:
+      return "Colours";
     case Layer::tab_fill:
       return "Tabs";
     case Layer::cut:
@@ -47,6 +53,17 @@ std::string_view title(Layer layer) {
       return "Marks";
   }
   return "";
+}
+
+bool has_layer(const Group& group, Layer layer) {
+  const auto is_of = [layer](const auto& item) { return item.layer == layer; };
+  const bool painted = !group.ground.empty() || !group.images.empty() || !group.fills.empty();
+  return (layer == Layer::paint && painted) || std::ranges::any_of(group.areas, is_of) ||
+         std::ranges::any_of(group.lines, is_of) || std::ranges::any_of(group.texts, is_of);
+}
+
+bool has_layer(const Drawing& page, Layer layer) {
+  return std::ranges::any_of(page.groups, [&](const Group& group) { return has_layer(group, layer); });
 }
 
 }  // namespace ridgecraft::paper

@@ -3,6 +3,8 @@
 // a format knows nothing but this.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,7 @@ namespace ridgecraft::paper {
 
 /// What a line, an area or a text is for. A format maps each to a layer, a colour, a style.
 enum class Layer {
+  paint,     ///< the model's colours and pictures; a page without them has no such layer
   tab_fill,  ///< area of a glue tab
   cut,       ///< outline of a piece, its tabs included; holes
   mountain,  ///< fold away from the printed side
@@ -22,7 +25,7 @@ enum class Layer {
   piece_name,
   mark,  ///< page furniture: scale bar, legend, page number, title
 };
-inline constexpr int layer_count = 8;
+inline constexpr int layer_count = 9;
 /// Plain identifier, also usable as an XML id: "tab-fill", "cut", ...
 [[nodiscard]] std::string_view id(Layer layer);
 /// For people: "Tabs", "Cut", "Mountain folds", ...
@@ -35,13 +38,28 @@ enum class Fold {
   valley,    ///< towards the viewer
 };
 
+struct Color {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+  friend bool operator==(const Color&, const Color&) = default;
+};
+
+/// In which tone a line or a text is drawn, so that it can be seen on what lies below it.
+enum class Tone {
+  dark,
+  light,
+};
+
 struct Line {
   Layer layer = Layer::cut;
   std::vector<Vec2> points;  ///< at least two
   bool closed = false;
   Fold fold = Fold::none;  ///< of folds, bases of tabs and their samples in the legend
-  /// Of a mark: looks like a line of this layer, as samples in the legend do.
+  /// Of a mark: looks like a line of this layer, as samples in the legend do. Of paint: is the halo around
+  /// such a line, where its ground is dark here and light there.
   Layer like = Layer::mark;
+  Tone tone = Tone::dark;
 };
 
 struct Area {
@@ -56,6 +74,23 @@ struct Text {
   double height = 2.5;      ///< of capital letters and digits, mm
   double angle = 0.0;       ///< of the baseline, radians, counterclockwise
   bool underlined = false;  ///< a number that is another number upside down
+  Tone tone = Tone::dark;   ///< of paint: a halo, whatever stands here
+};
+
+/// One colour on several polygons, each counterclockwise; of the layer paint. Where polygons meet no ground
+/// is seen between them.
+struct Fill {
+  Color color;
+  std::vector<std::vector<Vec2>> polygons;
+};
+
+/// A picture; of the layer paint. It is seen where one of the polygons lies, each counterclockwise.
+struct Image {
+  Box2 place;
+  std::uint32_t width = 0;  ///< pixels
+  std::uint32_t height = 0;
+  std::shared_ptr<const std::string> jpeg;
+  std::vector<std::vector<Vec2>> clip;
 };
 
 /// All that belongs to one piece; formats keep it together.
@@ -64,6 +99,9 @@ struct Group {
   std::vector<Line> lines;
   std::vector<Area> areas;
   std::vector<Text> texts;
+  std::vector<Fill> ground;   ///< the lowest: what may reach under other pieces' colours
+  std::vector<Image> images;  ///< over the ground
+  std::vector<Fill> fills;    ///< over pictures
 };
 
 /// One page, millimetres, origin at the lower left corner of the sheet, y up.
@@ -74,5 +112,9 @@ struct Drawing {
   int page_count = 1;
   std::vector<Group> groups;
 };
+
+/// Whether anything of it belongs to the layer.
+[[nodiscard]] bool has_layer(const Group& group, Layer layer);
+[[nodiscard]] bool has_layer(const Drawing& page, Layer layer);
 
 }  // namespace ridgecraft::paper

@@ -29,10 +29,19 @@ struct Pages {
   IdVector<PieceId, Placement> placements;
 };
 
+/// How much of a model's colours is printed.
+enum class Ink {
+  colour,  ///< as they are
+  pale,    ///< as light tints, which save ink and leave lines and numbers in the foreground
+  lines,   ///< nothing but lines
+};
+
 struct Style {
   double hidden_fold_angle = prepare::hidden_fold_angle;  ///< smaller folds get no line, radians
   double label_height = 2.5;                              ///< mm
   double smallest_label_height = 1.6;                     ///< mm
+  Ink ink = Ink::colour;
+  double dots_per_inch = 300.0;  ///< of pictures; areas of one colour have no dots
 };
 
 /// What is drawn, beside the pages themselves.

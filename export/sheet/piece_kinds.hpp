@@ -13,15 +13,16 @@ namespace ridgecraft::paper {
 struct PieceKind {
   std::vector<PieceId> pieces;    ///< ascending, mirrored ones left out
   std::vector<PieceId> mirrored;  ///< mirror images of these, ascending
-  /// What the model's file calls what they are of: a name of objects that differ by their numbers alone, or of
-  /// a material that nothing else has. Empty where there is none.
+  /// What the model's file calls what they are of: a name of objects that differ by their numbers alone, or
+  /// of a material that nothing else has. Empty where there is none.
   std::string name;
 
   [[nodiscard]] std::size_t count() const { return pieces.size() + mirrored.size(); }
 };
 
 /// Those of Nets::equal. O(faces).
-[[nodiscard]] std::vector<PieceKind> find_piece_kinds(const prepare::Prepared& model, const unfold::Nets& nets);
+[[nodiscard]] std::vector<PieceKind> find_piece_kinds(const prepare::Prepared& model,
+                                                      const unfold::Nets& nets);
 
 /// "4 × wheel: C to F", "14 equal: A, C, E, ..., mirrored: B, D": at most `most` names of either.
 [[nodiscard]] std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most);

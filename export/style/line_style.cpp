@@ -20,6 +20,8 @@ constexpr double mark_width = 0.15;
 /// Lines from a number to its edge: thinner and paler than anything that is cut or folded.
 constexpr double leader_width = 0.1;
 constexpr Color leader_grey{0x80, 0x80, 0x80};
+/// On dark colours. Not white: printers leave that out, so whoever looks for lines takes white ones for none.
+constexpr Color light_tone{0xec, 0xec, 0xec};
 /// A dash isn't shortened below this as long as shortening the rest of the pattern can be avoided, mm.
 constexpr double shortest_dash = 1.0;
 
@@ -35,9 +37,7 @@ std::span<const double> pattern_of(Fold fold) {
   return {};
 }
 
-}  // namespace
-
-LineStyle style_of(const Line& line) {
+LineStyle dark_style_of(const Line& line) {
   switch (line.layer == Layer::mark ? line.like : line.layer) {
     case Layer::cut:
       return {cut_width, {}, {}};
@@ -53,6 +53,7 @@ LineStyle style_of(const Line& line) {
       return {leader_width, leader_grey, {}};
     case Layer::mark:
       return {line.fold == Fold::none ? mark_width : fold_width, {}, pattern_of(line.fold)};
+    case Layer::paint:
     case Layer::tab_fill:
     case Layer::piece_name:
       break;
@@ -60,13 +61,29 @@ LineStyle style_of(const Line& line) {
   return {mark_width, {}, {}};
 }
 
+}  // namespace
+
+LineStyle style_of(const Line& line) {
+  if (line.layer == Layer::paint) {
+    Line around = line;
+    around.layer = line.like;
+    const LineStyle style = dark_style_of(around);
+    return {style.width + 2.0 * halo_mm, light_tone, style.dashes};
+  }
+  LineStyle style = dark_style_of(line);
+  if (line.tone == Tone::light) {
+    style.color = light_tone;
+  }
+  return style;
+}
+
 Color fill_of(Layer layer) {
   constexpr std::uint8_t tab_grey = 0xe6;
   return layer == Layer::tab_fill || layer == Layer::mark ? Color{tab_grey, tab_grey, tab_grey} : Color{};
 }
 
-Color color_of(const Text& /*text*/) {
-  return {};
+Color color_of(const Text& text) {
+  return text.layer == Layer::paint || text.tone == Tone::light ? light_tone : Color{};
 }
 
 std::vector<double> fitted_dashes(std::span<const double> pattern, double length) {

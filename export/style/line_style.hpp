@@ -10,12 +10,6 @@
 
 namespace ridgecraft::paper {
 
-struct Color {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-};
-
 struct LineStyle {
   double width = 0.2;  ///< mm
   Color color;
@@ -26,6 +20,11 @@ struct LineStyle {
 [[nodiscard]] LineStyle style_of(const Line& line);
 /// The fill of an area of a layer.
 [[nodiscard]] Color fill_of(Layer layer);
+/// Around a line or a text whose ground is dark here and light there, mm on each side.
+inline constexpr double halo_mm = 0.12;
+/// Of lines that meet where polygons of a fill do, mm: wide enough that no viewer shows the ground between
+/// them.
+inline constexpr double fill_rim_mm = 0.06;
 /// The colour of a text's strokes.
 [[nodiscard]] Color color_of(const Text& text);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,14 @@
 #include "mesh/model/surface.hpp"
 
 namespace ridgecraft::mesh {
+
+/// Colours that the corners of a file's polygons have, polygon by polygon; whatever becomes of the faces,
+/// they know their polygon.
+struct CornerColours {
+  std::vector<std::uint32_t> first_corner;  ///< as Soup::first_corner
+  std::vector<Vec3> point;                  ///< of each corner, in the frame of the surface
+  std::vector<std::uint32_t> colour;        ///< as Soup::corner_colour
+};
 
 struct Model {
   std::string name;    ///< the file's name without folder and suffix, valid UTF-8
@@ -34,6 +43,8 @@ struct Model {
   IdVector<FaceId, std::uint32_t> material;
   /// Per face: texture coordinates of its corners; empty when the model has none.
   IdVector<FaceId, std::array<Vec2, 3>> texture;
+  /// As the file was read: preparing the model doesn't move them. Null when no corner has a colour.
+  std::shared_ptr<const CornerColours> corner_colours;
 
   /// Names that the file has for its objects: from this polygon on; ascending.
   std::vector<std::pair<std::uint32_t, std::string>> objects;

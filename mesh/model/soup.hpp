@@ -25,11 +25,14 @@ using Colour = std::array<double, 3>;
 struct Material {
   std::string name;
   std::optional<Colour> colour;
-  std::string texture_file;  ///< path of the picture, relative to the model's folder; empty for none
-  /// Bytes of a picture (PNG or JPEG) that lies within the model's file; null for none.
+  /// Path of a picture that lies beside the model, relative to its folder; empty for none.
+  std::string texture_file;
+  /// Bytes of the picture (PNG or JPEG), whether it lies beside the model or within its file; null for none.
   std::shared_ptr<const std::string> picture = nullptr;
+  /// The colour darkens the picture, as in glTF; elsewhere the picture takes the colour's place.
+  bool tints_picture = false;
 
-  [[nodiscard]] bool has_picture() const { return picture || !texture_file.empty(); }
+  [[nodiscard]] bool has_picture() const { return picture != nullptr; }
 };
 
 /// Polygons over indexed points, in the order of the file, nothing joined or dropped yet.
@@ -46,6 +49,9 @@ struct Soup {
   std::vector<std::uint32_t> corner_point;  ///< index into points, in range
   std::vector<std::uint32_t>
       corner_texture;  ///< index into texture_points or none; empty when no corner has one
+  /// Colour of each corner as 0xRRGGBB, or none; empty when no corner has one. It counts more than the
+  /// material's, but not more than a picture.
+  std::vector<std::uint32_t> corner_colour;
   std::vector<std::uint32_t>
       polygon_material;  ///< index into materials or none; empty when no polygon has one
 

@@ -23,7 +23,7 @@ void FacePaint::add(Soup& soup, std::optional<Colour> colour, std::uint32_t pict
   soup.polygon_material.push_back(found->second);
 }
 
-void FacePaint::finish(Soup& soup, const std::vector<std::string>& pictures) const {
+void FacePaint::finish(Soup& soup, const std::vector<PictureFinder::Found>& pictures) const {
   if (number_.empty()) {
     return;
   }
@@ -34,7 +34,8 @@ void FacePaint::finish(Soup& soup, const std::vector<std::string>& pictures) con
     material.name = fmt::format("paint {}", number + 1);
     material.colour = key.first;
     if (key.second < pictures.size()) {
-      material.texture_file = pictures[key.second];
+      material.texture_file = pictures[key.second].file;
+      material.picture = pictures[key.second].bytes;
     }
   }
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/reading/find_picture.hpp"
 #include "mesh/reading/source.hpp"
 
 namespace ridgecraft::mesh {
@@ -19,9 +20,9 @@ class FacePaint {
   /// Paint of the soup's last polygon. Channels outside [0, 1] are brought into it; NaN is 1. `picture` is an
   /// index into what the file calls its pictures, or Soup::none.
   void add(Soup& soup, std::optional<Colour> colour, std::uint32_t picture);
-  /// Polygons after the last painted one have none. `pictures` are relative paths, empty for those that can't
+  /// Polygons after the last painted one have none. `pictures` are the files, empty for those that can't
   /// be used.
-  void finish(Soup& soup, const std::vector<std::string>& pictures) const;
+  void finish(Soup& soup, const std::vector<PictureFinder::Found>& pictures) const;
 
  private:
   using Key = std::pair<std::optional<Colour>, std::uint32_t>;

@@ -22,15 +22,14 @@ bool leads_out(const fs::path& relative) {
   return relative.is_absolute() || plain.empty() || *plain.begin() == "..";
 }
 
-/// Links followed, the file still lies in the folder.
-bool lies_in(const fs::path& folder, const fs::path& file) {
+}  // namespace
+
+bool lies_inside(const fs::path& folder, const fs::path& file) {
   std::error_code error;
   const fs::path home = fs::canonical(folder, error);
   const fs::path real = error ? fs::path() : fs::canonical(file, error);
   return !error && std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
 }
-
-}  // namespace
 
 FoundInside find_inside(const fs::path& folder, std::string_view address) {
   // Longer names than any file system has, and names with a zero byte, would only confuse it.
@@ -54,7 +53,7 @@ FoundInside find_inside(const fs::path& folder, std::string_view address) {
     if (leads_out(name)) {
       outside = true;
     } else if (fs::is_regular_file(file, error)) {
-      if (lies_in(folder, file)) {
+      if (lies_inside(folder, file)) {
         return {file, {}};
       }
       outside = true;

@@ -14,6 +14,9 @@ struct FoundInside {
   std::string why;             ///< a half sentence about the name
 };
 
+/// Whether a file that is there lies in the folder or below, links followed.
+[[nodiscard]] bool lies_inside(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 /// The regular file in `folder` or below that a relative address means: as it is written, with its percent
 /// signs resolved, with backslashes as slashes. Addresses of the network, absolute ones, and those that lead
 /// out of the folder (links included) are none.

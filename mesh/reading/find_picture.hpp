@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,18 +16,25 @@ namespace ridgecraft::mesh {
 /// Looks for each picture once and remarks once on each that can't be used.
 class PictureFinder {
  public:
+  struct Found {
+    std::string file;                          ///< as Material::texture_file
+    std::shared_ptr<const std::string> bytes;  ///< as Material::picture
+  };
+
   PictureFinder(const Source& source, RepairReport& remarks) : source_(source), remarks_(remarks) {}
 
-  /// The picture that a file in `folder` calls `name`: its path relative to the source's folder (absolute
-  /// where there is no such path); empty where it is missing or can't be used.
-  [[nodiscard]] std::string find(const std::filesystem::path& folder, std::string_view name);
+  /// The picture that a file in `folder` calls `name`. It has to lie in the source's folder or below. Nothing
+  /// where it is missing or can't be used.
+  [[nodiscard]] Found find(const std::filesystem::path& folder, std::string_view name);
 
  private:
-  [[nodiscard]] std::string fault(const std::filesystem::path& file) const;
+  [[nodiscard]] std::optional<std::filesystem::path> file_of(const std::filesystem::path& folder,
+                                                             std::string_view name) const;
+  [[nodiscard]] std::string load(const std::filesystem::path& file, Found& into) const;
 
   const Source& source_;
   RepairReport& remarks_;
-  std::map<std::string, std::string> found_;
+  std::map<std::string, Found> found_;
 };
 
 }  // namespace ridgecraft::mesh

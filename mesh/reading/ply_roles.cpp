@@ -14,10 +14,23 @@ struct KnownProperty {
 };
 
 constexpr KnownProperty vertex_properties[] = {
-    {"x", false, PlyRole::x},         {"y", false, PlyRole::y},         {"z", false, PlyRole::z},
-    {"s", false, PlyRole::u},         {"t", false, PlyRole::v},         {"u", false, PlyRole::u},
-    {"v", false, PlyRole::v},         {"texture_u", false, PlyRole::u}, {"texture_v", false, PlyRole::v},
-    {"texture_s", false, PlyRole::u}, {"texture_t", false, PlyRole::v},
+    {"x", false, PlyRole::x},
+    {"y", false, PlyRole::y},
+    {"z", false, PlyRole::z},
+    {"s", false, PlyRole::u},
+    {"t", false, PlyRole::v},
+    {"u", false, PlyRole::u},
+    {"v", false, PlyRole::v},
+    {"texture_u", false, PlyRole::u},
+    {"texture_v", false, PlyRole::v},
+    {"texture_s", false, PlyRole::u},
+    {"texture_t", false, PlyRole::v},
+    {"red", false, PlyRole::red},
+    {"green", false, PlyRole::green},
+    {"blue", false, PlyRole::blue},
+    {"diffuse_red", false, PlyRole::red},
+    {"diffuse_green", false, PlyRole::green},
+    {"diffuse_blue", false, PlyRole::blue},
 };
 constexpr KnownProperty face_properties[] = {
     {"vertex_indices", true, PlyRole::indices},

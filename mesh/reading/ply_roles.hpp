@@ -19,13 +19,14 @@ enum class PlyRole {
   z,
   u,
   v,
+  // Of a point or a face.
+  red,
+  green,
+  blue,
   // Of a face.
   indices,
   texture_list,
   texture_number,
-  red,
-  green,
-  blue,
   // Of an edge: the numbers of two points.
   first_end,
   second_end,

@@ -172,7 +172,9 @@ void MaterialFiles::apply(std::string_view name, Material& material) {
     remarks_.add(RepairKind::material_value_corrected, 1, in_quotes(name));
   }
   if (!found->second.texture.empty()) {
-    material.texture_file = pictures_.find(found->second.folder, found->second.texture);
+    const PictureFinder::Found picture = pictures_.find(found->second.folder, found->second.texture);
+    material.texture_file = picture.file;
+    material.picture = picture.bytes;
   }
 }
 

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
+#include "mesh/reading/corner_colours.hpp"
 #include "mesh/reading/read_mtl.hpp"
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/text_scanner.hpp"
@@ -56,6 +57,7 @@ class ObjReader {
   std::int64_t highest_point_ = 0;
   const char* highest_point_line_ = nullptr;
 
+  std::vector<std::uint32_t> colour_of_point_;  ///< as Soup::corner_colour; points after the last have none
   std::vector<bool> bad_texture_point_;
 
   std::vector<std::string_view> libraries_;
@@ -165,6 +167,15 @@ void ObjReader::read_point(const char* line) {
                         fmt::format("a coordinate of point {} is not finite", soup_.points.size() + 1));
   }
   soup_.points.push_back(point);  // a weight or a colour may follow
+  Colour colour{};
+  if (std::all_of(colour.begin(), colour.end(),
+                  [&](double& channel) { return !text_.line_is_over() && text_.number(channel); })) {
+    colour_of_point_.resize(soup_.points.size() - 1, Soup::none);
+    // Shares of 1 by custom; a few programs write bytes.
+    const bool bytes = *std::max_element(colour.begin(), colour.end()) > 1.0;
+    std::for_each(colour.begin(), colour.end(), [&](double& channel) { channel /= bytes ? 255.0 : 1.0; });
+    colour_of_point_.push_back(packed_colour(colour));
+  }
 }
 
 /// One, two or three coordinates; what can't be read makes the point bad, never the file.
@@ -302,6 +313,10 @@ void ObjReader::finish() {
   unknown_.report(RepairKind::element_ignored, source_, soup_.remarks);
   finish_textures();
   finish_materials();
+  if (!colour_of_point_.empty()) {
+    colour_of_point_.resize(soup_.points.size(), Soup::none);
+    colour_corners(soup_, colour_of_point_);
+  }
   soup_.objects = std::move(objects_.empty() ? groups_ : objects_);
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OFF with the variants of Geomview's description: [ST][C][N]OFF. One point or face a line; what follows a
-// point's coordinates (normals, colours, texture coordinates) is skipped.
+// point's coordinates (normals, texture coordinates) is skipped, but for its colour.
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
+#include "mesh/reading/corner_colours.hpp"
 #include "mesh/reading/detect_format.hpp"
 #include "mesh/reading/face_paint.hpp"
 #include "mesh/reading/readers.hpp"
@@ -42,6 +44,9 @@ class OffReader {
       read_face();
     }
     paint_.finish(soup_, {});
+    if (colour_of_point_.size() == soup_.points.size()) {
+      colour_corners(soup_, colour_of_point_);
+    }
     text_.skip_space('#');
     if (!text_.done()) {
       soup_.remarks.add(RepairKind::trailing_data_ignored, text_.rest().size(),
@@ -55,7 +60,7 @@ class OffReader {
   void read_counts();
   void read_point(std::int64_t number);
   void read_face();
-  void read_colour();
+  [[nodiscard]] std::optional<Colour> read_colour();
   std::int64_t read_count(std::string_view what);
   /// To the next line that holds something; refuses a file that ends before.
   void start_line(std::string_view what, std::int64_t done, std::int64_t wanted) {
@@ -80,6 +85,9 @@ class OffReader {
   std::int64_t points_ = 0;
   std::int64_t faces_ = 0;
   std::size_t lines_ = 0;
+  bool points_have_colours_ = false;
+  bool points_have_normals_ = false;
+  std::vector<std::uint32_t> colour_of_point_;
   FacePaint paint_;
 };
 
@@ -94,6 +102,8 @@ void OffReader::read_keyword() {
     source_.refuse(ErrorKind::unreadable_input,
                    fmt::format("is a {} file: only points of three dimensions are read", word));
   }
+  points_have_colours_ = word.find('C') != word.npos;
+  points_have_normals_ = word.find('N') != word.npos;
   for (std::size_t i = 0; i < word.size(); ++i) {
     text_.advance();
   }
@@ -144,6 +154,15 @@ void OffReader::read_point(std::int64_t number) {
                         fmt::format("a coordinate of point {} is not finite", number));
   }
   soup_.points.push_back({xyz[0], xyz[1], xyz[2]});
+  if (points_have_colours_) {
+    double ignored = 0.0;
+    for (int i = 0; points_have_normals_ && i < 3 && !text_.line_is_over() && text_.number(ignored); ++i) {
+    }
+    // A point without one stops all: which points have one wouldn't be known.
+    if (const auto colour = read_colour()) {
+      colour_of_point_.push_back(packed_colour(*colour));
+    }
+  }
   text_.next_line();
 }
 
@@ -170,22 +189,24 @@ void OffReader::read_face() {
   }
   check_corner_count(source_, soup_);
   soup_.first_corner.push_back(static_cast<std::uint32_t>(soup_.corner_point.size()));
-  read_colour();
+  if (const auto colour = read_colour()) {
+    paint_.add(soup_, colour, Soup::none);
+  }
   text_.next_line();
 }
 
-/// Three or four numbers after a face are its colour: bytes where all are integers, else shares of 1. A
-/// single number is an index into a table that the file doesn't have.
-void OffReader::read_colour() {
+/// Three or four numbers after a face or a point are its colour: bytes where all are integers, else shares
+/// of 1. A single number is an index into a table that the file doesn't have.
+std::optional<Colour> OffReader::read_colour() {
   Colour colour{};
   bool bytes = true;
   for (double& channel : colour) {
     if (text_.line_is_over()) {
-      return;
+      return std::nullopt;
     }
     const std::string_view word = text_.peek_word();
     if (!text_.number(channel)) {
-      return;
+      return std::nullopt;
     }
     bytes = bytes && word.find_first_of(".eEnN") == word.npos;
   }
@@ -194,7 +215,7 @@ void OffReader::read_colour() {
       channel /= 255.0;
     }
   }
-  paint_.add(soup_, colour, Soup::none);
+  return colour;
 }
 
 }  // namespace

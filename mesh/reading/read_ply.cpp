@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
+#include "mesh/reading/corner_colours.hpp"
 #include "mesh/reading/face_paint.hpp"
 #include "mesh/reading/find_picture.hpp"
 #include "mesh/reading/ply_header.hpp"
@@ -70,7 +71,8 @@ class PlyReader {
   PlyValues values_;
   std::int64_t point_count_ = 0;
   std::vector<Vec2> texture_of_point_;
-  std::vector<double> texture_list_;  ///< of the current face
+  std::vector<std::uint32_t> colour_of_point_;  ///< as Soup::corner_colour
+  std::vector<double> texture_list_;            ///< of the current face
   FacePaint paint_;
   std::size_t bad_textures_ = 0;
 };
@@ -135,8 +137,9 @@ void PlyReader::read_points(const PlyElement& element) {
 }
 
 void PlyReader::read_point(const PlyElement& element, const PlyRoles& roles) {
-  double value[5] = {};
+  double value[8] = {};
   bool textured = false;
+  unsigned channels = 0;
   for (std::size_t k = 0; k < roles.size(); ++k) {
     const PlyProperty& property = element.properties[k];
     if (roles[k] == PlyRole::skipped) {
@@ -145,6 +148,10 @@ void PlyReader::read_point(const PlyElement& element, const PlyRoles& roles) {
     }
     const std::size_t slot = static_cast<std::size_t>(roles[k]) - static_cast<std::size_t>(PlyRole::x);
     value[slot] = values_.number(property.type);
+    if (roles[k] >= PlyRole::red) {
+      value[slot] = channel(value[slot], property.type);
+      ++channels;
+    }
     textured = textured || roles[k] == PlyRole::u;
     if (slot < 3 && !std::isfinite(value[slot])) {
       values_.refuse(ErrorKind::unusable_mesh, "a coordinate is not finite");
@@ -153,6 +160,9 @@ void PlyReader::read_point(const PlyElement& element, const PlyRoles& roles) {
   soup_.points.push_back({value[0], value[1], value[2]});
   if (textured) {
     texture_of_point_.push_back({value[3], value[4]});
+  }
+  if (channels == 3) {
+    colour_of_point_.push_back(packed_colour({value[5], value[6], value[7]}));
   }
 }
 
@@ -372,11 +382,12 @@ void PlyReader::texture_by_point() {
 
 void PlyReader::finish() {
   texture_by_point();
+  colour_corners(soup_, colour_of_point_);
   if (!soup_.corner_texture.empty()) {
     soup_.corner_texture.resize(soup_.corner_point.size(), Soup::none);
   }
   soup_.remarks.add(RepairKind::texture_point_dropped, bad_textures_);
-  std::vector<std::string> pictures;
+  std::vector<PictureFinder::Found> pictures;
   if (!source_.folder.empty()) {
     PictureFinder finder(source_, soup_.remarks);
     for (const std::string_view name : header_.pictures) {

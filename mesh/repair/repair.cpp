@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -87,6 +88,18 @@ bool any_area(const TriangleList& list, double diagonal) {
     const double longest = std::max({length(b - a), length(c - b), length(a - c)});
     return !is_flat(a, b, c) && length(cross(b - a, c - a)) > nothing * diagonal * longest;
   });
+}
+
+std::shared_ptr<const CornerColours> corner_colours_of(const Soup& soup, double file_scale) {
+  if (soup.corner_colour.empty()) {
+    return nullptr;
+  }
+  CornerColours colours{soup.first_corner, {}, soup.corner_colour};
+  colours.point.reserve(soup.corner_point.size());
+  for (const std::uint32_t p : soup.corner_point) {
+    colours.point.push_back(soup.points[p] / file_scale);
+  }
+  return std::make_shared<const CornerColours>(std::move(colours));
 }
 
 Model build(const Soup& soup, TriangleList list) {
@@ -181,6 +194,7 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   uses = std::vector<EdgeUse>();  // = {} would keep its memory while the surface is built
   Model model = build(soup, std::move(triangles));
   model.file_scale = file_scale;
+  model.corner_colours = corner_colours_of(soup, file_scale);
   model.lines = std::move(lines);
   model.file_points = std::move(file_points);
   model.format = soup.format;

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "base/vector.hpp"
+#include "mesh/look/look.hpp"
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/prepared/twin_bodies.hpp"
@@ -36,6 +39,14 @@ enum class SizeReason {
   pages,  ///< it would take too many pages
 };
 
+/// The way of a point from the model to its place at the size that it has on paper.
+struct ToSize {
+  double factor = 1.0;
+  Vec3 shift;
+
+  [[nodiscard]] Vec3 operator()(Vec3 p) const { return factor * p + shift; }
+};
+
 /// A model ready for paper.
 struct Prepared {
   mesh::Model model;  ///< in mm, centred on the origin; not turned, not mirrored
@@ -45,6 +56,10 @@ struct Prepared {
   /// component or name.
   IdVector<ComponentId, std::string> body_names;
   double mm_per_unit = 1.0;
+  ToSize from_model;  ///< points that nothing else moved
+  /// What the model looked like before anything was done to its faces, in the place of `model`; null where it
+  /// has no colours, or nobody wants them.
+  std::shared_ptr<const mesh::Look> look;
   SizeReason size_reason = SizeReason::none;
   /// Where nobody could fold it at this size: the smallest largest extent, mm, at which somebody can; none if
   /// there is none that makes sense.

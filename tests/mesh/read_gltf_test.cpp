@@ -285,7 +285,8 @@ TEST_CASE("glTF: pictures are found within the file and beside it, and nowhere e
   CHECK(within.remarks.entries().empty());
   const Soup beside = with(R"({"uri":"sub/a.png"})");
   CHECK(beside.materials[0].texture_file == "sub/a.png");
-  CHECK_FALSE(beside.materials[0].picture);
+  REQUIRE(beside.materials[0].picture);
+  CHECK(*beside.materials[0].picture == tiny_png());
   CHECK(*with(R"({"uri":"data:image/png;base64,)" + base64(tiny_png()) + "\"}").materials[0].picture ==
         tiny_png());
   for (const std::string uri :

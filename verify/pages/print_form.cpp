@@ -13,7 +13,8 @@ struct LayerName {
   std::string_view title;
   PrintedLayer layer;
 };
-constexpr std::array<LayerName, 8> layer_names{{
+constexpr std::array<LayerName, 9> layer_names{{
+    {"paint", "Colours", PrintedLayer::other},
     {"tab-fill", "Tabs", PrintedLayer::other},
     {"cut", "Cut", PrintedLayer::cut},
     {"mountain", "Mountain folds", PrintedLayer::mountain},

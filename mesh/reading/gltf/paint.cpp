@@ -72,7 +72,7 @@ std::optional<GltfPicture> GltfPaint::read_map(const GltfObject& map) {
     return std::nullopt;
   }
   load(*image, texture, picture);
-  return picture.picture || !picture.texture_file.empty() ? std::optional(picture) : std::nullopt;
+  return picture.picture ? std::optional(picture) : std::nullopt;
 }
 
 /// Each picture is looked at once, and remarked on once.
@@ -110,9 +110,8 @@ void GltfPaint::load(std::uint64_t number, const GltfObject& texture, GltfPictur
     if (!why.empty()) {
       const std::string name = uri.empty() || is_data_uri(uri) ? image.place() : in_quotes(uri);
       remarks_.add(RepairKind::texture_missing, 1, fmt::format("{} {}", name, why));
-    } else if (!file.empty()) {
-      loaded.file = file;
     } else {
+      loaded.file = file;
       loaded.bytes = std::make_shared<const std::string>(std::move(bytes));
     }
     document_.source().context.check();

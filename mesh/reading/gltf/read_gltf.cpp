@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
+#include "mesh/reading/corner_colours.hpp"
 #include "mesh/reading/gltf/accessor.hpp"
 #include "mesh/reading/gltf/document.hpp"
 #include "mesh/reading/gltf/paint.hpp"
@@ -226,6 +227,7 @@ void GltfReader::read_primitive(const GltfInstance& instance, const GltfObject& 
     if (material->map) {
       out.texture_file = material->map->texture_file;
       out.picture = material->map->picture;
+      out.tints_picture = true;
     }
     return out;
   };
@@ -238,7 +240,7 @@ void GltfReader::read_primitive(const GltfInstance& instance, const GltfObject& 
     add(triangle, first_point, texture);
     std::optional<ColourBytes> own;
     if (colours != nullptr) {
-      // A face of paper has one colour: the mean of its corners', by the material's.
+      // The face's own colour is the mean of its corners', by the material's.
       Colour mean{};
       for (std::size_t k = 0; k < 3; ++k) {
         for (const std::uint32_t corner : triangle) {
@@ -247,6 +249,16 @@ void GltfReader::read_primitive(const GltfInstance& instance, const GltfObject& 
         mean[k] *= material != nullptr && material->light ? (*material->light)[k] : 1.0;
       }
       own = screen_colour(mean);
+      std::array<std::uint32_t, 3> of_corners{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        Colour light{};
+        for (std::size_t c = 0; c < 3; ++c) {
+          light[c] = (*colours)[triangle[k]][c] *
+                     (material != nullptr && material->light ? (*material->light)[c] : 1.0);
+        }
+        of_corners[k] = packed_colour(colour_of(screen_colour(light)));
+      }
+      colour_last_triangle(soup_, of_corners);
     }
     materials_.paint(soup_, material_number ? static_cast<std::uint32_t>(*material_number) : Soup::none, own,
                      soup_material);
@@ -314,6 +326,7 @@ void GltfReader::add(std::array<std::uint32_t, 3> corners, std::uint32_t first_p
 
 void GltfReader::finish() {
   materials_.finish(soup_);
+  finish_corner_colours(soup_);
   finish_triangles(soup_);
   if (soup_.polygon_count() == 0 && other_primitives_ > 0) {
     source_.refuse(ErrorKind::unusable_mesh, "has points or lines, but no faces that could be unfolded");

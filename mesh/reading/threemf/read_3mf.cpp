@@ -15,6 +15,7 @@
 
 #include "base/printable.hpp"
 #include "mesh/reading/check_picture.hpp"
+#include "mesh/reading/corner_colours.hpp"
 #include "mesh/reading/instances.hpp"
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/threemf/model_part.hpp"
@@ -112,6 +113,7 @@ Soup ThreemfReader::read() {
     }
   }
   materials_.finish(soup_);
+  finish_corner_colours(soup_);
   finish_triangles(soup_);
   soup_.remarks.add(RepairKind::texture_point_dropped, bad_textures_);
   soup_.remarks.add(RepairKind::element_ignored, supports_,
@@ -200,6 +202,7 @@ void ThreemfReader::paint(const std::string& name, const ThreemfPart& part, cons
   }
   std::optional<std::array<std::uint32_t, 3>> texture;
   std::optional<ColourBytes> own;
+  std::optional<std::array<std::uint32_t, 3>> corner_colours;
   std::uint32_t material = Soup::none;
   if (!group->bases.empty()) {
     material = material_number(name, at[0].number, at[0].index);
@@ -212,21 +215,28 @@ void ThreemfReader::paint(const std::string& name, const ThreemfPart& part, cons
   } else {
     std::array<unsigned, 3> sum{};
     bool known = true;
+    std::array<std::uint32_t, 3> of_corners{};
+    std::size_t number = 0;
     for (const Resolved& corner : at) {
       const auto& colour = group->colours[corner.index];
       known = known && colour.has_value();
+      of_corners[number++] = colour ? packed_colour(colour_of(*colour)) : Soup::none;
       for (std::size_t k = 0; colour && k < 3; ++k) {
         sum[k] += (*colour)[k];
       }
     }
     if (known) {
-      // A face of paper has one colour: the mean of its corners', rounded.
+      corner_colours = turned(of_corners);
+      // The face's own colour is the mean of its corners', rounded.
       own = ColourBytes{static_cast<std::uint8_t>((2 * sum[0] + 3) / 6),
                         static_cast<std::uint8_t>((2 * sum[1] + 3) / 6),
                         static_cast<std::uint8_t>((2 * sum[2] + 3) / 6)};
     }
   }
   add_triangle(soup_, turned(points), texture);
+  if (corner_colours) {
+    colour_last_triangle(soup_, *corner_colours);
+  }
   materials_.paint(soup_, material, own, [&](std::uint32_t) {
     Material out;
     if (!group->bases.empty()) {

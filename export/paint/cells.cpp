@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/paint/cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "base/segment.hpp"
+#include "export/page/segment2.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+/// Ends of lines that are one point on paper, mm.
+constexpr double same_point_mm = 0.03;
+/// A rim that is narrower isn't worth its ink, mm.
+constexpr double narrowest_bleed_mm = 0.05;
+/// Outlines that run back beside an edge bound no rim, radians.
+constexpr double smallest_gap = 0.02;
+
+Box2 box_of(const std::vector<Vec2>& polygon) {
+  Box2 box;
+  std::for_each(polygon.begin(), polygon.end(), [&](Vec2 p) { box.add(p); });
+  return box;
+}
+
+double distance(const Segment2& s, Vec2 p) {
+  return distance_to_segment(p, s.a, s.b);
+}
+
+double distance(const Segment2& s, const Segment2& t) {
+  return cross_each_other(s, t)
+             ? 0.0
+             : std::min({distance(s, t.a), distance(s, t.b), distance(t, s.a), distance(t, s.b)});
+}
+
+std::vector<Segment2> outlines_of(const PieceDrawing& piece) {
+  std::vector<Segment2> segments;
+  for (const Line& line : piece.group.lines) {
+    if (line.layer == Layer::cut) {
+      for (std::size_t i = 1; i < line.points.size(); ++i) {
+        segments.push_back({line.points[i - 1], line.points[i]});
+      }
+      if (line.closed) {
+        segments.push_back({line.points.back(), line.points.front()});
+      }
+    }
+  }
+  return segments;
+}
+
+/// Between 0 and a full turn, from one direction to another, against the clock.
+double turn_between(Vec2 from, Vec2 to) {
+  const double angle = std::atan2(cross(from, to), dot(from, to));
+  return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
+}
+
+Vec2 turned(Vec2 v, double angle) {
+  return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
+}
+
+class RimMaker {
+ public:
+  RimMaker(const std::vector<PieceDrawing>& page, std::size_t own) : own_(outlines_of(page[own])) {
+    for (std::size_t i = 0; i < page.size(); ++i) {
+      const std::vector<Segment2> outlines = i == own ? own_ : outlines_of(page[i]);
+      all_.insert(all_.end(), outlines.begin(), outlines.end());
+    }
+  }
+
+  /// Beyond an edge whose face lies on its left; empty where there is no room.
+  [[nodiscard]] std::vector<Vec2> beyond(const Segment2& edge) const {
+    const double size = length(edge.b - edge.a);
+    if (!(size > 0.0)) {
+      return {};
+    }
+    const Vec2 along = (edge.b - edge.a) / size;
+    const Vec2 out = -perpendicular(along);
+    const double reach = reach_of(edge, out);
+    if (reach < narrowest_bleed_mm) {
+      return {};
+    }
+    std::vector<Vec2> rim{edge.b + reach * along, edge.a - reach * along, edge.a + reach * (out - along),
+                          edge.b + reach * (out + along)};
+    rim = cut_at_corner(std::move(rim), edge.a, along, -1.0, reach);
+    return cut_at_corner(std::move(rim), edge.b, -along, 1.0, reach);
+  }
+
+ private:
+  /// Half the way to the nearest outline in front.
+  [[nodiscard]] double reach_of(const Segment2& edge, Vec2 out) const {
+    const double far = 2.0 * bleed_mm;
+    const Box2 box = box_of({edge.a, edge.b});
+    double reach = bleed_mm;
+    for (const Segment2& other : all_) {
+      if (std::max(other.a.x, other.b.x) < box.low.x - far ||
+          std::min(other.a.x, other.b.x) > box.high.x + far ||
+          std::max(other.a.y, other.b.y) < box.low.y - far ||
+          std::min(other.a.y, other.b.y) > box.high.y + far || distance(other, edge.a) < same_point_mm ||
+          distance(other, edge.b) < same_point_mm) {
+        continue;
+      }
+      if (const auto front = in_front(other, edge.a, out)) {
+        reach = std::min(reach, 0.5 * distance(edge, *front));
+      }
+    }
+    return reach;
+  }
+
+  static std::optional<Segment2> in_front(Segment2 s, Vec2 at, Vec2 out) {
+    double a = dot(s.a - at, out) - same_point_mm;
+    double b = dot(s.b - at, out) - same_point_mm;
+    if (a <= 0.0 && b <= 0.0) {
+      return std::nullopt;
+    }
+    if (a < 0.0) {
+      s.a = s.a + a / (a - b) * (s.b - s.a);
+    } else if (b < 0.0) {
+      s.b = s.b + b / (b - a) * (s.a - s.b);
+    }
+    return s;
+  }
+
+  /// Two rims that meet at a corner of the outline share the gap between their edges. `way`: from the corner
+  /// along the edge; `sense`: 1 where the rim lies against the clock of it.
+  [[nodiscard]] std::vector<Vec2> cut_at_corner(std::vector<Vec2> rim, Vec2 corner, Vec2 way, double sense,
+                                                double reach) const {
+    double gap = 2.0 * std::numbers::pi;
+    bool met = false;
+    for (const Segment2& other : own_) {
+      if (distance(other, corner) > same_point_mm) {
+        continue;
+      }
+      for (const Vec2 end : {other.a, other.b}) {
+        if (length(end - corner) > same_point_mm) {
+          const double turn = sense > 0.0 ? turn_between(way, end - corner) : turn_between(end - corner, way);
+          if (turn > smallest_gap && turn < 2.0 * std::numbers::pi - smallest_gap) {
+            gap = std::min(gap, turn);
+            met = true;
+          }
+        }
+      }
+    }
+    if (!met) {
+      return clipped(rim, corner, -way);
+    }
+    const Vec2 bisector = turned(way, 0.5 * sense * gap);
+    rim = clipped(rim, corner, sense * perpendicular(bisector));
+    // Round a tip of the piece it reaches no farther than anywhere else.
+    return gap > std::numbers::pi ? clipped(rim, corner + reach * bisector, bisector) : rim;
+  }
+
+  std::vector<Segment2> own_;
+  std::vector<Segment2> all_;
+};
+
+/// The strip of a tab beside its edge, with the face that covers the tab laid beside the edge.
+Cell strip_on(const unfold::Tab& tab, const Segment2& edge, const mesh::Surface& surface,
+              const unfold::Nets& nets, const Placement& placement) {
+  const CornerId twin = surface.twin(tab.side);
+  const auto& flat = nets.flat[mesh::face_of(twin)];
+  const Vec2 there = flat[mesh::next(twin).value() % 3] - flat[twin.value() % 3];
+  const Vec2 here = edge.a - edge.b;
+  const double squared = dot(there, there);
+  Cell strip{CellKind::tab, {}, mesh::face_of(twin), {}, {}};
+  if (!(squared > 0.0)) {
+    return strip;
+  }
+  const Turn turn{dot(there, here) / squared, cross(there, here) / squared};
+  for (std::size_t k = 0; k < 3; ++k) {
+    strip.at[k] = edge.b + turn(flat[k] - flat[twin.value() % 3]);
+  }
+  for (const Vec2 p : tab.polygon) {
+    strip.polygon.push_back(placement(p));
+  }
+  const Vec2 out = -perpendicular(edge.b - edge.a) / length(edge.b - edge.a);
+  strip.polygon = clipped(strip.polygon, edge.a + bleed_mm * out, out);
+  return strip;
+}
+
+}  // namespace
+
+std::array<double, 3> weights_at(const std::array<Vec2, 3>& triangle, Vec2 p) {
+  const Vec2 u = triangle[1] - triangle[0];
+  const Vec2 v = triangle[2] - triangle[0];
+  const double area = cross(u, v);
+  if (!(std::abs(area) > 0.0)) {
+    return {1.0, 0.0, 0.0};
+  }
+  const Vec2 d = p - triangle[0];
+  const double second = cross(d, v) / area;
+  const double third = cross(u, d) / area;
+  return {1.0 - second - third, second, third};
+}
+
+std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, Vec2 at, Vec2 normal) {
+  std::vector<Vec2> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 p = polygon[i];
+    const Vec2 q = polygon[(i + 1) % polygon.size()];
+    const double a = dot(p - at, normal);
+    const double b = dot(q - at, normal);
+    if (a <= 0.0) {
+      kept.push_back(p);
+    }
+    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) {
+      kept.push_back(p + a / (a - b) * (q - p));
+    }
+  }
+  return kept.size() < 3 ? std::vector<Vec2>() : kept;
+}
+
+std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& nets, PieceId piece,
+                           const PieceContents& contents, const Placement& placement,
+                           const std::vector<PieceDrawing>& page, std::size_t own) {
+  const auto on_page = [&](CornerId c) { return placement(nets.flat[mesh::face_of(c)][c.value() % 3]); };
+  std::map<CornerId, const unfold::Tab*> tab_at;
+  for (const TabId id : contents.tabs) {
+    tab_at.emplace(nets.tabs[id].side, &nets.tabs[id]);
+  }
+  const RimMaker rims(page, own);
+  std::vector<Cell> faces;
+  std::vector<Cell> rest;
+  for (const FaceId f : nets.pieces[piece].faces) {
+    Cell face{CellKind::face, {}, f, {}, {}};
+    for (unsigned k = 0; k < 3; ++k) {
+      face.at[k] = on_page(mesh::corner(f, k));
+    }
+    face.polygon.assign(face.at.begin(), face.at.end());
+    for (unsigned k = 0; k < 3; ++k) {
+      const CornerId side = mesh::corner(f, k);
+      if (nets.use[surface.edge(side)] == unfold::EdgeUse::fold) {
+        continue;
+      }
+      const Segment2 edge{on_page(side), on_page(mesh::next(side))};
+      const auto tab = tab_at.find(side);
+      if (tab == tab_at.end()) {
+        rest.push_back({CellKind::bleed, rims.beyond(edge), f, face.at, {}});
+        continue;
+      }
+      rest.push_back(strip_on(*tab->second, edge, surface, nets, placement));
+    }
+    faces.push_back(std::move(face));
+  }
+  // Strips over rims: a tab's neighbours reach onto it.
+  std::stable_sort(rest.begin(), rest.end(), [](const Cell& a, const Cell& b) { return a.kind < b.kind; });
+  faces.insert(faces.end(), std::make_move_iterator(rest.begin()), std::make_move_iterator(rest.end()));
+  std::erase_if(faces, [](const Cell& cell) { return cell.polygon.empty(); });
+  for (Cell& cell : faces) {
+    cell.box = box_of(cell.polygon);
+  }
+  return faces;
+}
+
+}  // namespace ridgecraft::paper

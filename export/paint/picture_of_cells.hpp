@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model's pictures, resampled dot by dot to where its faces lie on the page.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "base/context.hpp"
+#include "export/paint/cells.hpp"
+#include "export/sheet/drawing.hpp"
+#include "mesh/look/look.hpp"
+
+namespace ridgecraft::paper {
+
+using Shade = std::function<mesh::Rgb(mesh::Rgb)>;
+
+/// Where a place of a cell lies on the surface. Beyond the face, in rims and strips, it is the nearest place
+/// of the face.
+[[nodiscard]] Vec3 place_on_surface(const mesh::Surface& surface, const Cell& cell, Vec2 on_page);
+
+/// One picture of these cells, with the colours of the original surface's nearest places. `shade` has the
+/// last word on each. O(dots x log n); neighbouring dots mostly lie on one original face, which makes it
+/// quick.
+[[nodiscard]] Image picture_of(const std::vector<const Cell*>& cells, const mesh::Surface& surface,
+                               const mesh::Look& look, double dots_per_inch, const Shade& shade,
+                               const Context& context);
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/look/look.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace ridgecraft::mesh {
+namespace {
+
+/// Pixels whose channels differ by no more are one colour: what JPEG makes of one.
+constexpr int same_channel = 4;
+/// Along each side of a face so many places are compared at most.
+constexpr int most_compared = 48;
+/// Lengths on the surface that count as equal, share of its extent: far below what a printer shows.
+constexpr double equal_share = 2e-4;
+
+/// A place on a face in its own plane: no other is nearer. Share of what counts as equal.
+constexpr double no_distance = 1e-9;
+
+Box3 box_of(const LookFace& face) {
+  Box3 box;
+  for (const Vec3 p : face.corners) {
+    box.add(p);
+  }
+  return box;
+}
+
+Vec3 mixed(const std::array<Vec3, 3>& corners, const std::array<double, 3>& weights) {
+  return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+}
+
+/// Of the triangle's point that is nearest to p (Ericson: Real-time collision detection, 2005,
+/// section 5.1.5).
+std::array<double, 3> nearest_weights(const std::array<Vec3, 3>& corners, Vec3 p) {
+  const auto& [a, b, c] = corners;
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const double d1 = dot(ab, p - a);
+  const double d2 = dot(ac, p - a);
+  if (d1 <= 0.0 && d2 <= 0.0) {
+    return {1.0, 0.0, 0.0};
+  }
+  const double d3 = dot(ab, p - b);
+  const double d4 = dot(ac, p - b);
+  if (d3 >= 0.0 && d4 <= d3) {
+    return {0.0, 1.0, 0.0};
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+    const double t = d1 / (d1 - d3);
+    return {1.0 - t, t, 0.0};
+  }
+  const double d5 = dot(ab, p - c);
+  const double d6 = dot(ac, p - c);
+  if (d6 >= 0.0 && d5 <= d6) {
+    return {0.0, 0.0, 1.0};
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+    const double t = d2 / (d2 - d6);
+    return {1.0 - t, 0.0, t};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0.0, 1.0 - t, t};
+  }
+  const double sum = va + vb + vc;
+  return sum > 0.0 ? std::array<double, 3>{va / sum, vb / sum, vc / sum}
+                   : std::array<double, 3>{1.0, 0.0, 0.0};
+}
+
+bool alike(const Rgb& a, const Rgb& b) {
+  return std::abs(a[0] - b[0]) <= same_channel && std::abs(a[1] - b[1]) <= same_channel &&
+         std::abs(a[2] - b[2]) <= same_channel;
+}
+
+Vec2 place_in_picture(const LookFace& face, const std::array<double, 3>& weights) {
+  return weights[0] * face.places[0] + weights[1] * face.places[1] + weights[2] * face.places[2];
+}
+
+Rgb colour_in_picture(const Paint& paint, Vec2 uv, unsigned level) {
+  Rgb colour = paint.picture->at(uv, level);
+  if (paint.tint) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      colour[k] = (*paint.tint)[colour[k]][k];
+    }
+  }
+  return colour;
+}
+
+double pixel_size(const LookFace& face, const Paint& paint) {
+  if (!paint.picture) {
+    return 0.0;
+  }
+  const double pixels = std::abs(cross(face.places[1] - face.places[0], face.places[2] - face.places[0])) *
+                        paint.picture->width() * paint.picture->height();
+  const double area = length(cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]));
+  return pixels > 0.0 ? std::sqrt(area / pixels) : 0.0;
+}
+
+std::vector<LookFace> moved(std::vector<LookFace> faces, double factor, Vec3 shift) {
+  for (LookFace& face : faces) {
+    for (Vec3& p : face.corners) {
+      p = factor * p + shift;
+    }
+  }
+  return faces;
+}
+
+}  // namespace
+
+Look::Look(LookParts parts, double factor, Vec3 shift)
+    : faces_(moved(std::move(parts.faces), factor, shift)),
+      paints_(std::move(parts.paints)),
+      tree_(
+          faces_.size(), [&](std::uint32_t f) { return box_of(faces_[f]); },
+          [&](std::uint32_t f) {
+            const auto& [a, b, c] = faces_[f].corners;
+            return (a + b + c) / 3.0;
+          }) {
+  Box3 bounds;
+  for (const LookFace& face : faces_) {
+    flat_.push_back(find_flat_colour(face));
+    pixel_size_.push_back(pixel_size(face, paints_[face.paint]));
+    std::for_each(face.corners.begin(), face.corners.end(), [&](Vec3 p) { bounds.add(p); });
+  }
+  tie_ = std::pow(equal_share * bounds.largest_extent(), 2.0);
+}
+
+LookPlace Look::nearest(Vec3 p, Vec3 normal, std::uint32_t hint) const {
+  struct Best {
+    double cost = INFINITY;
+    LookPlace place;
+  };
+  const auto try_face = [&](Best& best, std::uint32_t f, bool any_side) {
+    const LookFace& face = faces_[f];
+    const double same = dot(face.normal, normal);
+    if (!any_side && !(same > 0.0)) {
+      return;
+    }
+    const std::array<double, 3> weights = nearest_weights(face.corners, p);
+    const Vec3 away = p - mixed(face.corners, weights);
+    const double cost = dot(away, away) + tie_ * (1.0 - same);
+    if (cost < best.cost || (cost == best.cost && f < best.place.face)) {
+      best = {cost, {f, weights}};
+    }
+  };
+  for (const bool any_side : {false, true}) {
+    Best best;
+    if (hint < faces_.size()) {
+      try_face(best, hint, any_side);
+      if (best.cost < no_distance * tie_) {
+        return best.place;
+      }
+    }
+    best = tree_.nearest_first(
+        p, best,
+        [](const Best& found, std::uint32_t /*node*/, double distance) { return distance <= found.cost; },
+        [&](Best& found, std::uint32_t place) { try_face(found, tree_.order()[place], any_side); });
+    if (std::isfinite(best.cost)) {
+      return best.place;
+    }
+  }
+  return {};
+}
+
+std::optional<Rgb> Look::find_flat_colour(const LookFace& face) const {
+  const Paint& paint = paints_[face.paint];
+  if (!paint.picture) {
+    if (!face.colours) {
+      return paint.colour;
+    }
+    const auto& [a, b, c] = *face.colours;
+    return alike(a, b) && alike(b, c) && alike(a, c) ? std::optional(a) : std::nullopt;
+  }
+  double pixels = 1.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 side = face.places[(k + 1) % 3] - face.places[k];
+    pixels = std::max(
+        {pixels, std::abs(side.x) * paint.picture->width(), std::abs(side.y) * paint.picture->height()});
+  }
+  const int steps = static_cast<int>(std::min(std::ceil(pixels), double{most_compared}));
+  const Rgb middle = colour_in_picture(paint, place_in_picture(face, {1.0 / 3, 1.0 / 3, 1.0 / 3}), 0);
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; i + j <= steps; ++j) {
+      const double u = static_cast<double>(i) / steps;
+      const double v = static_cast<double>(j) / steps;
+      if (!alike(middle, colour_in_picture(paint, place_in_picture(face, {1.0 - u - v, u, v}), 0))) {
+        return std::nullopt;
+      }
+    }
+  }
+  return middle;
+}
+
+Rgb Look::colour_at(const LookPlace& place, double dot) const {
+  if (flat_[place.face]) {
+    return *flat_[place.face];
+  }
+  const LookFace& face = faces_[place.face];
+  const Paint& paint = paints_[face.paint];
+  if (paint.picture) {
+    const double size = pixel_size_[place.face];
+    return colour_in_picture(paint, place_in_picture(face, place.weights),
+                             size > 0.0 ? paint.picture->level_for(dot / size) : 0);
+  }
+  Rgb colour{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [a, b, c] = *face.colours;
+    colour[k] = static_cast<std::uint8_t>(std::clamp(
+        std::lround(place.weights[0] * a[k] + place.weights[1] * b[k] + place.weights[2] * c[k]), 0L, 255L));
+  }
+  return colour;
+}
+
+}  // namespace ridgecraft::mesh

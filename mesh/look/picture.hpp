@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures unpacked to pixels, and packed again.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vector.hpp"
+
+namespace ridgecraft::mesh {
+
+/// Red, green, blue as screens have them (sRGB).
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// Larger pictures aren't unpacked: they would take more than 400 MB.
+inline constexpr std::uint64_t most_picture_pixels = 100'000'000;
+
+/// A picture, and coarser copies of it for places where many of its pixels fall on one dot of a printer.
+class Picture {
+ public:
+  /// Rows from the top, three bytes a pixel. At least one pixel. O(pixels).
+  Picture(std::uint32_t width, std::uint32_t height, std::vector<std::uint8_t> pixels);
+
+  [[nodiscard]] std::uint32_t width() const { return levels_[0].width; }
+  [[nodiscard]] std::uint32_t height() const { return levels_[0].height; }
+  [[nodiscard]] std::span<const std::uint8_t> pixels() const { return levels_[0].pixels; }
+
+  /// The colour at a place: u runs right and v up over the picture once from 0 to 1, and it repeats beyond.
+  /// `level`: in a copy whose pixels are 2^level times as large; 0 for the picture itself. Between the
+  /// middles of pixels colours are mixed.
+  [[nodiscard]] Rgb at(Vec2 uv, unsigned level) const;
+  /// The coarsest level that shows every dot, where so many pixels lie beside each other on one.
+  [[nodiscard]] unsigned level_for(double pixels_per_dot) const;
+
+ private:
+  struct Level {
+    std::uint32_t width;
+    std::uint32_t height;
+    std::vector<std::uint8_t> pixels;
+  };
+  std::vector<Level> levels_;
+};
+
+/// Unpacks a PNG or JPEG file; what is transparent is blended with white paper. Nothing where the bytes are
+/// damaged, or the picture has more than most_picture_pixels.
+[[nodiscard]] std::optional<Picture> unpack_picture(std::string_view bytes);
+
+/// A JPEG file of rows from the top, three bytes a pixel, in good quality. Same pixels, same bytes. Throws
+/// Error(internal) where a side is longer than 65,500 pixels.
+[[nodiscard]] std::string pack_jpeg(std::uint32_t width, std::uint32_t height,
+                                    std::span<const std::uint8_t> pixels);
+
+}  // namespace ridgecraft::mesh

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Colours on pages: where they are, where they aren't, and that lines can be seen on them.
+#include <cmath>
+#include <memory>
+
+#include <catch2/catch.hpp>
+
+#include "export/paint/cells.hpp"
+#include "export/style/line_style.hpp"
+#include "mesh/look/look.hpp"
+#include "sample_pages.hpp"
+#include "support/shapes.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::test;
+using paper::Drawing;
+using paper::Layer;
+
+namespace {
+
+const paper::Mark mark{"ridgecraft 0", "Sample", "0123456789abcdef"};
+
+/// Each face in one of these colours, in turn by its panel.
+std::shared_ptr<const mesh::Look> look_of(const SamplePages& sample, const std::vector<mesh::Rgb>& colours) {
+  const mesh::Surface& surface = sample.model.model.surface;
+  std::vector<mesh::LookFace> faces;
+  std::vector<mesh::Paint> paints;
+  for (const mesh::Rgb& colour : colours) {
+    paints.push_back({colour, nullptr, nullptr});
+  }
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    mesh::LookFace face;
+    for (unsigned k = 0; k < 3; ++k) {
+      face.corners[k] = surface.point(surface.vertex(mesh::corner(f, k)));
+    }
+    face.normal = surface.normal(f);
+    face.paint = sample.model.panels.panel[f].value() % static_cast<std::uint32_t>(colours.size());
+    faces.push_back(face);
+  }
+  return std::make_shared<const mesh::Look>(mesh::LookParts{std::move(faces), std::move(paints)});
+}
+
+std::vector<Drawing> drawn(const SamplePages& sample, paper::Ink ink = paper::Ink::colour,
+                           unsigned threads = 1) {
+  paper::Style style;
+  style.ink = ink;
+  Context context;
+  context.threads = threads;
+  return paper::draw(sample.model, sample.nets, sample.pages, style, nullptr, context);
+}
+
+bool inside(const std::vector<Vec2>& convex, Vec2 p) {
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    if (cross(convex[(i + 1) % convex.size()] - convex[i], p - convex[i]) < 0.0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The colour at a place of the page, as a viewer paints it.
+std::optional<paper::Color> colour_at(const Drawing& page, Vec2 p) {
+  std::optional<paper::Color> found;
+  for (const auto member : {&paper::Group::ground, &paper::Group::fills}) {
+    for (const paper::Group& group : page.groups) {
+      for (const paper::Fill& fill : group.*member) {
+        for (const auto& polygon : fill.polygons) {
+          found = inside(polygon, p) ? fill.color : found;
+        }
+      }
+    }
+  }
+  return found;
+}
+
+paper::Color color_of(const mesh::Rgb& colour) {
+  return {colour[0], colour[1], colour[2]};
+}
+
+}  // namespace
+
+TEST_CASE("Faces bear their own colour, and tabs that of the face that covers them") {
+  const std::vector<mesh::Rgb> colours{{200, 30, 30}, {30, 160, 50}, {20, 30, 120}, {250, 220, 90}};
+  SamplePages sample = sample_pages(sphere(7, 5), 40.0, 5.0, {}, "Sample", {}, 0.3);
+  sample.model.look = look_of(sample, colours);
+  const std::vector<Drawing> pages = drawn(sample);
+  const mesh::Surface& surface = sample.model.model.surface;
+  const auto colour_of = [&](FaceId f) {
+    return color_of(colours[sample.model.panels.panel[f].value() % colours.size()]);
+  };
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const paper::Placement& place = sample.pages.placements[sample.nets.piece[f]];
+    const auto& [a, b, c] = sample.nets.flat[f];
+    for (const Vec2 p : {(a + b + c) / 3.0, 0.96 * a + 0.02 * b + 0.02 * c, 0.02 * a + 0.49 * b + 0.49 * c}) {
+      CHECK(colour_at(pages[place.page.value()], place(p)) == colour_of(f));
+    }
+  }
+  for (const unfold::Tab& tab : sample.nets.tabs) {
+    const FaceId own = mesh::face_of(tab.side);
+    const FaceId other = mesh::face_of(surface.twin(tab.side));
+    const paper::Placement& place = sample.pages.placements[sample.nets.piece[own]];
+    const Vec2 along = tab.polygon[1] - tab.polygon[0];
+    const Vec2 out = perpendicular(along) / length(along);
+    const Vec2 middle = 0.5 * (tab.polygon[0] + tab.polygon[1]);
+    CHECK(colour_at(pages[place.page.value()], place(middle + 0.5 * out)) == colour_of(other));
+    CHECK_FALSE(colour_at(pages[place.page.value()], place(middle + (paper::bleed_mm + 0.5) * out)));
+  }
+  CHECK_FALSE(std::any_of(pages.begin(), pages.end(), [](const Drawing& page) {
+    return std::any_of(page.groups.begin(), page.groups.end(),
+                       [](const paper::Group& group) { return !group.images.empty(); });
+  }));
+}
+
+TEST_CASE("Colours reach beyond cut edges, but not to other pieces") {
+  SamplePages sample = sample_pages(cube(), 50.0, 0.0, all_edges(cube()), "Sample", {}, 0.2);
+  sample.model.look = look_of(sample, {{200, 30, 30}, {30, 160, 50}, {20, 30, 120}});
+  const std::vector<Drawing> pages = drawn(sample);
+  const mesh::Surface& surface = sample.model.model.surface;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const paper::Placement& place = sample.pages.placements[sample.nets.piece[f]];
+    for (unsigned k = 0; k < 3; ++k) {
+      if (sample.nets.use[surface.edge(mesh::corner(f, k))] == unfold::EdgeUse::fold) {
+        continue;
+      }
+      const Vec2 a = place(sample.nets.flat[f][k]);
+      const Vec2 b = place(sample.nets.flat[f][(k + 1) % 3]);
+      const Vec2 out = -perpendicular(b - a) / length(b - a);
+      for (const double share : {0.02, 0.5, 0.98}) {
+        // Half of the gap between pieces is the least.
+        const Vec2 p = a + share * (b - a) + 0.8 * out;
+        CHECK(colour_at(pages[place.page.value()], p) ==
+              colour_at(
+                  pages[place.page.value()],
+                  place((sample.nets.flat[f][0] + sample.nets.flat[f][1] + sample.nets.flat[f][2]) / 3.0)));
+      }
+    }
+  }
+  // No rim lies on another piece.
+  for (const Drawing& page : pages) {
+    for (const paper::Group& group : page.groups) {
+      for (const paper::Group& other : page.groups) {
+        for (const paper::Fill& ground : group.ground) {
+          for (const auto& rim : ground.polygons) {
+            for (const paper::Fill& fill : other.fills) {
+              for (const auto& face : fill.polygons) {
+                const Vec2 middle = 0.25 * (rim[0] + rim[1] + rim[2] + rim[3 % rim.size()]);
+                CHECK_FALSE(inside(face, middle));
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "Lines and letters on dark faces are light, on both they have a halo, on light ones they are dark") {
+  SamplePages sample = sample_pages(cube(), 50.0, 5.0);
+  const auto tones = [&](const std::vector<mesh::Rgb>& colours) {
+    sample.model.look = look_of(sample, colours);
+    std::array<std::size_t, 3> counts{};  // dark, light, halos
+    for (const Drawing& page : drawn(sample)) {
+      for (const paper::Group& group : page.groups) {
+        for (const paper::Line& line : group.lines) {
+          if (line.layer == Layer::paint) {
+            ++counts[2];
+          } else if (line.layer == Layer::mountain) {
+            ++counts[line.tone == paper::Tone::light ? 1 : 0];
+          }
+        }
+      }
+    }
+    return counts;
+  };
+  const auto light = tones({{250, 240, 200}});
+  CHECK(light[0] > 0);
+  CHECK(light[1] == 0);
+  CHECK(light[2] == 0);
+  const auto dark = tones({{30, 10, 60}});
+  CHECK(dark[0] == 0);
+  CHECK(dark[1] == light[0]);
+  const auto both = tones({{30, 10, 60}, {250, 240, 200}});
+  CHECK(both[0] > 0);
+  CHECK(both[2] > 0);
+}
+
+TEST_CASE("Pages in lines alone are those of a model without colours, and threads change nothing") {
+  SamplePages sample = sample_pages(sphere(7, 5), 40.0, 5.0);
+  const std::vector<Drawing> plain = drawn(sample);
+  sample.model.look = look_of(sample, {{200, 30, 30}, {30, 160, 50}});
+  const std::vector<Drawing> coloured = drawn(sample);
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    CHECK(paper::write_svg(plain[i], mark) == paper::write_svg(drawn(sample, paper::Ink::lines)[i], mark));
+    CHECK(paper::write_svg(plain[i], mark) != paper::write_svg(coloured[i], mark));
+    CHECK(paper::write_svg(coloured[i], mark) ==
+          paper::write_svg(drawn(sample, paper::Ink::colour, 4)[i], mark));
+    CHECK(paper::write_dxf(plain[i], mark) == paper::write_dxf(coloured[i], mark));
+    for (const paper::Preset& preset : paper::presets()) {
+      if (!preset.simulates) {
+        CHECK(paper::write_machine_svg(plain[i], mark, preset) ==
+              paper::write_machine_svg(coloured[i], mark, preset));
+      }
+    }
+  }
+  CHECK(paper::write_pdf(coloured, mark) == paper::write_pdf(drawn(sample, paper::Ink::colour, 4), mark));
+}
+
+TEST_CASE("Pictures have the dots that are asked for, and lie under their faces") {
+  SamplePages sample = sample_pages(cube(), 50.0, 5.0);
+  std::vector<std::uint8_t> pixels;
+  for (std::uint32_t y = 0; y < 64; ++y) {
+    for (std::uint32_t x = 0; x < 64; ++x) {
+      pixels.insert(pixels.end(), {static_cast<std::uint8_t>(4 * x), static_cast<std::uint8_t>(4 * y), 90});
+    }
+  }
+  const auto flat = look_of(sample, {{200, 30, 30}});
+  std::vector<mesh::LookFace> faces = flat->faces();
+  for (mesh::LookFace& face : faces) {
+    face.places = {Vec2{0.1, 0.1}, {0.9, 0.1}, {0.5, 0.9}};
+  }
+  sample.model.look = std::make_shared<const mesh::Look>(mesh::LookParts{
+      faces, {{{255, 255, 255}, std::make_shared<const mesh::Picture>(64, 64, pixels), nullptr}}});
+  for (const double dots : {72.0, 300.0}) {
+    paper::Style style;
+    style.dots_per_inch = dots;
+    std::size_t images = 0;
+    for (const Drawing& page : paper::draw(sample.model, sample.nets, sample.pages, style)) {
+      for (const paper::Group& group : page.groups) {
+        for (const paper::Image& image : group.images) {
+          ++images;
+          CHECK(image.width / (image.place.high.x - image.place.low.x) == Approx(dots / 25.4));
+          CHECK(image.height / (image.place.high.y - image.place.low.y) == Approx(dots / 25.4));
+          const auto unpacked = mesh::unpack_picture(*image.jpeg);
+          REQUIRE(unpacked);
+          CHECK(unpacked->width() == image.width);
+          CHECK(unpacked->height() == image.height);
+          for (const auto& polygon : image.clip) {
+            for (const Vec2 p : polygon) {
+              CHECK((p.x >= image.place.low.x && p.x <= image.place.high.x && p.y >= image.place.low.y &&
+                     p.y <= image.place.high.y));
+            }
+          }
+        }
+      }
+    }
+    CHECK(images == sample.nets.pieces.size());
+  }
+}

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/look/look.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "mesh/mesh.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::test;
+using mesh::Look;
+using mesh::Rgb;
+
+namespace {
+
+mesh::Model model_of(const std::string& bytes, const std::string& name) {
+  return mesh::read(mesh::ModelFile{.bytes = bytes, .name = name, .title = "model", .folder = {}}, {}, {});
+}
+
+std::optional<Look> look(const mesh::Model& model) {
+  std::vector<std::string> faults;
+  std::optional<mesh::LookParts> parts = mesh::look_of(model, {}, faults);
+  CHECK(faults.empty());
+  return parts ? std::optional<Look>(std::in_place, std::move(*parts)) : std::nullopt;
+}
+
+Rgb colour(const Look& look, Vec3 p, Vec3 normal) {
+  return look.colour_at(look.nearest(p, normal), 0.0);
+}
+
+/// A soft picture of so many pixels: red runs right, green down.
+std::vector<std::uint8_t> soft_pixels(std::uint32_t width, std::uint32_t height) {
+  std::vector<std::uint8_t> pixels;
+  for (std::uint32_t y = 0; y < height; ++y) {
+    for (std::uint32_t x = 0; x < width; ++x) {
+      pixels.push_back(static_cast<std::uint8_t>(255 * x / width));
+      pixels.push_back(static_cast<std::uint8_t>(255 * y / height));
+      pixels.push_back(100);
+    }
+  }
+  return pixels;
+}
+
+const std::string quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+}  // namespace
+
+TEST_CASE("Look: colours of points run over faces, in PLY, OBJ and OFF") {
+  const std::string numbers = "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n" +
+      numbers + "3 0 1 2\n";
+  const std::string obj = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n";
+  const std::string off = "COFF\n3 1 0\n" + numbers + "3 0 1 2\n";
+  const std::string shares =
+      "CNOFF\n3 1 0\n0 0 0 0 0 1 1.0 0.0 0.0 1\n1 0 0 0 0 1 0.0 1.0 0.0 1\n"
+      "0 1 0 0 0 1 0.0 0.0 1.0 1\n3 0 1 2\n";
+  for (const auto& [bytes, name] :
+       {std::pair(ply, "a.ply"), {obj, "a.obj"}, {off, "a.off"}, {shares, "a.off"}}) {
+    INFO(bytes);
+    const auto seen = look(model_of(bytes, name));
+    REQUIRE(seen);
+    CHECK(colour(*seen, {0, 0, 0}, {0, 0, 1}) == Rgb{255, 0, 0});
+    CHECK(colour(*seen, {1, 0, 0.1}, {0, 0, 1}) == Rgb{0, 255, 0});
+    CHECK(colour(*seen, {0.5, 0, 0}, {0, 0, 1}) == Rgb{128, 128, 0});
+    CHECK_FALSE(seen->flat_colour(0));
+  }
+}
+
+TEST_CASE("Look: white and one grey are no colours") {
+  const TemporaryFolder folder;
+  const auto seen = [&](const std::string& mtl, const std::string& faces) {
+    write_bytes(folder / "a.mtl", mtl);
+    write_bytes(folder / "a.obj", "mtllib a.mtl\n" + quad + faces);
+    return look(mesh::read(folder / "a.obj", {}, {}));
+  };
+  const std::string two = "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\n";
+  CHECK_FALSE(seen("newmtl a\nKd 0.8 0.8 0.8\n", "usemtl a\nf 1 2 3 4\n"));
+  CHECK_FALSE(seen("newmtl a\nKd 1 1 1\nnewmtl b\n", two));
+  CHECK_FALSE(seen("", "f 1 2 3 4\n"));
+  CHECK(seen("newmtl a\nKd 0.8 0.2 0.2\n", "usemtl a\nf 1 2 3 4\n"));
+  const auto different = seen("newmtl a\nKd 0.2 0.2 0.2\nnewmtl b\nKd 1 1 1\n", two);
+  REQUIRE(different);
+  CHECK(colour(*different, {0.9, 0.1, 0}, {0, 0, 1}) == Rgb{51, 51, 51});
+  CHECK(colour(*different, {0.1, 0.9, 0}, {0, 0, 1}) == Rgb{255, 255, 255});
+}
+
+TEST_CASE("Look: pictures of a model's folder are laid on its faces, others aren't read") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "in");
+  const std::string jpeg = mesh::pack_jpeg(64, 32, soft_pixels(64, 32));
+  write_bytes(folder / "in/ok.jpg", jpeg);
+  write_bytes(folder / "outside.jpg", jpeg);
+  const auto read = [&](const std::string& picture) {
+    write_bytes(folder / "in/a.mtl", "newmtl a\nKd 0 0 1\nmap_Kd " + picture + "\n");
+    write_bytes(folder / "in/a.obj",
+                "mtllib a.mtl\n" + quad + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3 4/4\n");
+    return mesh::read(folder / "in/a.obj", {}, {});
+  };
+  const auto seen = look(read("ok.jpg"));
+  REQUIRE(seen);
+  const Rgb low_right = colour(*seen, {0.9, 0.1, 0}, {0, 0, 1});
+  CHECK(std::abs(low_right[0] - 228) < 8);
+  CHECK(std::abs(low_right[1] - 228) < 8);
+  CHECK(std::abs(low_right[2] - 100) < 8);
+  for (const std::string& outside : {std::string("../outside.jpg"), (folder / "outside.jpg").string()}) {
+    const mesh::Model model = read(outside);
+    CHECK(model.repairs.count(mesh::RepairKind::texture_missing) == 1);
+    const auto blue = look(model);
+    REQUIRE(blue);
+    CHECK(colour(*blue, {0.5, 0.5, 0}, {0, 0, 1}) == Rgb{0, 0, 255});
+  }
+  // A copy beside the model stands in for the artist's own.
+  write_bytes(folder / "in/outside.jpg", jpeg);
+  CHECK(read("../outside.jpg").materials[0].texture_file == "outside.jpg");
+}
+
+TEST_CASE("Look: pictures that are cut off are refused or read, but end nothing") {
+  const std::string jpeg = mesh::pack_jpeg(40, 30, soft_pixels(40, 30));
+  const auto whole = mesh::unpack_picture(jpeg);
+  REQUIRE(whole);
+  CHECK(whole->width() == 40);
+  CHECK(whole->height() == 30);
+  for (std::size_t size = 0; size < jpeg.size(); size += 7) {
+    (void)mesh::unpack_picture(std::string_view(jpeg).substr(0, size));
+  }
+  Random random(1);
+  for (int i = 0; i < 300; ++i) {
+    std::string damaged = jpeg;
+    damaged[random.below(static_cast<std::uint32_t>(damaged.size()))] = static_cast<char>(random.below(256));
+    (void)mesh::unpack_picture(damaged);
+  }
+  CHECK_FALSE(mesh::unpack_picture("\x89PNG\r\n\x1a\nnothing"));
+  CHECK_FALSE(mesh::unpack_picture(""));
+}
+
+TEST_CASE("Look: coarse copies of a picture have its colours, and places repeat") {
+  const mesh::Picture picture(64, 32, soft_pixels(64, 32));
+  CHECK(picture.level_for(0.5) == 0);
+  CHECK(picture.level_for(1.9) == 0);
+  CHECK(picture.level_for(2.0) == 1);
+  CHECK(picture.level_for(1e9) == 3);
+  for (unsigned level = 0; level < 4; ++level) {
+    for (const Vec2 at : {Vec2{0.3, 0.4}, {0.7, 0.6}, {0.5, 0.5}}) {
+      const Rgb fine = picture.at(at, 0);
+      const Rgb coarse = picture.at(at, level);
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(std::abs(fine[k] - coarse[k]) <= 6);
+      }
+      CHECK(picture.at({at.x + 3.0, at.y - 2.0}, level) == coarse);
+    }
+  }
+}
+
+TEST_CASE("Look: the nearest place is that of all faces one by one, and looks to the same side") {
+  Random random(7);
+  const auto number = [&] { return 2.0 * random.unit() - 1.0; };
+  const auto vector = [&] { return Vec3{number(), number(), number()}; };
+  std::vector<mesh::LookFace> faces(200);
+  for (mesh::LookFace& face : faces) {
+    const Vec3 at = vector();
+    face.corners = {at, at + 0.2 * vector(), at + 0.2 * vector()};
+    face.normal = normalized(cross(face.corners[1] - at, face.corners[2] - at));
+  }
+  const Look look({faces, {mesh::Paint{}}});
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p = 1.5 * vector();
+    const Vec3 normal = normalized(vector());
+    const mesh::LookPlace found = look.nearest(p, normal, random.below(200));
+    CHECK(dot(faces[found.face].normal, normal) > 0.0);
+    double nearest = INFINITY;
+    for (const mesh::LookFace& face : faces) {
+      if (dot(face.normal, normal) > 0.0) {
+        for (int a = 0; a <= 20; ++a) {
+          for (int b = 0; a + b <= 20; ++b) {
+            const Vec3 q = face.corners[0] + a / 20.0 * (face.corners[1] - face.corners[0]) +
+                           b / 20.0 * (face.corners[2] - face.corners[0]);
+            nearest = std::min(nearest, length(p - q));
+          }
+        }
+      }
+    }
+    const auto& c = faces[found.face].corners;
+    const Vec3 place = found.weights[0] * c[0] + found.weights[1] * c[1] + found.weights[2] * c[2];
+    CHECK(length(p - place) <= nearest + 1e-3);
+  }
+}
