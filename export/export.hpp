@@ -4,6 +4,7 @@
 //
 //   Nets --layout--> Pages --draw--> Drawings --write--> bytes of PDF, SVG, PNG;   Nets + Pages --> bytes of
 //   FOLD
+//   Nets + Pages --draw_guide--> Drawings --write_guide_pdf--> bytes of PDF
 #pragma once
 
 #include <cstdint>
@@ -16,6 +17,7 @@
 
 #include "base/context.hpp"
 #include "export/formats/write.hpp"
+#include "export/guide/guide.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/mark.hpp"
 #include "export/sheet/pages.hpp"

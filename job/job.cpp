@@ -90,6 +90,13 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
   made.drawings = clock("draw", context, [&] {
     return paper::draw(made.prepared, made.nets, made.pages, made.options.style, &made.drawn, context);
   });
+  made.guide = {};
+  if (made.options.guide) {
+    made.guide = clock("guide", context, [&] {
+      return paper::draw_guide(made.prepared, made.nets, made.pages, made.assembly, made.drawings.size(),
+                               made.drawn.bodies, made.options.style, context);
+    });
+  }
 }
 
 /// The FOLD file, and its check.
@@ -97,8 +104,9 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
   const mesh::Model& model = made.prepared.model;
   made.fold = clock("write", context, [&] {
     const paper::Mark mark{program_and_version(), model.name, model.digest};
-    return paper::write_fold(made.prepared, made.part, made.nets, made.options.paper ? &made.pages : nullptr,
-                             mark, with_searched(settings_of(made.options, made.seed), made.searched_with));
+    return paper::write_fold(made.prepared, made.part, made.nets, made.assembly,
+                             made.options.paper ? &made.pages : nullptr, mark,
+                             with_searched(settings_of(made.options, made.seed), made.searched_with));
   });
   made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
 }
@@ -264,6 +272,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
                           unfold_options(options, made.prepared, std::move(wishes)), context);
   });
   made.nets.notes.insert(made.nets.notes.begin(), notes.begin(), notes.end());
+  made.assembly = clock("unfold", context, [&] { return paper::assembly_order(surface, made.nets); });
   if (options.paper) {
     lay_out_pages(made, clock, context);
     if (!many_pages(surface, area, expected, false)) {

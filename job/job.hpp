@@ -45,12 +45,14 @@ struct Paper {
   std::size_t part_count = 0;
   /// The deadline left no time to find parts, so each component is one; whoever set it says so.
   bool parts_given_up = false;
-  unfold::Nets nets;   ///< its notes begin with those of the stages before
-  paper::Pages pages;  ///< none where Options::paper is none
+  unfold::Nets nets;         ///< its notes begin with those of the stages before
+  paper::Assembly assembly;  ///< in which order the pieces are put together
+  paper::Pages pages;        ///< none where Options::paper is none
   std::optional<double>
       share_saving_a_page;  ///< of the size, where a slightly smaller model would take a page less
   std::vector<paper::Drawing> drawings;  ///< one a page
   paper::DrawReport drawn;
+  paper::Guide guide;  ///< empty where Options::guide doesn't ask for it
   std::string fold;         ///< bytes of the FOLD file, checked: what fails its check is never returned
   verify::Figures figures;  ///< of that check
   StageSeconds seconds;     ///< of all steps since the model; what is done anew adds to its stage

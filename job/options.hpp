@@ -63,6 +63,7 @@ struct Options {
   unfold::PanelCuts panel_cuts = unfold::PanelCuts::only_if_too_large;
   EdgeRequests edges;
   paper::Style style;
+  bool guide = false;   ///< pages that tell how the model is built; with paper only
   bool strict = false;  ///< what nobody could build at this size isn't made
 };
 

@@ -201,6 +201,9 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.option("Output", "--dxf", dxf, "r2000|r12|plain",
               "Which DXF: r2000 tells the unit; r12 is for older machines; plain is single lines on one "
               "layer (r2000).");
+  bool no_guide = false;
+  verb.flag("Output", "--no-guide", no_guide,
+            "Write no NAME-guide.pdf beside NAME.pdf: pictures of where each piece goes, step by step.");
   verb.flag("Output", "--overwrite", job.overwrite,
             "Replace existing files, also those that weren't made from this model.");
   size.add_to(verb, "auto");
@@ -224,6 +227,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
       return PrintJob{man_page_wanted};
     }
     require(job.model, "name the model to turn into paper", "ridgecraft");
+    job.options.guide = !no_guide;
     job.common = common.checked();
     job.preset = choice_or_refuse<const paper::Preset*>("--preset", preset, preset_choices());
     if (job.preset != nullptr && job.preset->dxf && dxf.empty()) {

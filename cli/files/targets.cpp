@@ -103,6 +103,33 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
   return different;
 }
 
+Target guide_beside(const Target& pdf) {
+  Target guide = pdf;
+  guide.stem += "-guide";
+  guide.guide = true;
+  return guide;
+}
+
+void add_guides(std::vector<Target>& targets) {
+  constexpr std::size_t longest_name = 255;  // bytes
+  const std::size_t count = targets.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Target guide = guide_beside(targets[i]);
+    if (guide.format != Format::pdf || guide.stem.size() + guide.ending.size() > longest_name) {
+      continue;
+    }
+    const fs::path place = place_of(guide.folder / (guide.stem + guide.ending));
+    for (std::size_t k = 0; k < count; ++k) {
+      if (place_of(targets[k].folder / (targets[k].stem + targets[k].ending)) == place) {
+        throw Error(ErrorKind::usage, "-o " + place.filename().string() + ": the guide of " +
+                                          targets[i].stem + targets[i].ending +
+                                          " has that name; --no-guide leaves it out");
+      }
+    }
+    targets.push_back(std::move(guide));
+  }
+}
+
 fs::path place_of(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code error;

@@ -19,6 +19,7 @@ struct Target {
   std::filesystem::path folder;  ///< lexically normal
   std::string stem;
   std::string ending;  ///< ".pdf" or as the user wrote it, ".PDF"
+  bool guide = false;  ///< of pages that tell how the model is built, and not of nets
 
   friend bool operator==(const Target&, const Target&) = default;
 };
@@ -26,13 +27,19 @@ struct Target {
 /// Refuses - after an option that names a result ("--labels"): Error(usage).
 void require_no_dash(const std::string& option, const std::string& output);
 
-/// What -o asks for; without any, all default formats in the current folder (PDF, SVG and FOLD; or those of the
-/// preset, whose name the files bear). Folders that
-/// are asked for and don't exist are created when files are written. Throws Error(usage) for a suffix that is
-/// no format, Error(cant_write) for a folder that can't be written to.
+/// What -o asks for; without any, all default formats in the current folder (PDF, SVG and FOLD; or those of
+/// the preset, whose name the files bear). Folders that are asked for and don't exist are created when files
+/// are written. Throws Error(usage) for a suffix that is no format, Error(cant_write) for a folder that can't
+/// be written to.
 [[nodiscard]] std::vector<Target> plan_targets(const std::vector<std::string>& outputs,
                                                const std::string& model_name,
                                                const paper::Preset* preset = nullptr);
+
+/// The guide beside a PDF of nets: NAME-guide.pdf.
+[[nodiscard]] Target guide_beside(const Target& pdf);
+/// Adds one for each PDF, but where its name would be longer than file systems allow. Throws Error(usage)
+/// where another result has that name.
+void add_guides(std::vector<Target>& targets);
 
 /// The same for all names of one place in the file system: the folder without links, dots and the like. A
 /// link as last name stays, since a file that is written replaces it.

@@ -55,7 +55,8 @@ void add_target(const Target& target, const std::vector<fs::path>& files, const 
   for (std::size_t i = 0; i < files.size(); ++i) {
     switch (target.format) {
       case Format::pdf:
-        pending.add(files[i], paper::write_pdf(made.drawings, mark));
+        pending.add(files[i], target.guide ? paper::write_guide_pdf(made.guide.pages, mark)
+                                           : paper::write_pdf(made.drawings, mark));
         break;
       case Format::svg:
         pending.add(files[i], svg_of(made, i, job, mark));
@@ -74,8 +75,8 @@ void add_target(const Target& target, const std::vector<fs::path>& files, const 
   }
 }
 
-/// Pages of an earlier set of these names that this run doesn't write again: of this model, and of one that
-/// another file of the set, which is replaced now, was made from.
+/// Pages, and the guide, of an earlier set of these names that this run doesn't write again: of this model,
+/// and of one that another file of the set, which is replaced now, was made from.
 std::vector<fs::path> find_leftovers(const std::vector<Target>& targets,
                                      const std::vector<std::vector<fs::path>>& of_targets,
                                      const std::string& digest) {
@@ -92,6 +93,13 @@ std::vector<fs::path> find_leftovers(const std::vector<Target>& targets,
       const std::vector<fs::path> leftovers =
           leftovers_of({target.folder, target.stem, target.ending}, written, digests);
       found.insert(found.end(), leftovers.begin(), leftovers.end());
+    } else if (target.format == Format::pdf && !target.guide) {
+      // A guide to other nets than those that stand beside it now.
+      const fs::path guide = files_of(guide_beside(target), 1).front();
+      const std::set<std::string> its = digests_of({guide});
+      if (!written.contains(guide) && !its.empty() && digests.contains(*its.begin())) {
+        found.push_back(guide);
+      }
     }
   }
   return found;
@@ -107,11 +115,23 @@ void require_all_replaceable(const PaperJob& job, const std::vector<std::vector<
   }
 }
 
+/// A machine needs none.
+bool wants_guide(const PaperJob& job) {
+  return job.options.guide && job.preset == nullptr;
+}
+
+bool has_guide(const std::vector<Target>& targets) {
+  return std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.guide; });
+}
+
 /// What is known of the outputs is checked before the long work.
 std::vector<Target> checked_targets(const PaperJob& job) {
   std::vector<Target> targets = plan_targets(job.outputs, results_name(job.model), job.preset);
   if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
     paper::check_pdf_size(job.options.paper->size);
+  }
+  if (wants_guide(job)) {
+    add_guides(targets);
   }
   for (const Target& target : targets) {
     require_no_input(files_of(target, 1).front(), input_files(job.edges), job.overwrite);
@@ -138,9 +158,10 @@ void require_sensible_scale(const AskedSize& asked, const job::Options& options,
 
 /// The model with its edges named, and all that follows from it.
 template <class Job>
-job::Paper make(const Job& job, const EdgeFiles& edge_files, mesh::Model model, const Context& context,
-                const job::Listener& listener) {
+job::Paper make(const Job& job, const EdgeFiles& edge_files, mesh::Model model, bool guide,
+                const Context& context, const job::Listener& listener) {
   job::Options options = job.options;
+  options.guide = guide;
   options.edges = requests_of(edge_files, model);
   if (job.size_asked.scale && model.frame.mm_per_unit) {
     options.size.mm_per_unit = *job.size_asked.scale * *model.frame.mm_per_unit;
@@ -182,7 +203,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
       require_replaceable(files_of(target, 1).front(), digest, job.overwrite);
     }
   }
-  result.made = make(job, edge_files, std::move(model), context, listener);
+  result.made = make(job, edge_files, std::move(model), has_guide(targets), context, listener);
   clock.add(result.made.seconds);
   clock("write", context, [&] {
     std::vector<std::vector<fs::path>> files;
@@ -222,7 +243,7 @@ PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles
   if (!job.output.empty()) {
     require_replaceable(job.output, model.digest, job.overwrite);
   }
-  result.made = make(job, edge_files, std::move(model), context, {});
+  result.made = make(job, edge_files, std::move(model), false, context, {});
   clock.add(result.made.seconds);
   if (!job.output.empty()) {
     clock("write", context, [&] {

@@ -131,6 +131,12 @@ std::string next_line(const PaperResult& result) {
   if (pdf != result.files.end()) {
     clauses.push_back("print " + std::filesystem::path(*pdf).filename().string() + " at 100 %");
   }
+  const auto guide = std::find_if(result.files.begin(), result.files.end(), [&](const std::string& file) {
+    return file.ends_with("-guide.pdf") && !made.guide.pages.empty();
+  });
+  if (guide != result.files.end()) {
+    clauses.push_back("build it by " + std::filesystem::path(*guide).filename().string());
+  }
   if (made.prepared.simplified.still_too_fine && made.prepared.smallest_size_mm) {
     clauses.push_back(fmt::format("--size {:.0f}mm can be folded", *made.prepared.smallest_size_mm));
   } else if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {

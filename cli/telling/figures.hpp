@@ -31,6 +31,7 @@ enum class Line {
   folding,
   colours,
   bodies,
+  guide,
   notes,
   time
 };

@@ -160,6 +160,25 @@ std::vector<std::string> notes_of(const job::Paper& made) {
   return notes;
 }
 
+void add_guide(Summary& summary, const job::Paper& made) {
+  const paper::Guide& guide = made.guide;
+  if (guide.pages.empty()) {
+    summary.add("guide", {});
+    return;
+  }
+  const paper::Effort& effort = guide.effort;
+  summary.add("guide",
+              Value::Object{{"steps", guide.steps},
+                            {"pages", guide.pages.size()},
+                            {"minutes", std::round(effort.minutes)},
+                            {"hardness", effort.hardness},
+                            {"smallest_tab_mm", rounded(effort.smallest_tab_mm)}},
+              Line::guide, "guide",
+              fmt::format("{} on {}; {} of work, {}", counted(guide.steps, "step"),
+                          counted(guide.pages.size(), "page"), paper::duration_words(effort.minutes),
+                          paper::hardness_words(effort.hardness)));
+}
+
 std::string lines_text(const verify::Figures& figures) {
   return fmt::format("{} to cut, {} to fold", metres(figures.cut_mm), metres(figures.fold_mm));
 }
@@ -203,6 +222,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   add_slivers(summary, made);
   add_folding(summary, nets);
   add_bodies(summary, nets, made.drawn.bodies);
+  add_guide(summary, made);
   summary.add("paper", job.paper_name);
   summary.add("buildable", prepare::can_be_folded(made.prepared));
   summary.add("smallest_size_mm", Value(made.prepared.smallest_size_mm), "mm");

@@ -31,10 +31,18 @@ void trace(cairo_t* cairo, const std::vector<Vec2>& points, bool closed) {
 }
 
 void paint(cairo_t* cairo, const Area& area) {
-  set_color(cairo, fill_of(area.layer));
+  set_color(cairo, area.color.value_or(fill_of(area.layer)));
   cairo_new_path(cairo);
   trace(cairo, area.outline, true);
-  cairo_fill(cairo);
+  if (area.layer != Layer::picture) {
+    cairo_fill(cairo);
+    return;
+  }
+  // Areas of pictures meet without a gap, but viewers that smooth edges show one.
+  constexpr double overlap_mm = 0.06;
+  cairo_fill_preserve(cairo);
+  cairo_set_line_width(cairo, overlap_mm);
+  cairo_stroke(cairo);
 }
 
 void paint(cairo_t* cairo, const Line& line) {

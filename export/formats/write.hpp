@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "export/assembly/assembly.hpp"
 #include "export/machine/presets.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/mark.hpp"
@@ -23,6 +24,8 @@ void check_pdf_size(Vec2 page_mm);
 
 /// Bytes of a PDF of all pages. Same input, same bytes. Throws as check_pdf_size().
 [[nodiscard]] std::string write_pdf(std::span<const Drawing> pages, const Mark& mark);
+/// Bytes of a PDF of the guide's pages. Same input, same bytes.
+[[nodiscard]] std::string write_guide_pdf(std::span<const Drawing> pages, const Mark& mark);
 /// Bytes of the SVG of one page, in true millimetres, a layer for each class of line.
 [[nodiscard]] std::string write_svg(const Drawing& page, const Mark& mark);
 /// Bytes of the SVG of one page's pieces as a machine's program expects it: in true millimetres, a colour and
@@ -45,7 +48,7 @@ using Settings = std::map<std::string, std::string>;
 
 /// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own.
 [[nodiscard]] std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
-                                     const unfold::Nets& nets, const Pages* pages, const Mark& mark,
-                                     const Settings& settings);
+                                     const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
+                                     const Mark& mark, const Settings& settings);
 
 }  // namespace ridgecraft::paper

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // nets.fold: FOLD 1.2 (Demaine, Ku, Lang) with our own keys under "ridgecraft:". docs/formats.md has every
 // key.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/json_text.hpp"
+#include "export/assembly/assembly.hpp"
 #include "export/formats/net_frame.hpp"
 #include "export/formats/write.hpp"
 
@@ -129,6 +133,33 @@ void write_equal_pieces(JsonText& json, const Nets& nets) {
   });
 }
 
+/// Joins by their numbers. Those that are slits in flat regions aren't in the file.
+void write_assembly(JsonText& json, const Surface& surface, const Nets& nets, const NetFrame& frame,
+                    const Assembly& assembly) {
+  json.list("ridgecraft:assembly", assembly.steps.size(), [&](std::size_t i) {
+    const AssemblyStep& step = assembly.steps[i];
+    const char* separator = "\n{\"pieces\":[";
+    for (const PieceId piece : step.pieces) {
+      json.raw(separator);
+      json.number(piece.value());
+      separator = ",";
+    }
+    std::vector<JoinId> joins;
+    std::set_union(step.own.begin(), step.own.end(), step.joins.begin(), step.joins.end(),
+                   std::back_inserter(joins));
+    json.raw("],\"joins\":[");
+    separator = "";
+    for (const JoinId join : joins) {
+      if (!frame.is_slit(surface, nets.joins[join].edge)) {
+        json.raw(separator);
+        json.number(nets.joins[join].number);
+        separator = ",";
+      }
+    }
+    json.raw("]}");
+  });
+}
+
 void write_pages(JsonText& json, const NetFrame& frame, const Pages* pages) {
   json.list("ridgecraft:pages", frame.origins.size(), [&](std::size_t i) {
     json.raw("\n{\"origin\":");
@@ -238,8 +269,8 @@ void write_head(JsonText& json, const Mark& mark, const Settings& settings) {
 }  // namespace
 
 std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
-                       const unfold::Nets& nets, const Pages* pages, const Mark& mark,
-                       const Settings& settings) {
+                       const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
+                       const Mark& mark, const Settings& settings) {
   const Surface& surface = model.model.surface;
   RIDGECRAFT_ASSERT(part.size() == surface.face_count());
   const NetFrame frame = net_frame(surface, nets, pages);
@@ -257,6 +288,7 @@ std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, Pa
   write_pieces(json, nets, frame);
   write_fold_order(json, nets, frame);
   write_equal_pieces(json, nets);
+  write_assembly(json, surface, nets, frame, assembly);
   write_pages(json, frame, pages);
   write_joins(json, surface, nets, frame, glue);
   write_model(json, surface, part);

@@ -8,49 +8,25 @@
 #include <string>
 #include <vector>
 
-#include <cairo-pdf.h>
 #include <fmt/format.h>
-#include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFPageObjectHelper.hh>
-#include <qpdf/QPDFWriter.hh>
 
 #include "base/error.hpp"
-#include "base/utf8.hpp"
 #include "export/formats/cairo_page.hpp"
 #include "export/formats/layer_order.hpp"
+#include "export/formats/pdf_file.hpp"
 #include "export/formats/write.hpp"
 
 namespace ridgecraft::paper {
 namespace {
 
-constexpr double points_per_mm = 72.0 / 25.4;
-
-cairo_status_t append_bytes(void* out, const unsigned char* data, unsigned int size) {
-  static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), size);
-  return CAIRO_STATUS_SUCCESS;
-}
-
 /// One layer of all pages.
 std::string layer_pdf(std::span<const Drawing> pages, Layer layer) {
-  std::string bytes;
-  const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, 1.0, 1.0));
-  check_cairo(cairo_surface_status(surface.get()));
-  // Cairo would write the time of the run.
-  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-  {
-    const CairoContext cairo(cairo_create(surface.get()));
-    for (const Drawing& page : pages) {
-      cairo_pdf_surface_set_size(surface.get(), page.size.x * points_per_mm, page.size.y * points_per_mm);
-      paint_layer(cairo.get(), page, layer, points_per_mm);
-      cairo_show_page(cairo.get());
-    }
-    check_cairo(cairo_status(cairo.get()));
-  }
-  cairo_surface_finish(surface.get());
-  check_cairo(cairo_surface_status(surface.get()));
-  return bytes;
+  return cairo_pdf(pages, [layer](cairo_t* cairo, const Drawing& page) {
+    paint_layer(cairo, page, layer, points_per_mm);
+  });
 }
 
 class PdfAssembler {
@@ -73,16 +49,8 @@ class PdfAssembler {
     }
     add_pages();
     add_catalogue();
-    add_info();
-    QPDFWriter writer(pdf_);
-    writer.setOutputMemory();
-    writer.setDeterministicID(true);
-    writer.setMinimumPDFVersion("1.6");          // PrintScaling
-    writer.setObjectStreamMode(qpdf_o_disable);  // the mark stays readable without a PDF library
-    writer.setStreamDataMode(qpdf_s_compress);
-    writer.write();
-    const auto buffer = writer.getBufferSharedPointer();
-    return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
+    add_information(pdf_, mark_);
+    return pdf_bytes(pdf_);
   }
 
  private:
@@ -172,23 +140,8 @@ class PdfAssembler {
     QPDFObjectHandle properties = QPDFObjectHandle::newDictionary();
     properties.replaceKey("/OCGs", order);
     properties.replaceKey("/D", defaults);
-    QPDFObjectHandle preferences = QPDFObjectHandle::newDictionary();
-    preferences.replaceKey("/PrintScaling", QPDFObjectHandle::newName("/None"));
-    preferences.replaceKey("/DisplayDocTitle", QPDFObjectHandle::newBool(true));
-    QPDFObjectHandle root = pdf_.getRoot();
-    root.replaceKey("/OCProperties", properties);
-    root.replaceKey("/ViewerPreferences", preferences);
-  }
-
-  void add_info() {
-    QPDFObjectHandle info = QPDFObjectHandle::newDictionary();
-    info.replaceKey("/Title", QPDFObjectHandle::newUnicodeString(printable_utf8(mark_.title)));
-    info.replaceKey("/Creator", QPDFObjectHandle::newUnicodeString(printable_utf8(mark_.producer)));
-    info.replaceKey("/Producer", QPDFObjectHandle::newUnicodeString(printable_utf8(mark_.producer)));
-    info.replaceKey("/Keywords", QPDFObjectHandle::newString(mark_word(mark_)));
-    // Fixed, so that two runs give the same bytes.
-    info.replaceKey("/CreationDate", QPDFObjectHandle::newString("D:20000101000000Z"));
-    pdf_.getTrailer().replaceKey("/Info", pdf_.makeIndirectObject(info));
+    pdf_.getRoot().replaceKey("/OCProperties", properties);
+    add_viewer_preferences(pdf_);
   }
 
   std::span<const Drawing> pages_;

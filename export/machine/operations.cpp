@@ -69,6 +69,7 @@ std::optional<Operation> operation_of(Layer layer) {
     case Layer::paint:
     case Layer::tab_fill:
     case Layer::mark:
+    case Layer::picture:
       break;
   }
   return std::nullopt;

@@ -27,6 +27,8 @@ std::string_view id(Layer layer) {
       return "piece-name";
     case Layer::mark:
       return "mark";
+    case Layer::picture:
+      return "picture";
   }
   return "";
 }
@@ -51,6 +53,8 @@ std::string_view title(Layer layer) {
       return "Piece names";
     case Layer::mark:
       return "Marks";
+    case Layer::picture:
+      return "Pictures";
   }
   return "";
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,20 @@
 #include "base/vector.hpp"
 
 namespace ridgecraft::paper {
+
+struct Color {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  friend bool operator==(const Color&, const Color&) = default;
+};
+
+/// A look of its own, for lines of pictures.
+struct Pen {
+  double width = 0.2;  ///< mm
+  Color color;
+};
 
 /// What a line, an area or a text is for. A format maps each to a layer, a colour, a style.
 enum class Layer {
@@ -23,8 +38,10 @@ enum class Layer {
   tab_fold,  ///< base of a tab
   label,     ///< join numbers
   piece_name,
-  mark,  ///< page furniture: scale bar, legend, page number, title
+  mark,     ///< page furniture: scale bar, legend, page number, title
+  picture,  ///< areas and lines of pictures in the guide, below all else; sheets of pieces have none
 };
+/// Those that files of sheets have.
 inline constexpr int layer_count = 9;
 /// Plain identifier, also usable as an XML id: "tab-fill", "cut", ...
 [[nodiscard]] std::string_view id(Layer layer);
@@ -36,13 +53,6 @@ enum class Fold {
   none,
   mountain,  ///< away from the viewer
   valley,    ///< towards the viewer
-};
-
-struct Color {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-  friend bool operator==(const Color&, const Color&) = default;
 };
 
 /// In which tone a line or a text is drawn, so that it can be seen on what lies below it.
@@ -60,21 +70,24 @@ struct Line {
   /// such a line, where its ground is dark here and light there.
   Layer like = Layer::mark;
   Tone tone = Tone::dark;
+  std::optional<Pen> pen = {};  ///< instead of the layer's look
 };
 
 struct Area {
   Layer layer = Layer::tab_fill;
-  std::vector<Vec2> outline;  ///< closed, simple
+  std::vector<Vec2> outline;        ///< closed, simple
+  std::optional<Color> color = {};  ///< instead of the layer's
 };
 
 struct Text {
   Layer layer = Layer::label;
-  std::string text;         ///< UTF-8
-  Vec2 centre;              ///< middle of the text's box
-  double height = 2.5;      ///< of capital letters and digits, mm
-  double angle = 0.0;       ///< of the baseline, radians, counterclockwise
-  bool underlined = false;  ///< a number that is another number upside down
-  Tone tone = Tone::dark;   ///< of paint: a halo, whatever stands here
+  std::string text;                 ///< UTF-8
+  Vec2 centre;                      ///< middle of the text's box
+  double height = 2.5;              ///< of capital letters and digits, mm
+  double angle = 0.0;               ///< of the baseline, radians, counterclockwise
+  bool underlined = false;          ///< a number that is another number upside down
+  Tone tone = Tone::dark;           ///< of paint: a halo, whatever stands here
+  std::optional<Color> color = {};  ///< instead of that of its layer and tone
 };
 
 /// One colour on several polygons, each counterclockwise; of the layer paint. Where polygons meet no ground

@@ -38,6 +38,9 @@ std::span<const double> pattern_of(Fold fold) {
 }
 
 LineStyle dark_style_of(const Line& line) {
+  if (line.pen) {
+    return {line.pen->width, line.pen->color, {}};
+  }
   switch (line.layer == Layer::mark ? line.like : line.layer) {
     case Layer::cut:
       return {cut_width, {}, {}};
@@ -56,6 +59,7 @@ LineStyle dark_style_of(const Line& line) {
     case Layer::paint:
     case Layer::tab_fill:
     case Layer::piece_name:
+    case Layer::picture:
       break;
   }
   return {mark_width, {}, {}};
@@ -83,6 +87,9 @@ Color fill_of(Layer layer) {
 }
 
 Color color_of(const Text& text) {
+  if (text.color) {
+    return *text.color;
+  }
   return text.layer == Layer::paint || text.tone == Tone::light ? light_tone : Color{};
 }
 

@@ -18,7 +18,7 @@ struct LineStyle {
 
 /// The look of a line on paper.
 [[nodiscard]] LineStyle style_of(const Line& line);
-/// The fill of an area of a layer.
+/// The fill of areas of a layer that have no colour of their own.
 [[nodiscard]] Color fill_of(Layer layer);
 /// Around a line or a text whose ground is dark here and light there, mm on each side.
 inline constexpr double halo_mm = 0.12;

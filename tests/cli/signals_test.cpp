@@ -81,7 +81,7 @@ TEST_CASE("a signal while the summary is printed says that the files are there",
   const Outcome outcome = run_program({"house.obj", "-o", "house.pdf"}, options);
   CHECK(outcome.exit_code == 130);
   CHECK(outcome.err.find("interrupted after the files were written") != std::string::npos);
-  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "pipe"});
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house-guide.pdf", "pipe"});
 }
 
 TEST_CASE("signals that are ignored stay ignored", "[signals]") {

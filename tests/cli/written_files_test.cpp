@@ -15,10 +15,36 @@ TEST_CASE("a model becomes PDF, SVG and FOLD in the current folder", "[written_f
   const Outcome outcome = run_program({"house.obj", "--size", "8cm"}, in(folder));
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold"});
+  CHECK(folder.names() ==
+        std::set<std::string>{"house.obj", "house.pdf", "house-guide.pdf", "house.svg", "house.fold"});
   CHECK(outcome.out.find("wrote house.pdf") != std::string::npos);
   CHECK(read_bytes(folder / "house.pdf").starts_with("%PDF"));
   CHECK(run_program({"verify", "house.fold"}, in(folder)).exit_code == 0);
+}
+
+TEST_CASE("a guide stands beside each PDF, unless nobody wants it", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "a.pdf"}, in(folder)).exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "a.pdf", "a-guide.pdf"});
+  CHECK(read_bytes(folder / "a-guide.pdf").starts_with("%PDF"));
+  // Guides are read on any paper, and hold no nets to be checked.
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "a.fold"}, in(folder)).exit_code == 0);
+  const Outcome checked = run_program({"verify", "a.fold", "--pages", "a.pdf", "a-guide.pdf"}, in(folder));
+  INFO(checked.out);
+  CHECK(checked.exit_code == 0);
+  // A guide to nets that aren't there any more goes with them; somebody's own file stays.
+  REQUIRE(run_program({"house.obj", "--size", "9cm", "--no-guide", "-o", "a.pdf"}, in(folder)).exit_code ==
+          0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "a.pdf", "a.fold"});
+  write_bytes(folder / "a-guide.pdf", "mine");
+  check_refusal(run_program({"house.obj", "--size", "8cm", "-o", "a.pdf"}, in(folder)), 7, "a-guide.pdf");
+  CHECK(run_program({"house.obj", "--size", "8cm", "--no-guide", "-o", "a.pdf"}, in(folder)).exit_code == 0);
+  CHECK(read_bytes(folder / "a-guide.pdf") == "mine");
+  check_refusal(run_program({"house.obj", "-o", "b.pdf", "-o", "b-guide.pdf"}, in(folder)), 2, "--no-guide");
+  CHECK(run_program({"house.obj", "--size", "8cm", "--no-guide", "-o", "b.pdf", "-o", "b-guide.pdf"},
+                    in(folder))
+            .exit_code == 0);
 }
 
 TEST_CASE("a preset's files bear its name and stand beside those for the printer", "[written_files]") {
@@ -28,8 +54,9 @@ TEST_CASE("a preset's files bear its name and stand beside those for the printer
   REQUIRE(run_program({"house.obj", "--size", "8cm", "--preset", "laser"}, in(folder)).exit_code == 0);
   REQUIRE(run_program({"house.obj", "--size", "8cm", "--preset", "plotter", "--dxf", "plain"}, in(folder))
               .exit_code == 0);
-  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold",
-                                                "house-laser.svg", "house-laser.dxf", "house-plotter.dxf"});
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house-guide.pdf", "house.svg",
+                                                "house.fold", "house-laser.svg", "house-laser.dxf",
+                                                "house-plotter.dxf"});
   CHECK(read_bytes(folder / "house-laser.dxf").find("AC1015") != std::string::npos);
   // The DXF that was asked for wins over the preset's.
   CHECK(read_bytes(folder / "house-plotter.dxf").find("POLYLINE") == std::string::npos);
@@ -63,8 +90,8 @@ TEST_CASE("pages left over from an earlier run of the same model are removed", "
   REQUIRE(fs::exists(folder / "house-2.svg"));
   CHECK_FALSE(fs::exists(folder / "house.svg"));
   REQUIRE(run_program({"house.obj", "--size", "8cm"}, in(folder)).exit_code == 0);
-  CHECK(folder.names() ==
-        std::set<std::string>{"house.obj", "house.pdf", "house.svg", "house.fold", "house-9.svg"});
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house-guide.pdf", "house.svg",
+                                                "house.fold", "house-9.svg"});
 }
 
 TEST_CASE("with --overwrite, pages of the model whose files are replaced go", "[written_files]") {
@@ -86,7 +113,8 @@ TEST_CASE("with --overwrite, pages of the model whose files are replaced go", "[
   for (const auto& entry : fs::directory_iterator(folder / "out")) {
     names.insert(entry.path().filename().string());
   }
-  CHECK(names == std::set<std::string>{"house.pdf", "house.svg", "house.fold", "house-8.svg", "house-9.svg"});
+  CHECK(names == std::set<std::string>{"house.pdf", "house-guide.pdf", "house.svg", "house.fold",
+                                       "house-8.svg", "house-9.svg"});
 }
 
 TEST_CASE("a file that is asked for twice is written once", "[written_files]") {
@@ -110,7 +138,11 @@ TEST_CASE("names as long as the file system allows", "[written_files]") {
   const Outcome outcome = run_program({"house.obj", "--size", "8cm", "-o", stem + ".pdf"}, in(folder));
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
-  CHECK(folder.names() == std::set<std::string>{"house.obj", stem + ".pdf"});
+  CHECK(folder.names() == std::set<std::string>{"house.obj", stem + ".pdf", stem + "-guide.pdf"});
+  // Where a guide's name would be longer than that, there is none.
+  CHECK(run_program({"house.obj", "--size", "8cm", "-o", stem + "0123456789.pdf"}, in(folder)).exit_code ==
+        0);
+  CHECK(folder.names().size() == 4);
 }
 
 TEST_CASE("a file gets the name that was asked for, in capitals, too", "[written_files]") {
@@ -121,8 +153,8 @@ TEST_CASE("a file gets the name that was asked for, in capitals, too", "[written
   CHECK(fs::exists(folder / "X-2.Svg"));
   const Outcome outcome =
       run_program({"house.obj", "--size", "8cm", "-o", "X.PDF", "-o", "X.Svg"}, in(folder));
-  CHECK(outcome.out.find("wrote X.PDF and X.Svg\n") != std::string::npos);
-  CHECK(folder.names() == std::set<std::string>{"house.obj", "X.PDF", "X.Svg"});
+  CHECK(outcome.out.find("wrote X.PDF, X.Svg and X-guide.PDF\n") != std::string::npos);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "X.PDF", "X-guide.PDF", "X.Svg"});
 }
 
 TEST_CASE("folders are made for results, and go again when there are none", "[written_files]") {
@@ -154,7 +186,7 @@ TEST_CASE("a folder that may be written, but not listed", "[written_files]") {
     CHECK(outcome.exit_code == 0);
   }
   fs::permissions(folder / "out", fs::perms(0777));
-  CHECK(contents(folder / "out").size() == 3);
+  CHECK(contents(folder / "out").size() == 4);
 }
 
 TEST_CASE("names with spaces and letters of any script work", "[written_files]") {

@@ -300,6 +300,8 @@ const std::set<std::string> free_paths = {
     "/ridgecraft:tabs/#/polygon", "/ridgecraft:tabs/#/polygon/#", "/ridgecraft:tabs/#/polygon/#/#",
     // Equal pieces needn't be told.
     "/ridgecraft:equal_pieces", "/ridgecraft:equal_pieces/#", "/ridgecraft:equal_pieces/#/#",
+    // Nor need the order of assembly; what stands alone may come in any.
+    "/ridgecraft:assembly",
     // One that is symmetric itself is a mirror image as well.
     "/ridgecraft:equal_pieces/#/#/mirrored"};
 

@@ -47,6 +47,12 @@ struct EqualPiece {
   bool mirrored = false;
 };
 
+/// Pieces that are glued to those of the steps before.
+struct AssemblyStep {
+  std::vector<Index> pieces;        ///< at least one, ascending
+  std::vector<std::int64_t> joins;  ///< numbers of what is glued, ascending
+};
+
 struct Join {
   std::int64_t number = 1;
   std::array<Index, 2> edges{};
@@ -111,6 +117,9 @@ struct File {
   /// file doesn't tell.
   std::optional<std::vector<std::vector<std::vector<Index>>>> fold_order;
   std::vector<std::vector<EqualPiece>> equal;  ///< kinds of two or more; no piece is in two of them
+
+  /// The order in which pieces are put together; nothing where the file doesn't tell.
+  std::optional<std::vector<AssemblyStep>> assembly;
 
   [[nodiscard]] std::vector<Vec2> polygon(Index face) const;
   /// Whether this program says that it made the file; then all of our own keys have to be there.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <span>
+#include <utility>
 
 namespace ridgecraft::verify {
 namespace {
@@ -115,6 +117,41 @@ void read_equal_pieces(const Json& json, File& file) {
   }
 }
 
+/// The order in which pieces are put together; a file needn't tell it.
+void read_assembly(const Json& json, File& file) {
+  const auto found = json.find("ridgecraft:assembly");
+  if (found == json.end()) {
+    return;
+  }
+  if (!found->is_array()) {
+    refuse("\"ridgecraft:assembly\" of the file is not a list");
+  }
+  file.assembly.emplace();
+  for (const Json& entry : *found) {
+    const std::string where = fmt::format("step {} of the assembly", file.assembly->size());
+    if (!entry.is_object()) {
+      refuse("{} is not an object", where);
+    }
+    AssemblyStep step;
+    for (const Json& piece : list_member(entry, "pieces", where)) {
+      step.pieces.push_back(index_below(piece, file.pieces.size(), {where, "pieces"}));
+    }
+    for (const Json& number : list_member(entry, "joins", where)) {
+      if (!number.is_number_integer()) {
+        refuse("\"joins\" of {} has an entry that is no number of a join", where);
+      }
+      step.joins.push_back(number.get<std::int64_t>());
+    }
+    const auto rises = [](const auto& list) {
+      return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
+    };
+    if (step.pieces.empty() || !rises(step.pieces) || !rises(step.joins)) {
+      refuse("{} has no pieces, or pieces or joins that are not in their order", where);
+    }
+    file.assembly->push_back(std::move(step));
+  }
+}
+
 class KeyWatch {
  public:
   explicit KeyWatch(std::vector<std::string>& unknown) : unknown_(unknown) {}
@@ -142,12 +179,12 @@ class KeyWatch {
 };
 
 void note_unknown_keys(const Json& json, File& file) {
-  constexpr std::array<std::string_view, 10> top = {
-      "ridgecraft:faces_model", "ridgecraft:faces_piece",  "ridgecraft:pieces",
-      "ridgecraft:fold_order",  "ridgecraft:pages",        "ridgecraft:joins",
-      "ridgecraft:tabs",        "ridgecraft:model_digest", "ridgecraft:settings",
-      "ridgecraft:equal_pieces"};
+  constexpr std::array<std::string_view, 11> top = {
+      "ridgecraft:faces_model", "ridgecraft:faces_piece",  "ridgecraft:pieces",  "ridgecraft:fold_order",
+      "ridgecraft:pages",       "ridgecraft:joins",        "ridgecraft:tabs",    "ridgecraft:model_digest",
+      "ridgecraft:settings",    "ridgecraft:equal_pieces", "ridgecraft:assembly"};
   constexpr std::array<std::string_view, 2> equal = {"piece", "mirrored"};
+  constexpr std::array<std::string_view, 2> assembly = {"pieces", "joins"};
   constexpr std::array<std::string_view, 1> model = {"ridgecraft:faces_part"};
   constexpr std::array<std::string_view, 6> piece = {"name", "part", "parts", "page", "holes", "reason"};
   constexpr std::array<std::string_view, 3> page = {"origin", "size", "margins"};
@@ -160,6 +197,9 @@ void note_unknown_keys(const Json& json, File& file) {
   watch.look_at_all(json.at("ridgecraft:pages"), page, "page");
   watch.look_at_all(json.at("ridgecraft:joins"), join, "join");
   watch.look_at_all(json.at("ridgecraft:tabs"), tab, "tab");
+  if (const auto steps = json.find("ridgecraft:assembly"); steps != json.end()) {
+    watch.look_at_all(*steps, assembly, "assembly step");
+  }
   if (const auto kinds = json.find("ridgecraft:equal_pieces"); kinds != json.end()) {
     for (const Json& kind : *kinds) {
       watch.look_at_all(kind, equal, "equal piece");
@@ -186,6 +226,7 @@ void read_statements(const Json& json, File& file) {
   read_digest(json, file);
   read_fold_order(json, file);
   read_equal_pieces(json, file);
+  read_assembly(json, file);
   note_unknown_keys(json, file);
 }
 

@@ -53,6 +53,7 @@ struct PrintedFile {
   std::vector<PrintedPage> pages;  ///< in the file's order
   bool whole = false;              ///< holds all pages of a model, as PDF does
   std::string defect;              ///< why it can't be checked, a sentence; then there are no pages
+  bool guide = false;              ///< tells how a model is built: it has no nets, and its pages aren't read
 };
 
 /// Whether the bytes claim to be PDF or SVG at all. Any bytes.

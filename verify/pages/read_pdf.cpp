@@ -190,6 +190,9 @@ class PageReader {
   Vec2 low_, high_;  ///< corners of the sheet, in points
 };
 
+/// What guides say that they are about.
+constexpr std::string_view guide_subject = "guide";
+
 /// Titles of the layers that aren't printed unless somebody switches them on.
 std::vector<std::string> layers_off(QPDF& pdf) {
   std::vector<std::string> titles;
@@ -208,6 +211,11 @@ void read_document(QPDF& pdf, PrintedFile& file) {
   QPDFObjectHandle info = pdf.getTrailer().getKey("/Info");
   QPDFObjectHandle keywords = info.isDictionary() ? info.getKey("/Keywords") : info;
   file.digest = keywords.isString() ? digest_in(keywords.getUTF8Value()) : std::string();
+  QPDFObjectHandle subject = info.isDictionary() ? info.getKey("/Subject") : info;
+  if (subject.isString() && subject.getUTF8Value() == guide_subject) {
+    file.guide = true;
+    return;
+  }
   file.whole = true;
   const std::vector<std::string> off = layers_off(pdf);
   std::size_t bytes_left = max_content_bytes;

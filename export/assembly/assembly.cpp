@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/assembly/assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "export/assembly/nesting.hpp"
+#include "export/assembly/seam_graph.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+/// Bodies of fewer pieces have no choice of a last one.
+constexpr std::size_t fewest_with_closer = 3;
+/// What an opening has to be wide for two fingers, mm.
+constexpr double two_fingers_mm = 30.0;
+/// Equal pieces come together when their seam with what stands is this share of the first one's.
+constexpr double mate_share = 0.7;
+/// ... and when they have no more than this share of it between each other.
+constexpr double most_between_mates = 0.5;
+/// Seams that differ by less are equal up to rounding, mm.
+constexpr double seam_rounding_mm = 1e-6;
+
+constexpr std::uint32_t no_kind = std::numeric_limits<std::uint32_t>::max();
+
+/// How easily a piece is put on when nobody reaches behind it any more.
+double ease_of_closing(const SeamGraph::Node& node) {
+  const double width = 2.0 * node.area_mm2 / (node.seam_mm + node.own_mm);
+  const double edge = node.seam_mm / static_cast<double>(node.joins);
+  const double ease =
+      edge * std::min(1.0, width / two_fingers_mm) / (1.0 + static_cast<double>(node.own_joins));
+  return std::round(ease / seam_rounding_mm) * seam_rounding_mm;
+}
+
+/// Whether the group's other pieces hang together without this one.
+bool hold_without(const SeamGraph& graph, const std::vector<PieceId>& group, PieceId without) {
+  std::vector<bool> seen(graph.nodes.size(), false);
+  seen[without.value()] = true;
+  std::vector<PieceId> open{group.front() == without ? group.back() : group.front()};
+  seen[open.front().value()] = true;
+  std::size_t count = 1;
+  while (!open.empty()) {
+    const PieceId piece = open.back();
+    open.pop_back();
+    for (const SeamGraph::Seam& seam : graph.nodes[piece].seams) {
+      if (!seen[seam.other.value()]) {
+        seen[seam.other.value()] = true;
+        open.push_back(seam.other);
+        ++count;
+      }
+    }
+  }
+  return count + 1 == group.size();
+}
+
+/// The piece that comes last; none where it doesn't matter.
+PieceId closing_piece(const SeamGraph& graph, std::size_t group) {
+  const std::vector<PieceId>& pieces = graph.groups[group];
+  if (pieces.size() < fewest_with_closer || graph.border_of(group) >= hand_hole_mm) {
+    return {};
+  }
+  std::vector<PieceId> easiest = pieces;
+  std::stable_sort(easiest.begin(), easiest.end(), [&](PieceId a, PieceId b) {
+    return ease_of_closing(graph.nodes[a]) > ease_of_closing(graph.nodes[b]);
+  });
+  const auto found = std::find_if(easiest.begin(), easiest.end(),
+                                  [&](PieceId piece) { return hold_without(graph, pieces, piece); });
+  return found == easiest.end() ? PieceId() : *found;
+}
+
+class Builder {
+ public:
+  Builder(const mesh::Surface& surface, const unfold::Nets& nets)
+      : nets_(nets),
+        graph_(seam_graph(surface, nets)),
+        kind_(nets.pieces.size(), no_kind),
+        standing_mm_(nets.pieces.size(), 0.0),
+        step_(nets.pieces.size(), no_step),
+        left_(graph_.groups.size()) {
+    for (std::size_t i = 0; i < nets.equal.size(); ++i) {
+      for (const unfold::EqualPiece& equal : nets.equal[i]) {
+        kind_[equal.piece] = static_cast<std::uint32_t>(i);
+      }
+    }
+    for (std::size_t i = 0; i < graph_.groups.size(); ++i) {
+      closer_.push_back(closing_piece(graph_, i));
+      left_[i] = graph_.groups[i].size();
+    }
+    const std::vector<std::size_t> order = inner_groups_first(surface, nets, graph_);
+    for (const std::vector<std::size_t>& groups : equal_groups(order)) {
+      build(groups);
+    }
+    add_joins(surface);
+  }
+
+  Assembly take() { return std::move(assembly_); }
+
+ private:
+  static constexpr std::size_t no_step = std::numeric_limits<std::size_t>::max();
+
+  /// Groups that have the same kinds of pieces, in the order given.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> equal_groups(
+      const std::vector<std::size_t>& order) const {
+    std::map<std::vector<std::uint32_t>, std::size_t> known;
+    std::vector<std::vector<std::size_t>> result;
+    for (const std::size_t group : order) {
+      std::vector<std::uint32_t> kinds;
+      for (const PieceId piece : graph_.groups[group]) {
+        kinds.push_back(kind_[piece]);
+      }
+      std::sort(kinds.begin(), kinds.end());
+      if (kinds.back() == no_kind) {
+        result.push_back({group});
+        continue;
+      }
+      const auto [at, is_new] = known.try_emplace(kinds, result.size());
+      if (is_new) {
+        result.push_back({group});
+      } else {
+        result[at->second].push_back(group);
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] bool stands(PieceId piece) const { return step_[piece] != no_step; }
+
+  /// Pieces of the groups that may come next.
+  [[nodiscard]] std::vector<PieceId> candidates(const std::vector<std::size_t>& groups) const {
+    std::vector<PieceId> pieces;
+    for (const std::size_t group : groups) {
+      for (const PieceId piece : graph_.groups[group]) {
+        if (!stands(piece) && (piece != closer_[group] || left_[group] == 1)) {
+          pieces.push_back(piece);
+        }
+      }
+    }
+    return pieces;
+  }
+
+  [[nodiscard]] bool has_begun(PieceId piece) const {
+    const std::size_t group = graph_.nodes[piece].group;
+    return left_[group] < graph_.groups[group].size();
+  }
+
+  /// The most of `value` first, and of equal ones the first.
+  template <class Value>
+  static PieceId best_of(const std::vector<PieceId>& pieces, Value value) {
+    PieceId best;
+    for (const PieceId piece : pieces) {
+      if (!best.valid() || value(piece) > value(best) + seam_rounding_mm) {
+        best = piece;
+      }
+    }
+    return best;
+  }
+
+  void build(const std::vector<std::size_t>& groups) {
+    while (true) {
+      const std::vector<PieceId> open = candidates(groups);
+      if (open.empty()) {
+        return;
+      }
+      const PieceId next = best_of(open, [&](PieceId piece) { return standing_mm_[piece]; });
+      standing_mm_[next] > seam_rounding_mm ? go_on(next, open) : begin(open);
+    }
+  }
+
+  /// The next group begins, and with it those that are equal.
+  void begin(const std::vector<PieceId>& open) {
+    const auto begun = std::find_if(open.begin(), open.end(), [&](PieceId p) { return !has_begun(p); });
+    const std::uint32_t group = graph_.nodes[*begun].group;
+    std::vector<PieceId> of_group;
+    std::copy_if(open.begin(), open.end(), std::back_inserter(of_group),
+                 [&](PieceId piece) { return graph_.nodes[piece].group == group; });
+    const PieceId first = best_of(of_group, [&](PieceId piece) { return graph_.nodes[piece].seam_mm; });
+    std::vector<PieceId> pieces{first};
+    std::vector<std::uint32_t> taken{group};
+    for (const PieceId piece : open) {
+      const std::uint32_t other = graph_.nodes[piece].group;
+      if (kind_[piece] == kind_[first] && kind_[piece] != no_kind && !has_begun(piece) &&
+          std::find(taken.begin(), taken.end(), other) == taken.end()) {
+        pieces.push_back(piece);
+        taken.push_back(other);
+      }
+    }
+    place(std::move(pieces), true);
+  }
+
+  void go_on(PieceId next, const std::vector<PieceId>& open) {
+    std::vector<PieceId> pieces{next};
+    for (const PieceId piece : open) {
+      const auto far_from = [&](PieceId other) {
+        return graph_.seam_between(piece, other) <= most_between_mates * standing_mm_[piece];
+      };
+      if (piece != next && kind_[piece] == kind_[next] && kind_[piece] != no_kind &&
+          standing_mm_[piece] >= mate_share * standing_mm_[next] &&
+          std::all_of(pieces.begin(), pieces.end(), far_from)) {
+        pieces.push_back(piece);
+      }
+    }
+    place(std::move(pieces), false);
+  }
+
+  void place(std::vector<PieceId> pieces, bool starts) {
+    std::sort(pieces.begin(), pieces.end());
+    AssemblyStep step;
+    step.starts = starts;
+    for (const PieceId piece : pieces) {
+      const SeamGraph::Node& node = graph_.nodes[piece];
+      step_[piece] = assembly_.steps.size();
+      --left_[node.group];
+      step.closes = step.closes || (left_[node.group] == 0 && graph_.border_of(node.group) == 0.0);
+      for (const SeamGraph::Seam& seam : node.seams) {
+        standing_mm_[seam.other] += seam.length_mm;
+      }
+    }
+    step.pieces = std::move(pieces);
+    assembly_.steps.push_back(std::move(step));
+  }
+
+  void add_joins(const mesh::Surface& surface) {
+    for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
+      const auto [c, d] = surface.sides(nets_.joins[j].edge);
+      const PieceId a = nets_.piece[mesh::face_of(c)];
+      const PieceId b = nets_.piece[mesh::face_of(d)];
+      AssemblyStep& step = assembly_.steps[std::max(step_[a], step_[b])];
+      (a == b ? step.own : step.joins).push_back(j);
+    }
+  }
+
+  const unfold::Nets& nets_;
+  SeamGraph graph_;
+  IdVector<PieceId, std::uint32_t> kind_;  ///< index into Nets::equal
+  IdVector<PieceId, double> standing_mm_;  ///< seam with what stands
+  IdVector<PieceId, std::size_t> step_;
+  std::vector<std::size_t> left_;  ///< of each group: pieces that don't stand yet
+  std::vector<PieceId> closer_;    ///< of each group
+  Assembly assembly_;
+};
+
+}  // namespace
+
+Assembly assembly_order(const mesh::Surface& surface, const unfold::Nets& nets) {
+  return Builder(surface, nets).take();
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/formats/pdf_file.hpp"
+
+#include <cairo-pdf.h>
+#include <qpdf/Buffer.hh>
+#include <qpdf/QPDFWriter.hh>
+
+#include "base/utf8.hpp"
+#include "export/formats/cairo_page.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+cairo_status_t append_bytes(void* out, const unsigned char* data, unsigned int size) {
+  static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), size);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+}  // namespace
+
+std::string cairo_pdf(std::span<const Drawing> pages,
+                      const std::function<void(cairo_t*, const Drawing&)>& paint) {
+  std::string bytes;
+  const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, 1.0, 1.0));
+  check_cairo(cairo_surface_status(surface.get()));
+  // Cairo would write the time of the run.
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+  {
+    const CairoContext cairo(cairo_create(surface.get()));
+    for (const Drawing& page : pages) {
+      cairo_pdf_surface_set_size(surface.get(), page.size.x * points_per_mm, page.size.y * points_per_mm);
+      paint(cairo.get(), page);
+      cairo_show_page(cairo.get());
+    }
+    check_cairo(cairo_status(cairo.get()));
+  }
+  cairo_surface_finish(surface.get());
+  check_cairo(cairo_surface_status(surface.get()));
+  return bytes;
+}
+
+void add_viewer_preferences(QPDF& pdf) {
+  QPDFObjectHandle preferences = QPDFObjectHandle::newDictionary();
+  preferences.replaceKey("/PrintScaling", QPDFObjectHandle::newName("/None"));
+  preferences.replaceKey("/DisplayDocTitle", QPDFObjectHandle::newBool(true));
+  pdf.getRoot().replaceKey("/ViewerPreferences", preferences);
+}
+
+void add_information(QPDF& pdf, const Mark& mark) {
+  QPDFObjectHandle info = QPDFObjectHandle::newDictionary();
+  info.replaceKey("/Title", QPDFObjectHandle::newUnicodeString(printable_utf8(mark.title)));
+  info.replaceKey("/Creator", QPDFObjectHandle::newUnicodeString(printable_utf8(mark.producer)));
+  info.replaceKey("/Producer", QPDFObjectHandle::newUnicodeString(printable_utf8(mark.producer)));
+  info.replaceKey("/Keywords", QPDFObjectHandle::newString(mark_word(mark)));
+  // Fixed, so that two runs give the same bytes.
+  info.replaceKey("/CreationDate", QPDFObjectHandle::newString("D:20000101000000Z"));
+  pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(info));
+}
+
+std::string pdf_bytes(QPDF& pdf) {
+  QPDFWriter writer(pdf);
+  writer.setOutputMemory();
+  writer.setDeterministicID(true);
+  writer.setMinimumPDFVersion("1.6");          // PrintScaling
+  writer.setObjectStreamMode(qpdf_o_disable);  // the mark stays readable without a PDF library
+  writer.setStreamDataMode(qpdf_s_compress);
+  writer.write();
+  const auto buffer = writer.getBufferSharedPointer();
+  return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
+}
+
+}  // namespace ridgecraft::paper

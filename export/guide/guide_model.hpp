@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every page of the guide is drawn from.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "export/assembly/assembly.hpp"
+#include "export/guide/effort.hpp"
+#include "export/guide/guide_page.hpp"
+#include "export/guide/picture.hpp"
+#include "export/sheet/bodies.hpp"
+#include "export/sheet/pages.hpp"
+
+namespace ridgecraft::paper {
+
+/// Not copied: all that it points to must outlive it.
+struct GuideModel {
+  const prepare::Prepared* model = nullptr;
+  const unfold::Nets* nets = nullptr;
+  const Pages* pages = nullptr;
+  const Assembly* assembly = nullptr;
+  std::span<const Body> bodies;
+  std::size_t sheets = 0;  ///< to be printed, lists of numbers included
+  double hidden_fold_angle = 0.0;
+  std::string title;
+  GuideSheet sheet;
+  Stance stance;
+  Effort effort;
+  Scene scene;                         ///< all pieces
+  IdVector<PieceId, PieceLook> looks;  ///< in their hues
+  PieceLook pale;
+  IdVector<FaceId, std::uint32_t> piece_of_face;
+
+  [[nodiscard]] const mesh::Surface& surface() const { return model->model.surface; }
+};
+
+/// A side that the model is looked at from, a little from above or below.
+struct Side {
+  double azimuth = 0.0;    ///< radians
+  double elevation = 0.0;  ///< radians
+  std::string_view words;
+};
+/// Four sides from above, the front first, then the same from below.
+[[nodiscard]] const std::array<Side, 8>& guide_sides();
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/guide/picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "export/guide/hues.hpp"
+#include "export/view/view.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+/// Smaller things than this aren't drawn, mm on the page.
+constexpr double smallest_drawn_mm = 0.04;
+constexpr Color white{0xff, 0xff, 0xff};
+constexpr Color ink{0x33, 0x33, 0x38};
+
+/// The part of a polygon on the inner side of a line parallel to an axis: where value(p) isn't negative.
+template <class Value>
+std::vector<Vec2> part_where(const std::vector<Vec2>& polygon, Value value) {
+  std::vector<Vec2> part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 p = polygon[i];
+    const Vec2 q = polygon[(i + 1) % polygon.size()];
+    const double at_p = value(p);
+    const double at_q = value(q);
+    if (at_p >= 0.0) {
+      part.push_back(p);
+    }
+    if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0)) {
+      part.push_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+  }
+  return part;
+}
+
+std::vector<Vec2> clipped_polygon(std::vector<Vec2> polygon, const Box2& box) {
+  polygon = part_where(polygon, [&](Vec2 p) { return p.x - box.low.x; });
+  polygon = part_where(polygon, [&](Vec2 p) { return box.high.x - p.x; });
+  polygon = part_where(polygon, [&](Vec2 p) { return p.y - box.low.y; });
+  return part_where(polygon, [&](Vec2 p) { return box.high.y - p.y; });
+}
+
+}  // namespace
+
+PieceLook coloured_look(Color hue) {
+  return {hue, mixed(hue, white, 0.72), 0.34, {0.26, ink}, {0.22, ink}, {0.09, mixed(hue, ink, 0.75)}, 1};
+}
+
+PieceLook pale_look() {
+  constexpr Color paper{0xf4, 0xf3, 0xf0};
+  constexpr Color grey{0x95, 0x95, 0x95};
+  return {
+      paper, {0xe2, 0xe0, 0xdb}, 0.13, {0.16, grey}, {0.12, {0xa8, 0xa8, 0xa8}}, {0.05, {0xc4, 0xc4, 0xc4}},
+      0};
+}
+
+Scene scene_of(const prepare::Prepared& model, const unfold::Nets& nets, double hidden_fold_angle) {
+  const mesh::Surface& surface = model.model.surface;
+  Scene scene;
+  scene.surface = &surface;
+  scene.region.resize(surface.face_count());
+  std::map<std::pair<PieceId, PanelId>, std::uint32_t> numbers;
+  for (const FaceId face : ids<FaceId>(surface.face_count())) {
+    scene.region[face] = numbers
+                             .try_emplace({nets.piece[face], model.panels.panel[face]},
+                                          static_cast<std::uint32_t>(numbers.size()))
+                             .first->second;
+  }
+  scene.drawn.resize(surface.edge_count());
+  for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
+    scene.drawn[edge] =
+        nets.use[edge] != unfold::EdgeUse::fold || std::abs(surface.fold_angle(edge)) >= hidden_fold_angle;
+  }
+  return scene;
+}
+
+Scene scene_with(const Scene& whole, const unfold::Nets& nets, const IdVector<PieceId, bool>& shown) {
+  Scene scene = whole;
+  for (const FaceId face : ids<FaceId>(scene.region.size())) {
+    if (!shown[nets.piece[face]]) {
+      scene.region[face] = Scene::hidden_region;
+    }
+  }
+  return scene;
+}
+
+Fit fit_into(const Box2& seen, const Box2& frame) {
+  const Vec2 size = seen.size();
+  const Vec2 room = frame.size();
+  return fit_at_scale(seen, std::min(room.x / std::max(size.x, 1e-9), room.y / std::max(size.y, 1e-9)),
+                      frame);
+}
+
+Fit fit_at_scale(const Box2& seen, double scale, const Box2& frame) {
+  return {scale, 0.5 * (frame.low + frame.high) - scale * 0.5 * (seen.low + seen.high)};
+}
+
+std::optional<PictureLine> clipped(const PictureLine& line, const Box2& box) {
+  double from = 0.0;
+  double to = 1.0;
+  const Vec2 along = line.b - line.a;
+  const auto cut = [&](double start, double step) {
+    // What is kept: start + t step is not negative.
+    if (step == 0.0) {
+      return start >= 0.0;
+    }
+    (step > 0.0 ? from : to) = step > 0.0 ? std::max(from, -start / step) : std::min(to, -start / step);
+    return from < to;
+  };
+  if (!cut(line.a.x - box.low.x, along.x) || !cut(box.high.x - line.a.x, -along.x) ||
+      !cut(line.a.y - box.low.y, along.y) || !cut(box.high.y - line.a.y, -along.y)) {
+    return std::nullopt;
+  }
+  return PictureLine{line.a + from * along, line.a + to * along};
+}
+
+void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& camera, const Fit& fit,
+                 const std::optional<Box2>& frame, const LookOf& look, Group& group) {
+  const mesh::Surface& surface = *scene.surface;
+  const View view = look_at(scene, camera, smallest_drawn_mm / fit.scale);
+  for (const VisibleArea& area : view.areas) {
+    const PieceLook& piece = look(nets.piece[area.face]);
+    const Vec3 normal = surface.normal(area.face);
+    const Color color = area.inside ? shaded(piece.inside, -normal, camera, 0.6 * piece.shade)
+                                    : shaded(piece.face, normal, camera, piece.shade);
+    for (const std::vector<Vec2>& outline : area.outlines) {
+      std::vector<Vec2> points;
+      for (const Vec2 p : outline) {
+        points.push_back(fit(p));
+      }
+      if (frame) {
+        points = clipped_polygon(std::move(points), *frame);
+      }
+      if (points.size() > 2) {
+        group.areas.push_back({Layer::picture, std::move(points), color});
+      }
+    }
+  }
+  // Of each line the look of the piece that draws it.
+  std::vector<std::pair<const PieceLook*, const VisibleLine*>> lines;
+  for (const VisibleLine& line : view.lines) {
+    const PieceLook* best = nullptr;
+    for (const CornerId side : surface.sides(line.edge)) {
+      if (side.valid() && scene.has(mesh::face_of(side))) {
+        const PieceLook& own = look(nets.piece[mesh::face_of(side)]);
+        best = best == nullptr || own.rank > best->rank ? &own : best;
+      }
+    }
+    lines.emplace_back(best, &line);
+  }
+  const auto is_fold = [&](const VisibleLine& line) {
+    return !line.outline && nets.use[line.edge] == unfold::EdgeUse::fold;
+  };
+  std::stable_sort(lines.begin(), lines.end(), [&](const auto& a, const auto& b) {
+    return std::pair(a.first->rank, !is_fold(*a.second)) < std::pair(b.first->rank, !is_fold(*b.second));
+  });
+  for (const auto& [piece, line] : lines) {
+    std::optional<PictureLine> seen = PictureLine{fit(line->a), fit(line->b)};
+    if (frame) {
+      seen = clipped(*seen, *frame);
+    }
+    if (seen) {
+      Line drawn{Layer::picture, {seen->a, seen->b}};
+      drawn.pen = line->outline ? piece->outline : is_fold(*line) ? piece->fold : piece->seam;
+      group.lines.push_back(std::move(drawn));
+    }
+  }
+}
+
+}  // namespace ridgecraft::paper

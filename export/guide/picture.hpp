@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A view of the model as a picture on a page.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "export/sheet/drawing.hpp"
+#include "export/view/camera.hpp"
+#include "export/view/scene.hpp"
+#include "prepare/prepared/prepared.hpp"
+#include "unfold/net/nets.hpp"
+
+namespace ridgecraft::paper {
+
+/// How the faces and edges of a piece are drawn.
+struct PieceLook {
+  Color face;
+  Color inside;  ///< the side without print
+  double shade = 0.4;
+  Pen outline;
+  Pen seam;
+  Pen fold;
+  int rank = 0;  ///< of two pieces at an edge the one of higher rank draws it, over those of lower rank
+};
+/// In its hue, with dark lines.
+[[nodiscard]] PieceLook coloured_look(Color hue);
+/// Nearly white, with grey lines.
+[[nodiscard]] PieceLook pale_look();
+using LookOf = std::function<const PieceLook&(PieceId)>;
+
+/// All faces, flat regions of a piece as one, folds from `hidden_fold_angle` on and seams as lines. The model
+/// must outlive it. O(faces log faces).
+[[nodiscard]] Scene scene_of(const prepare::Prepared& model, const unfold::Nets& nets,
+                             double hidden_fold_angle);
+/// The same with some of the pieces only.
+[[nodiscard]] Scene scene_with(const Scene& whole, const unfold::Nets& nets,
+                               const IdVector<PieceId, bool>& shown);
+
+/// From the scene, as the eye has it, to the page.
+struct Fit {
+  double scale = 1.0;
+  Vec2 shift;
+  [[nodiscard]] Vec2 operator()(Vec2 p) const { return scale * p + shift; }
+};
+/// The largest that has room, in the middle of the frame.
+[[nodiscard]] Fit fit_into(const Box2& seen, const Box2& frame);
+
+/// The middle of what is seen in the middle of the frame.
+[[nodiscard]] Fit fit_at_scale(const Box2& seen, double scale, const Box2& frame);
+
+/// Adds what is seen to the group. Where a frame is given nothing is drawn beyond it.
+void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& camera, const Fit& fit,
+                 const std::optional<Box2>& frame, const LookOf& look, Group& group);
+
+/// The part of a line in a box; nothing where it misses it.
+struct PictureLine {
+  Vec2 a;
+  Vec2 b;
+};
+[[nodiscard]] std::optional<PictureLine> clipped(const PictureLine& line, const Box2& box);
+
+}  // namespace ridgecraft::paper

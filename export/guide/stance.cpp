@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/guide/stance.hpp"
+
+#include <algorithm>
+
+namespace ridgecraft::paper {
+namespace {
+
+/// What a model stands on lies within this share of its height from the lowest point.
+constexpr double ground_share = 0.01;
+/// Feet are what lies within this share of its height.
+constexpr double feet_share = 0.04;
+/// Faces are level when their normal is up or down but for this (as a cosine).
+constexpr double level_cosine = 0.98;
+/// Flat ground tells more than feet: what lies has some, too.
+constexpr double flat_weight = 2.0;
+/// What doesn't stand lies or swims: along the longer one of two axes whose extents differ by this share.
+constexpr double longer_share = 0.75;
+/// Shares of the footprint that differ by less tell nothing.
+constexpr double telling_difference = 0.15;
+
+double coordinate(Vec3 p, mesh::Axis axis) {
+  return axis == mesh::Axis::x ? p.x : axis == mesh::Axis::y ? p.y : p.z;
+}
+
+/// How well a model stands, were this axis up: the area of its flat ground, and the box round all that is
+/// near the ground (feet), both as shares of its footprint.
+double standing_share(const mesh::Surface& surface, mesh::Axis axis) {
+  const Box3& box = surface.bounds();
+  const double bottom = coordinate(box.low, axis);
+  const double height = coordinate(box.size(), axis);
+  const double limit = bottom + ground_share * height;
+  double area = 0.0;
+  Box3 feet;
+  for (const Vec3 p : surface.points()) {
+    if (coordinate(p, axis) <= bottom + feet_share * height) {
+      feet.add(p);
+    }
+  }
+  for (const FaceId face : ids<FaceId>(surface.face_count())) {
+    const auto vertices = surface.vertices(face);
+    const bool low = coordinate(surface.point(vertices[0]), axis) <= limit &&
+                     coordinate(surface.point(vertices[1]), axis) <= limit &&
+                     coordinate(surface.point(vertices[2]), axis) <= limit;
+    area += low && coordinate(surface.normal(face), axis) < -level_cosine ? surface.area(face) : 0.0;
+  }
+  const auto level = [axis](Vec3 size) {
+    return axis == mesh::Axis::x   ? size.y * size.z
+           : axis == mesh::Axis::y ? size.x * size.z
+                                   : size.x * size.y;
+  };
+  const double footprint = level(box.size());
+  return footprint > 0.0 ? (flat_weight * area + level(feet.size())) / footprint : 0.0;
+}
+
+mesh::Axis usual_up(mesh::FileFormat format) {
+  switch (format) {
+    case mesh::FileFormat::stl_ascii:
+    case mesh::FileFormat::stl_binary:
+    case mesh::FileFormat::ply_ascii:
+    case mesh::FileFormat::ply_binary:
+    case mesh::FileFormat::off:
+    case mesh::FileFormat::threemf:
+      return mesh::Axis::z;
+    default:
+      return mesh::Axis::y;
+  }
+}
+
+mesh::Axis up_of(const mesh::Model& model) {
+  if (model.frame.up) {
+    return *model.frame.up;
+  }
+  const double on_y = standing_share(model.surface, mesh::Axis::y);
+  const double on_z = standing_share(model.surface, mesh::Axis::z);
+  if (on_y > on_z + telling_difference) {
+    return mesh::Axis::y;
+  }
+  if (on_z > on_y + telling_difference) {
+    return mesh::Axis::z;
+  }
+  const Vec3 size = model.surface.bounds().size();
+  if (std::min(size.y, size.z) < longer_share * std::max(size.y, size.z)) {
+    return size.y < size.z ? mesh::Axis::y : mesh::Axis::z;
+  }
+  return usual_up(model.format);
+}
+
+}  // namespace
+
+Stance stance_of(const mesh::Model& model) {
+  switch (up_of(model)) {
+    case mesh::Axis::x:
+      return {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+    case mesh::Axis::z:
+      return {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
+    case mesh::Axis::y:
+      break;
+  }
+  return {{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a model stands, so that pictures show it as people see it.
+#pragma once
+
+#include "export/view/camera.hpp"
+#include "mesh/model/model.hpp"
+
+namespace ridgecraft::paper {
+
+/// Up is what the file says. Where it says nothing, it is y or z: the one on which the model stands better
+/// (flat ground, or feet that are far apart), or else the one along which it is clearly shorter, or what is
+/// usual for the format (z for STL, PLY, OFF and 3MF, else y). The front looks along z where y is up and
+/// against y where z is, as modelling programs have it. O(faces).
+[[nodiscard]] Stance stance_of(const mesh::Model& model);
+
+}  // namespace ridgecraft::paper

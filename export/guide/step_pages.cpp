@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/guide/step_pages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/parallel.hpp"
+#include "export/guide/callouts.hpp"
+#include "export/guide/net_picture.hpp"
+#include "export/guide/step_words.hpp"
+#include "export/guide/words.hpp"
+#include "export/style/stroke_font.hpp"
+#include "export/view/coarse_view.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+/// How many steps a page has, and how large their words are, mm.
+struct StepGrid {
+  std::size_t most_steps;  ///< of a model that is laid out so
+  std::size_t columns;
+  std::size_t rows;
+  double number_height;
+  double words_height;
+  double net_width;       ///< of the small picture of the net
+  double column_width;    ///< for names beside the picture
+  std::size_t most_rows;  ///< of sentences
+};
+constexpr std::array<StepGrid, 3> grids{{{36, 2, 3, 5.0, 2.1, 24.0, 9.0, 7},
+                                         {120, 3, 4, 4.0, 1.8, 15.0, 7.0, 6},
+                                         {static_cast<std::size_t>(-1), 4, 5, 3.2, 1.6, 10.0, 5.5, 5}}};
+constexpr double cell_gap = 7.0;
+constexpr double row_step_share = 1.65;  ///< of the words' height
+
+constexpr std::size_t side_pixels = 96;
+constexpr std::size_t name_pixels = 200;
+/// The side of the step before is kept as long as it shows this share of what the best side does.
+constexpr double good_enough = 0.6;
+/// What is seen from below counts less: nobody holds a model so.
+constexpr double below_share = 0.6;
+/// An addition that is smaller than this share of what stands is shown with its surroundings only ...
+constexpr double small_share = 0.3;
+/// ... so many times as wide as itself.
+constexpr double surroundings = 3.2;
+/// Beyond this many faces in all pictures of steps, each shows only what is added and what that is glued to.
+constexpr std::size_t most_faces_drawn = 100'000;
+
+/// What a step's picture shows, and from where.
+struct StepScene {
+  Scene scene;
+  Camera camera;
+};
+
+class StepPages {
+ public:
+  explicit StepPages(const GuideModel& guide) : guide_(guide), steps_(guide.assembly->steps) {
+    grid_ = *std::find_if(grids.begin(), grids.end(),
+                          [&](const StepGrid& grid) { return steps_.size() <= grid.most_steps; });
+    only_near_ = steps_.size() * guide.surface().face_count() > most_faces_drawn;
+  }
+
+  std::vector<Group> make(const Context& context) {
+    only_near_ = only_near_ || context.out_of_time();
+    const std::vector<StepScene> scenes = choose_sides(context);
+    std::vector<Group> cells(steps_.size());
+    do_in_parallel(cells.size(), context, [&](std::size_t i, const Context& own) {
+      own.check();
+      cells[i] = cell(i, scenes[i]);
+    });
+    std::vector<Group> pages;
+    const std::size_t per_page = grid_.columns * grid_.rows;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (i % per_page == 0) {
+        pages.emplace_back();
+        pages.back().id = "steps";
+      }
+      Group& page = pages.back();
+      const auto append = [](auto& to, auto& from) {
+        to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+      };
+      append(page.areas, cells[i].areas);
+      append(page.lines, cells[i].lines);
+      append(page.texts, cells[i].texts);
+    }
+    return pages;
+  }
+
+ private:
+  [[nodiscard]] Box2 box_of_step(std::size_t index) const {
+    const Box2 room = guide_.sheet.room();
+    const auto columns = static_cast<double>(grid_.columns);
+    const auto rows = static_cast<double>(grid_.rows);
+    const Vec2 size{(room.size().x - (columns - 1.0) * cell_gap) / columns,
+                    (room.size().y - (rows - 1.0) * cell_gap) / rows};
+    const std::size_t place = index % (grid_.columns * grid_.rows);
+    const auto column = static_cast<double>(place % grid_.columns);
+    const auto row = static_cast<double>(place / grid_.columns);
+    const Vec2 corner{room.low.x + column * (size.x + cell_gap), room.high.y - row * (size.y + cell_gap)};
+    return {{corner.x, corner.y - size.y}, {corner.x + size.x, corner.y}};
+  }
+
+  [[nodiscard]] bool is_new(std::size_t index, PieceId piece) const {
+    const std::vector<PieceId>& pieces = steps_[index].pieces;
+    return std::binary_search(pieces.begin(), pieces.end(), piece);
+  }
+
+  std::vector<StepScene> choose_sides(const Context& context) const {
+    std::vector<StepScene> scenes;
+    IdVector<PieceId, bool> standing(guide_.nets->pieces.size(), false);
+    std::size_t side = 0;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      context.check();
+      for (const PieceId piece : steps_[i].pieces) {
+        standing[piece] = true;
+      }
+      IdVector<PieceId, bool> shown = standing;
+      if (only_near_) {
+        shown = IdVector<PieceId, bool>(standing.size(), false);
+        for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[i])) {
+          shown[piece] = true;
+        }
+        for (const PieceId piece : steps_[i].pieces) {
+          shown[piece] = true;
+        }
+      }
+      StepScene step{scene_with(guide_.scene, *guide_.nets, shown), {}};
+      side = best_side(i, step.scene, side);
+      step.camera = look_from(guide_.stance, guide_sides()[side].azimuth, guide_sides()[side].elevation);
+      scenes.push_back(std::move(step));
+    }
+    return scenes;
+  }
+
+  /// The side that shows most of the pieces that are added.
+  [[nodiscard]] std::size_t best_side(std::size_t index, const Scene& scene, std::size_t before) const {
+    std::vector<double> shows;
+    for (const Side& side : guide_sides()) {
+      const CoarseView view =
+          look_coarsely(scene, look_from(guide_.stance, side.azimuth, side.elevation), side_pixels);
+      const std::vector<double> areas = seen_areas(view, guide_.nets->pieces.size(),
+                                                   [&](FaceId face) { return guide_.piece_of_face[face]; });
+      double sum = 0.0;
+      for (const PieceId piece : steps_[index].pieces) {
+        // All of several pieces are to be seen: two halves are worth more than one whole.
+        sum += std::sqrt(areas[piece.value()]);
+      }
+      shows.push_back(side.elevation < 0.0 ? below_share * sum : sum);
+    }
+    const auto best = static_cast<std::size_t>(std::max_element(shows.begin(), shows.end()) - shows.begin());
+    return shows[before] >= good_enough * shows[best] ? before : best;
+  }
+
+  [[nodiscard]] Group cell(std::size_t index, const StepScene& step) const {
+    Group group;
+    const Box2 box = box_of_step(index);
+    const double top = add_head(index, box, group);
+    const double bottom = add_sentences(index, box, group);
+    Box2 picture{{box.low.x, bottom}, {box.high.x, top}};
+    add_net(index, picture, group);
+    picture.high.x -= grid_.net_width + 2.0;
+    add_step_picture(index, step, picture, group);
+    return group;
+  }
+
+  /// The number and the names; returns where they end.
+  double add_head(std::size_t index, const Box2& box, Group& group) const {
+    const double number_height = grid_.number_height;
+    const double name_height = 0.62 * number_height;
+    group.lines.push_back(guide_rule({box.low.x, box.high.y}, box.high));
+    const std::string number = std::to_string(index + 1);
+    const Vec2 base{box.low.x, box.high.y - number_height - 2.2};
+    group.texts.push_back(words_from(number, base, number_height, Weight::bold));
+    const double left = base.x + text_width(number, number_height) + 0.8 * number_height;
+    group.texts.push_back(words_from(
+        shortened(step_title(*guide_.nets, steps_[index]), box.high.x - left - grid_.net_width, name_height),
+        {left, base.y}, name_height, Weight::bold));
+    return base.y - 2.0;
+  }
+
+  /// At the foot of the cell; returns where they begin.
+  double add_sentences(std::size_t index, const Box2& box, Group& group) const {
+    const double height = grid_.words_height;
+    std::vector<std::string> rows;
+    for (const std::string& sentence :
+         step_sentences(guide_.surface(), *guide_.nets, *guide_.assembly, index, guide_.bodies)) {
+      const auto own = wrapped(sentence, box.size().x, height);
+      rows.insert(rows.end(), own.begin(), own.end());
+    }
+    if (rows.size() > grid_.most_rows) {
+      rows.resize(grid_.most_rows);
+      rows.back() = shortened(rows.back() + " and all other equal numbers", box.size().x, height);
+    }
+    double y = box.low.y + row_step_share * height * static_cast<double>(rows.size());
+    const double top = y + 2.5;
+    for (const std::string& row : rows) {
+      y -= row_step_share * height;
+      group.texts.push_back(words_from(row, {box.low.x, y + 0.4 * height}, height));
+    }
+    return top;
+  }
+
+  void add_net(std::size_t index, const Box2& picture, Group& group) const {
+    const PieceId piece = steps_[index].pieces.front();
+    const Placement& placement = guide_.pages->placements[piece];
+    const double height = std::min(1.2 * grid_.net_width, 0.5 * picture.size().y);
+    const double caption = 0.8 * grid_.words_height;
+    // The net begins as high as the step's number.
+    const double top = picture.high.y + grid_.number_height + 1.0;
+    const Box2 frame{{picture.high.x - grid_.net_width, top - height}, {picture.high.x, top}};
+    add_net_picture(guide_.surface(), *guide_.nets, piece, placement, guide_.hidden_fold_angle,
+                    guide_.looks[piece].face, frame, group);
+    std::vector<std::size_t> sheets;
+    for (const PieceId other : steps_[index].pieces) {
+      sheets.push_back(guide_.pages->placements[other].page.value() + 1);
+    }
+    std::sort(sheets.begin(), sheets.end());
+    sheets.erase(std::unique(sheets.begin(), sheets.end()), sheets.end());
+    std::string words = sheets.size() > 1 ? "sheets " : "sheet ";
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+      words += (i == 0 ? "" : ", ") + std::to_string(sheets[i]);
+    }
+    words = shortened(words, grid_.net_width, caption);
+    group.texts.push_back(in_grey(words_to(words, {frame.high.x, frame.low.y - caption - 1.2}, caption)));
+  }
+
+  void add_step_picture(std::size_t index, const StepScene& step, const Box2& box, Group& group) const {
+    const Box2 frame{{box.low.x + grid_.column_width, box.low.y},
+                     {box.high.x - grid_.column_width, box.high.y}};
+    const Box2 all = seen_box(step.scene, step.camera);
+    const std::optional<Box2> part = surroundings_of_new(index, step, all, frame);
+    const Fit fit = fit_into(part ? *part : all, frame);
+    std::optional<Box2> crop;
+    if (part) {
+      crop = Box2{fit(part->low), fit(part->high)};
+      Line edge{Layer::mark,
+                {crop->low, {crop->high.x, crop->low.y}, crop->high, {crop->low.x, crop->high.y}},
+                true};
+      edge.pen = guide_rule({}, {}).pen;
+      group.lines.push_back(std::move(edge));
+    }
+    add_picture(
+        step.scene, *guide_.nets, step.camera, fit, crop,
+        [&](PieceId piece) -> const PieceLook& {
+          return is_new(index, piece) ? guide_.looks[piece] : guide_.pale;
+        },
+        group);
+    add_names(index, step, fit, crop, frame, box, group);
+  }
+
+  /// What is drawn of the scene where what is added is small in it: a box of the frame's shape.
+  [[nodiscard]] std::optional<Box2> surroundings_of_new(std::size_t index, const StepScene& step,
+                                                        const Box2& all, const Box2& frame) const {
+    IdVector<PieceId, bool> added(guide_.nets->pieces.size(), false);
+    for (const PieceId piece : steps_[index].pieces) {
+      added[piece] = true;
+    }
+    const Box2 own = seen_box(scene_with(step.scene, *guide_.nets, added), step.camera);
+    const double extent = std::max(own.size().x, own.size().y);
+    if (own.empty() || extent >= small_share * std::max(all.size().x, all.size().y)) {
+      return std::nullopt;
+    }
+    const Vec2 shape = frame.size() / std::max(frame.size().x, frame.size().y);
+    const Vec2 size{std::max(surroundings * extent * shape.x, 1.2 * own.size().x),
+                    std::max(surroundings * extent * shape.y, 1.2 * own.size().y)};
+    // Not much of it is beyond what stands.
+    const auto moved = [&](double at, double half, double low, double high) {
+      const double beyond = 0.15 * extent;
+      const double least = low - beyond + half;
+      const double most = high + beyond - half;
+      return least < most ? std::clamp(at, least, most) : 0.5 * (low + high);
+    };
+    const Vec2 own_middle = 0.5 * (own.low + own.high);
+    const Vec2 middle{moved(own_middle.x, 0.5 * size.x, all.low.x, all.high.x),
+                      moved(own_middle.y, 0.5 * size.y, all.low.y, all.high.y)};
+    return Box2{middle - 0.5 * size, middle + 0.5 * size};
+  }
+
+  /// Those of what is added beside the picture, those of what it is glued to on their pieces.
+  void add_names(std::size_t index, const StepScene& step, const Fit& fit, const std::optional<Box2>& crop,
+                 const Box2& frame, const Box2& box, Group& group) const {
+    const CoarseView coarse = look_coarsely(step.scene, step.camera, name_pixels);
+    const std::vector<Anchor> anchors =
+        find_anchors(coarse, guide_.piece_of_face, guide_.nets->pieces.size());
+    const auto is_in_picture = [&](Vec2 p) {
+      return !crop || (p.x > crop->low.x && p.x < crop->high.x && p.y > crop->low.y && p.y < crop->high.y);
+    };
+    std::vector<Callout> callouts;
+    for (const PieceId piece : steps_[index].pieces) {
+      const Anchor& anchor = anchors[piece.value()];
+      if (anchor.seen && is_in_picture(fit(anchor.at))) {
+        callouts.push_back({guide_.nets->pieces[piece].name, fit(anchor.at)});
+      }
+    }
+    CalloutColumns columns{box, frame.low.x - 1.5, frame.high.x + 1.5, 1.1 * grid_.words_height};
+    columns.box.high.y -= 1.0;
+    add_callouts(callouts, columns, group);
+    const double height = 0.9 * grid_.words_height;
+    for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[index])) {
+      const Anchor& anchor = anchors[piece.value()];
+      const std::string& name = guide_.nets->pieces[piece].name;
+      const double needed = 0.5 * (height + text_width(name, height));
+      if (anchor.seen && is_in_picture(fit(anchor.at)) && fit.scale * anchor.room > needed) {
+        const Vec2 at = fit(anchor.at);
+        group.texts.push_back(
+            in_grey(words_from(name, at - 0.5 * Vec2{text_width(name, height), height}, height)));
+      }
+    }
+  }
+
+  const GuideModel& guide_;
+  const std::vector<AssemblyStep>& steps_;
+  StepGrid grid_{};
+  bool only_near_ = false;
+};
+
+}  // namespace
+
+std::vector<Group> step_pages(const GuideModel& guide, const Context& context) {
+  return StepPages(guide).make(context);
+}
+
+}  // namespace ridgecraft::paper

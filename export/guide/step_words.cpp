@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/guide/step_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "export/page/neighbours.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+constexpr std::size_t most_names = 4;
+
+std::array<PieceId, 2> pieces_at(const mesh::Surface& surface, const unfold::Nets& nets, JoinId join) {
+  const auto [c, d] = surface.sides(nets.joins[join].edge);
+  return {nets.piece[mesh::face_of(c)], nets.piece[mesh::face_of(d)]};
+}
+
+bool is_in(const AssemblyStep& step, PieceId piece) {
+  return std::binary_search(step.pieces.begin(), step.pieces.end(), piece);
+}
+
+std::string ranges_of(std::vector<std::uint32_t> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return number_ranges(numbers);
+}
+
+/// Numbers of joins by the pieces that they are at.
+using NumbersOf = std::map<PieceId, std::vector<std::uint32_t>>;
+
+/// "A: 1-4; to B: 7"
+std::string partner_words(const unfold::Nets& nets, const NumbersOf& partners) {
+  std::string words;
+  for (const auto& [other, numbers] : partners) {
+    words += (words.empty() ? "" : "; to ") + nets.pieces[other].name + ": " + ranges_of(numbers);
+  }
+  return words;
+}
+
+void add_gluing(const mesh::Surface& surface, const unfold::Nets& nets, const AssemblyStep& step,
+                std::vector<std::string>& sentences) {
+  NumbersOf own;
+  for (const JoinId join : step.own) {
+    own[pieces_at(surface, nets, join)[0]].push_back(nets.joins[join].number);
+  }
+  std::map<PieceId, NumbersOf> glued;
+  for (const JoinId join : step.joins) {
+    const auto [a, b] = pieces_at(surface, nets, join);
+    const bool first_is_new = is_in(step, a);
+    glued[first_is_new ? a : b][first_is_new ? b : a].push_back(nets.joins[join].number);
+  }
+  const bool several = step.pieces.size() > 1;
+  for (const PieceId piece : step.pieces) {
+    std::string words;
+    if (const auto found = own.find(piece); found != own.end()) {
+      words = "Close " + ranges_of(found->second) + ".";
+    }
+    if (const auto found = glued.find(piece); found != glued.end()) {
+      words +=
+          (words.empty() ? "" : " ") + std::string("Glue to ") + partner_words(nets, found->second) + ".";
+    }
+    if (!words.empty()) {
+      sentences.push_back(several ? nets.pieces[piece].name + ": " + words : words);
+    }
+  }
+}
+
+}  // namespace
+
+std::string step_title(const unfold::Nets& nets, const AssemblyStep& step) {
+  const auto name = [&](std::size_t i) { return nets.pieces[step.pieces[i]].name; };
+  const std::size_t count = step.pieces.size();
+  if (count > most_names) {
+    const bool row = step.pieces.back().value() - step.pieces.front().value() + 1 == count;
+    return fmt::format("{} {} {} ({})", name(0), row ? "to" : "...", name(count - 1), count);
+  }
+  std::string words = name(0);
+  for (std::size_t i = 1; i < count; ++i) {
+    words += (i + 1 == count ? " and " : ", ") + name(i);
+  }
+  return words;
+}
+
+std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfold::Nets& nets,
+                                        const Assembly& assembly, std::size_t index,
+                                        std::span<const Body> bodies) {
+  const AssemblyStep& step = assembly.steps[index];
+  std::vector<std::string> sentences;
+  if (step.own.empty() && step.joins.empty()) {
+    sentences.emplace_back(step.pieces.size() > 1 ? "Fold them." : "Fold it.");
+  }
+  add_gluing(surface, nets, step, sentences);
+  if (step.starts) {
+    const auto stands = [&](PieceId piece) {
+      return std::any_of(assembly.steps.begin(), assembly.steps.begin() + static_cast<std::ptrdiff_t>(index),
+                         [&](const AssemblyStep& before) { return is_in(before, piece); });
+    };
+    for (const PieceId piece : step.pieces) {
+      for (const Body& body : bodies) {
+        if (body.beside.valid() && stands(body.beside) &&
+            std::binary_search(body.pieces.begin(), body.pieces.end(), piece)) {
+          sentences.push_back(fmt::format("{} begins a body that no number joins; it belongs beside {}.",
+                                          nets.pieces[piece].name, nets.pieces[body.beside].name));
+        }
+      }
+    }
+  }
+  if (step.closes && !step.joins.empty()) {
+    sentences.emplace_back("This closes the body: begin at the longest edge.");
+  }
+  return sentences;
+}
+
+std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Nets& nets,
+                                  const AssemblyStep& step) {
+  std::vector<PieceId> pieces;
+  for (const JoinId join : step.joins) {
+    for (const PieceId piece : pieces_at(surface, nets, join)) {
+      if (!is_in(step, piece)) {
+        pieces.push_back(piece);
+      }
+    }
+  }
+  std::sort(pieces.begin(), pieces.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  return pieces;
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of a step: which pieces, what is glued to what.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "export/assembly/assembly.hpp"
+#include "export/sheet/bodies.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/net/nets.hpp"
+
+namespace ridgecraft::paper {
+
+/// "C", "C and D", "C, D, E", "C to N (12)".
+[[nodiscard]] std::string step_title(const unfold::Nets& nets, const AssemblyStep& step);
+
+/// Sentences, in the order in which they are done: "Close 3-5 first.", "Glue to A: 1, 2; to B: 7.", "...".
+[[nodiscard]] std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfold::Nets& nets,
+                                                      const Assembly& assembly, std::size_t step,
+                                                      std::span<const Body> bodies);
+
+/// The pieces that stand before the step and are glued to its pieces, ascending.
+[[nodiscard]] std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Nets& nets,
+                                                const AssemblyStep& step);
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The guide: complete, legible, the same on every machine, and its figures those of the formula.
+#include "export/guide/guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "export/export.hpp"
+#include "export/guide/callouts.hpp"
+#include "export/guide/effort.hpp"
+#include "export/guide/hues.hpp"
+#include "export/guide/stance.hpp"
+#include "export/guide/step_words.hpp"
+#include "export/page/obstacles.hpp"
+#include "export/style/stroke_font.hpp"
+#include "sample_pages.hpp"
+#include "support/shapes.hpp"
+
+namespace ridgecraft {
+namespace {
+
+using mesh::Surface;
+
+Surface bracket() {
+  return test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+}
+
+struct Drawn {
+  test::SamplePages sample;
+  paper::Assembly assembly;
+  paper::Guide guide;
+};
+Drawn draw(const Surface& surface, double scale, bool every_panel_a_piece = true, unsigned threads = 1) {
+  Drawn drawn;
+  drawn.sample = every_panel_a_piece ? test::sample_pages(surface, scale, 5.0, test::all_edges(surface))
+                                     : test::sample_pages(surface, scale, 5.0);
+  drawn.sample.model.panels = prepare::find_panels(drawn.sample.model.model.surface);
+  drawn.assembly = paper::assembly_order(drawn.sample.model.model.surface, drawn.sample.nets);
+  Context context;
+  context.threads = threads;
+  drawn.guide = paper::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages, drawn.assembly,
+                                  drawn.sample.pages.count, {}, {}, context);
+  return drawn;
+}
+
+std::vector<std::string> words_on(const paper::Drawing& page) {
+  std::vector<std::string> words;
+  for (const paper::Group& group : page.groups) {
+    for (const paper::Text& text : group.texts) {
+      words.push_back(text.text);
+    }
+  }
+  return words;
+}
+
+bool has(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+TEST_CASE("the guide names every piece where it is seen, and has every step", "[guide]") {
+  const Drawn drawn = draw(bracket(), 30.0);
+  const paper::Guide& guide = drawn.guide;
+  CHECK(guide.steps == drawn.assembly.steps.size());
+  REQUIRE(guide.pages.size() == 2 + (guide.steps + 5) / 6);
+  const auto overview = words_on(guide.pages[1]);
+  for (const unfold::Piece& piece : drawn.sample.nets.pieces) {
+    CHECK(has(overview, piece.name));
+  }
+  for (std::size_t s = 0; s < guide.steps; ++s) {
+    const auto page = words_on(guide.pages[2 + s / 6]);
+    CHECK(has(page, std::to_string(s + 1)));
+    CHECK(has(page, paper::step_title(drawn.sample.nets, drawn.assembly.steps[s])));
+  }
+}
+
+TEST_CASE("texts of the guide lie on their sheet and on no other text", "[guide]") {
+  for (const double scale : {12.0, 30.0}) {
+    for (const Surface& surface : {bracket(), test::cube(), test::sphere(8, 5)}) {
+      const Drawn drawn = draw(surface, scale);
+      for (const paper::Drawing& page : drawn.guide.pages) {
+        std::vector<paper::Text> texts;
+        for (const paper::Group& group : page.groups) {
+          texts.insert(texts.end(), group.texts.begin(), group.texts.end());
+          for (const paper::Area& area : group.areas) {
+            for (const Vec2 p : area.outline) {
+              CHECK((p.x >= 0.0 && p.y >= 0.0 && p.x <= page.size.x && p.y <= page.size.y));
+            }
+          }
+        }
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+          CAPTURE(page.page, texts[i].text);
+          const Box2 box = paper::box_of(texts[i]).bounds();
+          CHECK((box.low.x >= 5.0 && box.low.y >= 5.0));
+          CHECK((box.high.x <= page.size.x - 5.0 && box.high.y <= page.size.y - 5.0));
+          for (std::size_t j = 0; j < i; ++j) {
+            CAPTURE(texts[j].text);
+            CHECK_FALSE(paper::overlap(paper::box_of(texts[i]), paper::box_of(texts[j])));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a guide is the same on one thread and on three", "[guide]") {
+  const auto bytes = [](unsigned threads) {
+    return paper::write_guide_pdf(draw(bracket(), 30.0, true, threads).guide.pages,
+                                  {"ridgecraft 0.1.0", "x", "0"});
+  };
+  CHECK(bytes(1) == bytes(3));
+}
+
+TEST_CASE("a model of one piece has a guide of one step", "[guide]") {
+  const Drawn drawn = draw(test::cube(), 40.0, false);
+  CHECK(drawn.guide.steps == 1);
+  CHECK(drawn.guide.pages.size() == 3);
+}
+
+TEST_CASE("time and hardness are those of the formula", "[guide]") {
+  const Surface cube = test::cube();
+  const auto sample = test::sample_pages(cube, 30.0, 5.0, test::all_edges(cube));
+  const paper::Effort effort = paper::effort_of(sample.model.model.surface, sample.nets, 0.05);
+  // Six squares that are glued along twelve edges of 30 mm, and not folded.
+  CHECK(effort.joins == 12);
+  CHECK(effort.folds == 0);
+  CHECK(effort.seam_mm == Approx(360.0));
+  CHECK(effort.median_join_mm == Approx(30.0));
+  CHECK(effort.minutes == Approx(2.0 * 360.0 / 100.0 + 360.0 / 60.0 + 0.4 * 12.0 + 6.0));
+  CHECK(effort.hardness == 1);
+  const auto tiny = test::sample_pages(cube, 2.5, 1.0);
+  const paper::Effort fine = paper::effort_of(tiny.model.model.surface, tiny.nets, 0.05);
+  CHECK(fine.hardness == (fine.smallest_tab_mm > 0.0 ? 3 : 2));
+}
+
+TEST_CASE("durations and weights of paper in words", "[guide]") {
+  CHECK(paper::duration_words(2.0) == "about 10 minutes");
+  CHECK(paper::duration_words(44.0) == "about 40 minutes");
+  CHECK(paper::duration_words(61.0) == "about 1 hour");
+  CHECK(paper::duration_words(200.0) == "about 3.5 hours");
+  CHECK(paper::duration_words(730.0) == "about 12 hours");
+  CHECK(paper::paper_weight(100.0, 12.0) == "120 to 160 g/m\u00b2");
+  CHECK(paper::paper_weight(100.0, 5.0) == "100 to 120 g/m\u00b2");
+  CHECK(paper::paper_weight(800.0, 12.0) == "250 to 300 g/m\u00b2");
+}
+
+TEST_CASE("pieces that are glued to each other have different hues", "[guide]") {
+  const Drawn drawn = draw(bracket(), 30.0);
+  const Surface& surface = drawn.sample.model.model.surface;
+  const auto hues = paper::piece_hues(surface, drawn.sample.nets);
+  for (const unfold::Join& join : drawn.sample.nets.joins) {
+    const auto [c, d] = surface.sides(join.edge);
+    const PieceId a = drawn.sample.nets.piece[mesh::face_of(c)];
+    const PieceId b = drawn.sample.nets.piece[mesh::face_of(d)];
+    CHECK((a == b || hues[a] != hues[b]));
+  }
+}
+
+TEST_CASE("a model stands as its file says, or on its feet", "[guide]") {
+  mesh::Model model;
+  model.surface = test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {0, 0, 2}});
+  CHECK(paper::stance_of(model).up == Vec3{0.0, 0.0, 1.0});
+  model.frame.up = mesh::Axis::x;
+  CHECK(paper::stance_of(model).up == Vec3{1.0, 0.0, 0.0});
+  mesh::Model ball;
+  ball.surface = test::sphere(12, 9);
+  ball.format = mesh::FileFormat::stl_ascii;
+  CHECK(paper::stance_of(ball).up == Vec3{0.0, 0.0, 1.0});
+}
+
+TEST_CASE("lines to names of one column don't cross, and words don't meet", "[guide]") {
+  Random random(3);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<paper::Callout> callouts;
+    for (std::uint32_t n = 1 + random.below(40); n > 0; --n) {
+      callouts.push_back(
+          {"P" + std::to_string(n), {20.0 + 60.0 * random.unit(), 5.0 + 50.0 * random.unit()}});
+    }
+    paper::Group group;
+    const std::size_t placed =
+        paper::add_callouts(callouts, {{{0.0, 0.0}, {100.0, 60.0}}, 15.0, 85.0, 2.0}, group);
+    CHECK(placed == std::min<std::size_t>(callouts.size(), 38));
+    REQUIRE(group.lines.size() == placed);
+    REQUIRE(group.texts.size() == placed);
+    for (std::size_t i = 0; i < placed; ++i) {
+      CHECK((group.texts[i].centre.y >= 0.9 && group.texts[i].centre.y <= 59.1));
+      for (std::size_t j = 0; j < i; ++j) {
+        CHECK_FALSE(paper::overlap(paper::box_of(group.texts[i]), paper::box_of(group.texts[j])));
+        const auto& p = group.lines[i].points;
+        const auto& q = group.lines[j].points;
+        const auto side = [](Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); };
+        const bool one_column = (p[0].x < 50.0) == (q[0].x < 50.0);
+        CHECK_FALSE((one_column && side(p[0], p[1], q[0]) * side(p[0], p[1], q[1]) < -1e-9 &&
+                     side(q[0], q[1], p[0]) * side(q[0], q[1], p[1]) < -1e-9));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ridgecraft
