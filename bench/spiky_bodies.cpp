@@ -52,7 +52,8 @@ Shape divided_in_four(const Shape& shape) {
   Shape result{shape.points, {}};
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t i, std::uint32_t j) {
-    const auto [at, made] = middles.try_emplace(std::minmax(i, j), static_cast<std::uint32_t>(result.points.size()));
+    const auto [at, made] =
+        middles.try_emplace(std::minmax(i, j), static_cast<std::uint32_t>(result.points.size()));
     if (made) {
       result.points.push_back(onto_sphere(shape.points[i] + shape.points[j]));
     }
@@ -71,7 +72,8 @@ Shape box(std::array<int, 3> size) {
   const auto number = [&](const std::array<int, 3>& at) {
     const auto [place, made] = numbers.try_emplace(at, static_cast<std::uint32_t>(shape.points.size()));
     if (made) {
-      shape.points.push_back({static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])});
+      shape.points.push_back(
+          {static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])});
     }
     return place->second;
   };
@@ -109,7 +111,8 @@ mesh::Surface spiked(Shape shape, std::size_t spikes, double height, std::uint64
     const Vec3 across = cross(q - p, r - p);  // as long as twice the area
     const double twice_area = length(across);
     const auto top = static_cast<std::uint32_t>(shape.points.size());
-    shape.points.push_back((1.0 / 3.0) * (p + q + r) + (height * std::sqrt(twice_area) / twice_area) * across);
+    shape.points.push_back((1.0 / 3.0) * (p + q + r) +
+                           (height * std::sqrt(twice_area) / twice_area) * across);
     shape.faces[order[i]] = {a, b, top};
     shape.faces.push_back({b, c, top});
     shape.faces.push_back({c, a, top});

@@ -4,12 +4,13 @@
 //   bench_unfold [--seeds N] [--json FILE] [--check] [--spiky] [--psb FOLDER] [--parts FOLDER]
 //   [--limit SECONDS] MODEL...
 //
-// Each MODEL is unfolded as it is, panels loose; --spiky adds the family of bench/spiky_bodies.hpp. --psb names the folder of the Princeton benchmark's meshes
-// (1.off, 3.off, ...): the 3rd, 9th and 15th of each category are simplified to 200, 500, 1000, 2000 and 5000
-// faces and unfolded. --parts names it too: the 3rd of each category is segmented as it is, and its parts
-// with 2000 to 7000 faces are unfolded within --limit seconds (10). One thread; seconds are CPU time of one
-// net from a surface, its final check included; the wall clock is looked at for the limit alone. --check
-// tests every solved net again: all pairs of faces by exact rational arithmetic, lengths, and coverage.
+// Each MODEL is unfolded as it is, panels loose; --spiky adds the family of bench/spiky_bodies.hpp. --psb
+// names the folder of the Princeton benchmark's meshes (1.off, 3.off, ...): the 3rd, 9th and 15th of each
+// category are simplified to 200, 500, 1000, 2000 and 5000 faces and unfolded. --parts names it too: the 3rd
+// of each category is segmented as it is, and its parts with 2000 to 7000 faces are unfolded within --limit
+// seconds (10). One thread; seconds are CPU time of one net from a surface, its final check included; the
+// wall clock is looked at for the limit alone. --check tests every solved net again: all pairs of faces by
+// exact rational arithmetic, lengths, and coverage.
 #include <cmath>
 #include <cstdio>
 #include <exception>

@@ -32,8 +32,8 @@ struct Row {
 
 [[nodiscard]] std::vector<FaceId> all_faces(const mesh::Surface& surface);
 
-/// Searches a net of these faces with seeds 1 .. runs.seeds, panels loose, as long as the program does, and adds
-/// the runs to the row.
+/// Searches a net of these faces with seeds 1 .. runs.seeds, panels loose, as long as the program does, and
+/// adds the runs to the row.
 void run(const mesh::Surface& surface, std::span<const FaceId> faces, const Runs& runs, Row& row);
 
 void add(const Row& from, Row& to);

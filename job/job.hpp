@@ -52,7 +52,7 @@ struct Paper {
       share_saving_a_page;  ///< of the size, where a slightly smaller model would take a page less
   std::vector<paper::Drawing> drawings;  ///< one a page
   paper::DrawReport drawn;
-  paper::Guide guide;  ///< empty where Options::guide doesn't ask for it
+  paper::Guide guide;       ///< empty where Options::guide doesn't ask for it
   std::string fold;         ///< bytes of the FOLD file, checked: what fails its check is never returned
   verify::Figures figures;  ///< of that check
   StageSeconds seconds;     ///< of all steps since the model; what is done anew adds to its stage

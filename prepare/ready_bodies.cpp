@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t fine_faces = 10000;
 /// Details that are hard to fold go, too, where they have this share of the faces of a model with too many.
 constexpr double busy = 0.2;
-/// Of the way that simplification may move the surface, the share that it may before (twice as far where there
-/// are too many faces, as always).
+/// Of the way that simplification may move the surface, the share that it may before (twice as far where
+/// there are too many faces, as always).
 constexpr double first_part = 0.25;
 
 /// How many millimetres a unit of the model becomes, as far as is known before it has its size.

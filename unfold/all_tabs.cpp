@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "unfold/give_tabs.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/nets_of_folds.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/tab_split.hpp"
-#include "unfold/give_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 
 namespace ridgecraft::unfold {

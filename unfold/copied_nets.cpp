@@ -17,7 +17,8 @@ Vec2 mirrored(Vec2 p) {
   return {-p.x, p.y};
 }
 
-/// From faces and sides of the kept surface to those of the whole: in the body itself, or in one of its copies.
+/// From faces and sides of the kept surface to those of the whole: in the body itself, or in one of its
+/// copies.
 class WayBack {
  public:
   WayBack(const Asked& whole, const OneOfEach& each) : whole_(whole), each_(each) {
@@ -77,9 +78,9 @@ PartId main_part(const Asked& whole, const std::vector<FaceId>& faces) {
   for (const FaceId f : faces) {
     area[whole.part[f]] += whole.surface.area(f);
   }
-  return std::max_element(area.begin(), area.end(), [](const auto& a, const auto& b) {
-           return a.second < b.second;
-         })->first;
+  return std::max_element(area.begin(), area.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
 }
 
 Piece copied_piece(const Asked& whole, const WayBack& way, const Piece& piece, const CopiedBody* in) {

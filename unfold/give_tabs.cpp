@@ -7,8 +7,8 @@
 
 namespace ridgecraft::unfold {
 
-void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options, Nets& nets,
-               const Context& context) {
+void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
+               Nets& nets, const Context& context) {
   nets.tabs = {};
   number_joins(surface, nets);
   if (options.tabs.wanted) {

@@ -10,9 +10,9 @@
 
 namespace ridgecraft::unfold {
 
-/// Numbers the joins of these nets and gives them tabs as the options say, each body by itself, whatever others are
-/// its equals (replace_tabs.hpp). Tabs that were there are lost.
-void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options, Nets& nets,
-               const Context& context);
+/// Numbers the joins of these nets and gives them tabs as the options say, each body by itself, whatever
+/// others are its equals (replace_tabs.hpp). Tabs that were there are lost.
+void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
+               Nets& nets, const Context& context);
 
 }  // namespace ridgecraft::unfold

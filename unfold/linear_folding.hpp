@@ -14,16 +14,17 @@ namespace ridgecraft::unfold {
 
 struct LinearFolding {
   Folds folds;
-  Causes causes;  ///< pieces that were split off are there for folding
+  Causes causes;                 ///< pieces that were split off are there for folding
   std::size_t split_pieces = 0;  ///< how many there are
 };
 
-/// Splits pieces of these folds as pieces/linear_split.hpp does. `patch`: whole_patch. Throws Error(interrupted).
+/// Splits pieces of these folds as pieces/linear_split.hpp does. `patch`: whole_patch. Throws
+/// Error(interrupted).
 [[nodiscard]] LinearFolding fold_together(const Plan& plan, const Patch& patch, Folds folds, Causes causes,
                                           const Context& context);
 
-/// What that came to, of finished nets, as notes of theirs: how many pieces were split off, and how many don't
-/// fold so all the same.
+/// What that came to, of finished nets, as notes of theirs: how many pieces were split off, and how many
+/// don't fold so all the same.
 void note_linear_folding(std::size_t split_pieces, Nets& nets);
 
 }  // namespace ridgecraft::unfold

@@ -15,8 +15,9 @@ namespace ridgecraft::unfold {
 [[nodiscard]] Nets nets_of_folds(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part,
                                  const Patch& patch, const Folds& folds, const Causes& causes);
 
-/// The pieces that were split off others, but for the largest of each, are there for this reason. Their number.
-/// `before`, `after`: folds of whole_patch. O(n log n).
-std::size_t blame(const Patch& patch, const Folds& before, const Folds& after, PieceReason reason, Causes& causes);
+/// The pieces that were split off others, but for the largest of each, are there for this reason. Their
+/// number. `before`, `after`: folds of whole_patch. O(n log n).
+std::size_t blame(const Patch& patch, const Folds& before, const Folds& after, PieceReason reason,
+                  Causes& causes);
 
 }  // namespace ridgecraft::unfold

@@ -140,7 +140,8 @@ std::optional<OneOfEach> one_of_each(const Asked& whole) {
 
 MirrorImages mirror_images_of(const Asked& whole, const OneOfEach& each) {
   const Weights& weights = whole.options.pieces.weights;
-  IdVector<EdgeId, EdgeId> number(whole.surface.edge_count());  // in the kept surface, of an edge of the whole
+  IdVector<EdgeId, EdgeId> number(
+      whole.surface.edge_count());  // in the kept surface, of an edge of the whole
   for (const EdgeId e : ids<EdgeId>(each.kept.edge.size())) {
     number[each.kept.edge[e]] = e;
   }

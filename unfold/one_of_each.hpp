@@ -37,16 +37,17 @@ struct OneOfEach {
 /// Nothing where there are none. O(n log n).
 [[nodiscard]] std::optional<OneOfEach> one_of_each(const Asked& whole);
 
-/// mirror_images for the surface without copies: at the plane of the whole surface, and in bodies that there are
-/// copies of at their own; the plane is that of the whole surface.
+/// mirror_images for the surface without copies: at the plane of the whole surface, and in bodies that there
+/// are copies of at their own; the plane is that of the whole surface.
 [[nodiscard]] MirrorImages mirror_images_of(const Asked& whole, const OneOfEach& each);
 
-/// The nets of the whole surface, once those of one of each kind are finished (holes and folding too, and tabs
-/// where they are wanted). A copy has its pieces with all that is on them, mirrored where it is. O(n log n).
+/// The nets of the whole surface, once those of one of each kind are finished (holes and folding too, and
+/// tabs where they are wanted). A copy has its pieces with all that is on them, mirrored where it is. O(n log
+/// n).
 [[nodiscard]] Nets with_copies(const Asked& whole, const OneOfEach& each, const Nets& nets);
 
-/// The nets of the whole without copies, and the way back for new tabs alone; nothing where some copy has other
-/// nets than its original. O(n log n).
+/// The nets of the whole without copies, and the way back for new tabs alone; nothing where some copy has
+/// other nets than its original. O(n log n).
 [[nodiscard]] std::optional<Nets> without_copies(const Asked& whole, const OneOfEach& each, const Nets& nets);
 /// Gives nets of the whole, whose joins are numbered, the tabs of those without copies. O(n log n).
 void copy_tabs(const Asked& whole, const OneOfEach& each, const Nets& tabbed, Nets& nets);

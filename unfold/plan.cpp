@@ -35,8 +35,7 @@ void settle(const Asked& asked, const Context& context, Plan& plan) {
     return;
   }
   const double tolerance = net_tolerance(asked.surface.bounds().largest_extent());
-  KeptEdges kept =
-      settle_wishes(asked.surface, plan.whole, wishes, plan.room, tolerance, context);
+  KeptEdges kept = settle_wishes(asked.surface, plan.whole, wishes, plan.room, tolerance, context);
   plan.possible_wishes = std::move(kept.wishes);
   plan.group = parts_of_whole_panels(asked.surface, kept.groups, asked.part);
 }

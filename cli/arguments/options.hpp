@@ -85,9 +85,9 @@ struct HullsJob {
   std::string output;  ///< .obj or .urdf
   bool overwrite = false;
   PartArguments parts;
-  std::size_t max_vertices = 0;  ///< 0: no limit
+  std::size_t max_vertices = 0;       ///< 0: no limit
   std::optional<double> mm_per_unit;  ///< --unit, for .urdf
-  double density = 1000.0;       ///< kg/m^3, for .urdf
+  double density = 1000.0;            ///< kg/m^3, for .urdf
 };
 
 struct CageJob {

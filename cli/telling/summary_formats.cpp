@@ -60,10 +60,9 @@ std::string formats_text() {
 }
 
 std::string formats_json() {
-  return json_text(
-             Value::Object{{"read", rows_of(read_formats())},
-                           {"written", rows_of(written_formats())},
-                           {"presets", presets_value()}}) +
+  return json_text(Value::Object{{"read", rows_of(read_formats())},
+                                 {"written", rows_of(written_formats())},
+                                 {"presets", presets_value()}}) +
          "\n";
 }
 

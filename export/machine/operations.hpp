@@ -12,12 +12,12 @@ namespace ridgecraft::paper {
 /// In the order in which a sheet is worked: while it lies still and whole, what is written and folded; then
 /// what falls out; outlines last.
 enum class Operation {
-  engrave,   ///< numbers and names
-  mountain,  ///< folds away from the printed side
-  valley,    ///< folds towards it
-  tab_fold,  ///< bases of tabs that go on flat; others are folds
-  cut_inner, ///< holes, and slits in a piece
-  cut_outer, ///< outlines of pieces
+  engrave,    ///< numbers and names
+  mountain,   ///< folds away from the printed side
+  valley,     ///< folds towards it
+  tab_fold,   ///< bases of tabs that go on flat; others are folds
+  cut_inner,  ///< holes, and slits in a piece
+  cut_outer,  ///< outlines of pieces
 };
 inline constexpr int operation_count = 6;
 

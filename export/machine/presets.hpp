@@ -22,13 +22,13 @@ enum class DxfKind {
 struct Preset {
   std::string_view name = {};  ///< as it is typed: "lightburn"
   std::string_view what = {};  ///< whose it is, for people
-  bool svg = true;        ///< it is written where no file is named
+  bool svg = true;             ///< it is written where no file is named
   std::optional<DxfKind> dxf = std::nullopt;
   PathRules paths = {};
   /// SVG: by Operation, each exactly one colour, as programs sort lines by it; the base of a tab has that of
   /// its fold.
   std::array<Color, operation_count> colors{};
-  double width = 0.1;   ///< SVG: of all lines, mm
+  double width = 0.1;      ///< SVG: of all lines, mm
   bool simulates = false;  ///< SVG: edges of nets with their angles, as a simulator of folding reads them
   bool joined = false;     ///< SVG: all lines of an operation are one path, which a program can't take apart
 };

@@ -181,7 +181,8 @@ class RowMaker {
 };
 
 /// Rows of all kinds, larger ones first.
-std::vector<std::vector<Row>> rows_of(const PackingTask& task, const std::vector<AlikeShapes>& kinds, double gap) {
+std::vector<std::vector<Row>> rows_of(const PackingTask& task, const std::vector<AlikeShapes>& kinds,
+                                      double gap) {
   std::vector<std::vector<Row>> all;
   for (const AlikeShapes& kind : kinds) {
     std::vector<Row> rows = RowMaker(task, kind, gap).rows();
@@ -196,8 +197,7 @@ std::vector<std::vector<Row>> rows_of(const PackingTask& task, const std::vector
     }
     return sum;
   };
-  std::stable_sort(all.begin(), all.end(),
-                   [&](const auto& a, const auto& b) { return area(a) > area(b); });
+  std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return area(a) > area(b); });
   return all;
 }
 

@@ -17,8 +17,9 @@ struct AlikeShapes {
   std::vector<bool> mirrored;  ///< each shape
 };
 
-/// As pack(), with alike shapes in rows where that costs no page: rows with room for numbers between the shapes
-/// before narrow ones. Kinds are left as they come, largest first, until the others do. A few times the work.
+/// As pack(), with alike shapes in rows where that costs no page: rows with room for numbers between the
+/// shapes before narrow ones. Kinds are left as they come, largest first, until the others do. A few times
+/// the work.
 [[nodiscard]] std::vector<Packed> pack_in_rows(const PackingTask& task, const std::vector<AlikeShapes>& kinds,
                                                const Context& context);
 

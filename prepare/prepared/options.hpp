@@ -24,14 +24,16 @@ struct SizeOptions {
   double most_pages = 8.0;
   /// Millimetres for one unit of the file; wins over largest_extent_mm.
   std::optional<double> mm_per_unit;
-  /// Largest extent in mm at which it was judged which bodies are too small, where the size is another one now.
+  /// Largest extent in mm at which it was judged which bodies are too small, where the size is another one
+  /// now.
   std::optional<double> judged_at_mm;
 };
 
 /// How many faces it keeps.
 enum class Simplification { automatic, keep, count };
 
-/// What becomes of thin walls with a skin on either side: one of the skins, a sheet between them, or both stay.
+/// What becomes of thin walls with a skin on either side: one of the skins, a sheet between them, or both
+/// stay.
 enum class Skins { outer, middle, both };
 
 struct SimplifyOptions {

@@ -25,7 +25,7 @@ struct Details {
 
 /// Thin walls that became sheets.
 struct SheetsReport {
-  std::size_t walls = 0;   ///< components
+  std::size_t walls = 0;      ///< components
   double thickness_mm = 0.0;  ///< of the thickest one, on paper as far as its size is known
 };
 

@@ -16,8 +16,8 @@ struct TwinBody {
   std::vector<FaceId> faces;  ///< a whole component
 };
 
-/// Kinds of bodies that there are several of; the first of each kind is the one that the others are copies of,
-/// with its faces ascending.
+/// Kinds of bodies that there are several of; the first of each kind is the one that the others are copies
+/// of, with its faces ascending.
 using TwinBodies = std::vector<std::vector<TwinBody>>;
 
 /// The corner of `image`, a copy of a face, that is its corner k.

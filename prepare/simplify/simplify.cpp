@@ -31,8 +31,8 @@ constexpr double sample_spacing = 0.015;
 constexpr double speck = 0.5;
 /// Where a model has too many faces, bodies with so few keep theirs.
 constexpr std::size_t few_faces = 24;
-/// What is tried there, one after the other: walls are what would be ones if the short edge were so many times
-/// longer; and the surface may move by so many times as much, as nobody builds what has more faces.
+/// What is tried there, one after the other: walls are what would be ones if the short edge were so many
+/// times longer; and the surface may move by so many times as much, as nobody builds what has more faces.
 struct Coarser {
   double walls = 1.0;
   double deviation = 1.0;
@@ -144,7 +144,7 @@ Allowed simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& b
 
 /// Without features of walls, if asked for. How far the surface was allowed to move.
 double simplify_components(mesh::Model& model, const SimplifyOptions& options, bool features,
-                         SimplifyReport& report, const Context& context) {
+                           SimplifyReport& report, const Context& context) {
   const mesh::Surface before = model.surface;
   const double extent = before.bounds().largest_extent();
   report.features_removed =

@@ -33,8 +33,8 @@ struct Twin {
 
 /// Groups of two or more bodies that are equal, each group's first member being itself with no motion; groups
 /// and members by ascending body. A body is a set of faces, as of a component, a part or a piece. Motions
-/// that keep the triangles go before others, and those that keep the outside's turn before mirrored ones. O(n log n) where bodies of equal size are twins
-/// mostly.
+/// that keep the triangles go before others, and those that keep the outside's turn before mirrored ones. O(n
+/// log n) where bodies of equal size are twins mostly.
 [[nodiscard]] std::vector<std::vector<Twin>> find_twins(const mesh::Surface& surface,
                                                         std::span<const std::vector<FaceId>> bodies,
                                                         const Context& context,

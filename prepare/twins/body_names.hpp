@@ -18,8 +18,8 @@ class BodyNames {
   /// Nothing is kept of models with less than two bodies or names. O(n log n).
   explicit BodyNames(const mesh::Model& model);
 
-  /// For each component of a surface that has come of the model the name of the object that most of its faces lie
-  /// near to; empty where that has none, or nothing was kept. O(n log n).
+  /// For each component of a surface that has come of the model the name of the object that most of its faces
+  /// lie near to; empty where that has none, or nothing was kept. O(n log n).
   [[nodiscard]] IdVector<ComponentId, std::string> of(const mesh::Surface& surface) const;
 
  private:

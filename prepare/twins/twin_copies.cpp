@@ -20,7 +20,8 @@ bool is_crease(const mesh::Surface& surface, const Panels& panels, EdgeId e) {
   return !d.valid() || panels.panel[mesh::face_of(c)] != panels.panel[mesh::face_of(d)];
 }
 
-std::size_t count_creases(const mesh::Surface& surface, const Panels& panels, const std::vector<FaceId>& body) {
+std::size_t count_creases(const mesh::Surface& surface, const Panels& panels,
+                          const std::vector<FaceId>& body) {
   std::size_t ends = 0;
   for (const FaceId f : body) {
     for (unsigned k = 0; k < 3; ++k) {
@@ -120,7 +121,8 @@ class Copier {
       const auto found =
           std::lower_bound(twin_.vertices.begin(), twin_.vertices.end(), std::pair(v, VertexId(0)));
       const VertexId image = found != twin_.vertices.end() ? found->second : VertexId();
-      const auto at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), image) - corners.begin());
+      const auto at =
+          static_cast<std::size_t>(std::find(corners.begin(), corners.end(), image) - corners.begin());
       result[twin_corner(FaceId(0), k, twin_.motion.mirrors).value()] = old_.texture[partner.value()][at % 3];
     }
     return result;

@@ -21,8 +21,8 @@ struct EqualBodies {
   double farthest = 0.0;  ///< greatest distance of a corner from where it would be, the surface's unit
 };
 
-/// Components whose corners lie within `allowed` (the surface's unit) and twin_tolerance of where they would as
-/// copies of the first of their kind. O(n log n).
+/// Components whose corners lie within `allowed` (the surface's unit) and twin_tolerance of where they would
+/// as copies of the first of their kind. O(n log n).
 [[nodiscard]] EqualBodies find_equal_bodies(const mesh::Model& model, const Panels& panels, double allowed,
                                             const Context& context);
 

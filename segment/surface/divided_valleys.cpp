@@ -61,9 +61,8 @@ class Valleys {
       return dot(here, there) >= goes_on;
     };
     const auto corners = surface_.corners_at(v);
-    return std::none_of(corners.begin(), corners.end(), [&](CornerId c) {
-      return continues(c) || continues(mesh::previous(c));
-    });
+    return std::none_of(corners.begin(), corners.end(),
+                        [&](CornerId c) { return continues(c) || continues(mesh::previous(c)); });
   }
 
   const mesh::Surface& surface_;
@@ -94,8 +93,9 @@ std::vector<std::array<VertexId, 3>> pieces(const std::array<VertexId, 3>& v,
   return {{ab, b, bc}, {a, ab, bc}, {a, bc, c}};
 }
 
-/// Halves the edges whose both ends are in valleys and that aren't convex: the valleys, and what leads from one
-/// to the next. Along a wall of many faces these points would have no way between each other but the rims.
+/// Halves the edges whose both ends are in valleys and that aren't convex: the valleys, and what leads from
+/// one to the next. Along a wall of many faces these points would have no way between each other but the
+/// rims.
 void halve(DividedValleys& divided, const std::vector<bool>& in_valley) {
   const mesh::Surface& surface = divided.surface;
   std::vector<Vec3> points(surface.points().begin(), surface.points().end());

@@ -28,9 +28,9 @@ struct DividedValleys {
 };
 
 /// Concavity is measured at vertices, and both ends of a valley that crosses a prism lie on the rims of its
-/// flat sides: on the hull, however deep the notch is between them. So concave edges (5 degrees and more) that
-/// no other one continues at either end are halved, those that are longer than `shortest` in the scale of the
-/// enclosing ball. O(n).
+/// flat sides: on the hull, however deep the notch is between them. So concave edges (5 degrees and more)
+/// that no other one continues at either end are halved, those that are longer than `shortest` in the scale
+/// of the enclosing ball. O(n).
 [[nodiscard]] DividedValleys divide_valleys(const mesh::Surface& surface,
                                             std::span<const std::uint32_t> polygon, double shortest);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What machines get: paths in order, SVG by preset, and DXF files, read back pair by pair and by ezdxf where it
-// is installed.
+// What machines get: paths in order, SVG by preset, and DXF files, read back pair by pair and by ezdxf where
+// it is installed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -73,8 +73,7 @@ paper::Drawing frame_with_crumbs() {
   add(paper::Layer::cut, rectangle({50, 40}, {70, 50}), true);
   add(paper::Layer::cut, rectangle({30, 20}, {90, 60}), true);
   std::reverse(group.lines[1].points.begin(), group.lines[1].points.end());
-  group.lines[1].points.insert(group.lines[1].points.begin() + 1,
-                               group.lines[1].points[0] + Vec2{0.01, 0.0});
+  group.lines[1].points.insert(group.lines[1].points.begin() + 1, group.lines[1].points[0] + Vec2{0.01, 0.0});
   add(paper::Layer::cut, {{35, 30}, {35, 40}}, false);
   add(paper::Layer::cut, {{40, 30}, {40, 30.1}}, false);
   add(paper::Layer::mountain, {{30, 55}, {60, 55}, {90, 55}}, false);
@@ -220,9 +219,8 @@ TEST_CASE("a simulator finds every face and every angle of the nets") {
     std::size_t faces = 0;
     for (std::uint32_t page = 0; page < sample.pages.count; ++page) {
       pugi::xml_document document;
-      REQUIRE(document.load_string(paper::write_simulator_svg(sample.model, sample.nets, sample.pages,
-                                                              PageId(page), mark)
-                                       .c_str()));
+      REQUIRE(document.load_string(
+          paper::write_simulator_svg(sample.model, sample.nets, sample.pages, PageId(page), mark).c_str()));
       CHECK(std::string(document.child("svg").attribute("viewBox").value()) == "0 0 21000 29700");
       std::vector<Vec2> points;
       std::set<std::pair<std::size_t, std::size_t>> edges;
@@ -304,9 +302,8 @@ TEST_CASE("every piece of a page has one outline round all that is done on it") 
     CAPTURE(page.title, page.page);
     std::size_t pieces = 0;
     for (const paper::Group& group : page.groups) {
-      pieces += std::any_of(group.lines.begin(), group.lines.end(), [](const paper::Line& line) {
-        return line.layer == paper::Layer::cut;
-      });
+      pieces += std::any_of(group.lines.begin(), group.lines.end(),
+                            [](const paper::Line& line) { return line.layer == paper::Layer::cut; });
     }
     std::size_t outlines = 0;
     for (const Path& path : paper::machine_paths(page)) {

@@ -48,7 +48,8 @@ class ObjText {
   explicit ObjText(std::uint64_t seed) : random_(seed) {}
 
   /// Adds a body with its points and faces in any order.
-  void add(const std::string& name, const mesh::Surface& body, const Turned& rows, Vec3 shift, bool mirrored) {
+  void add(const std::string& name, const mesh::Surface& body, const Turned& rows, Vec3 shift,
+           bool mirrored) {
     text_ += "o " + name + "\n";
     std::vector<std::uint32_t> order;
     for (std::uint32_t v = 0; v < body.vertex_count(); ++v) {
@@ -106,10 +107,11 @@ mesh::Surface wheel() {
 }
 
 mesh::Surface oar() {
-  return test::mapped(test::revolve({{0, 0}, {1, 0}, {1.5, 5}, {1.2, 30}, {0.8, 34}, {0, 34}}, 6), [](Vec3 p) {
-    const double blade = p.z > 20 ? 1.0 : 0.0;
-    return Vec3{p.x * (1.0 + 1.5 * blade) + 0.02 * p.z, p.y * (1.0 - 0.5 * blade), p.z};
-  });
+  return test::mapped(test::revolve({{0, 0}, {1, 0}, {1.5, 5}, {1.2, 30}, {0.8, 34}, {0, 34}}, 6),
+                      [](Vec3 p) {
+                        const double blade = p.z > 20 ? 1.0 : 0.0;
+                        return Vec3{p.x * (1.0 + 1.5 * blade) + 0.02 * p.z, p.y * (1.0 - 0.5 * blade), p.z};
+                      });
 }
 
 mesh::Surface hull() {
@@ -124,8 +126,8 @@ std::vector<std::size_t> kinds_of(const job::Paper& made) {
   return counts;
 }
 
-/// Pieces of each component, and those among them that are of a kind with a piece of every other component with
-/// as many faces.
+/// Pieces of each component, and those among them that are of a kind with a piece of every other component
+/// with as many faces.
 bool all_twins_are_equal(const job::Paper& made, std::size_t bodies) {
   const mesh::Surface& surface = made.prepared.model.surface;
   std::vector<std::set<ComponentId>> components;
@@ -177,7 +179,8 @@ TEST_CASE("fourteen oars at random have one net", "[job][twins]") {
       boat.add("hull", hull(), {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, {}, false);
       for (int i = 0; i < 14; ++i) {
         const Turned turn = any_turn(boat.random());
-        boat.add("oar." + std::to_string(i), oar(), turn, {i % 2 == 0 ? -60.0 : 60.0, 9.0 * i - 60, 10}, false);
+        boat.add("oar." + std::to_string(i), oar(), turn, {i % 2 == 0 ? -60.0 : 60.0, 9.0 * i - 60, 10},
+                 false);
       }
       job::Options options = keep ? keeping_faces() : job::Options();
       options.bodies = prepare::Bodies::keep;  // oars that run into each other would become one body
@@ -197,7 +200,11 @@ TEST_CASE("two wheels and their mirror images have one net", "[job][twins]") {
     for (const bool keep : {false, true}) {
       CAPTURE(seed, keep);
       ObjText cart(seed);
-      cart.add("body", test::mapped(test::cube(), [](Vec3 p) { return Vec3{60 * p.x, 100 * p.y, 22 * p.z}; }),
+      cart.add("body",
+               test::mapped(test::cube(),
+                            [](Vec3 p) {
+                              return Vec3{60 * p.x, 100 * p.y, 22 * p.z};
+                            }),
                {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, {}, false);
       for (int i = 0; i < 4; ++i) {
         const Turned turn = any_turn(cart.random());
@@ -280,8 +287,9 @@ TEST_CASE("bodies that are nearly equal keep their own nets", "[job][twins]") {
   ObjText boat(7);
   for (int i = 0; i < 2; ++i) {
     const Turned turn = any_turn(boat.random());
-    const mesh::Surface longer =
-        test::mapped(oar(), [&](Vec3 p) { return Vec3{p.x, p.y, p.z * (1.0 + 0.03 * i)}; });
+    const mesh::Surface longer = test::mapped(oar(), [&](Vec3 p) {
+      return Vec3{p.x, p.y, p.z * (1.0 + 0.03 * i)};
+    });
     boat.add("oar", longer, turn, {40.0 * i, 0, 0}, false);
   }
   const job::Paper made = job::paper(boat.model(), keeping_faces(), {});
@@ -334,8 +342,10 @@ TEST_CASE("a file that calls pieces equal that aren't is found", "[job][twins]")
     CHECK(report.faults[0].promise == verify::Promise::statements);
   }
   for (const std::string& wrong :
-       {"[[" + first + "]]", "[[" + first + "," + first + "]]", "[[" + entry(PieceId(99), false) + "," + first + "]]",
-        "[[" + entry(kind[0].piece, true) + "," + entry(kind[1].piece, false) + "]]", std::string("[7]"), std::string("7")}) {
+       {"[[" + first + "]]", "[[" + first + "," + first + "]]",
+        "[[" + entry(PieceId(99), false) + "," + first + "]]",
+        "[[" + entry(kind[0].piece, true) + "," + entry(kind[1].piece, false) + "]]", std::string("[7]"),
+        std::string("7")}) {
     const verify::Report report = said(wrong);
     REQUIRE_FALSE(report.faults.empty());
     CHECK(report.faults[0].promise == verify::Promise::form);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prisms over letters and floor plans: all their corners lie on the hull's flat sides, and their notches count
-// all the same.
+// Prisms over letters and floor plans: all their corners lie on the hull's flat sides, and their notches
+// count all the same.
 #include <array>
 #include <cmath>
 #include <map>

@@ -8,9 +8,9 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "unfold/nets_checks.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
+#include "unfold/nets_checks.hpp"
 
 using namespace ridgecraft;
 
@@ -37,7 +37,8 @@ mesh::Surface twice(const mesh::Surface& one, bool mirrored) {
 
 mesh::Surface odd() {
   return test::mapped(test::sphere(8, 6), [](Vec3 p) {
-    return 30.0 * Vec3{p.x * (1.0 + 0.3 * p.z + 0.2 * p.y), 1.7 * p.y + 0.3 * p.x * p.z, p.z + 0.2 * p.y * p.y};
+    return 30.0 *
+           Vec3{p.x * (1.0 + 0.3 * p.z + 0.2 * p.y), 1.7 * p.y + 0.3 * p.x * p.z, p.z + 0.2 * p.y * p.y};
   });
 }
 

@@ -33,11 +33,15 @@ struct Lines {
   std::array<std::vector<DrawnLine>, 3> of;
   double length = 0.0;  ///< of the outline
 
-  [[nodiscard]] std::vector<DrawnLine>& operator[](LineKind kind) { return of[static_cast<std::size_t>(kind)]; }
+  [[nodiscard]] std::vector<DrawnLine>& operator[](LineKind kind) {
+    return of[static_cast<std::size_t>(kind)];
+  }
   [[nodiscard]] const std::vector<DrawnLine>& operator[](LineKind kind) const {
     return of[static_cast<std::size_t>(kind)];
   }
-  [[nodiscard]] std::array<std::size_t, 3> counts() const { return {of[0].size(), of[1].size(), of[2].size()}; }
+  [[nodiscard]] std::array<std::size_t, 3> counts() const {
+    return {of[0].size(), of[1].size(), of[2].size()};
+  }
 };
 
 std::vector<Lines> lines_of(const mesh::Surface& surface, const Nets& nets) {
@@ -68,9 +72,8 @@ std::vector<Lines> lines_of(const mesh::Surface& surface, const Nets& nets) {
   }
   for (Lines& lines : result) {
     for (std::vector<DrawnLine>& some : lines.of) {
-      std::sort(some.begin(), some.end(), [](const DrawnLine& a, const DrawnLine& b) {
-        return a.from.x + a.to.x < b.from.x + b.to.x;
-      });
+      std::sort(some.begin(), some.end(),
+                [](const DrawnLine& a, const DrawnLine& b) { return a.from.x + a.to.x < b.from.x + b.to.x; });
     }
   }
   return result;
@@ -104,17 +107,20 @@ bool lie_together(Vec2 p, Vec2 q) {
 }
 
 /// Whether each line lies on one of the other's, both ways round. The lines are ascending by their middles.
-bool all_lie_on(const std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& others, const Laying& laid) {
+bool all_lie_on(const std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& others,
+                const Laying& laid) {
   return std::all_of(lines.begin(), lines.end(), [&](const DrawnLine& line) {
     const Vec2 from = laid(line.from);
     const Vec2 to = laid(line.to);
     const double middle = from.x + to.x;
-    const auto first = std::lower_bound(
-        others.begin(), others.end(), middle - 2.0 * equal_pieces_mm,
-        [](const DrawnLine& other, double x) { return other.from.x + other.to.x < x; });
-    for (auto at = first; at != others.end() && at->from.x + at->to.x <= middle + 2.0 * equal_pieces_mm; ++at) {
+    const auto first =
+        std::lower_bound(others.begin(), others.end(), middle - 2.0 * equal_pieces_mm,
+                         [](const DrawnLine& other, double x) { return other.from.x + other.to.x < x; });
+    for (auto at = first; at != others.end() && at->from.x + at->to.x <= middle + 2.0 * equal_pieces_mm;
+         ++at) {
       if (std::abs(at->fold - line.fold) <= equal_folds &&
-          ((lie_together(from, at->from) && lie_together(to, at->to)) || (lie_together(from, at->to) && lie_together(to, at->from)))) {
+          ((lie_together(from, at->from) && lie_together(to, at->to)) ||
+           (lie_together(from, at->to) && lie_together(to, at->from)))) {
         return true;
       }
     }

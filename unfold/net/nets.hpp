@@ -24,7 +24,8 @@ enum class EdgeUse : std::uint8_t {
 
 /// Why a piece is a piece of its own. `no_net`: overlap, and that no net exists is proven.
 enum class PieceReason { part, page, overlap, no_net, tabs, faces, time, request, component, folding, shape };
-/// The words of nets-contract `reason`; `folding` is a request there, `no_net` an overlap, `shape` stands among `faces`.
+/// The words of nets-contract `reason`; `folding` is a request there, `no_net` an overlap, `shape` stands
+/// among `faces`.
 [[nodiscard]] std::string_view name(PieceReason reason);
 /// The same as a sentence for people.
 [[nodiscard]] std::string_view sentence(PieceReason reason);

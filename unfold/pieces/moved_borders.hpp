@@ -30,8 +30,8 @@ struct MovedBorders {
 /// (energy/anneal.hpp). What is proven to need as many pieces isn't tried (least_trees.hpp). The forest stays
 /// clean and what fits still fits. `cause`: of each face why its piece is none with the others of its part,
 /// PieceReason::part for the one that stands for it. The patch is the whole surface. The searches' work
-/// is bounded (trees_together.hpp): a second or two, more where a hundred parts have no net, since what is found
-/// is compared beside it. Deterministic for one seed but for the deadline. Throws Error(interrupted).
+/// is bounded (trees_together.hpp): a second or two, more where a hundred parts have no net, since what is
+/// found is compared beside it. Deterministic for one seed but for the deadline. Throws Error(interrupted).
 [[nodiscard]] MovedBorders move_borders(const mesh::Surface& surface, const prepare::Panels& panels,
                                         const Patch& patch, std::span<const PartId> part, const Folds& folds,
                                         std::span<const PieceReason> cause, const Options& options,

@@ -13,8 +13,8 @@
 
 namespace ridgecraft::unfold {
 
-/// How many pieces a patch would be, the fewest known: without any limit of size, and with that of flat regions
-/// in a piece alone.
+/// How many pieces a patch would be, the fewest known: without any limit of size, and with that of flat
+/// regions in a piece alone.
 struct PiecesWithout {
   std::size_t limits = 1;
   std::size_t paper = 1;
@@ -26,8 +26,8 @@ struct PiecesWithout {
 [[nodiscard]] std::size_t pieces_without_paper(const Patch& patch, const Folds& clean, const Room& room,
                                                double tolerance, Random random, const Context& context);
 
-/// Per piece in the order of lay_out: the largest stands for the patch, as many of the next ones as it would have
-/// all the same are there for overlap or the number of their flat regions, and all others for the page.
+/// Per piece in the order of lay_out: the largest stands for the patch, as many of the next ones as it would
+/// have all the same are there for overlap or the number of their flat regions, and all others for the page.
 [[nodiscard]] std::vector<PieceReason> piece_reasons(const Patch& patch, const Folds& folds,
                                                      const PiecesWithout& without);
 

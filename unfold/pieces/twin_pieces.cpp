@@ -19,10 +19,12 @@ namespace {
 
 /// Where no fold of a piece could be anywhere else it has one net in any case.
 bool has_choices(const Patch& patch, const std::vector<std::uint32_t>& faces) {
-  return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
-    return std::any_of(patch.frozen.begin() + 3 * f, patch.frozen.begin() + 3 * f + 3,
-                       [](std::uint8_t frozen) { return frozen == 0; });
-  }) && faces.size() > 2;
+  return std::any_of(faces.begin(), faces.end(),
+                     [&](std::uint32_t f) {
+                       return std::any_of(patch.frozen.begin() + 3 * f, patch.frozen.begin() + 3 * f + 3,
+                                          [](std::uint8_t frozen) { return frozen == 0; });
+                     }) &&
+         faces.size() > 2;
 }
 
 /// A pair keeps equal by its mirror plane, if at all, and its borders may move together; of three, two would.
@@ -54,8 +56,8 @@ class EdgeImages {
     }
     return result;
   }
-  [[nodiscard]] std::optional<Folds> carried_over_back(const Patch& own, const Folds& tree, const Patch& first,
-                                                       const TwinPiece& twin) {
+  [[nodiscard]] std::optional<Folds> carried_over_back(const Patch& own, const Folds& tree,
+                                                       const Patch& first, const TwinPiece& twin) {
     for (const auto& [original, edge] : twin.edges) {
       image_[original] = edge;
     }

@@ -14,8 +14,8 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// Heat in pairs of faces. On bodies with long spikes one of 4.5 to 6.5 finds nets within a second, one of 3 or
-/// less stays where it is, one of 10 never settles. So it falls through these again and again.
+/// Heat in pairs of faces. On bodies with long spikes one of 4.5 to 6.5 finds nets within a second, one of 3
+/// or less stays where it is, one of 10 never settles. So it falls through these again and again.
 constexpr double hottest = 6.3;
 constexpr double coolest = 4.7;
 /// Trials of one fall, for each face.
@@ -112,8 +112,7 @@ class HeatedWalk {
   [[nodiscard]] std::uint32_t side_across(std::uint32_t below) {
     const RootedNet::Span moved = net_.moved_span(below);
     for (int i = 0; i < draws_for_a_cut; ++i) {
-      const std::uint32_t side =
-          3 * net_.face_in(moved, random_.below(moved.count)) + random_.below(3);
+      const std::uint32_t side = 3 * net_.face_in(moved, random_.below(moved.count)) + random_.below(3);
       if (is_free_cut(side) && !net_.in_span(moved, patch_.twin[side] / 3)) {
         return net_.moves_subtree(below) ? side : patch_.twin[side];
       }

@@ -256,9 +256,9 @@ class ForestSearch {
   std::vector<Arc> arcs_;
 
   std::size_t allowed_ = 1;
-  std::vector<std::uint32_t> tree_of_;                ///< of each panel: a panel that it is named by
-  std::vector<std::vector<std::uint32_t>> members_;   ///< panels of each tree
-  std::vector<Rigid> at_;                             ///< of each panel in its tree's frame
+  std::vector<std::uint32_t> tree_of_;               ///< of each panel: a panel that it is named by
+  std::vector<std::vector<std::uint32_t>> members_;  ///< panels of each tree
+  std::vector<Rigid> at_;                            ///< of each panel in its tree's frame
   std::size_t trees_ = 0;
   std::vector<std::uint32_t> closed_;  ///< edges in the order in which they were
   std::uint64_t work_ = 0;

@@ -11,9 +11,9 @@
 namespace ridgecraft::unfold {
 
 struct LeastForestSearch {
-  double tolerance = 0.0;        ///< mm
-  std::size_t most_pieces = 1;   ///< forests of more trees aren't looked for
-  std::uint64_t work = 0;        ///< pairs of faces that are compared, at most: some fifty million a second
+  double tolerance = 0.0;       ///< mm
+  std::size_t most_pieces = 1;  ///< forests of more trees aren't looked for
+  std::uint64_t work = 0;       ///< pairs of faces that are compared, at most: some fifty million a second
 };
 
 struct LeastForest {

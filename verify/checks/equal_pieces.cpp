@@ -112,9 +112,8 @@ class EqualPieceCheck {
   static bool has(const Sheet& sheet, const Stroke& wanted) {
     const auto near = [](Vec2 p, Vec2 q) { return length(p - q) <= equal_pieces_tolerance_mm; };
     const double low = key(wanted) - 2.0 * equal_pieces_tolerance_mm;
-    const auto begin =
-        std::lower_bound(sheet.order.begin(), sheet.order.end(), low,
-                         [&](std::size_t i, double x) { return key(sheet.strokes[i]) < x; });
+    const auto begin = std::lower_bound(sheet.order.begin(), sheet.order.end(), low,
+                                        [&](std::size_t i, double x) { return key(sheet.strokes[i]) < x; });
     for (auto at = begin; at != sheet.order.end(); ++at) {
       const Stroke& stroke = sheet.strokes[*at];
       if (key(stroke) > low + 4.0 * equal_pieces_tolerance_mm) {
@@ -163,9 +162,9 @@ class EqualPieceCheck {
       return false;
     }
     const auto size = [](const Stroke& stroke) { return length(stroke.to - stroke.from); };
-    const Stroke& longest = *std::max_element(
-        a.strokes.begin(), a.strokes.begin() + static_cast<std::ptrdiff_t>(a.cuts),
-        [&](const Stroke& s, const Stroke& t) { return size(s) < size(t); });
+    const Stroke& longest =
+        *std::max_element(a.strokes.begin(), a.strokes.begin() + static_cast<std::ptrdiff_t>(a.cuts),
+                          [&](const Stroke& s, const Stroke& t) { return size(s) < size(t); });
     for (std::size_t i = 0; i < b.cuts; ++i) {
       const Stroke& cut = b.strokes[i];
       if (std::abs(size(cut) - size(longest)) > 2.0 * equal_pieces_tolerance_mm) {

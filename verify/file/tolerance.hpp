@@ -29,7 +29,8 @@ constexpr double tab_base_tolerance_mm = 1e-3;
 /// The edges under one tab beside its base, and those of one straight seam beside its line, in mm (promises 5
 /// and 8).
 constexpr double seam_tolerance_mm = 1e-2;
-/// Paper behind a tab: along half of its base it must reach so far, in mm (promise 5); 0.01 less than nets keep.
+/// Paper behind a tab: along half of its base it must reach so far, in mm (promise 5); 0.01 less than nets
+/// keep.
 constexpr double least_paper_mm = 1.99;
 /// Narrower pieces can't be cut out, mm.
 constexpr double least_piece_mm = 1.0;

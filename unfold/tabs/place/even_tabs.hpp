@@ -13,8 +13,8 @@
 
 namespace ridgecraft::unfold {
 
-/// Gives pieces whose nets are equal without tabs the tabs of that one of them which most of the others can have
-/// them of, where no join loses its tab. `nets` have no tabs; `chosen`: of each join. Tabs stay clear of
+/// Gives pieces whose nets are equal without tabs the tabs of that one of them which most of the others can
+/// have them of, where no join loses its tab. `nets` have no tabs; `chosen`: of each join. Tabs stay clear of
 /// everything that `sites` name. O(n log n) for each of a few pieces of a kind.
 void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector<TabSite>& sites,
                const TabOptions& options, std::vector<std::optional<ChosenTab>>& chosen);

@@ -16,9 +16,10 @@ namespace ridgecraft::unfold {
 struct TabTargets {
   std::vector<std::vector<Obstacle>>
       outline;                       ///< of the panel it is glued behind, near the edge; frame of tab shapes
-  std::vector<ConvexShape> largest;  ///< usable and inside that panel or, where it is too narrow, across slight folds; empty if there is none
-  /// Folds (one side of each) behind which `largest` lies beside that panel: it needs them to be folds. None where
-  /// the panel alone is wide enough.
+  std::vector<ConvexShape> largest;  ///< usable and inside that panel or, where it is too narrow, across
+                                     ///< slight folds; empty if there is none
+  /// Folds (one side of each) behind which `largest` lies beside that panel: it needs them to be folds. None
+  /// where the panel alone is wide enough.
   std::vector<std::vector<std::uint32_t>> across;
   /// 1 where the edge leads out of the patch and this side is the one that should give the tab: the smaller
   /// panel, unless only the other one has a target large enough.

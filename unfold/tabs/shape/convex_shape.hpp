@@ -52,7 +52,8 @@ class ConvexShape {
 /// section 2.1).
 [[nodiscard]] double separation(const ConvexShape& a, const ConvexShape& b);
 
-/// Are the shapes at least `clearance` apart? With 0 or less, may they touch, penetrating by rounding at most?
+/// Are the shapes at least `clearance` apart? With 0 or less, may they touch, penetrating by rounding at
+/// most?
 [[nodiscard]] bool apart(const ConvexShape& a, const ConvexShape& b, double clearance);
 
 /// From x to x.

@@ -153,7 +153,8 @@ ConvexShape trimmed(const ConvexShape& tab, const Obstacle& obstacle, double cle
     const ConvexShape shape = clipped(tab, {keep.normal, keep.offset - 1e-12});
     const double value = shape.size() < 3 ? 0.0 : worth(shape);
     // The base must come first and whole.
-    if (value > most * clearly_more && shape[0] == tab[0] && shape[1] == tab[1] && clear_of(shape, obstacle, clearance_mm)) {
+    if (value > most * clearly_more && shape[0] == tab[0] && shape[1] == tab[1] &&
+        clear_of(shape, obstacle, clearance_mm)) {
       most = value;
       best = shape;
     }

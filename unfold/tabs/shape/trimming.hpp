@@ -31,11 +31,11 @@ struct Obstacle {
 /// Of a face or a tab that shares the base's corner at (0, 0), at (length, 0), or neither.
 [[nodiscard]] Obstacle::Kind kind_sharing(bool left, bool right);
 
-/// How far the faces that one tab is glued behind may be bent against each other in all, radians (20 degrees): a
-/// strip of card follows them.
+/// How far the faces that one tab is glued behind may be bent against each other in all, radians (20
+/// degrees): a strip of card follows them.
 inline constexpr double most_bend_of_tab = 0.3490658503988659;
-/// A side of the target that a tab enters by no more than this is neither in its way nor gone over, mm: rounding
-/// doesn't decide what lies behind it.
+/// A side of the target that a tab enters by no more than this is neither in its way nor gone over, mm:
+/// rounding doesn't decide what lies behind it.
 inline constexpr double just_touching_mm = 1e-6;
 /// A target lower than this has no inside to be glued behind, mm: its outline can't be told from the base.
 inline constexpr double least_target_mm = 1e-5;
