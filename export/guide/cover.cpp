@@ -197,7 +197,7 @@ std::vector<std::size_t> sides_to_draw(const std::vector<SideView>& views, std::
 
 }  // namespace
 
-Group cover(const GuideModel& guide) {
+Group cover(const GuideModel& guide, const Context& context) {
   Group group;
   group.id = "cover";
   const Box2 room = guide.sheet.room();
@@ -210,9 +210,14 @@ Group cover(const GuideModel& guide) {
                    {room.high.x - gap, room.high.y - title_height_mm - gap}};
   const Side& side = guide_sides().front();
   const Camera camera = look_from(guide.stance, side.azimuth, side.elevation);
-  add_picture(
-      guide.scene, *guide.nets, camera, fit_into(seen_box(guide.scene, camera), frame), std::nullopt,
-      [&](PieceId piece) -> const PieceLook& { return guide.looks[piece]; }, group);
+  const Fit fit = fit_into(seen_box(guide.scene, camera), frame);
+  if (guide.in_colour) {
+    add_coloured_picture(*guide.model, guide.scene, *guide.nets, camera, fit, group, context);
+  } else {
+    add_picture(
+        guide.scene, *guide.nets, camera, fit, std::nullopt,
+        [&](PieceId piece) -> const PieceLook& { return guide.looks[piece]; }, group);
+  }
   group.lines.push_back(guide_rule({room.low.x, facts_top}, {room.high.x, facts_top}));
   const double middle = 0.5 * (room.low.x + room.high.x);
   const double top = facts_top - 5.0;

@@ -3,11 +3,14 @@
 // each piece is on it.
 #pragma once
 
+#include "base/context.hpp"
 #include "export/guide/guide_model.hpp"
 
 namespace ridgecraft::paper {
 
-[[nodiscard]] Group cover(const GuideModel& guide);
+/// In the model's own colours, where it has some and they are printed; else in the hues of its pieces. Throws
+/// Error(interrupted).
+[[nodiscard]] Group cover(const GuideModel& guide, const Context& context);
 
 /// The model from four sides, and from below where only that shows some piece, each piece in its hue and
 /// named where it is seen best at least. O(8 coarse views + 4 to 6 views).

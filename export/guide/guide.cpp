@@ -28,6 +28,7 @@ Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const
   guide.stance = stance_of(model.model);
   guide.effort = effort_of(model.model.surface, nets, style.hidden_fold_angle);
   guide.scene = scene_of(model, nets, style.hidden_fold_angle);
+  guide.in_colour = model.look != nullptr && style.ink != Ink::lines;
   guide.pale = pale_look();
   for (const Color hue : piece_hues(model.model.surface, nets)) {
     guide.looks.push_back(coloured_look(hue));
@@ -35,7 +36,7 @@ Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const
   for (const PieceId piece : nets.piece) {
     guide.piece_of_face.push_back(piece.value());
   }
-  std::vector<Group> groups{cover(guide)};
+  std::vector<Group> groups{cover(guide, context)};
   context.check();
   groups.push_back(overview(guide));
   for (Group& page : step_pages(guide, context)) {

@@ -26,6 +26,7 @@ struct GuideModel {
   std::span<const Body> bodies;
   std::size_t sheets = 0;  ///< to be printed, lists of numbers included
   double hidden_fold_angle = 0.0;
+  bool in_colour = false;  ///< the finished model is shown in its own colours
   std::string title;
   GuideSheet sheet;
   Stance stance;

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "export/guide/coloured_areas.hpp"
 #include "export/guide/hues.hpp"
 #include "export/view/view.hpp"
 
@@ -42,6 +43,63 @@ std::vector<Vec2> clipped_polygon(std::vector<Vec2> polygon, const Box2& box) {
   polygon = part_where(polygon, [&](Vec2 p) { return box.high.x - p.x; });
   polygon = part_where(polygon, [&](Vec2 p) { return p.y - box.low.y; });
   return part_where(polygon, [&](Vec2 p) { return box.high.y - p.y; });
+}
+
+void add_areas(const Scene& scene, const unfold::Nets& nets, const View& view, const Camera& camera,
+               const Fit& fit, const std::optional<Box2>& frame, const LookOf& look, Group& group) {
+  const mesh::Surface& surface = *scene.surface;
+  for (const VisibleArea& area : view.areas) {
+    const PieceLook& piece = look(nets.piece[area.face]);
+    const Vec3 normal = surface.normal(area.face);
+    const Color color = area.inside ? shaded(piece.inside, -normal, camera, 0.6 * piece.shade)
+                                    : shaded(piece.face, normal, camera, piece.shade);
+    for (const std::vector<Vec2>& outline : area.outlines) {
+      std::vector<Vec2> points;
+      for (const Vec2 p : outline) {
+        points.push_back(fit(p));
+      }
+      if (frame) {
+        points = clipped_polygon(std::move(points), *frame);
+      }
+      if (points.size() > 2) {
+        group.areas.push_back({Layer::picture, std::move(points), color});
+      }
+    }
+  }
+}
+
+void add_lines(const Scene& scene, const unfold::Nets& nets, const View& view, const Fit& fit,
+               const std::optional<Box2>& frame, const LookOf& look, Group& group) {
+  const mesh::Surface& surface = *scene.surface;
+  // Of each line the look of the piece that draws it.
+  std::vector<std::pair<const PieceLook*, const VisibleLine*>> lines;
+  for (const VisibleLine& line : view.lines) {
+    const PieceLook* best = nullptr;
+    for (const CornerId side : surface.sides(line.edge)) {
+      if (side.valid() && scene.has(mesh::face_of(side))) {
+        const PieceLook& own = look(nets.piece[mesh::face_of(side)]);
+        best = best == nullptr || own.rank > best->rank ? &own : best;
+      }
+    }
+    lines.emplace_back(best, &line);
+  }
+  const auto is_fold = [&](const VisibleLine& line) {
+    return !line.outline && nets.use[line.edge] == unfold::EdgeUse::fold;
+  };
+  std::stable_sort(lines.begin(), lines.end(), [&](const auto& a, const auto& b) {
+    return std::pair(a.first->rank, !is_fold(*a.second)) < std::pair(b.first->rank, !is_fold(*b.second));
+  });
+  for (const auto& [piece, line] : lines) {
+    std::optional<PictureLine> seen = PictureLine{fit(line->a), fit(line->b)};
+    if (frame) {
+      seen = clipped(*seen, *frame);
+    }
+    if (seen) {
+      Line drawn{Layer::picture, {seen->a, seen->b}};
+      drawn.pen = line->outline ? piece->outline : is_fold(*line) ? piece->fold : piece->seam;
+      group.lines.push_back(std::move(drawn));
+    }
+  }
 }
 
 }  // namespace
@@ -120,55 +178,20 @@ std::optional<PictureLine> clipped(const PictureLine& line, const Box2& box) {
 
 void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& camera, const Fit& fit,
                  const std::optional<Box2>& frame, const LookOf& look, Group& group) {
-  const mesh::Surface& surface = *scene.surface;
   const View view = look_at(scene, camera, smallest_drawn_mm / fit.scale);
-  for (const VisibleArea& area : view.areas) {
-    const PieceLook& piece = look(nets.piece[area.face]);
-    const Vec3 normal = surface.normal(area.face);
-    const Color color = area.inside ? shaded(piece.inside, -normal, camera, 0.6 * piece.shade)
-                                    : shaded(piece.face, normal, camera, piece.shade);
-    for (const std::vector<Vec2>& outline : area.outlines) {
-      std::vector<Vec2> points;
-      for (const Vec2 p : outline) {
-        points.push_back(fit(p));
-      }
-      if (frame) {
-        points = clipped_polygon(std::move(points), *frame);
-      }
-      if (points.size() > 2) {
-        group.areas.push_back({Layer::picture, std::move(points), color});
-      }
-    }
-  }
-  // Of each line the look of the piece that draws it.
-  std::vector<std::pair<const PieceLook*, const VisibleLine*>> lines;
-  for (const VisibleLine& line : view.lines) {
-    const PieceLook* best = nullptr;
-    for (const CornerId side : surface.sides(line.edge)) {
-      if (side.valid() && scene.has(mesh::face_of(side))) {
-        const PieceLook& own = look(nets.piece[mesh::face_of(side)]);
-        best = best == nullptr || own.rank > best->rank ? &own : best;
-      }
-    }
-    lines.emplace_back(best, &line);
-  }
-  const auto is_fold = [&](const VisibleLine& line) {
-    return !line.outline && nets.use[line.edge] == unfold::EdgeUse::fold;
-  };
-  std::stable_sort(lines.begin(), lines.end(), [&](const auto& a, const auto& b) {
-    return std::pair(a.first->rank, !is_fold(*a.second)) < std::pair(b.first->rank, !is_fold(*b.second));
-  });
-  for (const auto& [piece, line] : lines) {
-    std::optional<PictureLine> seen = PictureLine{fit(line->a), fit(line->b)};
-    if (frame) {
-      seen = clipped(*seen, *frame);
-    }
-    if (seen) {
-      Line drawn{Layer::picture, {seen->a, seen->b}};
-      drawn.pen = line->outline ? piece->outline : is_fold(*line) ? piece->fold : piece->seam;
-      group.lines.push_back(std::move(drawn));
-    }
-  }
+  add_areas(scene, nets, view, camera, fit, frame, look, group);
+  add_lines(scene, nets, view, fit, frame, look, group);
+}
+
+void add_coloured_picture(const prepare::Prepared& model, const Scene& scene, const unfold::Nets& nets,
+                          const Camera& camera, const Fit& fit, Group& group, const Context& context) {
+  const View view = look_at(scene, camera, smallest_drawn_mm / fit.scale);
+  add_coloured_areas(model, scene, view, camera, fit, group, context);
+  // Where pieces meet isn't seen on a finished model.
+  const Pen fold{0.06, {0x55, 0x55, 0x5a}};
+  const PieceLook plain{white, white, 0.0, {0.2, ink}, fold, fold, 0};
+  add_lines(
+      scene, nets, view, fit, std::nullopt, [&](PieceId) -> const PieceLook& { return plain; }, group);
 }
 
 }  // namespace ridgecraft::paper

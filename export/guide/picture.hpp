@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/context.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/view/camera.hpp"
 #include "export/view/scene.hpp"
@@ -53,6 +54,11 @@ struct Fit {
 /// Adds what is seen to the group. Where a frame is given nothing is drawn beyond it.
 void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& camera, const Fit& fit,
                  const std::optional<Box2>& frame, const LookOf& look, Group& group);
+
+/// The same in the model's own colours, without the borders of pieces; model.look must be there.
+/// Throws Error(interrupted).
+void add_coloured_picture(const prepare::Prepared& model, const Scene& scene, const unfold::Nets& nets,
+                          const Camera& camera, const Fit& fit, Group& group, const Context& context);
 
 /// The part of a line in a box; nothing where it misses it.
 struct PictureLine {

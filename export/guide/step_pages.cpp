@@ -62,6 +62,14 @@ class StepPages {
   explicit StepPages(const GuideModel& guide) : guide_(guide), steps_(guide.assembly->steps) {
     grid_ = *std::find_if(grids.begin(), grids.end(),
                           [&](const StepGrid& grid) { return steps_.size() <= grid.most_steps; });
+    // A row more a page, rather than a page of one row.
+    const std::size_t last = steps_.size() % (grid_.columns * grid_.rows);
+    if (steps_.size() > last && last > 0 && last <= grid_.columns) {
+      const auto pages_of = [&](std::size_t rows) {
+        return (steps_.size() + grid_.columns * rows - 1) / (grid_.columns * rows);
+      };
+      grid_.rows += pages_of(grid_.rows + 1) < pages_of(grid_.rows) ? 1U : 0U;
+    }
     only_near_ = steps_.size() * guide.surface().face_count() > most_faces_drawn;
   }
 

@@ -67,16 +67,72 @@ TEST_CASE("the guide names every piece where it is seen, and has every step", "[
   const Drawn drawn = draw(bracket(), 30.0);
   const paper::Guide& guide = drawn.guide;
   CHECK(guide.steps == drawn.assembly.steps.size());
-  REQUIRE(guide.pages.size() == 2 + (guide.steps + 5) / 6);
+  REQUIRE(guide.pages.size() > 2);
   const auto overview = words_on(guide.pages[1]);
   for (const unfold::Piece& piece : drawn.sample.nets.pieces) {
     CHECK(has(overview, piece.name));
   }
   for (std::size_t s = 0; s < guide.steps; ++s) {
-    const auto page = words_on(guide.pages[2 + s / 6]);
-    CHECK(has(page, std::to_string(s + 1)));
-    CHECK(has(page, paper::step_title(drawn.sample.nets, drawn.assembly.steps[s])));
+    const std::string title = paper::step_title(drawn.sample.nets, drawn.assembly.steps[s]);
+    CHECK(std::any_of(guide.pages.begin() + 2, guide.pages.end(), [&](const paper::Drawing& page) {
+      const auto words = words_on(page);
+      return has(words, std::to_string(s + 1)) && has(words, title);
+    }));
   }
+}
+
+TEST_CASE("no page of the guide has one row of steps alone where the others have room for it", "[guide]") {
+  // 1 to 36 pieces; six steps a page, or eight.
+  const auto pages_of = [](std::size_t steps) {
+    const std::size_t pages = (steps + 5) / 6;
+    return steps % 6 == 1 || steps % 6 == 2 ? std::min(pages, (steps + 7) / 8) : pages;
+  };
+  for (const std::size_t cubes : {1U, 2U, 3U, 5U}) {
+    std::vector<std::array<int, 3>> places;
+    for (std::size_t i = 0; i < cubes; ++i) {
+      places.push_back({static_cast<int>(i), 0, 0});
+    }
+    const Drawn drawn = draw(test::voxels(places), 30.0);
+    CAPTURE(drawn.guide.steps);
+    CHECK(drawn.guide.pages.size() == 2 + std::max<std::size_t>(1, pages_of(drawn.guide.steps)));
+  }
+}
+
+TEST_CASE("the cover shows the model in its own colours, unless lines are all that is printed", "[guide]") {
+  Drawn drawn = draw(bracket(), 30.0);
+  const Surface& surface = drawn.sample.model.model.surface;
+  // Faces to the right of a plane that cuts through some of them are red, the others green: a picture of two
+  // pixels beside each other.
+  mesh::LookParts parts;
+  mesh::Paint paint;
+  paint.picture = std::make_shared<const mesh::Picture>(mesh::Picture(2, 1, {220, 20, 20, 20, 160, 20}));
+  parts.paints.push_back(paint);
+  const Box3 bounds = surface.bounds();
+  for (const FaceId face : ids<FaceId>(surface.face_count())) {
+    mesh::LookFace& look = parts.faces.emplace_back();
+    look.normal = surface.normal(face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      look.corners[k] = surface.point(surface.vertices(face)[k]);
+      const double share = (look.corners[k].x - bounds.low.x) / bounds.size().x;
+      look.places[k] = {0.05 + 0.9 * share, 0.5};
+    }
+  }
+  drawn.sample.model.look = std::make_shared<const mesh::Look>(parts);
+  const auto hues_on_cover = [&](paper::Ink ink) {
+    paper::Style style;
+    style.ink = ink;
+    const paper::Guide guide = paper::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages,
+                                                 drawn.assembly, drawn.sample.pages.count, {}, style, {});
+    std::set<char> found;
+    for (const paper::Area& area : guide.pages[0].groups[0].areas) {
+      const paper::Color c = *area.color;
+      found.insert(c.red > 2 * c.green ? 'r' : c.green > 2 * c.red ? 'g' : '-');
+    }
+    return found;
+  };
+  CHECK(hues_on_cover(paper::Ink::colour).contains('r'));
+  CHECK(hues_on_cover(paper::Ink::colour).contains('g'));
+  CHECK_FALSE(hues_on_cover(paper::Ink::lines).contains('r'));
 }
 
 TEST_CASE("texts of the guide lie on their sheet and on no other text", "[guide]") {
@@ -103,6 +159,17 @@ TEST_CASE("texts of the guide lie on their sheet and on no other text", "[guide]
             CHECK_FALSE(paper::overlap(paper::box_of(texts[i]), paper::box_of(texts[j])));
           }
         }
+      }
+    }
+  }
+}
+
+TEST_CASE("no word of a guide needs a font of the machine", "[guide]") {
+  for (const double scale : {12.0, 30.0, 300.0}) {
+    for (const paper::Drawing& page : draw(bracket(), scale).guide.pages) {
+      for (const std::string& words : words_on(page)) {
+        CAPTURE(words);
+        CHECK(paper::stroke_font_covers(words));
       }
     }
   }

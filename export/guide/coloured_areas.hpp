@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The model's own colours on a view of it.
+#pragma once
+
+#include "base/context.hpp"
+#include "export/guide/picture.hpp"
+#include "export/view/view.hpp"
+
+namespace ridgecraft::paper {
+
+/// Adds the areas that are seen, in the colours of model.look, which must be there: areas where faces have
+/// one colour each, small squares where there is a picture on them, so that nothing hidden is in the drawing.
+/// O(areas x faces of their region + squares x log n). Throws Error(interrupted).
+void add_coloured_areas(const prepare::Prepared& model, const Scene& scene, const View& view,
+                        const Camera& camera, const Fit& fit, Group& group, const Context& context);
+
+}  // namespace ridgecraft::paper
