@@ -2,13 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds Ridgecraft with its tests (installing what is missing with apt) and runs them.
 #   ./test.sh [--asan | --tsan] [--update-golden] [ctest options]
+# --tsan builds and runs what works on several threads.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 preset=test
+target=all
 while [ $# -gt 0 ]; do
   case "$1" in
     --asan) preset=asan ;;
-    --tsan) preset=tsan ;;
+    --tsan)
+      preset=tsan
+      target=thread_tests
+      only="-L threads"
+      ;;
     # Golden files are written anew instead of compared; `git diff` is the review.
     --update-golden) export RIDGECRAFT_UPDATE_GOLDEN=1 ;;
     *) break ;;
@@ -30,10 +36,11 @@ quietly() {
 }
 quietly cmake -S "$here" --preset "$preset"
 echo "Building ($preset)" >&2
-quietly cmake --build "$here/build/$preset" -j "$jobs"
+quietly cmake --build "$here/build/$preset" -j "$jobs" --target "$target"
 
 # What libraries of others leave behind at the program's end is theirs.
 export LSAN_OPTIONS="suppressions=$here/tests/leaks.supp:print_suppressions=0"
 
 cd "$here/build/$preset"
-exec ctest --output-on-failure -j "$jobs" "$@"
+# shellcheck disable=SC2086 # two words on purpose
+exec ctest --output-on-failure -j "$jobs" ${only:-} "$@"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DFROM=FOLDER -DTO=FOLDER -DHEADERS=a/b.hpp,c.hpp -P copy_headers.cmake: copies of headers that include each
-# other as <ridgecraft/...>. What hasn't changed keeps its time; what is public no more is removed.
+# other as <ridgecraft/...>. What hasn't changed keeps its time; what is public no more is removed. A header that includes
+# one that isn't public is an error.
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" HEADERS "${HEADERS}")
 file(GLOB_RECURSE copies RELATIVE ${TO} ${TO}/*.hpp)
@@ -11,6 +12,13 @@ foreach(copy IN LISTS copies)
 endforeach()
 foreach(header IN LISTS HEADERS)
   file(READ ${FROM}/${header} text)
+  string(REGEX MATCHALL "#include \"[^\"]+\"" includes "${text}")
+  foreach(include IN LISTS includes)
+    string(REGEX REPLACE "#include \"([^\"]+)\"" "\\1" included "${include}")
+    if(NOT included IN_LIST HEADERS)
+      message(FATAL_ERROR "${header} is public and includes ${included}, which isn't: see PUBLIC_HEADERS")
+    endif()
+  endforeach()
   string(REGEX REPLACE "#include \"([^\"]+)\"" "#include <ridgecraft/\\1>" text "${text}")
   set(there "")
   if(EXISTS ${TO}/${header})

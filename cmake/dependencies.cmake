@@ -26,7 +26,7 @@ include(CGAL_Eigen3_support)
 
 # Nothing of Python is looked for where no module is asked for.
 set(ridgecraft_python OFF)
-if(RIDGECRAFT_PYTHON AND "job" IN_LIST ridgecraft_components AND NOT RIDGECRAFT_FUZZ AND NOT RIDGECRAFT_SANITIZE)
+if(RIDGECRAFT_PYTHON AND "job" IN_LIST ridgecraft_components AND NOT RIDGECRAFT_SANITIZE)
   # The packages are those of Debian's own Python; another that comes first on the path has none of them.
   if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)
     set(Python_EXECUTABLE /usr/bin/python3)

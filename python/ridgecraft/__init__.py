@@ -50,6 +50,7 @@ __all__ = [
     "read",
     "run_coacd",
     "segment",
+    "set_log_level",
     "unfold",
 ]
 
@@ -142,29 +143,48 @@ def run_coacd(
     mesh: Any,
     threshold: float = 0.05,
     max_convex_hull: int = -1,
-    *,
-    max_ch_vertex: int = 256,
+    preprocess_mode: str = "auto",
+    preprocess_resolution: int = 50,
+    resolution: int = 2000,
+    mcts_nodes: int = 20,
+    mcts_iterations: int = 150,
+    mcts_max_depth: int = 3,
+    pca: bool = False,
+    merge: bool = True,
     decimate: bool = False,
+    max_ch_vertex: int = 256,
+    extrude: bool = False,
+    extrude_margin: float = 0.01,
+    apx_mode: str = "ch",
     seed: int = 0,
+    *,
     threads: int = 0,
     progress: Optional[Progress] = None,
 ) -> List[List[Any]]:
-    """hulls() in the shape of coacd.run_coacd: takes anything with `vertices` and `indices` (or `faces`), and
-    gives a list of [vertices, faces].
+    """hulls() in the shape of coacd.run_coacd, so that `import ridgecraft as coacd` tries one in the other's place:
+    takes anything with `vertices` and `indices` (or `faces`), and gives a list of [vertices, faces].
 
     threshold is the concavity of segment(), which measures something else than CoACD does: the same number
-    gives other parts. max_convex_hull joins parts until there are no more than that, as far as they hang
-    together. max_ch_vertex counts where decimate is set, as it does there. CoACD's other arguments belong to
-    its own search and aren't taken.
+    gives other parts. max_convex_hull counts where merge is set, and joins parts until there are no more than
+    that, as far as they hang together. max_ch_vertex counts where decimate is set.
+    preprocess_mode, preprocess_resolution, resolution, pca and those that begin with mcts_ belong to CoACD's own
+    search: they are taken, and change nothing. What can't be had raises UsageError: extrude, and an apx_mode other
+    than 'ch'.
     """
+    if extrude or apx_mode != "ch":
+        raise UsageError("hulls are convex hulls: there are neither extrude nor an apx_mode but 'ch'")
     faces = mesh.indices if hasattr(mesh, "indices") else mesh.faces
     made = _core.hulls(
         mesh.vertices, faces, concavity=threshold, effort=1, parts=None,
-        most_parts=max_convex_hull if max_convex_hull > 0 else None,
+        most_parts=max_convex_hull if merge and max_convex_hull > 0 else None,
         max_vertices=max_ch_vertex if decimate else 0, volume_weight=None, planes=False, pockets=False,
         holes="automatic", components="apart", threads=threads, seed=seed, progress=progress,
     )
     return [[points, triangles] for points, triangles in made]
+
+
+def set_log_level(level: str) -> None:
+    """Does nothing, for this module prints nothing: there for scripts that call coacd.set_log_level."""
 
 
 def unfold(

@@ -2,8 +2,10 @@
 // Exact signs of orientation for points on a grid of 2^-40, which 128-bit integers hold without rounding.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
+#include "base/int128.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::segment {
@@ -19,8 +21,6 @@ struct GridPoint {
   std::int64_t y = 0;
   std::int64_t z = 0;
 };
-
-__extension__ using Int128 = __int128;
 
 /// Nearest point of the grid.
 [[nodiscard]] inline Vec3 snap_to_grid(Vec3 p) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes to the readers of printed pages: an SVG file, or the content of a PDF page. The file around that
-// content is qpdf's to read; its headers don't compile with the compiler of the fuzzers.
+// content is qpdf's to read.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

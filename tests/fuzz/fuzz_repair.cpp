@@ -86,7 +86,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (options.collapse_flat_faces) {
       prepare::SimplifyOptions simplify;
       simplify.mode = how % 4U == 0 ? prepare::Simplification::automatic : prepare::Simplification::keep;
-      const prepare::Prepared prepared = prepare::prepare(std::move(model), {}, simplify, {190.0, 277.0}, {});
+      const prepare::Prepared prepared =
+          prepare::prepare(std::move(model), {}, simplify, {{190.0, 277.0}}, {});
       require(prepared.panels.count() > 0);
       for (const Vec3 p : prepared.model.surface.points()) {
         require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Parts and hulls: what the program finds, in arrays."""
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from conftest import SAMPLES, read_obj, told, volume
@@ -98,6 +101,45 @@ def test_coacd_s_form(cross):
         vertices, faces = cross
 
     assert len(ridgecraft.run_coacd(Trimesh(), 0.1)) == len(parts)
+
+
+def test_scripts_for_coacd_run_with_one_line_changed(tmp_path):
+    # The call of CoACD's own example script, with all its arguments as its command line has them.
+    script = tmp_path / "decompose.py"
+    script.write_text(
+        "import sys\n"
+        "import numpy as np\n"
+        "import ridgecraft as coacd\n"
+        "coacd.set_log_level('error')\n"
+        "vertices, faces = np.load(sys.argv[1]), np.load(sys.argv[2])\n"
+        "mesh = coacd.Mesh(vertices, faces)\n"
+        "parts = coacd.run_coacd(mesh, threshold=0.05, max_convex_hull=-1, preprocess_mode='auto',\n"
+        "    preprocess_resolution=50, resolution=2000, mcts_nodes=20, mcts_iterations=150, mcts_max_depth=3,\n"
+        "    pca=False, merge=True, decimate=False, max_ch_vertex=256, apx_mode='ch', seed=0)\n"
+        "print(len(parts), sum(len(f) for v, f in parts))\n"
+    )
+    vertices, faces = ridgecraft.read(SAMPLES / "whale.obj")
+    triangles = np.array([(face[0], face[k], face[k + 1]) for face in faces for k in range(1, len(face) - 1)])
+    np.save(tmp_path / "vertices.npy", vertices)
+    np.save(tmp_path / "faces.npy", triangles)
+    printed = subprocess.run(
+        [sys.executable, script, tmp_path / "vertices.npy", tmp_path / "faces.npy"],
+        check=True, capture_output=True, text=True,
+    )
+    hulls = ridgecraft.hulls(vertices, triangles, 0.05)
+    assert printed.stdout == f"{len(hulls)} {sum(len(f) for _, f in hulls)}\n"
+    assert printed.stderr == ""
+
+
+def test_coacd_s_order_of_arguments(cross):
+    mesh = ridgecraft.Mesh(*cross)
+    assert len(ridgecraft.run_coacd(mesh, 0.1, 2, "off", 50, 2000, 20, 150, 3, True, True, True, 8)) == 2
+    few = ridgecraft.run_coacd(mesh, 0.1, 2, merge=False)
+    assert len(few) == len(ridgecraft.run_coacd(mesh, 0.1))
+    assert max(len(points) for points, _ in ridgecraft.run_coacd(mesh, 10, decimate=True, max_ch_vertex=8)) <= 8
+    for not_there in ({"extrude": True}, {"apx_mode": "box"}):
+        with pytest.raises(ridgecraft.UsageError):
+            ridgecraft.run_coacd(mesh, 0.1, **not_there)
 
 
 def test_numbers_of_any_size(cross):

@@ -106,7 +106,7 @@ TEST_CASE("The same run twice gives the same parts") {
   }
 }
 
-TEST_CASE("The number of threads changes nothing") {
+TEST_CASE("The number of threads changes nothing", "[threads]") {
   std::vector<mesh::Surface> all = shapes();
   all.push_back(test::together(all));
   for (const mesh::Surface& s : all) {
@@ -129,7 +129,7 @@ TEST_CASE("The number of threads changes nothing") {
   }
 }
 
-TEST_CASE("Segmenting on several threads stops when it is asked to") {
+TEST_CASE("Segmenting on several threads stops when it is asked to", "[threads]") {
   StopSource source;
   Context context;
   context.threads = 4;
@@ -138,7 +138,7 @@ TEST_CASE("Segmenting on several threads stops when it is asked to") {
   CHECK_THROWS_AS(segment::segment(test::spiked_sphere(6, 0.02, 80, 40), {}, {0.1}, context), Error);
 }
 
-TEST_CASE("Another thread may stop segmenting in its first round") {
+TEST_CASE("Another thread may stop segmenting in its first round", "[threads]") {
   const mesh::Surface one = test::spiked_sphere(6, 0.02, 80, 40);
   const auto at = [&](double x) { return test::mapped(one, [=](Vec3 p) { return p + Vec3{x, 0, 0}; }); };
   const std::vector<mesh::Surface> four{one, at(4.0), at(8.0), at(12.0)};
@@ -162,7 +162,7 @@ TEST_CASE("Another thread may stop segmenting in its first round") {
   }
 }
 
-TEST_CASE("Progress moves with every part and never back") {
+TEST_CASE("Progress moves with every part and never back", "[threads]") {
   std::vector<mesh::Surface> all = shapes();
   const mesh::Surface s = test::together(all);
   for (const unsigned threads : {1U, 4U}) {

@@ -151,7 +151,7 @@ TEST_CASE("one seed gives one tree", "[search]") {
   CHECK(search(ball, 9).folds == search(ball, 9).folds);
 }
 
-TEST_CASE("searches that race on several threads end as those that take turns", "[search]") {
+TEST_CASE("searches that race on several threads end as those that take turns", "[threads][search]") {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
     const mesh::Surface ball = bumpy_ball(seed);
     const unfold::Patch patch = test::whole_patch(ball);

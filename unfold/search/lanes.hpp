@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Four numbers worked at a time, in the vector form that GCC and Clang share; the same bits as one by one.
+// Four numbers worked at a time: in the vector form that GCC and Clang share, or the portable way where a
+// compiler has none or the build asks for it. Both give the same bits as one number after the other.
 #pragma once
 
 #include <cstdint>
+
+#if defined(__GNUC__) && !defined(RIDGECRAFT_PORTABLE)
 
 namespace ridgecraft::unfold {
 
@@ -24,3 +27,17 @@ using DoubleLanes = double __attribute__((vector_size(16)));  ///< two
 }
 
 }  // namespace ridgecraft::unfold
+
+#else
+
+#include "unfold/search/portable_lanes.hpp"
+
+namespace ridgecraft::unfold {
+
+using FloatLanes = PortableFloatLanes;
+using IntLanes = PortableIntLanes;
+using DoubleLanes = PortableDoubleLanes;  ///< two
+
+}  // namespace ridgecraft::unfold
+
+#endif

@@ -1,0 +1,62 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# tidy.sh BUILD [BASE]: clang-tidy, as .clang-tidy says, on the files that differ from BASE, compiled as in a build folder.
+# BASE is where the branch left main; on main itself the commit before. Precompiled headers are left out: so a file that
+# doesn't name what it uses is found, too.
+set -eu
+cd "$(dirname "$0")/.."
+build=$1
+limit_s=420
+
+base=${2:-}
+if [ -z "$base" ]; then
+  for main in origin/main main; do
+    base=$(git merge-base "$main" HEAD 2>/dev/null) || continue
+    [ "$base" = "$(git rev-parse HEAD)" ] || break
+    base=
+  done
+fi
+[ -n "$base" ] || base=$(git rev-parse -q --verify HEAD~1) || {
+  echo "tidy: no earlier commit to compare with" >&2
+  exit 0
+}
+
+# What the build knows of; a changed header is looked at with the source of its name.
+python3 - "$build/compile_commands.json" "$(git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp')" "$limit_s" <<'END'
+import concurrent.futures, json, os, re, subprocess, sys, tempfile, time
+
+database, changed, limit = json.load(open(sys.argv[1])), sys.argv[2].split(), float(sys.argv[3])
+for entry in database:
+    entry["command"] = re.sub(r" -Winvalid-pch|( -Xclang)? -include(-pch)? *( -Xclang)? *\S*cmake_pch\S*", "", entry["command"])
+known = {os.path.relpath(entry["file"]): entry for entry in database}
+wanted = {name if name.endswith(".cpp") else name[:-3] + "cpp" for name in changed}
+files = sorted(wanted & known.keys())
+# GCC's settings; CGAL 5.5 has templates that clang can't read before somebody uses them.
+extra = ["--extra-arg=" + word for word in (
+    "-Wno-unknown-warning-option", "-Wno-double-promotion", "-Wno-deprecated-declarations",
+    "-fdelayed-template-parsing", "-Wno-delayed-template-parsing-in-cxx20")]
+until = time.monotonic() + limit
+
+
+def look(file):
+    if time.monotonic() > until:
+        return file, None
+    run = subprocess.run(["clang-tidy-22", "--quiet", "--warnings-as-errors=*", "-p", folder, *extra, file],
+                         capture_output=True, text=True)
+    return file, (run.returncode, run.stdout + run.stderr)
+
+
+with tempfile.TemporaryDirectory() as folder:
+    json.dump(database, open(os.path.join(folder, "compile_commands.json"), "w"))
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        told = dict(pool.map(look, files))
+bad = {file: said[1] for file, said in told.items() if said and said[0] != 0}
+for said in bad.values():
+    print(said, file=sys.stderr)
+late = [file for file, said in told.items() if said is None]
+print(f"tidy: {len(files) - len(late)} of {len(files)} changed files looked at, {len(bad)} with something to mend",
+      file=sys.stderr)
+if late:
+    print("tidy: no time left for " + " ".join(late), file=sys.stderr)
+sys.exit(1 if bad else 0)
+END
