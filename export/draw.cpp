@@ -8,11 +8,14 @@
 
 #include "base/utf8.hpp"
 #include "export/export.hpp"
+#include "export/page/back_of_page.hpp"
 #include "export/page/furniture.hpp"
+#include "export/page/glue_spots.hpp"
 #include "export/page/neighbours.hpp"
 #include "export/page/number_list.hpp"
 #include "export/page/page_index.hpp"
 #include "export/page/piece_drawing.hpp"
+#include "export/page/tab_shadows.hpp"
 #include "export/page/text_placement.hpp"
 #include "export/paint/paint.hpp"
 #include "export/sheet/bodies.hpp"
@@ -63,20 +66,31 @@ void report_numbers(const std::vector<PieceDrawing>& pieces, bool can_list, Draw
   }
 }
 
-/// Rows of numbers that their page's index has no room for.
+/// How much is to be cut and folded.
+void report_lines(const Group& group, DrawReport& report) {
+  for (const Line& line : group.lines) {
+    double size = line.closed ? length(line.points.front() - line.points.back()) : 0.0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      size += length(line.points[i] - line.points[i - 1]);
+    }
+    report.cut_mm += line.layer == Layer::cut ? size : 0.0;
+    report.fold_mm += line.layer != Layer::cut && line.fold != Fold::none ? size : 0.0;
+  }
+}
+
+/// Rows that their page has no room for.
 struct Unlisted {
   std::size_t page = 0;
   std::vector<std::string> rows;
 };
 
-/// Puts lists where pages have room for them by themselves, their own page first, then any. Returns the rows
-/// for which none has.
-std::vector<std::string> list_beside_pieces(const Paper& paper,
-                                            const std::vector<std::vector<PieceDrawing>>& pieces,
-                                            const std::vector<Unlisted>& lists,
-                                            std::vector<std::vector<Text>>& indices) {
+/// Puts lists of one kind where pages have room for them by themselves, their own page first, then any.
+/// Returns the rows for which none has.
+RowList list_beside_pieces(const Paper& paper, const std::vector<std::vector<PieceDrawing>>& pieces,
+                           std::string_view heading, const std::vector<Unlisted>& lists,
+                           std::vector<std::vector<Text>>& indices) {
   const auto listed = [&](std::size_t page, const std::vector<std::string>& rows) {
-    const auto texts = number_list_beside(paper, pieces[page], indices[page], rows);
+    const auto texts = list_beside(paper, pieces[page], indices[page], {heading, rows});
     if (texts) {
       indices[page].insert(indices[page].end(), texts->begin(), texts->end());
     }
@@ -84,7 +98,7 @@ std::vector<std::string> list_beside_pieces(const Paper& paper,
   };
   std::vector<std::string> left;
   for (const Unlisted& list : lists) {
-    if (!listed(list.page, list.rows)) {
+    if (!list.rows.empty() && !listed(list.page, list.rows)) {
       for (const std::string& row : list.rows) {
         left.push_back(fmt::format("page {}, {}", list.page + 1, row));
       }
@@ -95,7 +109,7 @@ std::vector<std::string> list_beside_pieces(const Paper& paper,
       left.clear();
     }
   }
-  return left;
+  return {heading, std::move(left)};
 }
 
 }  // namespace
@@ -108,16 +122,24 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds);
   const auto neighbours = find_neighbours(model.model.surface, nets);
   std::vector<std::vector<Text>> indices;
-  std::vector<Unlisted> unlisted;
+  std::vector<Unlisted> partners, numbers;
   const bool can_list = has_room_for_lists(pages.paper);
   const auto contents = piece_contents(model.model.surface, nets);
   std::vector<std::vector<PieceDrawing>> pieces(pages.count);
+  sum.contacts = find_contacts(model.model.surface, nets);
   std::vector<std::vector<PieceId>> piece_ids(pages.count);
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
     const Placement& placement = pages.placements[piece];
     pieces[placement.page.value()].push_back(
         piece_drawing(model, nets, piece, contents[piece], placement, style));
     pieces[placement.page.value()].back().notes = notes[piece];
+    report_lines(pieces[placement.page.value()].back().group, sum);
+    for (const Contact& contact : sum.contacts) {
+      if (contact.piece == piece) {
+        add_glue_spot(contact, placement, nets.pieces[contact.other].name,
+                      pieces[placement.page.value()].back());
+      }
+    }
     piece_ids[placement.page.value()].push_back(piece);
   }
   std::vector<Drawing> drawings;
@@ -125,20 +147,25 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
     context.check();
     place_texts(pieces[i], pages.paper.size, piece_box(pages.paper), style, sum, context);
     report_numbers(pieces[i], can_list, sum);
+    for (std::size_t k = 0; style.tab_shadows && k < pieces[i].size(); ++k) {
+      const PieceId piece = piece_ids[i][k];
+      add_tab_shadows(model.model.surface, nets, piece, contents[piece], pages.placements[piece],
+                      pieces[i][k]);
+    }
     PageIndex index = page_index(nets, pages, PageId(i), neighbours, sum.kinds, pieces[i]);
     indices.push_back(std::move(index.texts));
-    Unlisted list{i, {}};
-    for (const PieceDrawing& piece : pieces[i]) {
-      if (std::string row = number_row(piece); !index.lists_numbers && !row.empty()) {
-        list.rows.push_back(std::move(row));
-      }
-    }
-    if (!list.rows.empty()) {
-      unlisted.push_back(std::move(list));
-    }
+    partners.push_back({i, std::move(index.partners)});
+    numbers.push_back({i, std::move(index.numbers)});
   }
-  const std::vector<std::string> left =
-      can_list ? list_beside_pieces(pages.paper, pieces, unlisted, indices) : std::vector<std::string>();
+  std::vector<RowList> left;
+  if (can_list) {
+    left.push_back(list_beside_pieces(pages.paper, pieces, number_list_heading, numbers, indices));
+    left.push_back(list_beside_pieces(pages.paper, pieces, partner_list_heading, partners, indices));
+  }
+  std::vector<std::vector<Group>> backs(pages.count);
+  for (std::size_t i = 0; style.numbers == Numbers::back && i < pages.count; ++i) {
+    backs[i] = take_to_back(pieces[i], pages.paper.size, style.turned_over);
+  }
   paint_pieces(model, nets, contents, pages, style, piece_ids, pieces, context);
   for (std::vector<PieceDrawing>& on_page : pieces) {
     drawings.emplace_back();
@@ -147,7 +174,7 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
     }
   }
   if (can_list) {
-    for (std::vector<Text>& list : number_pages(left, pages.paper)) {
+    for (std::vector<Text>& list : list_pages(left, pages.paper)) {
       indices.push_back(std::move(list));
       drawings.emplace_back();
       ++sum.list_pages;
@@ -167,6 +194,10 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
                            line_kinds(drawing.groups), anywhere);
     foot.texts.insert(foot.texts.end(), indices[i].begin(), indices[i].end());
     drawing.groups.push_back(std::move(foot));
+    if (i < backs.size() && !backs[i].empty()) {
+      drawing.back = std::move(backs[i]);
+      drawing.back.push_back(foot_of_back(pages.paper, drawing.title, drawing.page, drawing.page_count));
+    }
   }
   if (report != nullptr) {
     *report = sum;

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "job/edge_wishes.hpp"
+#include "job/extent.hpp"
 #include "job/model_of_nets.hpp"
 #include "job/parts.hpp"
 #include "job/settings.hpp"
@@ -103,10 +104,10 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
 void finish(Paper& made, StageClock& clock, const Context& context) {
   const mesh::Model& model = made.prepared.model;
   made.fold = clock("write", context, [&] {
-    const paper::Mark mark{program_and_version(), model.name, model.digest};
+    made.mark = {program_and_version(), model.name, model.digest,
+                 with_searched(settings_of(made.options, made.seed), made.searched_with)};
     return paper::write_fold(made.prepared, made.part, made.nets, made.assembly,
-                             made.options.paper ? &made.pages : nullptr, mark,
-                             with_searched(settings_of(made.options, made.seed), made.searched_with));
+                             made.options.paper ? &made.pages : nullptr, made.mark, made.drawn.contacts);
   });
   made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
 }
@@ -219,6 +220,10 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   std::vector<std::string> notes;
   model = prepare::select(std::move(model), options.selection);
   made.ground = prepare::ground_name(model);
+  if (options.extent) {
+    made.options.size.adapts = false;
+    made.options.size.largest_extent_mm = options.extent->mm * largest_share(model, options.extent->kind);
+  }
   heed_edges(options.edges, model, made.options.simplify, notes);
   use_size_of_nets(options.edges, model, made.options.size);
   made.options.bodies = bodies_for(options.edges, options.bodies);
@@ -271,6 +276,13 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     return unfold::unfold(surface, made.prepared.panels, made.part,
                           unfold_options(options, made.prepared, std::move(wishes)), context);
   });
+  if (options.tabs.wanted && options.tab_choice.any()) {
+    clock("tabs", context, [&] {
+      unfold::replace_tabs(surface, made.prepared.panels, unfold_options(options, made.prepared, {}),
+                           made.nets, context, options.tab_choice);
+      return true;
+    });
+  }
   made.nets.notes.insert(made.nets.notes.begin(), notes.begin(), notes.end());
   made.assembly = clock("unfold", context, [&] { return paper::assembly_order(surface, made.nets); });
   if (options.paper) {
@@ -292,7 +304,8 @@ Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& conte
   StageClock clock = clock_of(made);
   clock("tabs", context, [&] {
     unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels,
-                         unfold_options(made.options, made.prepared, {}), made.nets, context);
+                         unfold_options(made.options, made.prepared, {}), made.nets, context,
+                         made.options.tab_choice);
     return true;
   });
   return with_new_nets(std::move(made), std::move(clock), context);

@@ -53,6 +53,7 @@ struct Paper {
   std::vector<paper::Drawing> drawings;  ///< one a page
   paper::DrawReport drawn;
   paper::Guide guide;       ///< empty where Options::guide doesn't ask for it
+  paper::Mark mark;         ///< of all its files: model, settings
   std::string fold;         ///< bytes of the FOLD file, checked: what fails its check is never returned
   verify::Figures figures;  ///< of that check
   StageSeconds seconds;     ///< of all steps since the model; what is done anew adds to its stage

@@ -15,6 +15,7 @@
 #include "prepare/selection/selection.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/net/piece_rules.hpp"
+#include "unfold/net/tab_choice.hpp"
 
 namespace ridgecraft::job {
 
@@ -42,6 +43,14 @@ struct EdgeRequests {
   [[nodiscard]] bool any() const { return cut || keep || from; }
 };
 
+/// Extents of a model that stands as its guide shows it: from its left to its right, from its back to its
+/// front, from its foot to its top.
+enum class ExtentKind { width, depth, height };
+struct Extent {
+  ExtentKind kind = ExtentKind::height;
+  double mm = 150.0;
+};
+
 /// Which faces are unfolded together.
 enum class PartsFrom {
   segmentation,  ///< nearly convex parts
@@ -54,11 +63,14 @@ struct Options {
   /// taken over (EdgeRequests::from): these are of its bodies; nets of our own tell which it was.
   prepare::Bodies bodies = prepare::Bodies::unite;
   prepare::SizeOptions size;
+  std::optional<Extent> extent;       ///< instead of the size's largest extent
   prepare::SimplifyOptions simplify;  ///< its hidden_fold_angle is that of `style`, whatever stands here
   PartsFrom parts = PartsFrom::segmentation;
   double concavity = 0.1;                             ///< segment::Options::concavity
   std::optional<paper::Paper> paper{paper::Paper{}};  ///< none: nets without pages, each as large as it likes
   unfold::TabOptions tabs;
+  unfold::TabChoice tab_choice;  ///< of tabs on the finished nets
+  std::string tab_file_digest;   ///< of the text that tab_choice.edges was read from, or nothing
   unfold::PieceRules pieces;
   unfold::PanelCuts panel_cuts = unfold::PanelCuts::only_if_too_large;
   EdgeRequests edges;

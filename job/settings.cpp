@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/settings.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -40,9 +41,55 @@ void add_names(const std::vector<std::string>& names, const std::string& key, pa
   }
 }
 
-void add_tabs(const unfold::TabOptions& tabs, paper::Settings& settings) {
+/// "3, from 20 mm 5, from 60 mm 8"
+std::string steps(const std::vector<unfold::FromLength>& values, double factor) {
+  std::string text;
+  for (const unfold::FromLength& step : values) {
+    text += text.empty() ? "" : fmt::format(", from {} mm ", step.length_mm);
+    text += fmt::format("{:.10g}", step.value * factor);
+  }
+  return json_string(text);
+}
+
+void add_choice(const unfold::TabChoice& choice, const std::string& file_digest, paper::Settings& settings) {
+  if (choice.sides != unfold::TabSides::best) {
+    settings["tab_sides"] = json_string(choice.sides == unfold::TabSides::one_side    ? "one-side"
+                                        : choice.sides == unfold::TabSides::alternate ? "alternate"
+                                                                                      : "both");
+  }
+  if (choice.borders) {
+    settings["border_tabs"] = "true";
+  }
+  if (!choice.heights_mm.empty()) {
+    settings["tab_heights"] = steps(choice.heights_mm, 1.0);
+  }
+  if (!choice.angles.empty()) {
+    settings["tab_angles"] = steps(choice.angles, 180.0 / std::numbers::pi);
+  }
+  if (!file_digest.empty()) {
+    settings["tab_file"] = json_string(file_digest);
+  }
+}
+
+/// No tab is higher.
+double greatest_height(const Options& options) {
+  double height = options.tabs.height_mm;
+  for (const unfold::FromLength& step : options.tab_choice.heights_mm) {
+    height = std::max(height, step.value);
+  }
+  for (const unfold::EdgeTab& edge : options.tab_choice.edges) {
+    height = std::max(height, edge.height_mm.value_or(0.0));
+  }
+  return height;
+}
+
+void add_tabs(const Options& options, paper::Settings& settings) {
+  const unfold::TabOptions& tabs = options.tabs;
   settings["tabs"] = tabs.wanted ? "true" : "false";
-  settings["tab_height_mm"] = number(tabs.height_mm);
+  settings["tab_height_mm"] = number(greatest_height(options));
+  if (tabs.wanted) {
+    add_choice(options.tab_choice, options.tab_file_digest, settings);
+  }
   settings["tab_angle_deg"] = degrees(tabs.angle);
   if (tabs.wanted && tabs.split_pieces) {
     settings["all_tabs"] = "true";
@@ -87,7 +134,7 @@ paper::Settings settings_of(const Options& options, std::uint64_t seed) {
       settings["skins"] = json_string(options.simplify.skins == prepare::Skins::both ? "both" : "middle");
     }
   }
-  add_tabs(options.tabs, settings);
+  add_tabs(options, settings);
   add_edges(options.edges, settings);
   settings["seed"] = std::to_string(seed);
   settings["concavity"] = number(options.concavity);

@@ -13,7 +13,6 @@
 #include <pybind11/stl.h>
 
 #include "base/error.hpp"
-#include "base/version.hpp"
 #include "export/export.hpp"
 #include "job/job.hpp"
 #include "python/background.hpp"
@@ -40,10 +39,7 @@ struct Paper : Nets {
     }
     return made->drawings[number];
   }
-  [[nodiscard]] paper::Mark mark() const {
-    const mesh::Model& model = made->prepared.model;
-    return {program_and_version(), model.name, model.digest};
-  }
+  [[nodiscard]] const paper::Mark& mark() const { return made->mark; }
 };
 
 /// -1 for none.

@@ -16,8 +16,8 @@ struct PartNote {
   FaceId face;       ///< one of the part's
 };
 
-/// One sentence for each fact, in the order in which they first appear, with the pieces of the faces: "the
-/// part of D: ...", "the parts of D, G and 62 more: ...". O(n log n).
+/// One sentence for each fact, in the order in which they first appear, each part told by all of its pieces:
+/// "the part of D and E: ...", "the parts of D and E; G; and 62 more: ...". O(facts x pieces).
 [[nodiscard]] std::vector<std::string> sentences(std::span<const PartNote> notes, const Nets& nets);
 
 }  // namespace ridgecraft::unfold

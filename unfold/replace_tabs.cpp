@@ -12,20 +12,22 @@
 namespace ridgecraft::unfold {
 
 void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                  Nets& nets, const Context& context) {
+                  Nets& nets, const Context& context, const TabChoice& choice) {
   IdVector<FaceId, PartId> part(surface.face_count());  // that each body has its own is all that counts
   for (const FaceId f : ids<FaceId>(part.size())) {
     part[f] = PartId(surface.component(f).value());
   }
   const Asked whole{surface, panels, part, options};
   const std::optional<OneOfEach> each = one_of_each(whole);
-  std::optional<Nets> originals = each ? without_copies(whole, *each, nets) : std::nullopt;
+  // Equal bodies get equal tabs, unless some edge has a wish of its own, or tabs that copies don't know of.
+  const bool alike = choice.edges.empty() && !choice.borders && choice.sides != TabSides::both;
+  std::optional<Nets> originals = each && alike ? without_copies(whole, *each, nets) : std::nullopt;
   if (originals) {
-    give_tabs(each->kept.surface, each->panels, each->options, *originals, context);
+    give_tabs(each->kept.surface, each->panels, each->options, *originals, context, choice);
     number_joins(surface, nets);
     copy_tabs(whole, *each, *originals, nets);
   } else {
-    give_tabs(surface, panels, options, nets, context);
+    give_tabs(surface, panels, options, nets, context, choice);
   }
   nets.equal = find_equal_pieces(surface, nets);
 }

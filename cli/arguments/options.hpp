@@ -41,10 +41,13 @@ struct PaperJob {
   bool overwrite = false;
   AskedSize size_asked;
   std::string paper_name = "A4";
+  /// What comes out on the user's machine where 100 mm are drawn, across and up the sheet.
+  std::optional<Vec2> calibration;
   const paper::Preset* preset = nullptr;  ///< none: a printer
   paper::DxfKind dxf = paper::DxfKind::r2000;
   job::Options options;  ///< but for the edges that these name:
   EdgeArguments edges;
+  std::string tab_file;  ///< tabs edge by edge; empty: none
 };
 
 struct InfoJob {

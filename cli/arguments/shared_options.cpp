@@ -2,6 +2,7 @@
 #include "cli/arguments/shared_options.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <thread>
 
@@ -30,12 +31,14 @@ void add_selection(Verb& verb, prepare::Selection& selection) {
 
 namespace {
 
-double size_or_refuse(const std::string& text) {
+double size_or_refuse(const std::string& option, const std::string& text) {
   std::string_view rest = text;
   if (const auto length = take_length(rest); length && rest.empty() && !(length->number > 0.0)) {
-    refuse("--size " + text + " is too small: it takes 1mm and more");
+    refuse(option + " " + text + " is too small: it takes 1mm and more");
   }
-  return length_or_refuse("--size", text);
+  const double mm = length_or_refuse(option, text);
+  require_range(option, text, mm, 1.0, 100000.0, "1mm to 100m");
+  return mm;
 }
 
 }  // namespace
@@ -84,6 +87,10 @@ void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
                     "(150mm, or what its folds and pages need between 100mm and 400mm)."
                   : "Largest extent of the finished model: 150mm, 20cm, 8in; a number "
                     "alone means mm (150mm).")
+      .option("Size", "--height", height, "LENGTH",
+              "Instead of --size: from the foot of the finished model to its top, as its guide shows it.")
+      .option("Size", "--width", width, "LENGTH", "The same from its left to its right.")
+      .option("Size", "--depth", depth, "LENGTH", "The same from its back to its front.")
       .option("Size", "--scale", scale, "FACTOR",
               "Instead of --size: 1:50, 0.5 or 30% of the size that the file's numbers give in --unit.")
       .option(
@@ -97,8 +104,24 @@ void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
 }
 
 void SizeTexts::check_into(job::Options& options, AskedSize& asked) const {
-  if (!size.empty() && !scale.empty()) {
-    refuse("--size and --scale exclude each other");
+  struct Way {
+    std::string option;
+    const std::string& text;
+    std::optional<job::ExtentKind> kind;
+  };
+  const Way ways[] = {{"--size", size, {}},
+                      {"--width", width, job::ExtentKind::width},
+                      {"--depth", depth, job::ExtentKind::depth},
+                      {"--height", height, job::ExtentKind::height},
+                      {"--scale", scale, {}}};
+  const Way* chosen = nullptr;
+  for (const Way& way : ways) {
+    if (!way.text.empty()) {
+      if (chosen != nullptr) {
+        refuse(chosen->option + " and " + way.option + " exclude each other");
+      }
+      chosen = &way;
+    }
   }
   if (!unit.empty() && scale.empty()) {
     refuse("--unit tells what the file's numbers mean for --scale; with --size it has no effect");
@@ -114,13 +137,18 @@ void SizeTexts::check_into(job::Options& options, AskedSize& asked) const {
     }
     asked.words = "--scale " + scale + (unit.empty() ? "" : " --unit " + unit);
   } else {
-    options.size.adapts = size.empty() && adapts;
-    options.size.largest_extent_mm = size.empty() ? 150.0 : size_or_refuse(size);
-    require_range("--size", size, options.size.largest_extent_mm, 1.0, 100000.0, "1mm to 100m");
-    std::string_view typed = size;
+    options.size.adapts = chosen == nullptr && adapts;
+    const std::string option = chosen == nullptr ? "--size" : chosen->option;
+    const std::string text = chosen == nullptr ? "150mm" : chosen->text;
+    const double mm = size_or_refuse(option, text);
+    options.size.largest_extent_mm = mm;
+    if (chosen != nullptr && chosen->kind) {
+      options.extent = job::Extent{*chosen->kind, mm};
+    }
+    std::string_view typed = text;
     const auto length = take_length(typed);
     asked.unit_assumed = length && !length->mm_per_unit;
-    asked.words = "--size " + (size.empty() ? std::string("150mm") : size);
+    asked.words = option + " " + text;
   }
   if (faces == "auto") {
     options.simplify.mode = prepare::Simplification::automatic;

@@ -10,6 +10,8 @@
 #include "cli/arguments/option_values.hpp"
 #include "cli/arguments/piece_options.hpp"
 #include "cli/arguments/shared_options.hpp"
+#include "cli/arguments/tab_options.hpp"
+#include "cli/arguments/units.hpp"
 #include "cli/arguments/verbs.hpp"
 
 namespace ridgecraft::cli {
@@ -68,10 +70,11 @@ ManualSection exit_section() {
 /// What is typed after the options that this verb alone has.
 struct PaperTexts {
   std::string paper = "A4";
-  std::string margin, tab_height, tab_angle, concavity;
+  std::string margin, calibrate, concavity;
+  TabTexts tabs;
   std::string hide = "3";
+  std::string numbers, duplex;
   std::string ink, dpi;
-  bool no_tabs = false;
   bool keep_bodies = false;
   std::string skins = "outer";
 
@@ -81,14 +84,20 @@ struct PaperTexts {
                 "size such as 300x200mm (A4).");
     verb.option("Paper", "--margin", margin, "LENGTH",
                 "What the printer can't reach, on all four sides (10mm).");
-    verb.option("Tabs and lines", "--tab-height", tab_height, "LENGTH", "Height of the glue tabs (5mm).");
-    verb.option("Tabs and lines", "--tab-angle", tab_angle, "DEGREES",
-                "Side angle of the glue tabs; steeper where an edge is short (45).");
-    verb.flag("Tabs and lines", "--all-tabs", job.options.tabs.split_pieces,
-              "Split pieces further until every edge with a face wide enough behind it has a glue tab.");
-    verb.flag("Tabs and lines", "--no-tabs", no_tabs, "Draw no glue tabs.");
+    verb.option(
+        "Paper", "--calibrate", calibrate, "WxH",
+        "What comes out where 100 mm were printed, across the sheet and up it, such as 100.4x99.6: twice "
+        "the length of the bar of 50 mm. Pages are drawn so that the next ones have the right size.");
+    tabs.add_to(verb, job);
     verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
                 "Draw no line where the surface is folded by less than this (3).");
+    verb.option("Tabs and lines", "--numbers", numbers, "inside|tabs|outside|back",
+                "Where the numbers of edges stand: on the pieces and their tabs; on tabs, and beside the "
+                "piece at edges "
+                "without one; beside the pieces; on the back of the paper, which the PDF gets pages for "
+                "(inside).");
+    verb.option("Tabs and lines", "--duplex", duplex, "long|short",
+                "With --numbers back: over which edge the printer turns the sheets (long).");
     verb.option(
         "Colours", "--ink", ink, "colour|pale|lines",
         "Print the model's colours and pictures, print them as light tints, or print lines alone (colour; "
@@ -110,17 +119,37 @@ struct PaperTexts {
   /// Throws Error(usage).
   void check_into(PaperJob& job) const {
     check_paper(job);
+    check_calibration(job);
     job.options.bodies = keep_bodies ? prepare::Bodies::keep : prepare::Bodies::unite;
     const Choices<prepare::Skins> skin_choices{
         {"outer", prepare::Skins::outer}, {"middle", prepare::Skins::middle}, {"both", prepare::Skins::both}};
     job.options.simplify.skins = choice_or_refuse<prepare::Skins>("--skins", skins, skin_choices);
     job.options.concavity = concavity_or_refuse(concavity);
-    check_tabs(job.options.tabs);
+    tabs.check_into(job);
     job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
+    check_numbers(job);
     check_ink(job);
   }
 
  private:
+  void check_numbers(PaperJob& job) const {
+    paper::Style& style = job.options.style;
+    const Choices<paper::Numbers> places{{"inside", paper::Numbers::inside},
+                                         {"tabs", paper::Numbers::tabs},
+                                         {"outside", paper::Numbers::outside},
+                                         {"back", paper::Numbers::back}};
+    style.numbers = choice_or_refuse<paper::Numbers>("--numbers", numbers, places);
+    if (style.numbers == paper::Numbers::tabs && !job.options.tabs.wanted) {
+      refuse("--numbers tabs needs tabs, and there are none");
+    }
+    const Choices<paper::TurnedOver> turns{{"long", paper::TurnedOver::long_edge},
+                                           {"short", paper::TurnedOver::short_edge}};
+    style.turned_over = choice_or_refuse<paper::TurnedOver>("--duplex", duplex, turns);
+    if (!duplex.empty() && style.numbers != paper::Numbers::back) {
+      refuse("--duplex tells how sheets are turned over; it goes with --numbers back");
+    }
+  }
+
   void check_ink(PaperJob& job) const {
     const Choices<paper::Ink> inks{
         {"colour", paper::Ink::colour}, {"pale", paper::Ink::pale}, {"lines", paper::Ink::lines}};
@@ -149,20 +178,25 @@ struct PaperTexts {
     }
   }
 
-  void check_tabs(unfold::TabOptions& tabs) const {
-    if (no_tabs && tabs.split_pieces) {
-      refuse("--all-tabs and --no-tabs exclude each other");
+  void check_calibration(PaperJob& job) const {
+    if (calibrate.empty()) {
+      return;
     }
-    if (no_tabs && (!tab_height.empty() || !tab_angle.empty())) {
-      refuse("--tab-height and --tab-angle tell the shape of tabs; with --no-tabs they have no effect");
-    }
-    tabs.wanted = !no_tabs;
-    if (!tab_height.empty()) {
-      tabs.height_mm = length_or_refuse("--tab-height", tab_height);
-      require_range("--tab-height", tab_height, tabs.height_mm, 1.5, 50.0, "1.5mm to 50mm");
-    }
-    tabs.angle = number_or_refuse("--tab-angle", tab_angle.empty() ? "45" : tab_angle, 15.0, 85.0) * degree;
-    tabs.steepest_angle = std::max(tabs.steepest_angle, tabs.angle);
+    const std::size_t at = calibrate.find('x');
+    const auto measured = [&](std::string_view part) {
+      const auto mm = parse_length_mm(part);
+      if (at == std::string::npos || !mm || *mm < 95.0 || *mm > 105.0) {
+        refuse(
+            "--calibrate takes what 100 mm came out as, across and up, such as 100.4x99.6, each from 95 to "
+            "105; "
+            "not '" +
+            calibrate + "'");
+      }
+      return *mm;
+    };
+    const std::string_view text = calibrate;
+    job.calibration = {measured(text.substr(0, at)),
+                       measured(at == std::string::npos ? "" : text.substr(at + 1))};
   }
 };
 

@@ -6,21 +6,22 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/digest.hpp"
 #include "base/error.hpp"
-#include "base/version.hpp"
 #include "cli/files/edge_files.hpp"
 #include "cli/files/model_input.hpp"
+#include "cli/files/tab_file.hpp"
 #include "cli/files/targets.hpp"
 #include "cli/jobs/time_limit.hpp"
+#include "export/sheet/calibration.hpp"
+#include "mesh/reading/read_file.hpp"
 
 namespace ridgecraft::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-paper::Mark mark_of(const mesh::Model& model) {
-  return {program_and_version(), model.name, model.digest};
-}
 
 std::string printed(const fs::path& file) {
   return file.lexically_normal().string();
@@ -38,34 +39,51 @@ std::vector<fs::path> pages_of(const Target& target, const PaperJob& job, const 
   return files_of(target, for_machine ? counts.of_pieces : counts.drawn);
 }
 
-std::string svg_of(const job::Paper& made, std::size_t page, const PaperJob& job, const paper::Mark& mark) {
+/// Pages as they are drawn for the user's machine.
+struct Printed {
+  std::vector<paper::Drawing> drawings;
+  paper::Mark mark;
+};
+
+Printed printed_pages(const job::Paper& made, const PaperJob& job) {
+  Printed printed{made.drawings, made.mark};
+  if (job.calibration) {
+    std::ranges::transform(printed.drawings, printed.drawings.begin(), [&](paper::Drawing& page) {
+      return paper::calibrated(std::move(page), *job.calibration);
+    });
+    printed.mark.settings["calibrate"] = fmt::format("[{},{}]", job.calibration->x, job.calibration->y);
+  }
+  return printed;
+}
+
+std::string svg_of(const job::Paper& made, const Printed& printed, std::size_t page, const PaperJob& job) {
   if (job.preset == nullptr) {
-    return paper::write_svg(made.drawings[page], mark);
+    return paper::write_svg(printed.drawings[page], printed.mark);
   }
   return job.preset->simulates
-             ? paper::write_simulator_svg(made.prepared, made.nets, made.pages, PageId(page), mark)
-             : paper::write_machine_svg(made.drawings[page], mark, *job.preset);
+             ? paper::write_simulator_svg(made.prepared, made.nets, made.pages, PageId(page), made.mark)
+             : paper::write_machine_svg(printed.drawings[page], printed.mark, *job.preset);
 }
 
 /// Writes one target's files under their temporary names.
 void add_target(const Target& target, const std::vector<fs::path>& files, const job::Paper& made,
-                const PaperJob& job, PendingFiles& pending, std::vector<std::string>& written) {
-  const paper::Mark mark = mark_of(made.prepared.model);
+                const Printed& pages, const PaperJob& job, PendingFiles& pending,
+                std::vector<std::string>& written) {
   const paper::PathRules rules = job.preset == nullptr ? paper::PathRules{} : job.preset->paths;
   for (std::size_t i = 0; i < files.size(); ++i) {
     switch (target.format) {
       case Format::pdf:
-        pending.add(files[i], target.guide ? paper::write_guide_pdf(made.guide.pages, mark)
-                                           : paper::write_pdf(made.drawings, mark));
+        pending.add(files[i], target.guide ? paper::write_guide_pdf(made.guide.pages, made.mark)
+                                           : paper::write_pdf(pages.drawings, pages.mark));
         break;
       case Format::svg:
-        pending.add(files[i], svg_of(made, i, job, mark));
+        pending.add(files[i], svg_of(made, pages, i, job));
         break;
       case Format::png:
-        pending.add(files[i], paper::write_png(made.drawings[i], mark));
+        pending.add(files[i], paper::write_png(pages.drawings[i], pages.mark));
         break;
       case Format::dxf:
-        pending.add(files[i], paper::write_dxf(made.drawings[i], mark, job.dxf, rules));
+        pending.add(files[i], paper::write_dxf(pages.drawings[i], pages.mark, job.dxf, rules));
         break;
       case Format::fold:
         pending.add(files[i], made.fold);
@@ -158,10 +176,8 @@ void require_sensible_scale(const AskedSize& asked, const job::Options& options,
 
 /// The model with its edges named, and all that follows from it.
 template <class Job>
-job::Paper make(const Job& job, const EdgeFiles& edge_files, mesh::Model model, bool guide,
+job::Paper make(const Job& job, job::Options options, const EdgeFiles& edge_files, mesh::Model model,
                 const Context& context, const job::Listener& listener) {
-  job::Options options = job.options;
-  options.guide = guide;
   options.edges = requests_of(edge_files, model);
   if (job.size_asked.scale && model.frame.mm_per_unit) {
     options.size.mm_per_unit = *job.size_asked.scale * *model.frame.mm_per_unit;
@@ -193,6 +209,8 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
                        const job::Listener& listener) {
   const std::vector<Target> targets = checked_targets(job);
   const EdgeFiles edge_files = read_edge_files(job.edges);
+  const std::string tab_file = job.tab_file.empty() ? std::string() : mesh::read_file(job.tab_file);
+  const std::vector<unfold::EdgeTab> edge_tabs = read_tab_file(job.tab_file, tab_file);
   PaperResult result;
   job::StageClock clock;
   mesh::Model model = read_for(job, clock, context);
@@ -203,7 +221,13 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
       require_replaceable(files_of(target, 1).front(), digest, job.overwrite);
     }
   }
-  result.made = make(job, edge_files, std::move(model), has_guide(targets), context, listener);
+  job::Options options = job.options;
+  options.guide = has_guide(targets);
+  if (!edge_tabs.empty()) {
+    options.tab_choice.edges = edge_tabs;
+    options.tab_file_digest = ridgecraft::digest(tab_file);
+  }
+  result.made = make(job, std::move(options), edge_files, std::move(model), context, listener);
   clock.add(result.made.seconds);
   clock("write", context, [&] {
     std::vector<std::vector<fs::path>> files;
@@ -211,8 +235,9 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
       files.push_back(pages_of(target, job, {result.made.drawings.size(), result.made.pages.count}));
     }
     require_all_replaceable(job, files, digest);
+    const Printed pages = printed_pages(result.made, job);
     for (std::size_t i = 0; i < targets.size(); ++i) {
-      add_target(targets[i], files[i], result.made, job, pending, result.files);
+      add_target(targets[i], files[i], result.made, pages, job, pending, result.files);
     }
     context.check();
     result.file_notes = pending.commit([&] {
@@ -243,7 +268,7 @@ PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles
   if (!job.output.empty()) {
     require_replaceable(job.output, model.digest, job.overwrite);
   }
-  result.made = make(job, edge_files, std::move(model), false, context, {});
+  result.made = make(job, job.options, edge_files, std::move(model), context, {});
   clock.add(result.made.seconds);
   if (!job.output.empty()) {
     clock("write", context, [&] {

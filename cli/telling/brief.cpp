@@ -45,8 +45,8 @@ std::string paper_line(const PaperJob& job, const job::Paper& made, const GlueFi
   const std::size_t lists = made.drawn.list_pages;
   return fmt::format("{} on {}{}, {}: {} to cut, {} to fold, {} to glue",
                      counted(made.nets.pieces.size(), "piece"), counted(made.pages.count, "page"),
-                     lists == 0 ? "" : fmt::format(" (and {} of numbers)", lists), job.paper_name,
-                     metres(made.figures.cut_mm), metres(made.figures.fold_mm), metres(glue.all_mm));
+                     lists == 0 ? "" : fmt::format(" (and {} of lists)", lists), job.paper_name,
+                     metres(made.drawn.cut_mm), metres(made.drawn.fold_mm), metres(glue.all_mm));
 }
 
 std::string counted_bodies(std::size_t count) {

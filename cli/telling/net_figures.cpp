@@ -235,7 +235,8 @@ void add_equal_pieces(Summary& summary, const unfold::Nets& nets,
 
 TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,
                        const unfold::TabOptions& options) {
-  return {nets.tabs.size(), unfold::tabs_usable(surface, nets, options),
+  const std::size_t of_joins = count_joins(nets, [](const unfold::Join& join) { return join.tab.valid(); });
+  return {of_joins, nets.tabs.size() - of_joins, unfold::tabs_usable(surface, nets, options),
           count_joins(nets, [](const unfold::Join& join) { return !join.tab.valid(); }),
           count_joins(nets, [](const unfold::Join& join) { return join.too_narrow; })};
 }
@@ -258,7 +259,9 @@ GlueFigures glue_figures(const mesh::Surface& surface, const unfold::Nets& nets,
 std::string tabs_text(const TabFigures& figures, const unfold::Nets& nets,
                       const unfold::TabOptions& options) {
   return fmt::format(
-      "{} for {}{}{}{}", figures.tabs, counted(nets.joins.size(), "join"),
+      "{} for {}{}{}{}{}", figures.tabs, counted(nets.joins.size(), "join"),
+      figures.additional == 0 ? ""
+                              : fmt::format(" and {} more (second ones and at borders)", figures.additional),
       figures.usable < figures.tabs
           ? fmt::format(", {} of them usable (the others are smaller than holds well)", figures.usable)
           : "",

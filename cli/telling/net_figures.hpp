@@ -28,7 +28,8 @@ void add_equal_pieces(Summary& summary, const unfold::Nets& nets, const std::vec
 
 /// Joins and tabs, counted.
 struct TabFigures {
-  std::size_t tabs = 0;
+  std::size_t tabs = 0;        ///< those of joins
+  std::size_t additional = 0;  ///< second tabs of joins, and those at borders
   std::size_t usable = 0;
   std::size_t without = 0;     ///< joins without a tab
   std::size_t too_narrow = 0;  ///< joins that could have no usable tab however the model is cut

@@ -179,8 +179,18 @@ void add_guide(Summary& summary, const job::Paper& made) {
                           paper::hardness_words(effort.hardness)));
 }
 
-std::string lines_text(const verify::Figures& figures) {
-  return fmt::format("{} to cut, {} to fold", metres(figures.cut_mm), metres(figures.fold_mm));
+/// Where pieces of separate bodies are glued to each other.
+void add_glue_spots(Summary& summary, const job::Paper& made) {
+  Value spots(Value::List{});
+  for (const paper::Contact& contact : made.drawn.contacts) {
+    spots.add(Value::Object{{"piece", made.nets.pieces[contact.piece].name},
+                            {"other", made.nets.pieces[contact.other].name}});
+  }
+  summary.add("glue_spots", std::move(spots));
+}
+
+std::string lines_text(const paper::DrawReport& drawn) {
+  return fmt::format("{} to cut, {} to fold", metres(drawn.cut_mm), metres(drawn.fold_mm));
 }
 
 }  // namespace
@@ -207,6 +217,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   add_equal_pieces(summary, nets, made.drawn.kinds);
   add_size(summary, made, job.size_asked.words);
   summary.add("tabs", tabs.tabs, Line::tabs, "tabs", tabs_text(tabs, nets, job.options.tabs));
+  summary.add("additional_tabs", tabs.additional);
   summary.add("tabs_usable", tabs.usable);
   summary.add("joins_too_narrow", tabs.too_narrow);
   summary.add("joins", nets.joins.size());
@@ -215,13 +226,14 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   summary.add("glue_mm", rounded(glue.all_mm), "mm");
   summary.add("without_tab_mm", rounded(glue.without_tab_mm), "mm");
   summary.add("weak_tab_mm", rounded(glue.weak_mm), "mm");
-  summary.add("cut_mm", rounded(made.figures.cut_mm), Line::lines, "lines", lines_text(made.figures), "mm");
-  summary.add("fold_mm", rounded(made.figures.fold_mm), "mm");
+  summary.add("cut_mm", rounded(made.drawn.cut_mm), Line::lines, "lines", lines_text(made.drawn), "mm");
+  summary.add("fold_mm", rounded(made.drawn.fold_mm), "mm");
   summary.add("index", index_value(model.surface, nets, made.pages));
   add_numbers(summary, made.drawn);
   add_slivers(summary, made);
   add_folding(summary, nets);
   add_bodies(summary, nets, made.drawn.bodies);
+  add_glue_spots(summary, made);
   add_guide(summary, made);
   summary.add("paper", job.paper_name);
   summary.add("buildable", prepare::can_be_folded(made.prepared));

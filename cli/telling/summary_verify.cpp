@@ -144,6 +144,9 @@ void add_printed(const verify::PrintedFigures& p, Summary& summary) {
 /// The first faults of each promise, and how many more there are: one cause often has hundreds.
 void tell_faults(const verify::Report& report, Summary& summary) {
   constexpr std::size_t most_of_promise = 5;
+  if (!report.faults.empty()) {
+    summary.end_with("what each promise is, docs/formats.md tells under FOLD");
+  }
   for (std::size_t promise = 0; promise < verify::promise_count; ++promise) {
     std::size_t found = report.faults_not_listed[promise];
     std::size_t told = 0;

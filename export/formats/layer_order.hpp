@@ -8,10 +8,10 @@
 
 namespace ridgecraft::paper {
 
-/// Bottom to top: colours lie lowest, then fills, folds under cuts (machines work in this order: scores
-/// first, outlines last), texts on top.
-inline constexpr std::array<Layer, layer_count> layer_order{Layer::paint,  Layer::tab_fill,   Layer::mountain,
-                                                            Layer::valley, Layer::tab_fold,   Layer::cut,
-                                                            Layer::label,  Layer::piece_name, Layer::mark};
+/// Bottom to top, which is the order of work, too, as some machines follow the file: what is printed, what is
+/// written, what is folded, what is cut.
+inline constexpr std::array<Layer, layer_count> layer_order{
+    Layer::paint,      Layer::tab_fill, Layer::shadow, Layer::glue,     Layer::mark, Layer::label,
+    Layer::piece_name, Layer::mountain, Layer::valley, Layer::tab_fold, Layer::cut};
 
 }  // namespace ridgecraft::paper

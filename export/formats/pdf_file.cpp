@@ -7,6 +7,7 @@
 
 #include "base/utf8.hpp"
 #include "export/formats/cairo_page.hpp"
+#include "export/formats/xmp.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -14,6 +15,25 @@ namespace {
 cairo_status_t append_bytes(void* out, const unsigned char* data, unsigned int size) {
   static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), size);
   return CAIRO_STATUS_SUCCESS;
+}
+
+QPDFObjectHandle xmp_stream(QPDF& pdf, const Mark& mark) {
+  QPDFObjectHandle stream = pdf.newStream(xmp_packet(mark));
+  stream.getDict().replaceKey("/Type", QPDFObjectHandle::newName("/Metadata"));
+  stream.getDict().replaceKey("/Subtype", QPDFObjectHandle::newName("/XML"));
+  return stream;
+}
+
+/// Page labels 1, 2, 3 (ISO 32000-1, 12.4.2).
+QPDFObjectHandle numbers_from_one() {
+  QPDFObjectHandle style = QPDFObjectHandle::newDictionary();
+  style.replaceKey("/S", QPDFObjectHandle::newName("/D"));
+  QPDFObjectHandle ranges = QPDFObjectHandle::newArray();
+  ranges.appendItem(QPDFObjectHandle::newInteger(0));
+  ranges.appendItem(style);
+  QPDFObjectHandle labels = QPDFObjectHandle::newDictionary();
+  labels.replaceKey("/Nums", ranges);
+  return labels;
 }
 
 }  // namespace
@@ -55,6 +75,10 @@ void add_information(QPDF& pdf, const Mark& mark) {
   // Fixed, so that two runs give the same bytes.
   info.replaceKey("/CreationDate", QPDFObjectHandle::newString("D:20000101000000Z"));
   pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(info));
+  QPDFObjectHandle root = pdf.getRoot();
+  root.replaceKey("/Lang", QPDFObjectHandle::newString("en"));
+  root.replaceKey("/Metadata", xmp_stream(pdf, mark));
+  root.replaceKey("/PageLabels", numbers_from_one());
 }
 
 std::string pdf_bytes(QPDF& pdf) {

@@ -23,7 +23,8 @@ inline constexpr double points_per_mm = 72.0 / 25.4;
 
 /// Asks viewers not to scale pages and to show the title.
 void add_viewer_preferences(QPDF& pdf);
-/// Title, program and mark.
+/// Title, program, mark and settings (as XMP, too), the language of all words, and numbers of pages as they
+/// are printed.
 void add_information(QPDF& pdf, const Mark& mark);
 [[nodiscard]] std::string pdf_bytes(QPDF& pdf);
 

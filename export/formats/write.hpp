@@ -2,7 +2,6 @@
 // From drawings and nets to the bytes of files.
 #pragma once
 
-#include <map>
 #include <span>
 #include <string>
 
@@ -42,13 +41,10 @@ void check_pdf_size(Vec2 page_mm);
 /// Bytes of a PNG of one page; coarser than asked where it would have more than 100 million pixels.
 [[nodiscard]] std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch = 150.0);
 
-/// Options that shaped the result, for ridgecraft:settings; values are JSON texts (numbers, strings in
-/// quotes).
-using Settings = std::map<std::string, std::string>;
-
-/// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own.
+/// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own. `contacts` are those that
+/// the pages show.
 [[nodiscard]] std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
                                      const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
-                                     const Mark& mark, const Settings& settings);
+                                     const Mark& mark, const std::vector<Contact>& contacts = {});
 
 }  // namespace ridgecraft::paper

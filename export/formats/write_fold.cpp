@@ -25,7 +25,8 @@ constexpr double flat_fold_degrees = 1e-4;
 /// Tabs and joins by the numbers they get in the file: slits in flat regions have neither.
 struct Gluing {
   std::vector<JoinId> joins;
-  std::vector<TabId> tabs;
+  std::vector<TabId> tabs;  ///< of joins
+  std::vector<TabId> more;  ///< all others
   IdVector<TabId, std::uint32_t> tab_number;
 };
 
@@ -38,7 +39,10 @@ Gluing gluing(const Surface& surface, const Nets& nets, const NetFrame& frame) {
     }
   }
   for (const TabId t : ids<TabId>(nets.tabs.size())) {
-    if (!frame.is_slit(surface, surface.edge(nets.tabs[t].side))) {
+    const JoinId join = nets.tabs[t].join;
+    if (!join.valid() || nets.joins[join].tab != t) {
+      result.more.push_back(t);
+    } else if (!frame.is_slit(surface, surface.edge(nets.tabs[t].side))) {
       result.tab_number[t] = static_cast<std::uint32_t>(result.tabs.size());
       result.tabs.push_back(t);
     }
@@ -199,8 +203,7 @@ void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const
     }
     json.raw("}");
   });
-  json.list("ridgecraft:tabs", glue.tabs.size(), [&](std::size_t i) {
-    const unfold::Tab& tab = nets.tabs[glue.tabs[i]];
+  const auto write_tab = [&](const unfold::Tab& tab) {
     json.raw("\n{\"edge\":");
     json.number(frame.edge[tab.side]);
     json.raw(",\"polygon\":[");
@@ -209,7 +212,38 @@ void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const
       json.point(frame.place(nets.piece[mesh::face_of(tab.side)], tab.polygon[k]));
     }
     json.raw("],\"joins\":[");
-    json.number(nets.joins[tab.join].number);
+    if (tab.join.valid()) {
+      json.number(nets.joins[tab.join].number);
+    }
+    json.raw("]}");
+  };
+  json.list("ridgecraft:tabs", glue.tabs.size(), [&](std::size_t i) { write_tab(nets.tabs[glue.tabs[i]]); });
+  if (!glue.more.empty()) {
+    json.list("ridgecraft:more_tabs", glue.more.size(),
+              [&](std::size_t i) { write_tab(nets.tabs[glue.more[i]]); });
+  }
+}
+
+void write_glue(JsonText& json, const NetFrame& frame, const std::vector<Contact>& contacts) {
+  if (contacts.empty()) {
+    return;
+  }
+  json.list("ridgecraft:glue", contacts.size(), [&](std::size_t i) {
+    const Contact& contact = contacts[i];
+    json.raw("\n{\"piece\":");
+    json.number(contact.piece.value());
+    json.raw(",\"other\":");
+    json.number(contact.other.value());
+    json.raw(",\"outlines\":[");
+    for (std::size_t k = 0; k < contact.outlines.size(); ++k) {
+      const char* separator = k == 0 ? "[" : ",[";
+      for (const Vec2 p : contact.outlines[k]) {
+        json.raw(separator);
+        json.point(frame.place(contact.piece, p));
+        separator = ",";
+      }
+      json.raw("]");
+    }
     json.raw("]}");
   });
 }
@@ -236,7 +270,7 @@ void write_model(JsonText& json, const Surface& surface, const IdVector<FaceId, 
   json.raw("\n}]");
 }
 
-void write_head(JsonText& json, const Mark& mark, const Settings& settings) {
+void write_head(JsonText& json, const Mark& mark) {
   json.key("file_spec");
   json.raw("1.2");
   json.key("file_creator");
@@ -254,30 +288,21 @@ void write_head(JsonText& json, const Mark& mark, const Settings& settings) {
   json.key(mark_key);
   json.string(mark.digest);
   json.key("ridgecraft:settings");
-  json.raw("{");
-  const char* separator = "";
-  for (const auto& [name, value] : settings) {
-    json.raw(separator);
-    json.string(name);
-    json.raw(": ");
-    json.raw(value);
-    separator = ", ";
-  }
-  json.raw("}");
+  json.raw(settings_json(mark.settings));
 }
 
 }  // namespace
 
 std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
                        const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
-                       const Mark& mark, const Settings& settings) {
+                       const Mark& mark, const std::vector<Contact>& contacts) {
   const Surface& surface = model.model.surface;
   RIDGECRAFT_ASSERT(part.size() == surface.face_count());
   const NetFrame frame = net_frame(surface, nets, pages);
   const Gluing glue = gluing(surface, nets, frame);
   JsonText json;
   json.raw("{");
-  write_head(json, mark, settings);
+  write_head(json, mark);
   json.list("vertices_coords", frame.points.size(), [&](std::size_t i) { json.point(frame.points[i]); });
   write_edges(json, surface, frame);
   json.list("faces_vertices", frame.faces.size(),
@@ -291,6 +316,7 @@ std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, Pa
   write_assembly(json, surface, nets, frame, assembly);
   write_pages(json, frame, pages);
   write_joins(json, surface, nets, frame, glue);
+  write_glue(json, frame, contacts);
   write_model(json, surface, part);
   json.raw("\n}\n");
   return std::move(json).take();

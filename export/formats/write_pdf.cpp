@@ -6,6 +6,7 @@
 #include <list>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include <qpdf/QPDFPageObjectHelper.hh>
 
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 #include "export/formats/cairo_page.hpp"
 #include "export/formats/layer_order.hpp"
 #include "export/formats/pdf_file.hpp"
@@ -29,9 +31,40 @@ std::string layer_pdf(std::span<const Drawing> pages, Layer layer) {
   });
 }
 
+/// The pages as they are printed: each with its back behind it, where any has one.
+std::vector<Drawing> sides_of(std::span<const Drawing> pages) {
+  std::vector<Drawing> sides;
+  for (const Drawing& page : pages) {
+    sides.push_back(page);
+    sides.push_back(page);
+    sides.back().groups = page.back;
+  }
+  return sides;
+}
+
+/// "1", "back of 1", "2" (ISO 32000-1, 12.4.2).
+QPDFObjectHandle labels_of_sides(std::span<const Drawing> sides) {
+  QPDFObjectHandle ranges = QPDFObjectHandle::newArray();
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    QPDFObjectHandle label = QPDFObjectHandle::newDictionary();
+    if (i % 2 == 1) {
+      label.replaceKey("/P", QPDFObjectHandle::newString("back of "));
+    }
+    label.replaceKey("/S", QPDFObjectHandle::newName("/D"));
+    label.replaceKey("/St", QPDFObjectHandle::newInteger(sides[i].page));
+    ranges.appendItem(QPDFObjectHandle::newInteger(static_cast<long long>(i)));
+    ranges.appendItem(label);
+  }
+  QPDFObjectHandle labels = QPDFObjectHandle::newDictionary();
+  labels.replaceKey("/Nums", ranges);
+  return labels;
+}
+
 class PdfAssembler {
  public:
-  PdfAssembler(std::span<const Drawing> pages, const Mark& mark) : pages_(pages), mark_(mark) {
+  /// `duplex`: every other page is the back of the one before.
+  PdfAssembler(std::span<const Drawing> pages, bool duplex, const Mark& mark)
+      : pages_(pages), duplex_(duplex), mark_(mark) {
     pdf_.emptyPDF();
     contents_.resize(pages.size());
     for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -43,13 +76,16 @@ class PdfAssembler {
     for (const Layer layer : layer_order) {
       const bool any =
           std::ranges::any_of(pages_, [&](const Drawing& page) { return has_layer(page, layer); });
-      if (layer != Layer::paint || any) {
+      if (!is_optional(layer) || any) {
         add_layer(layer);
       }
     }
     add_pages();
     add_catalogue();
     add_information(pdf_, mark_);
+    if (duplex_) {
+      pdf_.getRoot().replaceKey("/PageLabels", labels_of_sides(pages_));
+    }
     return pdf_bytes(pdf_);
   }
 
@@ -65,7 +101,7 @@ class PdfAssembler {
     group.replaceKey("/Type", QPDFObjectHandle::newName("/OCG"));
     group.replaceKey("/Name", QPDFObjectHandle::newUnicodeString(std::string(title(layer))));
     group = pdf_.makeIndirectObject(group);
-    groups_.push_back(group);
+    groups_.emplace_back(layer, group);
     Source& source = sources_.emplace_back();
     source.bytes = layer_pdf(pages_, layer);
     source.pdf.processMemoryFile(std::string(id(layer)).c_str(), source.bytes.data(), source.bytes.size());
@@ -129,26 +165,53 @@ class PdfAssembler {
   }
 
   void add_catalogue() {
-    QPDFObjectHandle order = QPDFObjectHandle::newArray();
-    for (const QPDFObjectHandle& group : groups_) {
-      order.appendItem(group);
-    }
-    QPDFObjectHandle defaults = QPDFObjectHandle::newDictionary();
-    defaults.replaceKey("/Name", QPDFObjectHandle::newString("Layers"));
-    defaults.replaceKey("/Order", order);
-    defaults.replaceKey("/ON", order);
+    const auto all = [](Layer) { return true; };
+    const auto cuts = [](Layer layer) { return layer == Layer::cut; };
+    const auto printed = [](Layer layer) { return layer != Layer::cut; };
+    QPDFObjectHandle others = QPDFObjectHandle::newArray();
+    others.appendItem(configuration("Print without cut lines", printed));
+    others.appendItem(configuration("Cut lines only", cuts));
     QPDFObjectHandle properties = QPDFObjectHandle::newDictionary();
-    properties.replaceKey("/OCGs", order);
-    properties.replaceKey("/D", defaults);
+    properties.replaceKey("/OCGs", layers(all));
+    properties.replaceKey("/D", configuration("All", all));
+    properties.replaceKey("/Configs", others);
     pdf_.getRoot().replaceKey("/OCProperties", properties);
     add_viewer_preferences(pdf_);
   }
 
+  template <class Wanted>
+  QPDFObjectHandle layers(Wanted wanted) const {
+    QPDFObjectHandle list = QPDFObjectHandle::newArray();
+    for (const auto& [layer, group] : groups_) {
+      if (wanted(layer)) {
+        list.appendItem(group);
+      }
+    }
+    return list;
+  }
+
+  /// Which layers are seen, for one use of the file (ISO 32000-1, 8.11.4.3); without a base state, for
+  /// readers that know the default one alone.
+  template <class Wanted>
+  QPDFObjectHandle configuration(const char* name, Wanted wanted) const {
+    QPDFObjectHandle off = layers([&](Layer layer) { return !wanted(layer); });
+    QPDFObjectHandle result = QPDFObjectHandle::newDictionary();
+    result.replaceKey("/Name", QPDFObjectHandle::newString(name));
+    result.replaceKey("/Creator", QPDFObjectHandle::newUnicodeString(printable_utf8(mark_.producer)));
+    result.replaceKey("/Order", layers([](Layer) { return true; }));
+    result.replaceKey("/ON", layers(wanted));
+    if (off.getArrayNItems() > 0) {
+      result.replaceKey("/OFF", off);
+    }
+    return result;
+  }
+
   std::span<const Drawing> pages_;
+  bool duplex_;
   const Mark& mark_;
   std::list<Source> sources_;  ///< before pdf_, which reads their streams when it is written
   QPDF pdf_;
-  std::vector<QPDFObjectHandle> groups_;
+  std::vector<std::pair<Layer, QPDFObjectHandle>> groups_;  ///< bottom to top
   std::vector<QPDFObjectHandle> resources_;
   std::vector<std::string> contents_;
 };
@@ -170,7 +233,9 @@ std::string write_pdf(std::span<const Drawing> pages, const Mark& mark) {
     check_pdf_size(page.size);
   }
   try {
-    return PdfAssembler(pages, mark).write();
+    const bool duplex = std::ranges::any_of(pages, [](const Drawing& page) { return !page.back.empty(); });
+    const std::vector<Drawing> sides = duplex ? sides_of(pages) : std::vector<Drawing>();
+    return duplex ? PdfAssembler(sides, true, mark).write() : PdfAssembler(pages, false, mark).write();
   } catch (const Error&) {
     throw;
   } catch (const std::exception& failure) {  // qpdf throws several kinds

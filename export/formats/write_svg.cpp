@@ -53,7 +53,7 @@ class SvgWriter {
   std::string write() {
     head();
     for (const Layer layer : layer_order) {
-      if (layer == Layer::paint && !has_layer(page_, layer)) {
+      if (is_optional(layer) && !has_layer(page_, layer)) {
         continue;
       }
       append(out_, "  <g inkscape:groupmode=\"layer\" inkscape:label=\"{}\" id=\"{}\"{}>\n", title(layer),
@@ -65,6 +65,9 @@ class SvgWriter {
         write_group(group, layer);
       }
       append(out_, "  </g>\n");
+    }
+    if (!page_.back.empty()) {
+      write_back();
     }
     append(out_, "</svg>\n");
     return std::move(out_);
@@ -86,8 +89,9 @@ class SvgWriter {
            width, height,
            has_layer(page_, Layer::paint) ? "xmlns:xlink=\"http://www.w3.org/1999/xlink\" " : "");
     append(out_, "  <title>{} – page {} of {}</title>\n", escaped(page_.title), page_.page, page_.page_count);
-    append(out_, "  <metadata id=\"metadata\">{} {}</metadata>\n", escaped(mark_.producer),
-           escaped(mark_word(mark_)));
+    append(out_, "  <metadata id=\"metadata\">{} {}{}</metadata>\n", escaped(mark_.producer),
+           escaped(mark_word(mark_)),
+           mark_.settings.empty() ? "" : " " + escaped(settings_json(mark_.settings)));
     append(out_, "  <sodipodi:namedview id=\"view\" inkscape:document-units=\"mm\"/>\n");
   }
 
@@ -128,6 +132,19 @@ class SvgWriter {
       }
     }
     append(out_, "    </g>\n");
+  }
+
+  /// The other side of the sheet as it is seen there, in a layer that is hidden: it is printed by itself.
+  void write_back() {
+    append(out_,
+           "  <g inkscape:groupmode=\"layer\" inkscape:label=\"Back\" id=\"back\" display=\"none\"{}>\n",
+           layer_attributes(Layer::label));
+    for (const Group& group : page_.back) {
+      for (const Layer layer : {Layer::mark, Layer::label, Layer::piece_name}) {
+        write_group(group, layer);
+      }
+    }
+    append(out_, "  </g>\n");
   }
 
   /// What reaches under the colours of other pieces lies below them all.

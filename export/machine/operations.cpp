@@ -63,6 +63,8 @@ std::optional<Operation> operation_of(Layer layer) {
       return Operation::tab_fold;
     case Layer::label:
     case Layer::piece_name:
+    case Layer::shadow:
+    case Layer::glue:
       return Operation::engrave;
     case Layer::cut:
       return Operation::cut_inner;  // but for the outline

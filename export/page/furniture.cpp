@@ -58,12 +58,13 @@ struct LegendItem {
   std::string_view word;
   std::string_view short_word;
 };
-constexpr std::array<LegendItem, 6> legend_items{{
+constexpr std::array<LegendItem, 7> legend_items{{
     {&LineKinds::cut, Layer::mark, Fold::none, "cut", "cut"},
     {&LineKinds::mountain, Layer::mark, Fold::mountain, "mountain fold", "mountain"},
     {&LineKinds::valley, Layer::mark, Fold::valley, "valley fold", "valley"},
     {&LineKinds::tab, Layer::tab_fill, Fold::none, "glue tab", "tab"},
     {&LineKinds::flat_tab, Layer::tab_fold, Fold::none, "tab edge, not folded", "no fold"},
+    {&LineKinds::glue, Layer::glue, Fold::none, "glue a piece here", "glue here"},
     {&LineKinds::leader, Layer::label, Fold::none, "name or number of the edge", "its number"},
 }};
 
@@ -84,7 +85,7 @@ class FurnitureMaker {
         right_(paper.size.x - left_),
         bottom_(std::max(paper.margin, foot_inset)),
         title_(printable_utf8(title)),
-        page_(std::to_string(page) + " / " + std::to_string(page_count)) {
+        page_("page " + std::to_string(page) + " / " + std::to_string(page_count)) {
     group_.id = "page";
     items_ = items_of(used);
     items_anywhere_ = items_of(anywhere);
@@ -104,6 +105,13 @@ class FurnitureMaker {
     } else {
       three_rows();
     }
+    return std::move(group_);
+  }
+
+  Group make_back() {
+    group_.id = "back";
+    page_ = "back of " + page_;
+    title_row(bottom_ + title_lift, false);
     return std::move(group_);
   }
 
@@ -139,11 +147,10 @@ class FurnitureMaker {
 
   /// Title left, hint in the middle, page number right; the title is shortened to the room that is left.
   void title_row(double y, bool hint) {
-    const std::string page_words = "page " + page_;
     double room = width();
-    const double page_width = text_width(page_words, text_height);
+    const double page_width = text_width(page_, text_height);
     if (page_width < most_of_row * room) {
-      text(page_words, {right_ - page_width, y}, text_height);
+      text(page_, {right_ - page_width, y}, text_height);
       room -= page_width + neighbour_gap;
     }
     constexpr std::string_view hint_words = "print at 100 %, not fitted to the page";
@@ -277,7 +284,7 @@ class FurnitureMaker {
   double right_;
   double bottom_;
   std::string title_;
-  std::string page_;
+  std::string page_;  ///< "page 1 / 2"
   Group group_;
 };
 
@@ -292,6 +299,7 @@ LineKinds line_kinds(const std::vector<Group>& groups) {
       kinds.mountain = kinds.mountain || line.fold == Fold::mountain;
       kinds.valley = kinds.valley || line.fold == Fold::valley;
       kinds.flat_tab = kinds.flat_tab || (line.layer == Layer::tab_fold && line.fold == Fold::none);
+      kinds.glue = kinds.glue || line.layer == Layer::glue;
       kinds.leader = kinds.leader || line.layer == Layer::label;
     }
   }
@@ -308,6 +316,10 @@ LineKinds operator|(LineKinds a, const LineKinds& b) {
 Group furniture(const Paper& paper, std::string_view title, int page, int page_count, const LineKinds& used,
                 const LineKinds& anywhere) {
   return FurnitureMaker(paper, title, page, page_count, used, anywhere).make();
+}
+
+Group foot_of_back(const Paper& paper, std::string_view title, int page, int page_count) {
+  return FurnitureMaker(paper, title, page, page_count, {}, {}).make_back();
 }
 
 }  // namespace ridgecraft::paper

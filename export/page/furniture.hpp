@@ -17,6 +17,7 @@ struct LineKinds {
   bool valley = false;
   bool tab = false;
   bool flat_tab = false;  ///< dotted bases of tabs that aren't folded
+  bool glue = false;      ///< outlines of what is glued on
   bool leader = false;    ///< lines from numbers and names to their edges
 };
 
@@ -33,5 +34,8 @@ struct LineKinds {
 /// smaller than a pen's width and a descender need, it keeps away from the sheet's edge nevertheless.
 [[nodiscard]] Group furniture(const Paper& paper, std::string_view title, int page, int page_count,
                               const LineKinds& used, const LineKinds& anywhere);
+
+/// The words at the foot of a page's back: of which page it is.
+[[nodiscard]] Group foot_of_back(const Paper& paper, std::string_view title, int page, int page_count);
 
 }  // namespace ridgecraft::paper

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+
+#include <fmt/format.h>
 
 #include "export/page/text_table.hpp"
 
@@ -12,6 +15,47 @@ namespace {
 /// Narrower or lower paper holds no list, mm.
 constexpr double least_width = 40.0;
 constexpr double least_height = 20.0;
+
+/// Numbers that stand at their edges, as they follow each other on one outline.
+using Shown = std::vector<std::uint32_t>;
+
+Shown shown_on(const PieceDrawing& piece, const std::vector<std::size_t>& rim) {
+  Shown numbers;
+  for (const std::size_t seam : rim) {
+    if (piece.seams[seam].numbered) {
+      numbers.push_back(piece.seams[seam].number);
+    }
+  }
+  return numbers;
+}
+
+/// How often these numbers follow each other on the piece's outlines.
+std::size_t count_of(const Shown& wanted, const PieceDrawing& piece) {
+  std::size_t count = 0;
+  for (const std::vector<std::size_t>& rim : piece.rims) {
+    const Shown shown = shown_on(piece, rim);
+    for (std::size_t begin = 0; begin < shown.size(); ++begin) {
+      std::size_t same = 0;
+      while (same < wanted.size() && shown[(begin + same) % shown.size()] == wanted[same]) {
+        ++same;
+      }
+      count += same == wanted.size() ? 1U : 0U;
+    }
+  }
+  return count;
+}
+
+/// "after 12", or "after 11, 12" where 12 stands on the piece twice: as many of the numbers before a run as
+/// there have to be for one place to be meant. `before`: those on the run's outline, up to the run.
+std::string words_of_place(const PieceDrawing& piece, const Shown& before) {
+  for (std::size_t size = 1; size <= before.size(); ++size) {
+    const Shown last(before.end() - static_cast<std::ptrdiff_t>(size), before.end());
+    if (size == before.size() || count_of(last, piece) == 1) {
+      return fmt::format("after {}:", fmt::join(last, ", "));
+    }
+  }
+  return {};
+}
 
 /// "after 12: 13, 14"
 std::string words_of_run(const PieceDrawing& piece, const std::vector<std::size_t>& run,
@@ -44,15 +88,18 @@ std::vector<std::string> words_of_rim(const PieceDrawing& piece, const std::vect
     return {words_of_run(piece, around, "all round from the longest edge:")};
   }
   std::vector<std::string> words;
+  // Those that come before the first one clockwise are the last ones.
+  Shown before = shown_on(piece, around);
+  std::ranges::rotate(before, before.begin() + 1);
   for (std::size_t i = 0; i < around.size();) {
     std::vector<std::size_t> run;
-    const std::string before = std::to_string(piece.seams[around[i]].number);
     for (++i; i < around.size() && is_lost(around[i]); ++i) {
       run.push_back(around[i]);
     }
     if (!run.empty()) {
-      words.push_back(words_of_run(piece, run, "after " + before + ":"));
+      words.push_back(words_of_run(piece, run, words_of_place(piece, before)));
     }
+    std::ranges::rotate(before, before.begin() + 1);
   }
   return words;
 }
@@ -74,27 +121,39 @@ bool has_room_for_lists(const Paper& paper) {
   return area.x >= least_width && area.y >= least_height;
 }
 
-std::vector<std::vector<Text>> number_pages(const std::vector<std::string>& rows, const Paper& paper) {
+std::vector<std::vector<Text>> list_pages(const std::vector<RowList>& lists, const Paper& paper) {
   const Box2 area = piece_box(paper);
+  const double width = area.high.x - area.low.x;
   const auto most = static_cast<std::size_t>((area.high.y - area.low.y) / table_row_height);
-  std::vector<std::string> heading;
-  append_wrapped(heading, number_list_heading, area.high.x - area.low.x);
-  std::vector<std::string> lines;
-  for (const std::string& row : rows) {
-    append_wrapped(lines, row, area.high.x - area.low.x);
+  std::vector<std::vector<std::string>> pages;
+  for (const RowList& list : lists) {
+    std::vector<std::string> heading;
+    append_wrapped(heading, list.heading, width);
+    std::vector<std::string> lines;
+    for (const std::string& row : list.rows) {
+      append_wrapped(lines, row, width);
+    }
+    bool headed = false;
+    for (const std::string& line : lines) {
+      if (pages.empty() || pages.back().size() + (headed ? 1 : heading.size() + 1) > most) {
+        pages.emplace_back();
+        headed = false;
+      }
+      if (!headed) {
+        pages.back().insert(pages.back().end(), heading.begin(), heading.end());
+        headed = true;
+      }
+      pages.back().push_back(line);
+    }
   }
-  std::vector<std::vector<Text>> pages;
-  const std::size_t per_page = most - heading.size();
-  for (std::size_t begin = 0; begin < lines.size(); begin += per_page) {
-    std::vector<std::string> page = heading;
-    page.insert(page.end(), lines.begin() + static_cast<std::ptrdiff_t>(begin),
-                lines.begin() + static_cast<std::ptrdiff_t>(std::min(begin + per_page, lines.size())));
-    pages.push_back(table(page));
-    for (Text& text : pages.back()) {
+  std::vector<std::vector<Text>> tables;
+  for (const std::vector<std::string>& page : pages) {
+    tables.push_back(table(page));
+    for (Text& text : tables.back()) {
       text.centre += Vec2{area.low.x, area.high.y};
     }
   }
-  return pages;
+  return tables;
 }
 
 }  // namespace ridgecraft::paper

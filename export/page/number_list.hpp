@@ -23,9 +23,15 @@ inline constexpr std::string_view number_list_heading =
 /// Whether a page of this paper can hold such a list.
 [[nodiscard]] bool has_room_for_lists(const Paper& paper);
 
-/// The rows on pages of their own, each with the heading above; long rows go on in the next line. Only where
-/// has_room_for_lists().
-[[nodiscard]] std::vector<std::vector<Text>> number_pages(const std::vector<std::string>& rows,
-                                                          const Paper& paper);
+/// Rows of words under a heading.
+struct RowList {
+  std::string_view heading;
+  std::vector<std::string> rows;
+};
+
+/// The lists on pages of their own, one after the other, each with its heading above, and again on each page
+/// that it goes on to; long rows go on in the next line. Only where has_room_for_lists().
+[[nodiscard]] std::vector<std::vector<Text>> list_pages(const std::vector<RowList>& lists,
+                                                        const Paper& paper);
 
 }  // namespace ridgecraft::paper

@@ -126,15 +126,24 @@ void Obstacles::add(const Segment2& line, Kind kind) {
   }
 }
 
-void Obstacles::add(const Text& text) {
+std::uint32_t Obstacles::add(const Text& text) {
   const auto number = static_cast<std::uint32_t>(boxes_.size());
-  boxes_.push_back({box_of(text), room_of(text)});
-  for (const std::uint32_t cell : cells_of(boxes_.back().room.bounds())) {
-    cells_[cell].boxes.push_back(number);
+  boxes_.emplace_back();
+  replace(number, text);
+  return number;
+}
+
+void Obstacles::replace(std::uint32_t number, const Text& text) {
+  boxes_[number] = {box_of(text), room_of(text)};
+  for (const std::uint32_t cell : cells_of(boxes_[number].room.bounds())) {
+    std::vector<std::uint32_t>& here = cells_[cell].boxes;
+    if (std::ranges::find(here, number) == here.end()) {
+      here.push_back(number);
+    }
   }
 }
 
-bool Obstacles::is_free(const Text& text, double clearance, double more) const {
+bool Obstacles::is_free(const Text& text, double clearance, double more, std::uint32_t but) const {
   const TurnedBox box = box_of(text).grown(clearance + more);
   const Box2 bounds = box.bounds();
   if (bounds.low.x < 0.0 || bounds.low.y < 0.0 || bounds.high.x > size_.x || bounds.high.y > size_.y) {
@@ -147,7 +156,7 @@ bool Obstacles::is_free(const Text& text, double clearance, double more) const {
   const TurnedBox room = room_of(text).grown(more);
   return !on_line && !any_cell(room.bounds(), [&](std::uint32_t cell) {
     return std::ranges::any_of(cells_[cell].boxes,
-                               [&](std::uint32_t i) { return overlap(boxes_[i].room, room); });
+                               [&](std::uint32_t i) { return i != but && overlap(boxes_[i].room, room); });
   });
 }
 

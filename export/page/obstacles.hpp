@@ -41,11 +41,17 @@ class Obstacles {
   /// Lines that may be crossed by a leader (folds) and lines that may not (cuts).
   enum class Kind : std::uint8_t { cut, fold };
   void add(const Segment2& line, Kind kind);
-  void add(const Text& text);
+  /// Its number, for replace() and is_free().
+  std::uint32_t add(const Text& text);
+  /// Another text instead of an earlier one.
+  void replace(std::uint32_t number, const Text& text);
 
+  static constexpr std::uint32_t no_text = 0xffffffff;
   /// Whether the text's box, grown by `clearance` and `more`, meets no line and not the page's edge, and its
-  /// room, grown by `more`, no other text's room. O(what lies in its cells).
-  [[nodiscard]] bool is_free(const Text& text, double clearance, double more = 0.0) const;
+  /// room, grown by `more`, no other text's room, but that of the text with the number `but`. O(what lies in
+  /// its cells).
+  [[nodiscard]] bool is_free(const Text& text, double clearance, double more = 0.0,
+                             std::uint32_t but = no_text) const;
   /// Whether the line meets no cut and no box; with `folds_too` no fold either.
   [[nodiscard]] bool is_free(const Segment2& line, bool folds_too) const;
   /// Distance of the nearest line from a point, mm, at most `most`.

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "export/page/number_list.hpp"
+#include "export/page/glue_spots.hpp"
 #include "export/page/obstacles.hpp"
 #include "export/page/text_table.hpp"
 
@@ -22,7 +22,6 @@ constexpr std::array<double, 4> widths{0.95, 0.62, 0.42, 0.28};
 constexpr std::array<double, 5> list_widths{0.95, 0.62, 0.42, 0.28, 0.2};
 /// A longer list would be a page of its own.
 constexpr std::size_t most_rows = 40;
-constexpr std::string_view full_heading = "where the other edges are: piece and numbers";
 constexpr std::string_view brief_heading = "where the other edges are";
 
 enum class Partners { none, names, with_numbers };
@@ -82,15 +81,18 @@ std::vector<std::string> number_rows(const std::vector<PieceDrawing>& pieces) {
     if (std::string row = number_row(piece); !row.empty()) {
       rows.push_back(std::move(row));
     }
+    if (std::string row = spot_row(piece); !row.empty()) {
+      rows.push_back(std::move(row));
+    }
   }
   return rows;
 }
 
-void append_numbers(std::vector<std::string>& rows, const std::vector<std::string>& numbers, double width) {
-  if (!numbers.empty()) {
-    append_wrapped(rows, number_list_heading, width);
+void append_list(std::vector<std::string>& rows, const RowList& list, double width) {
+  if (!list.rows.empty()) {
+    append_wrapped(rows, list.heading, width);
   }
-  for (const std::string& row : numbers) {
+  for (const std::string& row : list.rows) {
     append_wrapped(rows, row, width);
   }
 }
@@ -184,7 +186,7 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
         append_wrapped(rows, kind, width);
       }
       if (!listed.empty()) {
-        rows.emplace_back(full ? full_heading : brief_heading);
+        rows.emplace_back(full ? partner_list_heading : brief_heading);
       }
       for (const PieceId piece : listed) {
         append_wrapped(rows,
@@ -193,10 +195,15 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
       }
     }
     if (contents.numbers) {
-      append_numbers(rows, numbers, width);
+      append_list(rows, {number_list_heading, numbers}, width);
     }
     return rows;
   };
+  std::vector<std::string> every_partner = equal;
+  for (const PieceId piece : listed) {
+    every_partner.push_back(nets.pieces[piece].name + ": " +
+                            partners(nets, pages, page, neighbours[piece], true));
+  }
   const PageRoom room(pages.paper, pieces);
   for (const Contents& contents : in_turn) {
     for (const double share : widths) {
@@ -205,22 +212,27 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
         continue;
       }
       if (auto texts = room.place(table(rows))) {
-        return {std::move(*texts), contents.numbers};
+        PageIndex index{std::move(*texts), {}, {}};
+        if (contents.partners == Partners::none) {
+          index.partners = std::move(every_partner);
+        }
+        if (!contents.numbers) {
+          index.numbers = numbers;
+        }
+        return index;
       }
     }
   }
-  return {};
+  return {{}, std::move(every_partner), numbers};
 }
 
-std::optional<std::vector<Text>> number_list_beside(const Paper& paper,
-                                                    const std::vector<PieceDrawing>& pieces,
-                                                    const std::vector<Text>& others,
-                                                    const std::vector<std::string>& rows) {
+std::optional<std::vector<Text>> list_beside(const Paper& paper, const std::vector<PieceDrawing>& pieces,
+                                             const std::vector<Text>& others, const RowList& list) {
   PageRoom room(paper, pieces);
   room.add(others);
   for (const double share : list_widths) {
     std::vector<std::string> lines;
-    append_numbers(lines, rows, share * piece_area(paper).x);
+    append_list(lines, list, share * piece_area(paper).x);
     if (lines.size() > most_rows) {
       continue;
     }

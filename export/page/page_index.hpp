@@ -5,9 +5,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "export/page/neighbours.hpp"
+#include "export/page/number_list.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/pages.hpp"
 
@@ -15,25 +17,27 @@ namespace ridgecraft::paper {
 
 struct PageIndex {
   std::vector<Text> texts;
-  /// The numbers that have no room at their edges (Seam::numbered) are among the texts.
-  bool lists_numbers = false;
+  /// What the page has no room for: rows that tell where the other edges are, and numbers that have no room
+  /// at their edges (Seam::numbered).
+  std::vector<std::string> partners, numbers;
 };
 
 /// The texts of the index, where the page has room for them: beside the pieces, as low as possible. In fewer
 /// words where there is little room, then without what isn't needed most: numbers that have no room at their
-/// edges come first. None where there is no room, or nothing to tell. `pieces` are all of the page, with
-/// their texts. O(places tried x lines).
+/// edges come first. `pieces` are all of the page, with their texts. O(places tried x lines).
 [[nodiscard]] PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
                                    const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
                                    const std::vector<PieceKind>& kinds,
                                    const std::vector<PieceDrawing>& pieces);
 
-/// The heading of number lists and these rows, at the lowest place of a page that has room for them beside
-/// its pieces, with their texts, and `others`, which stand there, too. None where there is no room. O(places
-/// tried x lines).
-[[nodiscard]] std::optional<std::vector<Text>> number_list_beside(const Paper& paper,
-                                                                  const std::vector<PieceDrawing>& pieces,
-                                                                  const std::vector<Text>& others,
-                                                                  const std::vector<std::string>& rows);
+/// What stands above rows that tell where the other edges are.
+inline constexpr std::string_view partner_list_heading = "where the other edges are: piece and numbers";
+
+/// The list at the lowest place of a page that has room for it beside its pieces, with their texts, and
+/// `others`, which stand there, too. None where there is no room. O(places tried x lines).
+[[nodiscard]] std::optional<std::vector<Text>> list_beside(const Paper& paper,
+                                                           const std::vector<PieceDrawing>& pieces,
+                                                           const std::vector<Text>& others,
+                                                           const RowList& list);
 
 }  // namespace ridgecraft::paper

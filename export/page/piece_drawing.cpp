@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "export/page/crumbs.hpp"
 #include "export/page/fold_lines.hpp"
 #include "unfold/net/outline.hpp"
 
@@ -21,6 +22,14 @@ constexpr double straight_cosine = 0.985;
 constexpr double tick_length = 1.5;
 /// Ends of lines that are one point on paper, mm.
 constexpr double near_mm = 0.05;
+
+double length_of(const std::vector<Vec2>& line) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    sum += length(line[i] - line[i - 1]);
+  }
+  return sum;
+}
 
 class PieceDrawer {
  public:
@@ -67,17 +76,25 @@ class PieceDrawer {
         std::ranges::transform(line, line.begin(), place_);
       }
     }
-    for (auto& outline : cuts.loops) {
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        drawn_.add({outline[i], outline[(i + 1) % outline.size()]});
+    std::erase_if(cuts.slits, [](const std::vector<Vec2>& slit) { return length_of(slit) <= crumb_mm; });
+    for (auto* lines : {&cuts.loops, &cuts.slits}) {
+      for (auto& line : *lines) {
+        line = without_crumbs(line, lines == &cuts.loops);
       }
-      add_line(Layer::cut, std::move(outline), true);
     }
     for (auto& slit : cuts.slits) {
       for (std::size_t i = 1; i < slit.size(); ++i) {
         drawn_.add({slit[i - 1], slit[i]});
       }
       add_line(Layer::cut, std::move(slit), false);
+    }
+    // Holes before the outline, which comes first there: once that is cut, the piece may move.
+    std::ranges::reverse(cuts.loops);
+    for (auto& outline : cuts.loops) {
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        drawn_.add({outline[i], outline[(i + 1) % outline.size()]});
+      }
+      add_line(Layer::cut, std::move(outline), true);
     }
   }
 
@@ -107,6 +124,9 @@ class PieceDrawer {
 
   void draw_once(const FoldSegment& fold, Layer layer) {
     for (const Segment2& part : drawn_.free_parts(fold.line)) {
+      if (length(part.b - part.a) <= crumb_mm) {
+        continue;
+      }
       drawn_.add(part);
       add_line(layer, {part.a, part.b}, false, fold.fold);
     }
@@ -116,6 +136,7 @@ class PieceDrawer {
     std::vector<FoldSegment> bases;
     for (const TabId id : contents_.tabs) {
       const unfold::Tab& tab = nets_.tabs[id];
+      tab_at_.emplace(tab.side, id);
       std::vector<Vec2> area;
       for (const Vec2 p : tab.polygon) {
         area.push_back(place_(p));
@@ -186,9 +207,10 @@ class PieceDrawer {
         if (nets_.piece[mesh::face_of(c)] != piece_) {
           continue;
         }
-        Seam seam{join.number, side(c), {}};
-        if (join.tab.valid() && nets_.tabs[join.tab].side == c) {
-          for (const Vec2 p : nets_.tabs[join.tab].polygon) {
+        const PieceId other = nets_.piece[mesh::face_of(surface_.twin(c))];
+        Seam seam{join.number, other == piece_ ? "" : nets_.pieces[other].name, side(c), {}};
+        if (const auto tab = tab_at_.find(c); tab != tab_at_.end()) {
+          for (const Vec2 p : nets_.tabs[tab->second].polygon) {
             seam.tab.push_back(place_(p));
           }
         }
@@ -227,6 +249,7 @@ class PieceDrawer {
   const Placement& place_;
   const Style& style_;
   DrawnLines drawn_;
+  std::map<CornerId, TabId> tab_at_;         ///< of each edge that has one
   std::map<CornerId, std::size_t> seam_at_;  ///< of each cut edge that is glued: its place among the seams
   PieceDrawing result_;
 };

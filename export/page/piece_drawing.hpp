@@ -16,9 +16,17 @@ namespace ridgecraft::paper {
 /// A cut edge of a piece that is glued to another edge.
 struct Seam {
   std::uint32_t number = 0;
+  std::string partner;    ///< name of the piece that the other edge is on; empty where it is this one
   Segment2 edge;          ///< its face lies on the left
   std::vector<Vec2> tab;  ///< the tab that grows from it, first two corners on the edge; or nothing
   bool numbered = false;  ///< its number stands at it or on its tab
+};
+
+/// Where a piece that no join connects with this one is glued on.
+struct GlueSpot {
+  std::string name;                         ///< of the other piece
+  std::vector<std::vector<Vec2>> outlines;  ///< on the page; holes among them
+  bool named = false;                       ///< its name stands there
 };
 
 struct PieceDrawing {
@@ -30,6 +38,7 @@ struct PieceDrawing {
   /// side; borders are left out.
   std::vector<std::vector<std::size_t>> rims;
   std::vector<std::array<Vec2, 3>> faces;
+  std::vector<GlueSpot> spots;
 };
 
 /// What lies on a piece; both ascending.

@@ -9,9 +9,11 @@
 #include <string>
 #include <utility>
 
+#include "export/page/glue_spots.hpp"
 #include "export/page/leader.hpp"
 #include "export/page/name_placement.hpp"
 #include "export/page/obstacles.hpp"
+#include "export/page/upright.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
@@ -32,19 +34,6 @@ struct Frame {
         along(size > 0.0 ? (edge.b - edge.a) / size : Vec2{1.0, 0.0}),
         inward(perpendicular(along)),
         angle(upright(std::atan2(along.y, along.x))) {}
-
-  /// In (-90, 90] degrees; a hair below -90 counts as +90, so that vertical texts of a page all read upwards.
-  static double upright(double angle) {
-    constexpr double half = 0.5 * std::numbers::pi;
-    constexpr double hair = 1e-3;
-    while (angle > half + hair) {
-      angle -= std::numbers::pi;
-    }
-    while (angle < -half + hair) {
-      angle += std::numbers::pi;
-    }
-    return angle;
-  }
 
   double size;
   Vec2 middle;
@@ -97,6 +86,7 @@ class NumberPlacer {
         const TurnedBox box = box_of(text);
         text.centre += text.centre - box.centre;  // the box, underline included, stands in the middle
         if (inside(box_of(text).grown(clearance(height)), seam.tab) && put(piece, text)) {
+          placed_.push_back({&piece, &seam, piece.group.texts.size() - 1, last_text_, true});
           return true;
         }
       }
@@ -104,24 +94,25 @@ class NumberPlacer {
     return false;
   }
 
-  /// Along the edge, close to it.
-  bool place_near(const Wanted& wanted) {
+  /// Along the edge, close to it; `side` is 1 for inside the piece, -1 for beside it.
+  bool place_near(const Wanted& wanted, double side = 1.0) {
     for (const double height : heights_) {
       for (const double offset : near_offsets) {
-        if (place_along(wanted, height, offset, false)) {
+        if (place_along(wanted, height, offset, false, side)) {
           return true;
         }
       }
     }
     return std::ranges::any_of(heights_,
-                               [&](double height) { return place_along(wanted, height, 0.0, true); });
+                               [&](double height) { return place_along(wanted, height, 0.0, true, side); });
   }
 
   /// Along the edge, further inside the same panel.
   bool place_inside(const Wanted& wanted) {
     for (const double height : heights_) {
       for (double offset = first_offset; offset < deepest_offset; offset += offset_step) {
-        if (place_along(wanted, height, offset, false) || place_along(wanted, height, offset, true)) {
+        if (place_along(wanted, height, offset, false, 1.0) ||
+            place_along(wanted, height, offset, true, 1.0)) {
           return true;
         }
       }
@@ -164,12 +155,58 @@ class NumberPlacer {
     if (!on_area(box_of(text)) || !obstacles_.is_free(text, clearance(text.height))) {
       return false;
     }
-    obstacles_.add(text);
+    last_text_ = obstacles_.add(text);
     piece.group.texts.push_back(text);
     return true;
   }
 
+  /// Numbers tell on which piece the other edge is ("B:12"), where there is room for it.
+  void name_partners() {
+    for (const Placed& placed : placed_) {
+      Text& text = placed.piece->group.texts[placed.text];
+      if (placed.seam->partner.empty()) {
+        continue;
+      }
+      if (const auto longer = with_partner(text, placed)) {
+        obstacles_.replace(placed.obstacle, *longer);
+        text = *longer;
+      }
+    }
+  }
+
  private:
+  /// A number that stands by its edge or on its tab.
+  struct Placed {
+    PieceDrawing* piece = nullptr;
+    const Seam* seam = nullptr;
+    std::size_t text = 0;  ///< of the piece's texts
+    std::uint32_t obstacle = 0;
+    bool on_tab = false;
+  };
+
+  [[nodiscard]] std::optional<Text> with_partner(const Text& plain, const Placed& placed) const {
+    Text text = plain;
+    text.text = placed.seam->partner + ":" + plain.text;
+    text.underlined = false;  // the name comes first: which end that is tells which side is up
+    const double growth = box_of(text).half_width - box_of(plain).half_width;
+    const Vec2 baseline{std::cos(plain.angle), std::sin(plain.angle)};
+    const Frame frame(placed.seam->edge);
+    for (const double share : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+      text.centre = plain.centre + share * growth * baseline;
+      const TurnedBox box = box_of(text);
+      const double reach = box.half_width * std::abs(dot(frame.along, box.along)) +
+                           box.half_height * std::abs(dot(frame.along, perpendicular(box.along)));
+      const bool at_its_edge =
+          placed.on_tab ? inside(box.grown(clearance(text.height)), placed.seam->tab)
+                        : std::abs(dot(box.centre - frame.middle, frame.along)) + reach <= 0.5 * frame.size;
+      if (at_its_edge && on_area(box) &&
+          obstacles_.is_free(text, clearance(text.height), 0.0, placed.obstacle)) {
+        return text;
+      }
+    }
+    return std::nullopt;
+  }
+
   static std::vector<double> steps(double largest, double smallest) {
     std::vector<double> heights;
     for (int i = 0; i < height_steps; ++i) {
@@ -208,14 +245,17 @@ class NumberPlacer {
     return true;
   }
 
-  bool place_along(const Wanted& wanted, double height, double offset, bool across) {
+  bool place_along(const Wanted& wanted, double height, double offset, bool across, double side) {
     const Frame frame(wanted.seam->edge);
-    Text text = number(*wanted.seam, height,
-                       across ? Frame::upright(frame.angle + 0.5 * std::numbers::pi) : frame.angle);
+    Text text =
+        number(*wanted.seam, height, across ? upright(frame.angle + 0.5 * std::numbers::pi) : frame.angle);
     const TurnedBox at_origin = box_of(text);
     const double half = across ? at_origin.half_width : at_origin.half_height;
     const double half_along = across ? at_origin.half_height : at_origin.half_width;
     const double room = std::max(0.0, 0.5 * frame.size - half_along);
+    // Beside the piece, that is beyond the tab.
+    const double lift = side < 0.0 ? tab_height(*wanted.seam, frame) : 0.0;
+    const Vec2 out = side * frame.inward;
     double last = -1.0;
     for (const double share : along_shares) {
       const double shift = std::clamp(share * frame.size, -room, room);
@@ -223,15 +263,25 @@ class NumberPlacer {
         continue;
       }
       last = shift;
-      const Vec2 foot = frame.middle + shift * frame.along;
-      const Vec2 centre = foot + (half + clearance(height) + edge_clearance + offset) * frame.inward;
+      const Vec2 foot = frame.middle + shift * frame.along + lift * out;
+      const Vec2 centre = foot + (half + clearance(height) + edge_clearance + offset) * out;
       text.centre = centre - at_origin.centre;
-      if (obstacles_.is_free(Segment2{foot + off_the_edge_mm * frame.inward, centre}, true) &&
+      if (obstacles_.is_free(Segment2{foot + off_the_edge_mm * out, centre}, true) &&
           put(*wanted.piece, text)) {
+        placed_.push_back(
+            {wanted.piece, wanted.seam, wanted.piece->group.texts.size() - 1, last_text_, false});
         return true;
       }
     }
     return false;
+  }
+
+  static double tab_height(const Seam& seam, const Frame& frame) {
+    double height = 0.0;
+    for (const Vec2 p : seam.tab) {
+      height = std::max(height, -dot(p - frame.middle, frame.inward));
+    }
+    return height;
   }
 
   /// From the edge to the nearest point of the text's box.
@@ -256,11 +306,14 @@ class NumberPlacer {
   Obstacles obstacles_;
   Box2 area_;
   std::vector<double> heights_;
+  std::vector<Placed> placed_;
+  std::uint32_t last_text_ = 0;  ///< number of the obstacle that was added last
 };
 
 void add_lines(Obstacles& obstacles, const PieceDrawing& piece) {
   for (const Line& line : piece.group.lines) {
-    const bool fold = line.layer == Layer::mountain || line.layer == Layer::valley;
+    const bool fold =
+        line.layer == Layer::mountain || line.layer == Layer::valley || line.layer == Layer::glue;
     const auto kind = fold ? Obstacles::Kind::fold : Obstacles::Kind::cut;
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       obstacles.add({line.points[i - 1], line.points[i]}, kind);
@@ -298,15 +351,29 @@ void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& 
   for (const PieceDrawing& piece : pieces) {
     add_lines(placer.obstacles(), piece);
   }
+  for (PieceDrawing& piece : pieces) {
+    place_spot_names(piece, area, placer.obstacles());
+  }
+  const bool outside = style.numbers == Numbers::tabs || style.numbers == Numbers::outside;
   std::vector<Wanted> wanted;
   for (PieceDrawing& piece : pieces) {
     for (Seam& seam : piece.seams) {
-      wanted.push_back({&piece, &seam, !seam.tab.empty() && placer.place_on_tab(piece, seam)});
+      const bool on_tab =
+          !seam.tab.empty() && style.numbers != Numbers::outside && placer.place_on_tab(piece, seam);
+      wanted.push_back({&piece, &seam, on_tab});
     }
   }
   // Short edges have the least choice.
   std::ranges::stable_sort(wanted, {},
                            [](const Wanted& w) { return length(w.seam->edge.b - w.seam->edge.a); });
+  if (style.numbers == Numbers::tabs) {
+    std::erase_if(wanted, [](const Wanted& w) { return w.on_tab; });
+  }
+  if (outside) {
+    wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_near(w, -1.0); });
+    wanted = without_place(wanted,
+                           [&](const Wanted& w) { return in_time() && placer.place_with_leader(w, -1.0); });
+  }
   wanted = without_place(wanted, [&](const Wanted& w) { return placer.place_near(w); });
   for (PieceDrawing& piece : pieces) {
     if (!place_name(piece, placer.obstacles(), area, !in_time())) {
@@ -317,10 +384,13 @@ void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& 
   std::erase_if(wanted, [](const Wanted& w) { return w.on_tab; });
   wanted =
       without_place(wanted, [&](const Wanted& w) { return in_time() && placer.place_with_leader(w, 1.0); });
-  const std::size_t outside = wanted.size();
-  wanted =
-      without_place(wanted, [&](const Wanted& w) { return in_time() && placer.place_with_leader(w, -1.0); });
-  report.labels_outside += outside - wanted.size();
+  if (!outside) {
+    const std::size_t before = wanted.size();
+    wanted = without_place(wanted,
+                           [&](const Wanted& w) { return in_time() && placer.place_with_leader(w, -1.0); });
+    report.labels_outside += before - wanted.size();
+  }
+  placer.name_partners();
   for (PieceDrawing& piece : pieces) {
     std::ranges::for_each(piece.seams, [](Seam& seam) { seam.numbered = true; });
   }

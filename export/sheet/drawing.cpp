@@ -27,6 +27,10 @@ std::string_view id(Layer layer) {
       return "piece-name";
     case Layer::mark:
       return "mark";
+    case Layer::shadow:
+      return "tab-shadow";
+    case Layer::glue:
+      return "glue";
     case Layer::picture:
       return "picture";
   }
@@ -53,6 +57,10 @@ std::string_view title(Layer layer) {
       return "Piece names";
     case Layer::mark:
       return "Marks";
+    case Layer::shadow:
+      return "Tab shadows";
+    case Layer::glue:
+      return "Glue here";
     case Layer::picture:
       return "Pictures";
   }

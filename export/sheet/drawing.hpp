@@ -39,10 +39,16 @@ enum class Layer {
   label,     ///< join numbers
   piece_name,
   mark,     ///< page furniture: scale bar, legend, page number, title
+  shadow,   ///< where tabs come to lie behind faces, if that is wanted
+  glue,     ///< where pieces are glued that no join connects with this one; pages without have no such layer
   picture,  ///< areas and lines of pictures in the guide, below all else; sheets of pieces have none
 };
 /// Those that files of sheets have.
-inline constexpr int layer_count = 9;
+inline constexpr int layer_count = 11;
+/// Whether files have the layer only where something belongs to it.
+[[nodiscard]] constexpr bool is_optional(Layer layer) {
+  return layer == Layer::paint || layer == Layer::shadow || layer == Layer::glue;
+}
 /// Plain identifier, also usable as an XML id: "tab-fill", "cut", ...
 [[nodiscard]] std::string_view id(Layer layer);
 /// For people: "Tabs", "Cut", "Mountain folds", ...
@@ -124,6 +130,7 @@ struct Drawing {
   int page = 1;       ///< from 1
   int page_count = 1;
   std::vector<Group> groups;
+  std::vector<Group> back;  ///< what is printed on the other side of the sheet, as it is seen there
 };
 
 /// Whether anything of it belongs to the layer.

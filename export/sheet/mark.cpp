@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/json_text.hpp"
+
 namespace ridgecraft::paper {
 namespace {
 
@@ -91,6 +93,14 @@ std::string json_digest(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string settings_json(const Settings& settings) {
+  std::string text = "{";
+  for (const auto& [name, value] : settings) {
+    text += (text.size() == 1 ? "" : ", ") + json_string(name) + ": " + value;
+  }
+  return text + "}";
+}
 
 std::string mark_word(const Mark& mark) {
   return std::string(word_start) + mark.digest;

@@ -3,16 +3,23 @@
 // a later run may replace the file without being asked.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 
 namespace ridgecraft::paper {
 
+/// Options that shaped a result; values are JSON texts (numbers, strings in quotes).
+using Settings = std::map<std::string, std::string>;
+/// The same as one JSON object in one line.
+[[nodiscard]] std::string settings_json(const Settings& settings);
+
 /// What every file says about itself.
 struct Mark {
-  std::string producer;  ///< program and version
-  std::string title;     ///< the model's name
-  std::string digest;    ///< mesh::Model::digest
+  std::string producer;    ///< program and version
+  std::string title;       ///< the model's name
+  std::string digest;      ///< mesh::Model::digest
+  Settings settings = {};  ///< FOLD, PDF and the SVG of a printed page tell them
 };
 
 /// JSON (FOLD and others) has the digest as the value of this top-level key.

@@ -12,6 +12,7 @@
 #include "base/motion.hpp"
 #include "base/vector.hpp"
 #include "export/sheet/bodies.hpp"
+#include "export/sheet/contacts.hpp"
 #include "export/sheet/paper.hpp"
 #include "export/sheet/piece_kinds.hpp"
 #include "prepare/prepared/options.hpp"
@@ -36,10 +37,24 @@ enum class Ink {
   lines,   ///< nothing but lines
 };
 
+/// Where the numbers of edges stand.
+enum class Numbers {
+  inside,   ///< on the piece, at its edges, and on tabs
+  tabs,     ///< on tabs; beside the piece at edges without one
+  outside,  ///< beside the piece, where they are cut away
+  back,     ///< on the back of the piece, at its edges, and on tabs
+};
+
+/// Over which edge a printer turns a sheet to print its back.
+enum class TurnedOver { long_edge, short_edge };
+
 struct Style {
   double hidden_fold_angle = prepare::hidden_fold_angle;  ///< smaller folds get no line, radians
   double label_height = 2.5;                              ///< mm
   double smallest_label_height = 1.6;                     ///< mm
+  bool tab_shadows = false;                               ///< where tabs come to lie behind faces
+  Numbers numbers = Numbers::inside;
+  TurnedOver turned_over = TurnedOver::long_edge;  ///< sheets with numbers on their backs
   Ink ink = Ink::colour;
   double dots_per_inch = 300.0;  ///< of pictures; areas of one colour have no dots
 };
@@ -55,11 +70,16 @@ struct DrawReport {
   /// or at the end; page by page.
   std::vector<Number> labels_listed;
   std::vector<Number> labels_left_out;  ///< the same where the paper is too small for a list
-  std::size_t list_pages = 0;           ///< pages at the end that have such a list and no pieces
-  std::size_t labels_outside = 0;       ///< numbers that stand beside their piece, with a leader
-  std::size_t names_left_out = 0;       ///< pieces whose name found no place
-  std::vector<Body> bodies;             ///< separate ones, if there are several (export/sheet/bodies.hpp)
-  std::vector<PieceKind> kinds;         ///< of pieces that there are several of, as Nets::equal
+  /// Of lines to cut, and of lines to fold, bases of tabs among them, as they are drawn, mm: none twice, and
+  /// no folds that get no line.
+  double cut_mm = 0.0;
+  double fold_mm = 0.0;
+  std::size_t list_pages = 0;      ///< pages at the end that have such a list and no pieces
+  std::size_t labels_outside = 0;  ///< numbers that stand beside their piece, with a leader
+  std::size_t names_left_out = 0;  ///< pieces whose name found no place
+  std::vector<Contact> contacts;   ///< where pieces of separate bodies are glued to each other
+  std::vector<Body> bodies;        ///< separate ones, if there are several (export/sheet/bodies.hpp)
+  std::vector<PieceKind> kinds;    ///< of pieces that there are several of, as Nets::equal
 };
 
 }  // namespace ridgecraft::paper

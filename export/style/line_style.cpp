@@ -19,6 +19,9 @@ constexpr double tab_fold_width = 0.12;
 constexpr double mark_width = 0.15;
 /// Lines from a number to its edge: thinner and paler than anything that is cut or folded.
 constexpr double leader_width = 0.1;
+/// Where another piece is glued on: short dashes, which no fold has, and which stay visible as an outline.
+constexpr double glue_width = 0.15;
+constexpr double glue_dashes[] = {1.0, 0.8};
 constexpr Color leader_grey{0x80, 0x80, 0x80};
 /// On dark colours. Not white: printers leave that out, so whoever looks for lines takes white ones for none.
 constexpr Color light_tone{0xec, 0xec, 0xec};
@@ -52,7 +55,10 @@ LineStyle dark_style_of(const Line& line) {
       return {tab_fold_width,
               {},
               line.fold == Fold::none ? std::span<const double>(flat_dashes) : pattern_of(line.fold)};
+    case Layer::glue:
+      return {glue_width, {}, glue_dashes};
     case Layer::label:
+    case Layer::shadow:
       return {leader_width, leader_grey, {}};
     case Layer::mark:
       return {line.fold == Fold::none ? mark_width : fold_width, {}, pattern_of(line.fold)};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // docs/json.md names each key that --json prints, and none besides.
 #include <algorithm>
+#include <array>
 #include <set>
 #include <sstream>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/program_checks.hpp"
@@ -70,6 +72,15 @@ TEST_CASE("the keys of --json are documented, each of them and no other", "[json
               "v 0 0 0\nv 100 0 0\nv 100 0.5 0\nv 0 0.5 0\nv 0 0 20\nv 100 0 20\nv 100 0.5 20\nv 0 0.5 20\n"
               "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
               "v 20 5 0\nv 60 5 0\nv 40 5 15\nf 9 10 11\n");
+  // A box on a box.
+  std::string boxes;
+  for (const auto& [low, high, size] : {std::array{0, 20, 60}, std::array{20, 30, 30}}) {
+    for (const int z : {low, high}) {
+      boxes += fmt::format("v 0 0 {1}\nv {0} 0 {1}\nv {0} {0} {1}\nv 0 {0} {1}\n", size, z);
+    }
+    boxes += "f -5 -6 -7 -8\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -7 -6 -2 -3\nf -6 -5 -1 -2\nf -5 -8 -4 -1\n";
+  }
+  write_bytes(folder / "boxes.obj", boxes);
   REQUIRE(run_program({"house.obj", "-o", "bad.fold"}, in(folder)).exit_code == 0);
   Json fold = Json::parse(read_bytes(folder / "bad.fold"));
   fold["vertices_coords"][0][0] = 1e3;
@@ -81,7 +92,8 @@ TEST_CASE("the keys of --json are documented, each of them and no other", "[json
        {{"bar.obj", "--size", "100mm", "--faces", "keep", "-o", flat},
         {"house.obj", "--size", "3mm", "-o", "y.fold"},
         {"house.obj", "--size", "30cm", "-o", "y.fold"},
-        {"house.obj", "--size", "8cm", "-o", "z.pdf"}}},
+        {"house.obj", "--size", "8cm", "-o", "z.pdf"},
+        {"boxes.obj", "--keep-bodies", "-o", "y.fold", "--overwrite"}}},
       {"ridgecraft segment",
        {{"segment", "bar.obj"}, {"segment", "house.obj", "--parts", "1", "--compare", "house.seg"}}},
       {"ridgecraft unfold", {{"unfold", "bar.obj", "--tabs"}}},

@@ -20,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-const paper::Mark mark{"ridgecraft 0.1.0", "model", "00c0ffee00c0ffee"};
+const paper::Mark mark{"ridgecraft 0.1.0", "model", "00c0ffee00c0ffee", {{"seed", "1"}}};
 
 prepare::Prepared prepared(const Surface& surface, double scale = 1.0, Vec3 shift = {}) {
   std::vector<Vec3> points;
@@ -113,7 +113,7 @@ void check_contract(const std::string& name, const std::string& fold) {
 std::string write(const prepare::Prepared& model, const unfold::Nets& nets,
                   const paper::Pages* pages = nullptr) {
   return paper::write_fold(model, one_part(model.model.surface), nets,
-                           paper::assembly_order(model.model.surface, nets), pages, mark, {{"seed", "1"}});
+                           paper::assembly_order(model.model.surface, nets), pages, mark);
 }
 
 }  // namespace
@@ -286,7 +286,7 @@ TEST_CASE("several parts: pieces name theirs, faces theirs", "[fold]") {
     part[f] = PartId(std::abs(surface.normal(f).z) > 0.5 ? 3 : 1);
   }
   const unfold::Nets whole = test::simple_nets(surface, {}, part);
-  const std::string fold = paper::write_fold(model, part, whole, {}, nullptr, mark, {});
+  const std::string fold = paper::write_fold(model, part, whole, {}, nullptr, mark);
   check_contract("piece of two parts", fold);
   const json file = json::parse(fold);
   CHECK(file["ridgecraft:pieces"][0]["part"].is_null());
@@ -310,7 +310,7 @@ TEST_CASE("titles of any bytes make valid JSON", "[fold]") {
   paper::Mark odd = mark;
   odd.title = "a\xFF\"b\\";
   const std::string fold = paper::write_fold(model, one_part(model.model.surface),
-                                             test::simple_nets(model.model.surface), {}, nullptr, odd, {});
+                                             test::simple_nets(model.model.surface), {}, nullptr, odd);
   CHECK(json::parse(fold)["file_title"] == "a\xEF\xBF\xBD\"b\\");
 }
 

@@ -36,9 +36,9 @@ const paper::Mark mark{"ridgecraft test", "Cube", "0123456789abcdef"};
 std::vector<paper::Drawing> pages() {
   std::vector<paper::Drawing> all;
   const auto add = [&](const test::SamplePages& sample) {
-    for (paper::Drawing& page : paper::draw(sample.model, sample.nets, sample.pages, {})) {
-      all.push_back(std::move(page));
-    }
+    std::vector<paper::Drawing> drawn = paper::draw(sample.model, sample.nets, sample.pages, {});
+    drawn.resize(sample.pages.count);  // without pages of lists
+    std::move(drawn.begin(), drawn.end(), std::back_inserter(all));
   };
   add(test::sample_pages(test::cube(), 40.0, 5.0, {}, "Cube", {}, 0.3));
   const mesh::Surface ball = test::sphere(12, 7);

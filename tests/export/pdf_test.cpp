@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PDF and PNG: held against programs that read them, and against themselves.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -12,8 +13,10 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
+#include "export/sheet/calibration.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
+#include "verify/pages/printed.hpp"
 
 namespace ridgecraft {
 namespace {
@@ -97,6 +100,106 @@ TEST_CASE("a PDF is clean, of the paper's size, and says what it is") {
     CHECK(outcome.output.find("612 x 792 pts") != std::string::npos);
     CHECK(outcome.output.find("Pages:           " + std::to_string(made.pages.size())) != std::string::npos);
     CHECK(outcome.output.find("TrimBox:             0.00     0.00   612.00   792.00") != std::string::npos);
+  }
+}
+
+TEST_CASE("a PDF tells its settings, its language, its pages, and which layers are for what") {
+  Made made = ball("Ball <1>", "A4");
+  made.mark.settings = {{"only", "\"wing & tail\""}, {"seed", "7"}};
+  const std::string bytes = paper::write_pdf(made.pages, made.mark);
+  // Metadata isn't packed, so that programs find it that know no PDF.
+  CHECK(bytes.find("<dc:title><rdf:Alt><rdf:li xml:lang=\"x-default\">Ball &lt;1&gt;</rdf:li>") !=
+        std::string::npos);
+  CHECK(bytes.find("{&quot;only&quot;: &quot;wing &amp; tail&quot;, &quot;seed&quot;: 7}") !=
+        std::string::npos);
+  CHECK(paper::read_mark_digest(bytes) == "0123456789abcdef");
+  const TemporaryFile file(bytes, ".pdf");
+  if (there_is("qpdf")) {
+    const Outcome json = run("qpdf --json " + file.name());
+    for (const char* const words :
+         {"/PageLabels", "/Lang", "Print without cut lines", "Cut lines only", "/OFF"}) {
+      CHECK(json.output.find(words) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("numbers on the backs stand where their edges are, seen from there") {
+  const mesh::Surface surface = test::sphere(12, 7);
+  const auto sample = test::sample_pages(surface, 60.0, 5.0, test::all_edges(surface));
+  paper::Style style;
+  const auto front = paper::draw(sample.model, sample.nets, sample.pages, style);
+  style.numbers = paper::Numbers::back;
+  style.turned_over = GENERATE(paper::TurnedOver::long_edge, paper::TurnedOver::short_edge);
+  const auto pages = paper::draw(sample.model, sample.nets, sample.pages, style);
+  REQUIRE(pages.size() == front.size());
+  const auto texts_of = [](const std::vector<paper::Group>& groups) {
+    std::vector<paper::Text> texts;
+    for (const paper::Group& group : groups) {
+      for (const paper::Text& text : group.texts) {
+        if (text.layer != paper::Layer::mark) {
+          texts.push_back(text);
+        }
+      }
+    }
+    return texts;
+  };
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const Vec2 size = pages[i].size;
+    const auto before = texts_of(front[i].groups);
+    for (const paper::Text& text : texts_of(pages[i].back)) {
+      const Vec2 there = style.turned_over == paper::TurnedOver::long_edge
+                             ? Vec2{size.x - text.centre.x, text.centre.y}
+                             : Vec2{text.centre.x, size.y - text.centre.y};
+      CHECK(std::any_of(before.begin(), before.end(), [&](const paper::Text& other) {
+        return other.text == text.text && length(other.centre - there) < 1e-9;
+      }));
+      CHECK(std::cos(text.angle) > -2e-3);
+      ++moved;
+    }
+    CHECK(texts_of(pages[i].groups).size() + texts_of(pages[i].back).size() == before.size());
+  }
+  CHECK(moved > 50);
+  const paper::Mark mark{"ridgecraft test", "Ball", "0123456789abcdef"};
+  const std::string bytes = paper::write_pdf(pages, mark);
+  const TemporaryFile file(bytes, ".pdf");
+  if (there_is("pdfinfo")) {
+    CHECK(run("pdfinfo " + file.name()).output.find("Pages:           " + std::to_string(2 * pages.size())) !=
+          std::string::npos);
+  }
+  const verify::PrintedFile printed = verify::read_pdf("ball.pdf", bytes);
+  CHECK(printed.defect.empty());
+  CHECK(printed.pages.size() == pages.size());
+}
+
+TEST_CASE("a calibrated page is smaller where the printer prints larger, and is read back as it was meant") {
+  const Made made = ball("Ball", "A4");
+  const Vec2 measured{100.4, 99.6};
+  const paper::Drawing page = paper::calibrated(made.pages[0], measured);
+  for (std::size_t g = 0; g < page.groups.size(); ++g) {
+    for (std::size_t i = 0; i < page.groups[g].lines.size(); ++i) {
+      const Vec2 drawn = page.groups[g].lines[i].points[0] - 0.5 * page.size;
+      const Vec2 meant = made.pages[0].groups[g].lines[i].points[0] - 0.5 * page.size;
+      CHECK(drawn.x * measured.x / 100.0 == Approx(meant.x).margin(1e-9));
+      CHECK(drawn.y * measured.y / 100.0 == Approx(meant.y).margin(1e-9));
+    }
+  }
+  paper::Mark mark = made.mark;
+  const auto plain = verify::read_svg("1.svg", paper::write_svg(made.pages[0], mark));
+  mark.settings["calibrate"] = "[100.4,99.6]";
+  const auto svg = verify::read_svg("1.svg", paper::write_svg(page, mark));
+  const auto pdf = verify::read_pdf("1.pdf", paper::write_pdf({&page, 1}, mark));
+  for (const auto* file : {&svg, &pdf}) {
+    REQUIRE(file->defect.empty());
+    REQUIRE(file->pages.size() == 1);
+    REQUIRE(file->pages[0].lines.size() == plain.pages[0].lines.size());
+  }
+  for (std::size_t i = 0; i < plain.pages[0].lines.size(); ++i) {
+    if (plain.pages[0].lines[i].layer == verify::PrintedLayer::mark) {
+      continue;  // letters keep their size
+    }
+    CHECK(length(svg.pages[0].lines[i].points[0] - plain.pages[0].lines[i].points[0]) < 2e-4);
+    CHECK(length(pdf.pages[0].lines[i].points[0] - plain.pages[0].lines[i].points[0]) < 3e-3);
   }
 }
 

@@ -108,4 +108,9 @@ SamplePages sample_pages(const mesh::Surface& surface, double scale, double tab_
   return sample;
 }
 
+std::string number_in(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  return colon == std::string::npos ? text : text.substr(colon + 1);
+}
+
 }  // namespace ridgecraft::test

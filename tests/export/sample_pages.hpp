@@ -22,6 +22,9 @@ struct SamplePages {
                                        std::span<const EdgeId> cuts = {}, const std::string& name = "Sample",
                                        const paper::Paper& paper = {}, double turn = 0.0);
 
+/// "12" of "B:12": the number in the text of a join, without the piece that it leads to.
+[[nodiscard]] std::string number_in(const std::string& text);
+
 /// Every edge that is folded, as cuts for sample_pages: each panel becomes a piece.
 [[nodiscard]] std::vector<EdgeId> all_edges(const mesh::Surface& surface);
 

@@ -8,11 +8,13 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <pugixml.hpp>
 #include <unistd.h>
 
+#include "base/polygon.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 
@@ -98,7 +100,8 @@ TEST_CASE("a page is true millimetres with one layer for each class of line") {
     CHECK_FALSE(std::string(group.attribute("inkscape:label").value()).empty());
     ++layers;
   }
-  CHECK(layers == static_cast<std::size_t>(paper::layer_count) - 1);  // a page without colours
+  // A page without colours, shadows of tabs, and places where something is glued on.
+  CHECK(layers == static_cast<std::size_t>(paper::layer_count) - 3);
   for (const auto& found : document.select_nodes("//*[@id]")) {
     CHECK(ids.insert(found.node().attribute("id").value()).second);
   }
@@ -114,6 +117,39 @@ TEST_CASE("a page is true millimetres with one layer for each class of line") {
   CHECK(document.select_nodes("//*[@style or @class or @transform]").empty());
 }
 
+TEST_CASE("layers and cuts stand in the order of work, and the settings are told") {
+  const mesh::Surface frame =
+      test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}});
+  const auto sample = test::sample_pages(frame, 15.0, 0.0, test::all_edges(frame));
+  const auto page = drawings(sample)[0];
+  paper::Mark told = mark;
+  told.settings = {{"only", "\"a <b> & c\""}, {"seed", "7"}};
+  pugi::xml_document document;
+  REQUIRE(document.load_string(paper::write_svg(page, told).c_str()));
+  std::vector<std::string> order;
+  for (const auto group : document.child("svg").children("g")) {
+    order.emplace_back(group.attribute("id").value());
+  }
+  CHECK(order == std::vector<std::string>{"tab-fill", "mark", "label", "piece-name", "mountain", "valley",
+                                          "tab-fold", "cut"});
+  const std::string words = document.child("svg").child("metadata").child_value();
+  CHECK(words.ends_with(R"({"only": "a <b> & c", "seed": 7})"));
+  // The square ring: its hole is cut before its outline.
+  bool hole_seen = false;
+  for (const paper::Group& group : page.groups) {
+    double before = 0.0;
+    for (const paper::Line& line : group.lines) {
+      if (line.layer == paper::Layer::cut && line.closed) {
+        const double area = std::abs(doubled_area(line.points));
+        CHECK(area >= before);
+        hole_seen = hole_seen || before > 0.0;
+        before = area;
+      }
+    }
+  }
+  CHECK(hole_seen);
+}
+
 TEST_CASE("each join's number can be found on both of its edges") {
   for (const auto& sample : samples()) {
     std::map<std::string, int> found;
@@ -121,7 +157,7 @@ TEST_CASE("each join's number can be found on both of its edges") {
       pugi::xml_document document;
       REQUIRE(document.load_string(paper::write_svg(page, mark).c_str()));
       for (const auto& path : document.select_nodes("//g[@id='label']//path[@aria-label]")) {
-        ++found[path.node().attribute("aria-label").value()];
+        ++found[test::number_in(path.node().attribute("aria-label").value())];
       }
     }
     for (const auto& join : sample.nets.joins) {

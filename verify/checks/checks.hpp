@@ -36,6 +36,8 @@ void check_statements(const Case& given, Findings& findings);
 void check_equal_pieces(const Case& given, Findings& findings);
 /// The same: where the file has an order of assembly, it can be followed. O(n log n).
 void check_assembly(const Case& given, Findings& findings);
+/// The same: where separate bodies are glued to each other. O(n log n) for each body.
+void check_glue(const Case& given, Findings& findings);
 /// Promise 9.
 void check_model(const Case& given, const ModelSurface& surface, Findings& findings);
 /// Pieces that no knife cuts out, those left out that meet no other piece.

@@ -283,7 +283,8 @@ class StatementCheck {
           add({{"tab", t}}, fmt::format("{} has a corner twice", tab_name(file_, t)));
         }
       }
-      if (file_.tabs[t].numbers.size() != 1 || file_.tabs[t].edges.size() != 1) {
+      if ((file_.tabs[t].numbers.size() != 1 && !file_.tabs[t].additional) ||
+          file_.tabs[t].edges.size() != 1) {
         add({{"tab", t}}, fmt::format("{} is for more than one edge", tab_name(file_, t)));
       }
     }

@@ -48,8 +48,12 @@ class TabCheck {
 
   void run() {
     check_shape();
-    check_joins_known();
-    check_edges();
+    if (tab_.additional) {
+      check_additional();
+    } else {
+      check_joins_known();
+      check_edges();
+    }
     const auto piece = [this](Index e) {
       return file_.face_piece[file_.faces.face(relations_.sides_of(e).front())];
     };
@@ -91,6 +95,30 @@ class TabCheck {
     if (sorted_once(named) != sorted_once(tab_.numbers)) {
       add(joins_.empty() ? "is named by no join"
                          : "states other numbers than those of the joins that name it");
+    }
+  }
+
+  /// A second tab of one join, on the side that its first one isn't on; or at a border, and of no join.
+  void check_additional() {
+    if (!joins_.empty()) {
+      add("is named by a join, but stands among the additional ones");
+      return;
+    }
+    const auto& all = file_.joins;
+    const auto has_edge = [this](const Join& join) {
+      return join.edges[0] == tab_.edge || join.edges[1] == tab_.edge;
+    };
+    const auto join = std::find_if(all.begin(), all.end(), has_edge);
+    if (tab_.edges.size() != 1 || file_.edges[tab_.edge].assignment != Assignment::cut) {
+      add("is an additional one and grows from more than one edge, or from a fold");
+    } else if (join == all.end()) {
+      if (!tab_.numbers.empty()) {
+        add("states a number, but nothing is glued to its edge");
+      }
+    } else if (tab_.numbers != std::vector<std::int64_t>{join->number}) {
+      add("states other numbers than that of its edge");
+    } else if (join->tab == none || file_.tabs[join->tab].edge == tab_.edge) {
+      add("is the second one of a join that has no tab on its other side");
     }
   }
 

@@ -65,6 +65,15 @@ struct Tab {
   std::vector<Index> edges;  ///< all that it grows from, `edge` among them
   std::vector<Vec2> polygon;
   std::vector<std::int64_t> numbers;  ///< of the joins that name it, as printed
+  /// A second tab of a join, which names its first one, or one at a border, which belongs to none.
+  bool additional = false;
+};
+
+/// Where on a piece another piece is glued that no join connects with it.
+struct GlueSpot {
+  Index piece = 0;                          ///< that has it printed
+  Index other = 0;                          ///< that is glued there
+  std::vector<std::vector<Vec2>> outlines;  ///< closed; holes of the spot among them
 };
 
 /// One of the options that shaped the result; nothing for what no option can be.
@@ -113,6 +122,7 @@ struct File {
   std::vector<Page> pages;
   std::vector<Join> joins;
   std::vector<Tab> tabs;
+  std::vector<GlueSpot> glue;
   /// Per piece the folds in the order in which they are made, those of one list together; nothing where the
   /// file doesn't tell.
   std::optional<std::vector<std::vector<std::vector<Index>>>> fold_order;

@@ -135,10 +135,59 @@ Tab read_tab(const Json& json, std::size_t edges, const std::string& where) {
   for (const Json& join : list_member(json, "joins", where)) {
     tab.numbers.push_back(whole(join, 1, largest_exact, {where, "joins", tab.numbers.size()}));
   }
-  if (tab.numbers.empty()) {
-    refuse("\"joins\" of {} is empty", where);
-  }
   return tab;
+}
+
+/// Tabs that joins name, then the others.
+void read_tabs(const Json& json, File& file) {
+  for (const Json& tab : list_member(json, "ridgecraft:tabs", the_file)) {
+    const std::string where = fmt::format("tab {}", file.tabs.size());
+    file.tabs.push_back(read_tab(tab, file.edges.size(), where));
+    if (file.tabs.back().numbers.empty()) {
+      refuse("\"joins\" of {} is empty", where);
+    }
+  }
+  if (const auto more = json.find("ridgecraft:more_tabs"); more != json.end()) {
+    if (!more->is_array()) {
+      refuse("\"ridgecraft:more_tabs\" of the file is not a list");
+    }
+    for (const Json& tab : *more) {
+      file.tabs.push_back(read_tab(tab, file.edges.size(), fmt::format("tab {}", file.tabs.size())));
+      file.tabs.back().additional = true;
+    }
+  }
+}
+
+void read_glue(const Json& json, File& file) {
+  const auto list = json.find("ridgecraft:glue");
+  if (list == json.end()) {
+    return;
+  }
+  if (!list->is_array()) {
+    refuse("\"ridgecraft:glue\" of the file is not a list");
+  }
+  for (const Json& entry : *list) {
+    const std::string where = fmt::format("glue spot {}", file.glue.size());
+    expect_object(entry, where);
+    GlueSpot spot;
+    spot.piece = index_below(member(entry, "piece", where), file.pieces.size(), {where, "piece"});
+    spot.other = index_below(member(entry, "other", where), file.pieces.size(), {where, "other"});
+    for (const Json& outline : list_member(entry, "outlines", where)) {
+      if (!outline.is_array() || outline.size() < 3) {
+        refuse("an outline of {} has fewer than three corners", where);
+      }
+      std::vector<Vec2>& corners = spot.outlines.emplace_back();
+      for (const Json& corner : outline) {
+        std::array<double, 2> p{};
+        lengths(corner, p, {where, "outlines", corners.size()});
+        corners.push_back({p[0], p[1]});
+      }
+    }
+    if (spot.outlines.empty()) {
+      refuse("\"outlines\" of {} is empty", where);
+    }
+    file.glue.push_back(std::move(spot));
+  }
 }
 
 /// One index per net face.
@@ -186,9 +235,8 @@ void read_lists(const Json& json, File& file) {
   for (const Json& join : list_member(json, "ridgecraft:joins", the_file)) {
     file.joins.push_back(read_join(join, file, tabs.size(), fmt::format("join {}", file.joins.size())));
   }
-  for (const Json& tab : tabs) {
-    file.tabs.push_back(read_tab(tab, file.edges.size(), fmt::format("tab {}", file.tabs.size())));
-  }
+  read_tabs(json, file);
+  read_glue(json, file);
 }
 
 }  // namespace ridgecraft::verify

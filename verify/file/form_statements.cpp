@@ -179,16 +179,18 @@ class KeyWatch {
 };
 
 void note_unknown_keys(const Json& json, File& file) {
-  constexpr std::array<std::string_view, 11> top = {
-      "ridgecraft:faces_model", "ridgecraft:faces_piece",  "ridgecraft:pieces",  "ridgecraft:fold_order",
-      "ridgecraft:pages",       "ridgecraft:joins",        "ridgecraft:tabs",    "ridgecraft:model_digest",
-      "ridgecraft:settings",    "ridgecraft:equal_pieces", "ridgecraft:assembly"};
+  constexpr std::array<std::string_view, 13> top = {
+      "ridgecraft:faces_model", "ridgecraft:faces_piece",  "ridgecraft:pieces",   "ridgecraft:fold_order",
+      "ridgecraft:pages",       "ridgecraft:joins",        "ridgecraft:tabs",     "ridgecraft:model_digest",
+      "ridgecraft:settings",    "ridgecraft:equal_pieces", "ridgecraft:assembly", "ridgecraft:more_tabs",
+      "ridgecraft:glue"};
   constexpr std::array<std::string_view, 2> equal = {"piece", "mirrored"};
   constexpr std::array<std::string_view, 2> assembly = {"pieces", "joins"};
   constexpr std::array<std::string_view, 1> model = {"ridgecraft:faces_part"};
   constexpr std::array<std::string_view, 6> piece = {"name", "part", "parts", "page", "holes", "reason"};
   constexpr std::array<std::string_view, 3> page = {"origin", "size", "margins"};
   constexpr std::array<std::string_view, 4> join = {"number", "edges", "tab", "why"};
+  constexpr std::array<std::string_view, 3> glue = {"piece", "other", "outlines"};
   constexpr std::array<std::string_view, 4> tab = {"edge", "edges", "polygon", "joins"};
   KeyWatch watch(file.unknown_keys);
   watch.look(json, top, own_prefix, "the file");
@@ -197,6 +199,12 @@ void note_unknown_keys(const Json& json, File& file) {
   watch.look_at_all(json.at("ridgecraft:pages"), page, "page");
   watch.look_at_all(json.at("ridgecraft:joins"), join, "join");
   watch.look_at_all(json.at("ridgecraft:tabs"), tab, "tab");
+  if (const auto more = json.find("ridgecraft:more_tabs"); more != json.end()) {
+    watch.look_at_all(*more, tab, "additional tab");
+  }
+  if (const auto spots = json.find("ridgecraft:glue"); spots != json.end()) {
+    watch.look_at_all(*spots, glue, "glue spot");
+  }
   if (const auto steps = json.find("ridgecraft:assembly"); steps != json.end()) {
     watch.look_at_all(*steps, assembly, "assembly step");
   }

@@ -16,7 +16,19 @@
 namespace ridgecraft::verify {
 namespace {
 
-enum class Kind { yes_no, number, whole_number, sheet, hash, faces, bodies, skins, piece_mode, words };
+enum class Kind {
+  yes_no,
+  number,
+  whole_number,
+  sheet,
+  hash,
+  faces,
+  bodies,
+  skins,
+  piece_mode,
+  tab_sides,
+  words
+};
 
 /// Which jobs have the setting: those with pages, those without, both; or whoever asked for it.
 enum class Needed { always, with_pages, without_pages, never };
@@ -30,7 +42,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 25> known_settings{{
+constexpr std::array<Known, 30> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"bodies", Kind::bodies, Needed::never},
@@ -38,7 +50,12 @@ constexpr std::array<Known, 25> known_settings{{
     {"concavity", Kind::number, Needed::always, 0.001, 2.0},
     {"tabs", Kind::yes_no, Needed::always},
     {"tab_height_mm", Kind::number, Needed::always, 1.5, 50.0},
-    {"tab_angle_deg", Kind::number, Needed::always, 15.0 - 1e-6, 85.0 + 1e-6},
+    {"tab_angle_deg", Kind::number, Needed::always, 15.0 - 1e-6, 90.0 + 1e-6},
+    {"tab_sides", Kind::tab_sides, Needed::never},
+    {"border_tabs", Kind::yes_no, Needed::never},
+    {"tab_heights", Kind::words, Needed::never},
+    {"tab_angles", Kind::words, Needed::never},
+    {"tab_file", Kind::hash, Needed::never},
     {"all_tabs", Kind::yes_no, Needed::never},
     {"fold_linear", Kind::yes_no, Needed::never},
     {"size_mm", Kind::number, Needed::never, 1.0, 100'000.0},
@@ -119,6 +136,8 @@ bool fits(const Setting& value, const Known& known) {
       return word_is_one_of(value, {"both", "middle"});
     case Kind::piece_mode:
       return word_is_one_of(value, {"few", "parts", "small"});
+    case Kind::tab_sides:
+      return word_is_one_of(value, {"one-side", "alternate", "both"});
     case Kind::words: {
       const std::string* const words = std::get_if<std::string>(&value);
       return words != nullptr && !words->empty();

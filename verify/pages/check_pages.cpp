@@ -22,7 +22,8 @@ constexpr std::array<const char*, line_kinds> kind_names = {"cut",
                                                             "valley fold",
                                                             "tab base (mountain fold)",
                                                             "tab base (valley fold)",
-                                                            "tab base (not folded)"};
+                                                            "tab base (not folded)",
+                                                            "glue spot"};
 
 /// A page of the nets, ready to be compared with any number of printed ones.
 struct NetPage {
@@ -67,7 +68,7 @@ std::optional<Kinds> kinds_of(const PrintedLine& line) {
                                                            : std::nullopt;
     case PrintedLayer::tab_fold:
       if (short_line) {
-        return Kinds{false, false, false, true, true, true};
+        return Kinds{false, false, false, true, true, true, false};
       }
       switch (line.pattern) {
         case Pattern::dash_dot:
@@ -81,6 +82,8 @@ std::optional<Kinds> kinds_of(const PrintedLine& line) {
           break;
       }
       return std::nullopt;
+    case PrintedLayer::glue:
+      return line.pattern == Pattern::dashed ? std::optional(only(LineKind::glue)) : std::nullopt;
     case PrintedLayer::mark:
     case PrintedLayer::other:
       break;
@@ -98,6 +101,8 @@ const char* layer_words(PrintedLayer layer) {
       return "valley fold";
     case PrintedLayer::tab_fold:
       return "tab base";
+    case PrintedLayer::glue:
+      return "glue spot";
     case PrintedLayer::mark:
     case PrintedLayer::other:
       break;
@@ -203,7 +208,9 @@ class PageCheck {
         continue;
       }
       const std::optional<Kinds> kinds = kinds_of(line);
-      if (!kinds) {
+      // The strokes of names within glue spots.
+      const bool is_letter = line.layer == PrintedLayer::glue && line.pattern == Pattern::solid;
+      if (!kinds && !is_letter) {
         strange[line.layer].add({length_of(line), 0.5 * (line.points[0] + line.points[1])});
       }
       for (std::size_t i = 1; i < line.points.size(); ++i) {

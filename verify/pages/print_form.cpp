@@ -13,7 +13,7 @@ struct LayerName {
   std::string_view title;
   PrintedLayer layer;
 };
-constexpr std::array<LayerName, 9> layer_names{{
+constexpr std::array<LayerName, 12> layer_names{{
     {"paint", "Colours", PrintedLayer::other},
     {"tab-fill", "Tabs", PrintedLayer::other},
     {"cut", "Cut", PrintedLayer::cut},
@@ -23,6 +23,9 @@ constexpr std::array<LayerName, 9> layer_names{{
     {"label", "Numbers", PrintedLayer::other},
     {"piece-name", "Piece names", PrintedLayer::other},
     {"mark", "Marks", PrintedLayer::mark},
+    {"back", "Back", PrintedLayer::other},
+    {"tab-shadow", "Tab shadows", PrintedLayer::other},
+    {"glue", "Glue here", PrintedLayer::glue},
 }};
 
 std::optional<PrintedLayer> layer_named(std::string_view name, std::string_view LayerName::*member) {
@@ -88,6 +91,32 @@ std::string digest_in(std::string_view text) {
   }
   text.remove_prefix(at + start.size());
   return std::string(text.substr(0, text.find_first_not_of("0123456789abcdef")));
+}
+
+void undo_calibration(std::string_view settings, PrintedFile& file) {
+  constexpr std::string_view key = "\"calibrate\": [";
+  const std::size_t at = settings.find(key);
+  if (at == std::string_view::npos) {
+    return;
+  }
+  settings.remove_prefix(at + key.size());
+  const char* const end = settings.data() + settings.size();
+  Vec2 measured;
+  const auto first = std::from_chars(settings.data(), end, measured.x);
+  const bool comma = first.ec == std::errc{} && first.ptr != end && *first.ptr == ',';
+  const auto second = comma ? std::from_chars(first.ptr + 1, end, measured.y) : first;
+  const auto sensible = [](double mm) { return mm > 90.0 && mm < 110.0; };
+  if (!comma || second.ec != std::errc{} || !sensible(measured.x) || !sensible(measured.y)) {
+    cannot_check("it says that it is calibrated, but not how");
+  }
+  for (PrintedPage& page : file.pages) {
+    const Vec2 middle = 0.5 * page.size;
+    for (PrintedLine& line : page.lines) {
+      for (Vec2& p : line.points) {
+        p = middle + Vec2{measured.x / 100.0 * (p.x - middle.x), measured.y / 100.0 * (p.y - middle.y)};
+      }
+    }
+  }
 }
 
 void read_page_words(std::string_view words, PrintedPage& page) {

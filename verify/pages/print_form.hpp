@@ -36,6 +36,10 @@ template <typename... Args>
 /// The hexadecimal digits behind "ridgecraft-model:", or nothing.
 [[nodiscard]] std::string digest_in(std::string_view text);
 
+/// Takes back what pages were drawn larger or smaller for a printer (--calibrate): `settings` is the text
+/// that the file tells its settings in; nothing changes where it says nothing of it.
+void undo_calibration(std::string_view settings, PrintedFile& file);
+
 /// Fills number and count from words that end in "page 2 of 3".
 void read_page_words(std::string_view words, PrintedPage& page);
 

@@ -18,6 +18,7 @@ enum class PrintedLayer {
   mountain,
   valley,
   tab_fold,
+  glue,   ///< outlines of what is glued on
   mark,   ///< page furniture: the scale bar, the legend
   other,  ///< any other layer of the format: numbers, names, areas of tabs; its lines aren't kept
 };

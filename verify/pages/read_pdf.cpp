@@ -2,11 +2,14 @@
 // PDF pages: qpdf finds the objects, content_stream.cpp says what they draw.
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <utility>
 
+#include <pugixml.hpp>
 #include <qpdf/Pipeline.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFPageLabelDocumentHelper.hh>
 #include <qpdf/QPDFPageObjectHelper.hh>
 
 #include "verify/pages/content_stream.hpp"
@@ -207,6 +210,28 @@ std::vector<std::string> layers_off(QPDF& pdf) {
   return titles;
 }
 
+/// The text in which the document's XMP tells its settings; empty where it doesn't.
+std::string settings_of(QPDF& pdf, std::size_t& bytes_left) {
+  QPDFObjectHandle metadata = pdf.getRoot().getKey("/Metadata");
+  if (!metadata.isStream()) {
+    return {};
+  }
+  LimitedText text(bytes_left);
+  metadata.pipeStreamData(&text, 0, qpdf_dl_generalized);
+  pugi::xml_document document;
+  document.load_buffer(text.text.data(), text.text.size());
+  const pugi::xml_node settings = document.find_node(
+      [](pugi::xml_node node) { return std::string_view(node.name()) == "ridgecraft:settings"; });
+  return settings.child_value();
+}
+
+/// Whether a page is the back of the one before: what its label begins with says so.
+bool is_back(QPDFPageLabelDocumentHelper& labels, std::size_t page) {
+  QPDFObjectHandle label = labels.getLabelForPage(static_cast<long long>(page));
+  QPDFObjectHandle prefix = label.isDictionary() ? label.getKey("/P") : label;
+  return prefix.isString() && prefix.getUTF8Value() == "back of ";
+}
+
 void read_document(QPDF& pdf, PrintedFile& file) {
   QPDFObjectHandle info = pdf.getTrailer().getKey("/Info");
   QPDFObjectHandle keywords = info.isDictionary() ? info.getKey("/Keywords") : info;
@@ -220,14 +245,21 @@ void read_document(QPDF& pdf, PrintedFile& file) {
   const std::vector<std::string> off = layers_off(pdf);
   std::size_t bytes_left = max_content_bytes;
   std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(pdf).getAllPages();
+  QPDFPageLabelDocumentHelper labels(pdf);
   for (std::size_t i = 0; i < pages.size(); ++i) {
+    if (is_back(labels, i)) {
+      continue;
+    }
     PrintedPage page;
-    page.name = fmt::format("page {} of {}", i + 1, file.name);
-    page.number = i + 1;
-    page.count = pages.size();
+    page.number = file.pages.size() + 1;
+    page.name = fmt::format("page {} of {}", *page.number, file.name);
     PageReader(pages[i], off, bytes_left, page).read();
     file.pages.push_back(std::move(page));
   }
+  for (PrintedPage& page : file.pages) {
+    page.count = file.pages.size();
+  }
+  undo_calibration(settings_of(pdf, bytes_left), file);
 }
 
 }  // namespace

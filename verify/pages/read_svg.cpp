@@ -99,6 +99,7 @@ class SvgReader {
       }
     }
     file_.pages.push_back(std::move(page));
+    undo_calibration(root.child_value("metadata"), file_);
   }
 
  private:

@@ -43,6 +43,9 @@ class Collector {
     for (const Tab& tab : file_.tabs) {
       add_tab(tab);
     }
+    for (const GlueSpot& spot : file_.glue) {
+      add_glue(spot);
+    }
     return std::move(pages_);
   }
 
@@ -157,6 +160,16 @@ class Collector {
       look.none = true;  // what it may look like besides is only allowed
     }
     add_look(piece, base, look, LineKind::tab_mountain, LineKind::tab_valley);
+  }
+
+  void add_glue(const GlueSpot& spot) {
+    for (const std::vector<Vec2>& outline : spot.outlines) {
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Segment line{outline[i], outline[(i + 1) % outline.size()]};
+        allow(spot.piece, LineKind::glue, line);
+        want(spot.piece, LineKind::glue, line);
+      }
+    }
   }
 
   const Case& given_;

@@ -11,8 +11,8 @@
 namespace ridgecraft::verify {
 
 /// What a line is and how it looks, together.
-enum class LineKind { cut, mountain, valley, tab_mountain, tab_valley, tab_flat };
-constexpr std::size_t line_kinds = 6;
+enum class LineKind { cut, mountain, valley, tab_mountain, tab_valley, tab_flat, glue };
+constexpr std::size_t line_kinds = 7;
 
 /// A line that has to be there.
 struct WantedLine {

@@ -19,6 +19,10 @@ constexpr double covers_corner_mm = 1e-6;
 /// Tabs behind one face that overlap by more than this lie on each other, mm: a paper's thickness.
 constexpr double stacked_mm = 0.2;
 
+/// What a tab costs on a side that wasn't asked for: more than one that is hard to make, less than one that
+/// hardly holds.
+constexpr double side_not_asked = 200.0;
+
 /// Tabs that one may push to other places.
 constexpr std::size_t most_moved = 2;
 /// Cheaper by less than this isn't worth a change: rounding.
@@ -80,16 +84,19 @@ Neighbors find_neighbors(const std::vector<TabSite>& sites, Plane&& plane, Place
 class Assignment {
  public:
   Assignment(const std::vector<TabSite>& sites, const std::vector<std::uint8_t>& preferred,
-             const TabOptions& options)
-      : sites_(sites), preferred_(preferred), options_(options), chosen_(sites.size() / 2) {
-    for (const TabSite& site : sites) {
-      widest_.push_back(widest_tab(site.length, options));
-      largest_.push_back(widest_.back().empty() ? ConvexShape()
-                                                : largest_tab({0.0, site.length, site.length}, site.obstacles,
-                                                              options, TabNeed::usable));
-      shapes_.push_back(tab_shapes(largest_.back(), site.length, options));
-      if (shapes_.back().empty() && target_allows_usable(site, options)) {
-        shapes_.back() = partial_tab_shapes(site.length, site.obstacles, options);
+             const TabOptions& options, std::span<const TabWish> wishes)
+      : sites_(sites), preferred_(preferred), options_(options), wishes_(wishes), chosen_(sites.size() / 2) {
+    for (std::uint32_t s = 0; s < sites.size(); ++s) {
+      const TabSite& site = sites[s];
+      const TabOptions& own = options_of(s);
+      widest_.push_back(widest_tab(site.length, own));
+      largest_.push_back(
+          widest_.back().empty() || !allowed(s)
+              ? ConvexShape()
+              : largest_tab({0.0, site.length, site.length}, site.obstacles, own, TabNeed::usable));
+      shapes_.push_back(tab_shapes(largest_.back(), site.length, own));
+      if (shapes_.back().empty() && allowed(s) && target_allows_usable(site, own)) {
+        shapes_.back() = partial_tab_shapes(site.length, site.obstacles, own);
       }
     }
     collisions_ = find_neighbors(
@@ -145,8 +152,23 @@ class Assignment {
     return !time_up_;
   }
 
+  [[nodiscard]] const TabOptions& options_of(std::uint32_t site) const {
+    return wishes_.empty() ? options_ : wishes_[site / 2].options;
+  }
+  /// Whether a tab may grow there at all.
+  [[nodiscard]] bool allowed(std::uint32_t site) const {
+    if (wishes_.empty()) {
+      return true;
+    }
+    const TabWish& wish = wishes_[site / 2];
+    return wish.wanted && !(wish.no_other_side && wish.side && *wish.side != site % 2);
+  }
+
   /// Cost of using the site instead of the preferred one.
   double side_cost(std::uint32_t site) const {
+    if (!wishes_.empty() && wishes_[site / 2].side) {
+      return *wishes_[site / 2].side == site % 2 ? 0.0 : side_not_asked;
+    }
     return preferred_[site / 2] == site % 2 ? 0.0 : tab_costs.other_side;
   }
 
@@ -224,7 +246,7 @@ class Assignment {
         if (obstacles.empty()) {
           obstacles = sites_[site].obstacles;
         }
-        obstacles.push_back(as_obstacle(site, other, *there));
+        obstacles.push_back(tab_as_obstacle(sites_[site], sites_[other], *there));
       }
     }
     return obstacles;
@@ -240,9 +262,9 @@ class Assignment {
     for (std::size_t i = sites_[site].obstacles.size(); i < obstacles.size() && !largest.empty(); ++i) {
       largest = trimmed(largest, obstacles[i], options_.clearance_mm);
     }
-    std::vector<TabShape> shapes = tab_shapes(largest, sites_[site].length, options_);
+    std::vector<TabShape> shapes = tab_shapes(largest, sites_[site].length, options_of(site));
     if (shapes.empty()) {
-      shapes = partial_tab_shapes(sites_[site].length, obstacles, options_);
+      shapes = partial_tab_shapes(sites_[site].length, obstacles, options_of(site));
     }
     return shapes;
   }
@@ -251,11 +273,14 @@ class Assignment {
   std::optional<ChosenTab> best_low(std::uint32_t join) const {
     std::optional<ChosenTab> best;
     for (const std::uint32_t site : {2 * join, 2 * join + 1}) {
+      if (!allowed(site)) {
+        continue;
+      }
       std::vector<Obstacle> obstacles = obstacles_and_tabs(site);
       if (obstacles.empty()) {
         obstacles = sites_[site].obstacles;
       }
-      TabShape shape = low_tab_shape(sites_[site].length, obstacles, options_);
+      TabShape shape = low_tab_shape(sites_[site].length, obstacles, options_of(site));
       shape.cost += side_cost(site);
       if (!shape.outline.empty() && (!best || shape.cost < best->shape.cost) &&
           collisions(site, shape.outline).empty()) {
@@ -263,18 +288,6 @@ class Assignment {
       }
     }
     return best;
-  }
-
-  Obstacle as_obstacle(std::uint32_t site, std::uint32_t other, const ConvexShape& tab) const {
-    const TabSite& here = sites_[site];
-    const bool left = covers(sites_[other], tab, here.ends[0]);
-    const bool right = covers(sites_[other], tab, here.ends[1]);
-    Obstacle obstacle{here.own.in(sites_[other].own.out(tab)), Obstacle::Kind::thing};
-    obstacle.kind = left && right ? Obstacle::Kind::at_both
-                    : left        ? Obstacle::Kind::at_base_left
-                    : right       ? Obstacle::Kind::at_base_right
-                                  : Obstacle::Kind::thing;
-    return obstacle;
   }
 
   /// Gives a join a place by moving one other tab, or two.
@@ -343,6 +356,7 @@ class Assignment {
   const std::vector<TabSite>& sites_;
   const std::vector<std::uint8_t>& preferred_;
   const TabOptions& options_;
+  std::span<const TabWish> wishes_;            // of each join, or none
   std::vector<ConvexShape> widest_;            // of each site: no tab leaves it
   std::vector<ConvexShape> largest_;           // of each site, among faces and inside its target
   std::vector<std::vector<TabShape>> shapes_;  // of each site, best first
@@ -367,10 +381,22 @@ bool tabs_clear(const TabSite& a, const ConvexShape& tab_a, const TabSite& b, co
       });
 }
 
+Obstacle tab_as_obstacle(const TabSite& here, const TabSite& other, const ConvexShape& tab) {
+  const bool left = covers(other, tab, here.ends[0]);
+  const bool right = covers(other, tab, here.ends[1]);
+  Obstacle obstacle{here.own.in(other.own.out(tab)), Obstacle::Kind::thing};
+  obstacle.kind = left && right ? Obstacle::Kind::at_both
+                  : left        ? Obstacle::Kind::at_base_left
+                  : right       ? Obstacle::Kind::at_base_right
+                                : Obstacle::Kind::thing;
+  return obstacle;
+}
+
 std::vector<std::optional<ChosenTab>> assign_tabs(const std::vector<TabSite>& sites,
                                                   const std::vector<std::uint8_t>& preferred,
-                                                  const TabOptions& options, const Context& context) {
-  return Assignment(sites, preferred, options).solve(context);
+                                                  const TabOptions& options, const Context& context,
+                                                  std::span<const TabWish> wishes) {
+  return Assignment(sites, preferred, options, wishes).solve(context);
 }
 
 }  // namespace ridgecraft::unfold

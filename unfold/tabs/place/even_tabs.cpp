@@ -64,16 +64,6 @@ Images images_of(const std::vector<TabSite>& sites, const std::vector<std::uint3
   return images;
 }
 
-ConvexShape turned_over(const ConvexShape& shape, double length) {
-  ConvexShape result;
-  for (std::uint32_t i = 0; i < shape.size(); ++i) {
-    // The corners stay counterclockwise, and the first two on the base.
-    const Vec2 p = shape[(shape.size() + 1 - i) % shape.size()];
-    result.push_back({length - p.x, p.y});
-  }
-  return result;
-}
-
 /// The shape on an edge of another length, which differs by no more than pieces do that count as equal. The
 /// base is that of the edge: a corner that was at its end is at the other's end.
 ConvexShape fitted(const ConvexShape& shape, double before, double length) {
@@ -159,6 +149,16 @@ class TabCopier {
 };
 
 }  // namespace
+
+ConvexShape turned_over(const ConvexShape& shape, double length) {
+  ConvexShape result;
+  for (std::uint32_t i = 0; i < shape.size(); ++i) {
+    // The corners stay counterclockwise, and the first two on the base.
+    const Vec2 p = shape[(shape.size() + 1 - i) % shape.size()];
+    result.push_back({length - p.x, p.y});
+  }
+  return result;
+}
 
 void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector<TabSite>& sites,
                const TabOptions& options, std::vector<std::optional<ChosenTab>>& chosen) {

@@ -19,4 +19,7 @@ namespace ridgecraft::unfold {
 void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector<TabSite>& sites,
                const TabOptions& options, std::vector<std::optional<ChosenTab>>& chosen);
 
+/// The mirror image of a tab on an edge of this length.
+[[nodiscard]] ConvexShape turned_over(const ConvexShape& shape, double length);
+
 }  // namespace ridgecraft::unfold

@@ -89,7 +89,8 @@ void drop_tabs_beyond_sheet(const Sheet& sheet, Nets& nets) {
 }  // namespace
 
 void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
-                       const Sheet& sheet, Nets& nets, const Context& context) {
+                       const Sheet& sheet, Nets& nets, const Context& context,
+                       std::span<const TabWish> wishes) {
   const TabsOfPiece tabs = tabs_of_pieces(nets);
   const auto fits = [&](PieceId p) {
     return angle_to_fit(convex_hull(outline_points(nets, p, tabs[p])), sheet).has_value();
@@ -109,7 +110,7 @@ void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& pane
   for (int round = 0;
        round < most_rounds && !context.out_of_grace() && add_rooms(sheet, options, sites, nets, rooms);
        ++round) {
-    place_tabs(surface, panels, options, nets, context, rooms);
+    place_tabs(surface, panels, options, nets, context, rooms, wishes);
   }
   for (const JoinId j : had) {
     if (!nets.joins[j].tab.valid()) {

@@ -2,11 +2,14 @@
 // Tabs that make a piece too large for the sheet.
 #pragma once
 
+#include <span>
+
 #include "base/context.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
+#include "unfold/tabs/place/tab_wishes.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -16,6 +19,7 @@ namespace ridgecraft::unfold {
 /// finds no place says so (NoTab::beyond_sheet). `nets` has the tabs of place_tabs. O(pieces h^2) where all
 /// fit. Throws Error(interrupted).
 void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
-                       const Sheet& sheet, Nets& nets, const Context& context);
+                       const Sheet& sheet, Nets& nets, const Context& context,
+                       std::span<const TabWish> wishes = {});
 
 }  // namespace ridgecraft::unfold

@@ -100,6 +100,14 @@ NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& opti
   return NoTab::target_too_small;
 }
 
+/// For what may lie in the way of any tab.
+TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wishes) {
+  for (const TabWish& wish : wishes) {
+    options.height_mm = std::max(options.height_mm, wish.options.height_mm);
+  }
+  return options;
+}
+
 /// No tabs: there is no time to find places for them.
 void give_up(Nets& nets) {
   for (Join& join : nets.joins) {
@@ -115,7 +123,8 @@ bool both_too_narrow(const TabSite& a, const TabSite& b, const TabOptions& optio
 }  // namespace
 
 void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
-                Nets& nets, const Context& context, std::span<const std::optional<TabRoom>> rooms) {
+                Nets& nets, const Context& context, std::span<const std::optional<TabRoom>> rooms,
+                std::span<const TabWish> wishes) {
   nets.tabs = {};
   for (Join& join : nets.joins) {
     join.tab = TabId();
@@ -129,24 +138,31 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
     give_up(nets);
     return;
   }
-  std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, options, context);
+  std::vector<TabSite> sites =
+      find_tab_sites(surface, panels, nets, with_greatest_height(options, wishes), context);
   if (context.out_of_grace()) {
     give_up(nets);
     return;
   }
   for (TabSite& site : sites) {
     if (site.piece.value() < rooms.size() && rooms[site.piece.value()]) {
-      add_walls(*rooms[site.piece.value()], options, site);
+      add_walls(*rooms[site.piece.value()], with_greatest_height(options, wishes), site);
     }
   }
-  auto chosen = assign_tabs(sites, preferred_sides(sites), options, context);
-  even_tabs(surface, nets, sites, options, chosen);
+  auto chosen = assign_tabs(sites, preferred_sides(sites), options, context, wishes);
+  const auto asks_for_a_side = [](const TabWish& wish) { return !wish.wanted || wish.no_other_side; };
+  if (std::none_of(wishes.begin(), wishes.end(), asks_for_a_side)) {
+    even_tabs(surface, nets, sites, options, chosen);
+  }
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];
     const auto& tab = chosen[j.value()];
     const bool time_up = context.out_of_grace();
     join.too_narrow = !(tab && tab->shape.usable) && !time_up &&
                       both_too_narrow(sites[2 * j.value()], sites[2 * j.value() + 1], options);
+    if (!tab && !wishes.empty() && !wishes[j.value()].wanted) {
+      continue;  // NoTab::not_wanted
+    }
     if (!tab) {
       join.no_tab = reason_for_none(sites[2 * j.value()], sites[2 * j.value() + 1], options, time_up);
       continue;
@@ -166,11 +182,9 @@ bool is_usable(const mesh::Surface& surface, const Nets& nets, TabId tab, const 
 }
 
 std::size_t tabs_usable(const mesh::Surface& surface, const Nets& nets, const TabOptions& options) {
-  std::size_t count = 0;
-  for (const TabId tab : ids<TabId>(nets.tabs.size())) {
-    count += is_usable(surface, nets, tab, options) ? 1U : 0U;
-  }
-  return count;
+  return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(), [&](const Join& join) {
+    return join.tab.valid() && is_usable(surface, nets, join.tab, options);
+  }));
 }
 
 }  // namespace ridgecraft::unfold

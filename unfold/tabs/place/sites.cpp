@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "base/box_grid.hpp"
 #include "base/disjoint_sets.hpp"
@@ -40,29 +41,22 @@ struct PieceGrids {
 
 class SiteFinder {
  public:
-  SiteFinder(const mesh::Surface& surface, const prepare::Panels& panels, const Nets& nets,
-             const TabOptions& options)
+  SiteFinder(const mesh::Surface& surface, FlatRegions regions, const Nets& nets, const TabOptions& options)
       : surface_(surface),
         nets_(nets),
         options_(options),
-        regions_(flat_regions(surface, panels, nets)),
+        regions_(std::move(regions)),
         vertices_(net_vertices(surface, nets)),
         grids_(nets) {}
 
   TabSite find(CornerId side) const {
     const CornerId twin = surface_.twin(side);
-    TabSite site;
-    site.side = side;
-    site.piece = nets_.piece[mesh::face_of(side)];
+    TabSite site = own_side(side);
     site.target_piece = nets_.piece[mesh::face_of(twin)];
     site.target_region = regions_.region[mesh::face_of(twin)];
-    site.own = tab_frame(nets_, side);
     site.target = glued_frame(nets_, twin);
-    site.length = length(flat_corner(nets_, mesh::next(side)) - flat_corner(nets_, side));
     site.area = regions_.area[regions_.region[mesh::face_of(side)]];
-    site.ends = {vertices_[mesh::next(side).value()], vertices_[side.value()]};
     const ConvexShape widest = widest_tab(site.length, options_);
-    site.has_paper = enough_paper_behind(surface_, nets_, side);
     if (!widest.empty()) {
       if (!site.has_paper) {
         site.obstacles.push_back(no_target(site.length));
@@ -75,7 +69,32 @@ class SiteFinder {
     return site;
   }
 
+  /// Of a side that nothing is glued to.
+  TabSite find_border(CornerId side) const {
+    TabSite site = own_side(side);
+    const ConvexShape widest = widest_tab(site.length, options_);
+    if (!widest.empty()) {
+      if (!site.has_paper) {
+        site.obstacles.push_back(no_target(site.length));
+      }
+      add_faces(site, widest);
+    }
+    return site;
+  }
+
  private:
+  /// What a site has by itself, whatever its tab is glued behind.
+  TabSite own_side(CornerId side) const {
+    TabSite site;
+    site.side = side;
+    site.piece = nets_.piece[mesh::face_of(side)];
+    site.own = tab_frame(nets_, side);
+    site.length = length(flat_corner(nets_, mesh::next(side)) - flat_corner(nets_, side));
+    site.ends = {vertices_[mesh::next(side).value()], vertices_[side.value()]};
+    site.has_paper = enough_paper_behind(surface_, nets_, side);
+    return site;
+  }
+
   /// The outline of what lies behind the tab: the flat region at the edge and those that hang on it by folds
   /// so slight that a tab bends with them.
   void add_target(TabSite& site, CornerId twin, const ConvexShape& widest) const {
@@ -237,7 +256,7 @@ Frame glued_frame(const Nets& nets, CornerId twin) {
 
 std::vector<TabSite> find_tab_sites(const mesh::Surface& surface, const prepare::Panels& panels,
                                     const Nets& nets, const TabOptions& options, const Context& context) {
-  const SiteFinder finder(surface, panels, nets, options);
+  const SiteFinder finder(surface, flat_regions(surface, panels, nets), nets, options);
   std::vector<TabSite> sites;
   sites.reserve(2 * nets.joins.size());
   for (const Join& join : nets.joins) {
@@ -246,6 +265,21 @@ std::vector<TabSite> find_tab_sites(const mesh::Surface& surface, const prepare:
     }
     for (const CornerId side : surface.sides(join.edge)) {
       sites.push_back(finder.find(side));
+    }
+  }
+  return sites;
+}
+
+std::vector<TabSite> find_border_sites(const mesh::Surface& surface, const Nets& nets,
+                                       const TabOptions& options, const Context& context) {
+  const SiteFinder finder(surface, {}, nets, options);
+  std::vector<TabSite> sites;
+  for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
+    if (nets.use[edge] == EdgeUse::border) {
+      if (sites.size() % 1024 == 0) {
+        context.check();
+      }
+      sites.push_back(finder.find_border(surface.sides(edge)[0]));
     }
   }
   return sites;

@@ -77,4 +77,9 @@ struct FlatRegions {
                                                   const Nets& nets, const TabOptions& options,
                                                   const Context& context);
 
+/// The borders of all pieces as places for tabs that are glued behind nothing of this model: sites without a
+/// target. O(n log n).
+[[nodiscard]] std::vector<TabSite> find_border_sites(const mesh::Surface& surface, const Nets& nets,
+                                                     const TabOptions& options, const Context& context);
+
 }  // namespace ridgecraft::unfold

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/sheet/contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include <boost/polygon/polygon.hpp>
+
+#include "base/near_boxes.hpp"
+#include "base/polygon.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+namespace planar = boost::polygon;
+using PlanarSet = planar::polygon_set_data<int>;
+using PlanarPoint = planar::point_data<int>;
+using PlanarPolygon = planar::polygon_with_holes_data<int>;
+
+/// Faces that lie on each other are parallel up to this (cosine of 3 degrees).
+constexpr double parallel_cosine = 0.9986;
+/// Smaller areas hold nothing, mm^2.
+constexpr double least_area = 4.0;
+/// Areas that meet at an edge of a face overlap by this, so that no crack stays between them, mm.
+constexpr double overlap_mm = 0.002;
+/// Corners of an outline that are no farther from its line are none, mm.
+constexpr double straight_mm = 0.02;
+/// Units of the whole-number plane for one mm.
+constexpr double units_per_mm = 1000.0;
+
+/// From space to the plane of a face's piece, and the height over the face.
+struct Laid {
+  Laid(const mesh::Surface& surface, const unfold::Nets& nets, FaceId face) {
+    const auto [a, b, c] = surface.vertices(face);
+    origin = surface.point(a);
+    x = normalized(surface.point(b) - origin);
+    z = surface.normal(face);
+    y = cross(z, x);
+    const auto& flat = nets.flat[face];
+    at = flat[0];
+    const Vec2 d = flat[1] - flat[0];
+    along = d / length(d);
+  }
+
+  /// x and y in the plane of the piece, z over the face.
+  [[nodiscard]] Vec3 operator()(Vec3 p) const {
+    const Vec3 d = p - origin;
+    const Vec2 q = at + dot(d, x) * along + dot(d, y) * perpendicular(along);
+    return {q.x, q.y, dot(d, z)};
+  }
+
+  Vec3 origin, x, y, z;
+  Vec2 at, along;
+};
+
+/// What of a convex polygon lies where `height` is at least 0.
+template <class Height>
+std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, Height height) {
+  std::vector<Vec3> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 p = polygon[i];
+    const Vec3 q = polygon[(i + 1) % polygon.size()];
+    const double hp = height(p);
+    const double hq = height(q);
+    if (hp >= 0.0) {
+      result.push_back(p);
+    }
+    if ((hp >= 0.0) != (hq >= 0.0)) {
+      result.push_back(p + (hp / (hp - hq)) * (q - p));
+    }
+  }
+  return result;
+}
+
+/// A convex polygon, counterclockwise, with its sides moved outwards.
+std::vector<Vec2> grown(const std::vector<Vec2>& polygon, double by) {
+  std::vector<Vec2> corners;
+  for (const Vec2 p : polygon) {
+    if (corners.empty() || length(p - corners.back()) > by) {
+      corners.push_back(p);
+    }
+  }
+  while (corners.size() > 1 && length(corners.back() - corners.front()) <= by) {
+    corners.pop_back();
+  }
+  std::vector<Vec2> result;
+  for (std::size_t i = 0; corners.size() > 2 && i < corners.size(); ++i) {
+    const Vec2 before = corners[i] - corners[(i + corners.size() - 1) % corners.size()];
+    const Vec2 after = corners[(i + 1) % corners.size()] - corners[i];
+    for (const Vec2 side : {before, after}) {
+      result.push_back(corners[i] - by * perpendicular(side) / length(side));
+    }
+  }
+  return result;
+}
+
+/// The part of another body's face that lies on a face, in the plane of that face's piece.
+std::vector<Vec2> common_area(const mesh::Surface& surface, const unfold::Nets& nets, FaceId face,
+                              FaceId on_it) {
+  const Laid laid(surface, nets, face);
+  std::vector<Vec3> polygon;
+  for (const VertexId v : surface.vertices(on_it)) {
+    polygon.push_back(laid(surface.point(v)));
+  }
+  polygon = clipped(polygon, [](Vec3 p) { return contact_mm - p.z; });
+  polygon = clipped(polygon, [](Vec3 p) { return contact_mm + p.z; });
+  const auto& flat = nets.flat[face];
+  for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) {
+    const Vec2 from = flat[k];
+    const Vec2 side = flat[(k + 1) % 3] - from;
+    polygon = clipped(polygon, [&](Vec3 p) { return cross(side, Vec2{p.x, p.y} - from); });
+  }
+  std::vector<Vec2> area;
+  for (const Vec3 p : polygon) {
+    area.push_back({p.x, p.y});
+  }
+  if (doubled_area(area) < 0.0) {
+    std::ranges::reverse(area);
+  }
+  return area;
+}
+
+PlanarPoint rounded(Vec2 p) {
+  return {static_cast<int>(std::lround(p.x * units_per_mm)),
+          static_cast<int>(std::lround(p.y * units_per_mm))};
+}
+
+/// Without corners that lie on the line between others.
+std::vector<Vec2> straightened(const std::vector<Vec2>& outline) {
+  std::vector<Vec2> kept = outline;
+  for (bool changed = true; changed && kept.size() > 3;) {
+    changed = false;
+    for (std::size_t i = 0; i < kept.size() && kept.size() > 3; ++i) {
+      const Vec2 before = kept[(i + kept.size() - 1) % kept.size()];
+      const Vec2 d = kept[(i + 1) % kept.size()] - before;
+      const double size = length(d);
+      const double away = size > 0.0 ? std::abs(cross(d, kept[i] - before)) / size : length(kept[i] - before);
+      if (away < straight_mm / 2.0) {
+        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
+        changed = true;
+      }
+    }
+  }
+  return kept;
+}
+
+template <class Ring>
+std::vector<Vec2> points_of(const Ring& ring) {
+  std::vector<Vec2> points;
+  for (auto p = ring.begin(); p != ring.end(); ++p) {
+    const Vec2 at{p->x() / units_per_mm, p->y() / units_per_mm};
+    if (points.empty() || at != points.back()) {
+      points.push_back(at);
+    }
+  }
+  if (points.size() > 1 && points.front() == points.back()) {
+    points.pop_back();
+  }
+  return straightened(points);
+}
+
+/// The outlines of areas that lie beside and over each other.
+std::vector<std::vector<Vec2>> outlines_of(const std::vector<std::vector<Vec2>>& areas) {
+  PlanarSet sum;
+  for (const std::vector<Vec2>& area : areas) {
+    std::vector<PlanarPoint> corners;
+    for (const Vec2 p : grown(area, overlap_mm)) {
+      corners.push_back(rounded(p));
+    }
+    if (corners.size() > 2) {
+      planar::polygon_data<int> polygon;
+      polygon.set(corners.begin(), corners.end());
+      sum.insert(polygon);
+    }
+  }
+  std::vector<PlanarPolygon> polygons;
+  sum.get(polygons);
+  std::vector<std::vector<Vec2>> outlines;
+  const auto add = [&](std::vector<Vec2> outline, bool hole) {
+    const double doubled = doubled_area(outline);
+    if (outline.size() > 2 && std::abs(doubled) > (hole ? 1.0 : least_area)) {
+      if ((doubled > 0.0) == hole) {
+        std::ranges::reverse(outline);
+      }
+      outlines.push_back(std::move(outline));
+    }
+    return std::abs(doubled) > least_area;
+  };
+  for (const PlanarPolygon& polygon : polygons) {
+    if (add(points_of(polygon), false)) {
+      for (auto hole = polygon.begin_holes(); hole != polygon.end_holes(); ++hole) {
+        add(points_of(*hole), true);
+      }
+    }
+  }
+  return outlines;
+}
+
+/// The faces' boxes, grown so that those touch whose faces do.
+NearBoxes boxes_of(const mesh::Surface& surface) {
+  std::vector<Box3> boxes;
+  for (const FaceId face : ids<FaceId>(surface.face_count())) {
+    Box3 box;
+    const Vec3 reach{contact_mm, contact_mm, contact_mm};
+    for (const VertexId v : surface.vertices(face)) {
+      box.add(surface.point(v) - 0.5 * reach);
+      box.add(surface.point(v) + 0.5 * reach);
+    }
+    boxes.push_back(box);
+  }
+  return NearBoxes(boxes);
+}
+
+}  // namespace
+
+std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::Nets& nets) {
+  if (surface.component_count() < 2) {
+    return {};
+  }
+  std::vector<double> area(surface.component_count(), 0.0);
+  for (const FaceId face : ids<FaceId>(surface.face_count())) {
+    area[surface.component(face).value()] += surface.area(face);
+  }
+  std::map<std::pair<PieceId, PieceId>,
+           std::vector<std::pair<std::array<std::uint32_t, 2>, std::vector<Vec2>>>>
+      areas;
+  boxes_of(surface).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+    FaceId face(i);
+    FaceId on_it(j);
+    const auto body = [&](FaceId f) { return surface.component(f).value(); };
+    if (body(face) == body(on_it) ||
+        std::abs(dot(surface.normal(face), surface.normal(on_it))) < parallel_cosine) {
+      return;
+    }
+    if (std::pair(area[body(face)], body(on_it)) < std::pair(area[body(on_it)], body(face))) {
+      std::swap(face, on_it);
+    }
+    if (std::vector<Vec2> common = common_area(surface, nets, face, on_it); common.size() > 2) {
+      areas[{nets.piece[face], nets.piece[on_it]}].push_back(
+          {{face.value(), on_it.value()}, std::move(common)});
+    }
+  });
+  std::vector<Contact> contacts;
+  for (auto& [pieces, list] : areas) {
+    std::ranges::sort(list, {}, [](const auto& entry) { return entry.first; });
+    std::vector<std::vector<Vec2>> polygons;
+    for (auto& [faces, polygon] : list) {
+      polygons.push_back(std::move(polygon));
+    }
+    if (auto outlines = outlines_of(polygons); !outlines.empty()) {
+      contacts.push_back({pieces.first, pieces.second, std::move(outlines)});
+    }
+  }
+  return contacts;
+}
+
+}  // namespace ridgecraft::paper

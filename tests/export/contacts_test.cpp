@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Separate bodies that touch: where one is glued onto the other, on paper and in the file of nets.
+#include "export/sheet/contacts.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/polygon.hpp"
+#include "export/export.hpp"
+#include "sample_pages.hpp"
+#include "support/shapes.hpp"
+#include "verify/verify.hpp"
+
+namespace ridgecraft {
+namespace {
+
+/// Boxes by two corners each; they share no points.
+mesh::Surface boxes(const std::vector<std::array<Vec3, 2>>& corners) {
+  const mesh::Surface cube = test::cube();
+  std::vector<Vec3> points;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const auto& [low, high] : corners) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const Vec3 p : cube.points()) {
+      points.push_back(
+          {low.x + p.x * (high.x - low.x), low.y + p.y * (high.y - low.y), low.z + p.z * (high.z - low.z)});
+    }
+    for (const FaceId f : ids<FaceId>(cube.face_count())) {
+      const auto [a, b, c] = cube.vertices(f);
+      faces.push_back(
+          {VertexId(first + a.value()), VertexId(first + b.value()), VertexId(first + c.value())});
+    }
+  }
+  return {std::move(points), std::move(faces)};
+}
+
+double area_of(const paper::Contact& contact) {
+  double doubled = 0.0;
+  for (const std::vector<Vec2>& outline : contact.outlines) {
+    doubled += doubled_area(outline);
+  }
+  return 0.5 * doubled;
+}
+
+std::string fold_of(const test::SamplePages& sample, const paper::DrawReport& report) {
+  const IdVector<FaceId, PartId> part(sample.model.model.surface.face_count(), PartId(0));
+  return paper::write_fold(sample.model, part, sample.nets,
+                           paper::assembly_order(sample.model.model.surface, sample.nets), &sample.pages,
+                           {"another program 1", "Boxes", "0123456789abcdef", {}}, report.contacts);
+}
+
+}  // namespace
+
+TEST_CASE("a box on a box is glued where it stands", "[contacts]") {
+  const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20}, {40, 40, 35}}}});
+  const auto sample = test::sample_pages(surface, 1.0, 5.0);
+  const auto contacts = paper::find_contacts(sample.model.model.surface, sample.nets);
+  REQUIRE(contacts.size() == 1);
+  CHECK(contacts[0].piece == PieceId(0));
+  CHECK(contacts[0].other == PieceId(1));
+  // A net may divide the face that it stands on.
+  REQUIRE(contacts[0].outlines.size() <= 2);
+  CHECK(contacts[0].outlines[0].size() <= 4);
+  CHECK(area_of(contacts[0]) == Approx(600.0).epsilon(0.001));
+}
+
+TEST_CASE("what doesn't touch, or touches nothing but an edge, isn't glued", "[contacts]") {
+  const double gap = GENERATE(0.09, 0.11, 5.0);
+  const mesh::Surface apart =
+      boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20 + gap}, {40, 40, 35 + gap}}}});
+  const auto sample = test::sample_pages(apart, 1.0, 5.0);
+  CHECK(paper::find_contacts(sample.model.model.surface, sample.nets).size() ==
+        (gap < paper::contact_mm ? 1 : 0));
+  const mesh::Surface edge = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{60, 0, 20}, {80, 50, 40}}}});
+  const auto on_edge = test::sample_pages(edge, 1.0, 5.0);
+  CHECK(paper::find_contacts(on_edge.model.model.surface, on_edge.nets).empty());
+}
+
+TEST_CASE("a body that reaches over an edge is glued as far as the face goes", "[contacts]") {
+  const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{50, 10, 20}, {75, 40, 35}}}});
+  const auto sample = test::sample_pages(surface, 1.0, 5.0);
+  const auto contacts = paper::find_contacts(sample.model.model.surface, sample.nets);
+  REQUIRE(contacts.size() == 1);
+  CHECK(area_of(contacts[0]) == Approx(300.0).epsilon(0.001));
+}
+
+TEST_CASE("spots are drawn, named, told, and hold in the check", "[contacts]") {
+  const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}},
+                                       {{{5, 10, 20}, {25, 40, 35}}},
+                                       {{{30, 10, 20}, {33, 12, 25}}},
+                                       {{{60, 5, 5}, {70, 20, 15}}}});
+  const auto sample = test::sample_pages(surface, 1.0, 0.0);
+  paper::DrawReport report;
+  const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {}, &report);
+  REQUIRE(report.contacts.size() == 3);
+  std::set<std::string> names;
+  double drawn = 0.0;
+  for (const paper::Drawing& page : pages) {
+    for (const paper::Group& group : page.groups) {
+      for (const paper::Text& text : group.texts) {
+        if (text.layer == paper::Layer::glue) {
+          CHECK(names.insert(text.text).second);
+        }
+      }
+      for (const paper::Line& line : group.lines) {
+        drawn += line.layer == paper::Layer::glue ? length(line.points[1] - line.points[0]) : 0.0;
+      }
+    }
+  }
+  CHECK(names == std::set<std::string>{"B", "C", "D"});
+  CHECK(drawn == Approx(100.0 + 10.0 + 50.0).epsilon(0.01));
+
+  // These nets have no fold order and other things that files of the program have.
+  const auto glue_faults = [&](const paper::DrawReport& told) {
+    const verify::Report checked = verify::verify(fold_of(sample, told), {}, {});
+    return std::count_if(checked.faults.begin(), checked.faults.end(), [](const verify::Fault& fault) {
+      return fault.message.find("glue spot") != std::string::npos;
+    });
+  };
+  CHECK(glue_faults(report) == 0);
+  paper::DrawReport moved = report;
+  for (Vec2& p : moved.contacts[0].outlines[0]) {
+    p += Vec2{0.5, 0.0};
+  }
+  CHECK(glue_faults(moved) == 1);
+  moved = report;
+  std::swap(moved.contacts[0].piece, moved.contacts[0].other);
+  CHECK(glue_faults(moved) == 1);
+}
+
+}  // namespace ridgecraft

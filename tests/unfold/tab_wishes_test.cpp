@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tabs by choice: on which side of a cut, how high, second ones and such at borders.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/error.hpp"
+#include "support/flat_panels.hpp"
+#include "support/shapes.hpp"
+#include "unfold/replace_tabs.hpp"
+#include "unfold/tabs/place/more_tabs.hpp"
+#include "unfold/tabs/shape/convex_shape.hpp"
+#include "unfold/tabs_checks.hpp"
+#include "unfold/tree_nets.hpp"
+
+using namespace ridgecraft;
+using mesh::Surface;
+using unfold::Nets;
+using unfold::TabChoice;
+using unfold::TabSides;
+
+namespace {
+
+struct Sample {
+  Surface surface;
+  prepare::Panels panels;
+  Nets nets;
+};
+
+/// A box with many small faces along its seams.
+Sample box() {
+  Sample sample{test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}}, 3), 45.0), {}, {}};
+  sample.panels = test::flat_panels(sample.surface);
+  sample.nets = test::lay_out(sample.surface, test::shuffled(sample.surface, 3));
+  return sample;
+}
+
+Nets chosen(const Sample& sample, const TabChoice& choice) {
+  Nets nets = sample.nets;
+  unfold::replace_tabs(sample.surface, sample.panels, {}, nets, {}, choice);
+  return nets;
+}
+
+TabChoice with_edge(const unfold::EdgeTab& edge) {
+  TabChoice choice;
+  choice.edges = {edge};
+  return choice;
+}
+
+TabChoice with_sides(TabSides sides) {
+  TabChoice choice;
+  choice.sides = sides;
+  return choice;
+}
+
+TabChoice with_borders() {
+  TabChoice choice;
+  choice.borders = true;
+  return choice;
+}
+
+double height_of(const unfold::Tab& tab) {
+  const Vec2 base = tab.polygon[1] - tab.polygon[0];
+  double height = 0.0;
+  for (const Vec2 p : tab.polygon) {
+    height = std::max(height, std::abs(cross(base, p - tab.polygon[0])) / length(base));
+  }
+  return height;
+}
+
+std::size_t count_tabs(const Nets& nets) {
+  return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(),
+                                                [](const unfold::Join& join) { return join.tab.valid(); }));
+}
+
+}  // namespace
+
+TEST_CASE("without a choice tabs are as they were", "[tab_wishes]") {
+  const Sample sample = box();
+  const Nets plain = chosen(sample, {});
+  CHECK(count_tabs(plain) > plain.joins.size() / 3);
+  for (const TabId tab : ids<TabId>(plain.tabs.size())) {
+    CHECK_FALSE(unfold::is_additional(plain, tab));
+  }
+}
+
+TEST_CASE("heights follow the length of the edge", "[tab_wishes]") {
+  const Sample sample = box();
+  TabChoice choice;
+  choice.heights_mm = {{0.0, 3.0}, {14.0, 4.0}};
+  const Nets nets = chosen(sample, choice);
+  std::size_t full = 0;
+  for (const unfold::Tab& tab : nets.tabs) {
+    const double edge = sample.surface.length(sample.surface.edge(tab.side));
+    const double asked = edge >= 14.0 ? 4.0 : 3.0;
+    CHECK(height_of(tab) <= asked + 1e-9);
+    full += height_of(tab) > asked - 1e-6 ? 1U : 0U;
+  }
+  CHECK(full > nets.tabs.size() / 2);
+}
+
+TEST_CASE("what is asked of an edge by its number is done", "[tab_wishes]") {
+  const Sample sample = box();
+  const Nets plain = chosen(sample, {});
+  const auto with_tab = std::find_if(plain.joins.begin(), plain.joins.end(),
+                                     [](const unfold::Join& join) { return join.tab.valid(); });
+  REQUIRE(with_tab != plain.joins.end());
+  unfold::EdgeTab asked;
+  asked.number = with_tab->number;
+  asked.where = "tabs.txt, line 1";
+  asked.wanted = false;
+  const Nets without = chosen(sample, with_edge(asked));
+  for (const unfold::Join& join : without.joins) {
+    CHECK(join.tab.valid() == (join.number != asked.number && join.tab.valid()));
+    if (join.number == asked.number) {
+      CHECK(join.no_tab == unfold::NoTab::not_wanted);
+    }
+  }
+  asked.number = 9999;
+  CHECK_THROWS_WITH(chosen(sample, with_edge(asked)),
+                    Catch::Contains("tabs.txt, line 1") && Catch::Contains("9999"));
+  asked.number = with_tab->number;
+  asked.wanted = true;
+  asked.piece = "ZZZ";
+  CHECK_THROWS_AS(chosen(sample, with_edge(asked)), Error);
+}
+
+TEST_CASE("second tabs stand on the other side, clear of all others", "[tab_wishes]") {
+  const Sample sample = box();
+  const Nets nets = chosen(sample, with_sides(TabSides::both));
+  std::size_t seconds = 0;
+  for (const TabId tab : ids<TabId>(nets.tabs.size())) {
+    if (!unfold::is_additional(nets, tab)) {
+      continue;
+    }
+    ++seconds;
+    const unfold::Join& join = nets.joins[nets.tabs[tab].join];
+    CHECK(sample.surface.twin(nets.tabs[join.tab].side) == nets.tabs[tab].side);
+  }
+  CHECK(seconds > count_tabs(nets) / 3);
+  const auto polygon = [&](const unfold::Tab& tab) {
+    return unfold::ConvexShape(std::span<const Vec2>(tab.polygon));
+  };
+  for (const TabId a : ids<TabId>(nets.tabs.size())) {
+    for (const TabId b : ids<TabId>(nets.tabs.size())) {
+      const bool same_piece =
+          nets.piece[mesh::face_of(nets.tabs[a].side)] == nets.piece[mesh::face_of(nets.tabs[b].side)];
+      if (a < b && same_piece) {
+        CHECK(unfold::separation(polygon(nets.tabs[a]), polygon(nets.tabs[b])) > -1e-6);
+      }
+    }
+  }
+}
+
+TEST_CASE("borders get tabs where they are wanted", "[tab_wishes]") {
+  Sample sample{test::scaled(test::revolve({{1.0, 0.0}, {1.0, 1.0}}, 6), 30.0), {}, {}};
+  sample.panels = test::flat_panels(sample.surface);
+  sample.nets = test::lay_out(sample.surface, test::shuffled(sample.surface, 1));
+  CHECK(chosen(sample, {}).tabs.size() <= sample.nets.joins.size());
+  const Nets nets = chosen(sample, with_borders());
+  std::size_t at_borders = 0;
+  for (const unfold::Tab& tab : nets.tabs) {
+    at_borders += tab.join.valid() ? 0U : 1U;
+    CHECK(tab.join.valid() == (nets.use[sample.surface.edge(tab.side)] != unfold::EdgeUse::border));
+  }
+  CHECK(at_borders >= 6);
+}
+
+TEST_CASE("along a seam tabs keep to a side, or alternate", "[tab_wishes]") {
+  Sample sample = box();
+  std::vector<EdgeId> middle;  // between the two cubes
+  for (const EdgeId edge : ids<EdgeId>(sample.surface.edge_count())) {
+    const CornerId side = sample.surface.sides(edge)[0];
+    const auto at_middle = [&](CornerId c) {
+      return std::abs(sample.surface.point(sample.surface.vertex(c)).x - 45.0) < 1e-9;
+    };
+    if (at_middle(side) && at_middle(mesh::next(side))) {
+      middle.push_back(edge);
+    }
+  }
+  sample.nets = test::lay_out(sample.surface, test::panels_first(sample.surface), middle);
+  REQUIRE(sample.nets.pieces.size() == 2);
+  const auto changes = [&](TabSides sides) {
+    const Nets nets = chosen(sample, with_sides(sides));
+    std::map<std::pair<PieceId, PieceId>, std::vector<PieceId>> givers;
+    for (const unfold::Join& join : nets.joins) {
+      if (join.tab.valid()) {
+        const auto [c, d] = sample.surface.sides(join.edge);
+        const PieceId one = nets.piece[mesh::face_of(c)];
+        const PieceId other = nets.piece[mesh::face_of(d)];
+        if (one != other) {
+          givers[std::minmax(one, other)].push_back(nets.piece[mesh::face_of(nets.tabs[join.tab].side)]);
+        }
+      }
+    }
+    std::size_t changed = 0;
+    for (const auto& [seam, list] : givers) {
+      for (std::size_t i = 1; i < list.size(); ++i) {
+        changed += list[i] != list[i - 1] ? 1U : 0U;
+      }
+    }
+    return changed;
+  };
+  CHECK(middle.size() == 12);
+  CHECK(changes(TabSides::one_side) == 0);
+  CHECK(changes(TabSides::alternate) >= 8);
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tabs as a user wants them on finished nets: on which sides, how high, edge by edge.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgecraft::unfold {
+
+/// Heights that may be asked for, mm: the lowest is as low as tabs get, and nobody folds a higher one.
+inline constexpr double lowest_asked_mm = 1.5;
+inline constexpr double highest_asked_mm = 50.0;
+
+/// Which side of a cut gives the tab.
+enum class TabSides {
+  best,       ///< that where it finds room, the smaller face rather than the larger one
+  one_side,   ///< along a seam of two pieces always the same piece, where there is room
+  alternate,  ///< along a seam one side after the other, where there is room
+  both,       ///< both, to be glued to each other
+};
+
+/// A value for edges from a length on.
+struct FromLength {
+  double length_mm = 0.0;
+  double value = 0.0;
+};
+
+/// What is asked for the edges with one number.
+struct EdgeTab {
+  std::uint32_t number = 0;
+  std::string where;   ///< who asked, for messages: "tabs.txt, line 3"
+  bool wanted = true;  ///< no tab otherwise
+  bool both = false;
+  std::string piece;  ///< the name of the piece that it has to grow from; empty: either
+  std::optional<double> height_mm;
+  std::optional<double> angle;  ///< radians
+};
+
+struct TabChoice {
+  TabSides sides = TabSides::best;
+  bool borders = false;                ///< tabs at edges that are glued to nothing
+  std::vector<FromLength> heights_mm;  ///< instead of TabOptions::height_mm; ascending, the first from 0 on
+  std::vector<FromLength> angles;      ///< instead of TabOptions::angle, radians; the same
+  std::vector<EdgeTab> edges;          ///< what is asked for some edges; the last one counts
+
+  /// Whether anything is asked beyond TabOptions.
+  [[nodiscard]] bool any() const {
+    return sides != TabSides::best || borders || !heights_mm.empty() || !angles.empty() || !edges.empty();
+  }
+};
+
+}  // namespace ridgecraft::unfold

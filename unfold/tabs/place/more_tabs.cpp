@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/tabs/place/more_tabs.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "base/convex_hull.hpp"
+#include "base/rectangle.hpp"
+#include "unfold/net/outline.hpp"
+#include "unfold/tabs/place/assignment.hpp"
+#include "unfold/tabs/place/even_tabs.hpp"
+#include "unfold/tabs/place/sites.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// A tab that stands, on its site.
+struct Standing {
+  TabSite site;
+  ConvexShape shape;
+};
+
+class MoreTabs {
+ public:
+  MoreTabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options, Nets& nets,
+           const Context& context)
+      : surface_(surface), nets_(nets), options_(options), standing_(nets.pieces.size()) {
+    // What is glued to another tab may be larger than the face behind it.
+    options_.inside_target = false;
+    sites_ = find_tab_sites(surface, panels, nets, options_, context);
+    for (std::size_t s = 0; s < sites_.size(); ++s) {
+      const Join& join = nets.joins[JoinId(static_cast<std::uint32_t>(s / 2))];
+      if (join.tab.valid() && nets.tabs[join.tab].side == sites_[s].side) {
+        const std::vector<Vec2>& polygon = nets.tabs[join.tab].polygon;
+        standing_[sites_[s].piece].push_back(
+            {sites_[s], sites_[s].own.in(ConvexShape(std::span<const Vec2>(polygon)))});
+      }
+    }
+  }
+
+  void add_seconds(std::span<const TabWish> wishes) {
+    for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
+      const Join& join = nets_.joins[j];
+      if (!wishes[j.value()].second || !join.tab.valid()) {
+        continue;
+      }
+      const std::size_t first =
+          2 * j.value() + (nets_.tabs[join.tab].side == sites_[2 * j.value()].side ? 0 : 1);
+      const TabSite& own = sites_[first];
+      const TabSite& other = sites_[first ^ 1U];
+      const ConvexShape shape = own.own.in(ConvexShape(std::span<const Vec2>(nets_.tabs[join.tab].polygon)));
+      add(other, turned_over(shape, other.length), wishes[j.value()].options, j);
+    }
+  }
+
+  void add_borders(const Context& context) {
+    for (const TabSite& site : find_border_sites(surface_, nets_, options_, context)) {
+      add(site, largest_tab({0.0, site.length, site.length}, site.obstacles, options_, TabNeed::usable),
+          options_, JoinId());
+    }
+  }
+
+ private:
+  /// The best usable shape within `room` that nothing is in the way of.
+  void add(const TabSite& site, ConvexShape room, const TabOptions& options, JoinId join) {
+    for (const Obstacle& obstacle : site.obstacles) {
+      room = room.empty() ? room : trimmed(room, obstacle, options_.clearance_mm);
+    }
+    for (const Standing& other : standing_[site.piece]) {
+      room = room.empty()
+                 ? room
+                 : trimmed(room, tab_as_obstacle(site, other.site, other.shape), options_.clearance_mm);
+    }
+    for (const TabShape& shape : tab_shapes(room, site.length, options)) {
+      const bool clear = std::ranges::all_of(standing_[site.piece], [&](const Standing& other) {
+        return tabs_clear(site, shape.outline, other.site, other.shape, options_.clearance_mm);
+      });
+      if (clear) {
+        const ConvexShape placed = site.own.out(shape.outline);
+        nets_.tabs.push_back({site.side, join, std::vector<Vec2>(placed.begin(), placed.end())});
+        standing_[site.piece].push_back({site, shape.outline});
+        return;
+      }
+    }
+  }
+
+  const mesh::Surface& surface_;
+  Nets& nets_;
+  TabOptions options_;
+  std::vector<TabSite> sites_;
+  IdVector<PieceId, std::vector<Standing>> standing_;
+};
+
+/// Additional tabs go from each piece that fits the sheet without them alone.
+void drop_beyond(const mesh::Surface& surface, const Sheet& sheet, std::size_t first, Nets& nets) {
+  IdVector<PieceId, bool> fits(nets.pieces.size());
+  for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
+    std::vector<Vec2> points;
+    for (const std::vector<Vec2>& loop : outline(surface, nets, piece)) {
+      points.insert(points.end(), loop.begin(), loop.end());
+    }
+    fits[piece] = angle_to_fit(convex_hull(points), sheet).has_value();
+  }
+  IdVector<TabId, Tab> kept;
+  for (const TabId t : ids<TabId>(nets.tabs.size())) {
+    if (t.value() < first || fits[nets.piece[mesh::face_of(nets.tabs[t].side)]]) {
+      kept.push_back(std::move(nets.tabs[t]));
+    }
+  }
+  nets.tabs = std::move(kept);
+}
+
+}  // namespace
+
+bool is_additional(const Nets& nets, TabId tab) {
+  const JoinId join = nets.tabs[tab].join;
+  return !join.valid() || nets.joins[join].tab != tab;
+}
+
+void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
+                   std::span<const TabWish> wishes, bool borders, Nets& nets, const Context& context) {
+  const std::size_t first = nets.tabs.size();
+  MoreTabs more(surface, panels, options.tabs, nets, context);
+  more.add_seconds(wishes);
+  if (borders) {
+    more.add_borders(context);
+  }
+  if (options.sheet && nets.tabs.size() > first) {
+    drop_beyond(surface, *options.sheet, first, nets);
+  }
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/tabs/place/tab_wishes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+using Seam = std::pair<PieceId, PieceId>;
+
+/// The value for an edge of this length; `otherwise` where none is asked.
+double value_for(const std::vector<FromLength>& steps, double length_mm, double otherwise) {
+  for (const FromLength& step : steps) {
+    otherwise = length_mm >= step.length_mm ? step.value : otherwise;
+  }
+  return otherwise;
+}
+
+class WishMaker {
+ public:
+  WishMaker(const mesh::Surface& surface, const Nets& nets) : surface_(surface), nets_(nets) {}
+
+  std::vector<TabWish> make(const TabOptions& options, const TabChoice& choice) {
+    for (const Join& join : nets_.joins) {
+      const double length = surface_.length(join.edge);
+      TabWish wish;
+      wish.second = choice.sides == TabSides::both;
+      wish.options = options;
+      wish.options.height_mm = value_for(choice.heights_mm, length, options.height_mm);
+      set_angle(value_for(choice.angles, length, options.angle), wish);
+      wishes_.push_back(wish);
+    }
+    if (choice.sides == TabSides::one_side) {
+      keep_to_one_side();
+    } else if (choice.sides == TabSides::alternate) {
+      alternate();
+    }
+    for (const EdgeTab& edge : choice.edges) {
+      heed(edge);
+    }
+    return std::move(wishes_);
+  }
+
+ private:
+  static void set_angle(double angle, TabWish& wish) {
+    wish.options.angle = angle;
+    wish.options.steepest_angle = std::max(wish.options.steepest_angle, angle);
+  }
+  [[nodiscard]] PieceId piece_at(const Join& join, std::uint8_t side) const {
+    return nets_.piece[mesh::face_of(surface_.sides(join.edge)[side])];
+  }
+  [[nodiscard]] Seam seam_of(const Join& join) const {
+    return std::minmax(piece_at(join, 0), piece_at(join, 1));
+  }
+  /// The side that a piece has of a join between two of them.
+  [[nodiscard]] std::uint8_t side_of(const Join& join, PieceId piece) const {
+    return piece_at(join, 0) == piece ? 0 : 1;
+  }
+
+  void keep_to_one_side() {
+    std::map<Seam, double> more;  // length that the first piece gives minus that of the second
+    for (const Join& join : nets_.joins) {
+      if (const Seam seam = seam_of(join); join.tab.valid() && seam.first != seam.second) {
+        const PieceId giver = nets_.piece[mesh::face_of(nets_.tabs[join.tab].side)];
+        more[seam] += (giver == seam.first ? 1.0 : -1.0) * surface_.length(join.edge);
+      }
+    }
+    for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
+      if (const Seam seam = seam_of(nets_.joins[j]); seam.first != seam.second) {
+        wishes_[j.value()].side = side_of(nets_.joins[j], more[seam] >= 0.0 ? seam.first : seam.second);
+      }
+    }
+  }
+
+  /// Joins have numbers in the order in which they follow each other along a seam.
+  void alternate() {
+    std::map<Seam, bool> second;
+    for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
+      const Join& join = nets_.joins[j];
+      const Seam seam = seam_of(join);
+      bool& turn = second[seam];
+      wishes_[j.value()].side = seam.first == seam.second ? static_cast<std::uint8_t>(turn ? 1 : 0)
+                                                          : side_of(join, turn ? seam.second : seam.first);
+      turn = !turn;
+    }
+  }
+
+  void heed(const EdgeTab& asked) {
+    bool found = false;
+    for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
+      if (nets_.joins[j].number == asked.number) {
+        heed(asked, nets_.joins[j], wishes_[j.value()]);
+        found = true;
+      }
+    }
+    if (!found) {
+      throw Error(ErrorKind::unreadable_input,
+                  fmt::format("{}: no edge that is glued has the number {}", asked.where, asked.number));
+    }
+  }
+
+  void heed(const EdgeTab& asked, const Join& join, TabWish& wish) const {
+    wish.wanted = asked.wanted;
+    wish.second = wish.second || asked.both;
+    if (!asked.piece.empty()) {
+      const std::string& first = nets_.pieces[piece_at(join, 0)].name;
+      const std::string& second = nets_.pieces[piece_at(join, 1)].name;
+      if (asked.piece != first && asked.piece != second) {
+        throw Error(ErrorKind::unreadable_input,
+                    fmt::format("{}: edge {} is one of {}, not of {}", asked.where, asked.number,
+                                first == second ? first : first + " and " + second, asked.piece));
+      }
+      wish.side = static_cast<std::uint8_t>(asked.piece == first ? 0 : 1);
+      wish.no_other_side = first != second;
+    }
+    wish.options.height_mm = asked.height_mm.value_or(wish.options.height_mm);
+    set_angle(asked.angle.value_or(wish.options.angle), wish);
+  }
+
+  const mesh::Surface& surface_;
+  const Nets& nets_;
+  std::vector<TabWish> wishes_;
+};
+
+}  // namespace
+
+std::vector<TabWish> tab_wishes(const mesh::Surface& surface, const Nets& nets, const TabOptions& options,
+                                const TabChoice& choice) {
+  return WishMaker(surface, nets).make(options, choice);
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user's choice of tabs (net/tab_choice.hpp) means for each join.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mesh/model/surface.hpp"
+#include "unfold/net/nets.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/net/tab_choice.hpp"
+
+namespace ridgecraft::unfold {
+
+/// How one join's tab is to be.
+struct TabWish {
+  bool wanted = true;
+  bool second = false;               ///< a tab on the other side, too (more_tabs.hpp)
+  std::optional<std::uint8_t> side;  ///< of Surface::sides(edge): 0 or 1, from which it grows
+  bool no_other_side = false;        ///< rather no tab than one on the other side
+  TabOptions options;                ///< its height and angle
+};
+
+/// One for each join of nets that have tabs already: along a seam of two pieces, those tell which of them
+/// gives more of it. Throws Error(unreadable_input) where a number belongs to no join, or a piece to none of
+/// its sides; the message says who asked. O(n log n).
+[[nodiscard]] std::vector<TabWish> tab_wishes(const mesh::Surface& surface, const Nets& nets,
+                                              const TabOptions& options, const TabChoice& choice);
+
+}  // namespace ridgecraft::unfold

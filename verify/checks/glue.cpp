@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Promise 8: where the file says that a piece is glued onto another one, the two touch there; and where faces
+// of pieces that no join connects lie on each other, it says so.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "verify/checks/checks.hpp"
+#include "verify/file/tolerance.hpp"
+#include "verify/geometry/surface_tree.hpp"
+
+namespace ridgecraft::verify {
+namespace {
+
+/// A triangle of a piece, flat and in space.
+struct Pair {
+  std::array<Vec2, 3> flat;
+  Triangle3 solid;
+};
+
+/// Barycentric coordinates; nothing for a triangle without area.
+std::optional<std::array<double, 3>> shares_at(const std::array<Vec2, 3>& t, Vec2 p) {
+  const double area = cross(t[1] - t[0], t[2] - t[0]);
+  if (!(std::abs(area) > 0.0)) {
+    return std::nullopt;
+  }
+  const double second = cross(p - t[0], t[2] - t[0]) / area;
+  const double third = cross(t[1] - t[0], p - t[0]) / area;
+  return std::array<double, 3>{1.0 - second - third, second, third};
+}
+
+double distance_to(const std::array<Vec2, 3>& t, Vec2 p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  bool inside = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 d = t[(k + 1) % 3] - t[k];
+    const double size = dot(d, d);
+    const double at = size > 0.0 ? std::clamp(dot(p - t[k], d) / size, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, length(p - t[k] - at * d));
+    inside = inside && cross(d, p - t[k]) >= 0.0;
+  }
+  return inside ? 0.0 : nearest;
+}
+
+class GlueCheck {
+ public:
+  GlueCheck(const Case& given, Findings& findings)
+      : given_(given), file_(given.file), findings_(findings), bodies_(file_.model.faces.faces()) {}
+
+  void run() {
+    find_bodies();
+    if (trees_.size() < 2 && file_.glue.empty()) {
+      return;
+    }
+    std::set<std::pair<Index, Index>> told;
+    for (Index i = 0; i < file_.glue.size(); ++i) {
+      given_.context.check();
+      const GlueSpot& spot = file_.glue[i];
+      if (body_of_piece_[spot.piece] == none || body_of_piece_[spot.other] == none ||
+          body_of_piece_[spot.piece] == body_of_piece_[spot.other]) {
+        add(i, "names two pieces of one body");
+        continue;
+      }
+      told.insert(std::minmax(body_of_piece_[spot.piece], body_of_piece_[spot.other]));
+      check_spot(i);
+    }
+    if (file_.is_ours() && file_.settings.find("paper_mm") != nullptr) {
+      check_untold(told);
+    }
+  }
+
+ private:
+  void add(Index spot, std::string_view what) {
+    findings_.add(Promise::statements, {{"glue", spot}, {"piece", file_.glue[spot].piece}}, [&] {
+      return fmt::format("the glue spot for {} on {} {}", piece_name(file_, file_.glue[spot].other),
+                         piece_name(file_, file_.glue[spot].piece), what);
+    });
+  }
+
+  void find_bodies() {
+    const FaceList& faces = file_.model.faces;
+    for (Index side = 0; side < faces.sides(); ++side) {
+      if (file_.model.twin[side] != none) {
+        bodies_.join(faces.face(side), faces.face(file_.model.twin[side]));
+      }
+    }
+    body_of_piece_.assign(file_.pieces.size(), none);
+    std::map<Index, std::vector<Triangle3>> triangles;
+    pairs_.resize(file_.pieces.size());
+    for (Index face = 0; face < file_.faces.faces(); ++face) {
+      const Index solid = file_.face_model[face];
+      if (!given_.relations.corners_match[face]) {
+        continue;
+      }
+      const Index piece = file_.face_piece[face];
+      body_of_piece_[piece] = bodies_.find(solid);
+      const auto flat = file_.faces.vertices(face);
+      const auto corners = file_.model.faces.vertices(solid);
+      for (std::size_t k = 2; k < flat.size(); ++k) {
+        Pair pair;
+        const std::array<std::size_t, 3> fan{0, k - 1, k};
+        for (std::size_t c = 0; c < 3; ++c) {
+          pair.flat[c] = file_.points[flat[fan[c]]];
+          pair.solid[c] = file_.model.points[corners[fan[c]]];
+        }
+        triangles[body_of_piece_[piece]].push_back(pair.solid);
+        pairs_[piece].push_back(pair);
+      }
+    }
+    for (const auto& [body, list] : triangles) {
+      trees_.emplace(body, SurfaceTree(list));
+    }
+  }
+
+  /// The place in space of a point of a piece; nothing where the piece has no paper there.
+  [[nodiscard]] std::optional<Vec3> in_space(Index piece, Vec2 p) const {
+    const Pair* nearest = nullptr;
+    double distance = glue_place_mm;
+    for (const Pair& pair : pairs_[piece]) {
+      if (const double d = distance_to(pair.flat, p); d <= distance) {
+        nearest = &pair;
+        distance = d;
+      }
+    }
+    const auto shares = nearest == nullptr ? std::nullopt : shares_at(nearest->flat, p);
+    return shares ? std::optional((*shares)[0] * nearest->solid[0] + (*shares)[1] * nearest->solid[1] +
+                                  (*shares)[2] * nearest->solid[2])
+                  : std::nullopt;
+  }
+
+  [[nodiscard]] double distance_to_body(Index body, Vec3 p) const {
+    const SurfaceTree& tree = trees_.at(body);
+    const SurfaceTree::Place guess{tree.triangles().front()[0], 0};
+    return length(tree.nearest(p, 0.0, guess).point - p);
+  }
+
+  void check_spot(Index number) {
+    const GlueSpot& spot = file_.glue[number];
+    const Index body = body_of_piece_[spot.other];
+    for (const std::vector<Vec2>& outline : spot.outlines) {
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        for (const double share : {0.0, 0.5}) {
+          const Vec2 p = outline[i] + share * (outline[(i + 1) % outline.size()] - outline[i]);
+          const std::optional<Vec3> place = in_space(spot.piece, p);
+          if (!place) {
+            add(number, "reaches beyond its piece");
+            return;
+          }
+          if (const double away = distance_to_body(body, *place); away > glue_mm + glue_place_mm) {
+            add(number, fmt::format("is {:.3f} mm away from what is glued there", away));
+            return;
+          }
+        }
+      }
+    }
+  }
+
+  /// A face of some size whose middle lies on a parallel face of another body.
+  void check_untold(const std::set<std::pair<Index, Index>>& told) {
+    const FaceList& faces = file_.model.faces;
+    for (Index face = 0; face < faces.faces(); ++face) {
+      if (given_.relations.area[face] < least_untold_area) {
+        continue;
+      }
+      given_.context.check();
+      const Index body = bodies_.find(face);
+      Vec3 middle;
+      for (const Index v : faces.vertices(face)) {
+        middle += file_.model.points[v] / static_cast<double>(faces.size(face));
+      }
+      for (const auto& [other, tree] : trees_) {
+        if (other == body || told.contains(std::minmax(body, other))) {
+          continue;
+        }
+        const SurfaceTree::Place at = tree.nearest(middle, 0.0, {tree.triangles().front()[0], 0});
+        const Triangle3& t = tree.triangles()[at.triangle];
+        const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+        const Vec3 own = given_.relations.normal[face];
+        const bool parallel = std::abs(dot(normal, own)) > parallel_cosine * length(normal) * length(own);
+        const Vec3 away = middle - at.point;
+        if (parallel && length(away) < surely_touching_mm && length(normal) > 2.0 * least_untold_area &&
+            is_well_inside(t, at.point)) {
+          findings_.add(Promise::statements, {{"face", face}}, [&] {
+            return fmt::format("model face {} lies on a face of another body, and no glue spot says so",
+                               face);
+          });
+          return;
+        }
+      }
+    }
+  }
+
+  static bool is_well_inside(const Triangle3& t, Vec3 p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 side = t[(k + 1) % 3] - t[k];
+      const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+      if (dot(cross(normal, side), p - t[k]) < inside_mm * length(normal) * length(side)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Much larger than what holds nothing; nearer and flatter than what counts as touching.
+  static constexpr double least_untold_area = 40.0;
+  static constexpr double surely_touching_mm = 0.05;
+  static constexpr double parallel_cosine = 0.9998;
+  static constexpr double inside_mm = 2.0;
+
+  const Case& given_;
+  const File& file_;
+  Findings& findings_;
+  DisjointSets bodies_;                   ///< model faces
+  std::vector<Index> body_of_piece_;      ///< or none
+  std::vector<std::vector<Pair>> pairs_;  ///< per piece
+  std::map<Index, SurfaceTree> trees_;    ///< per body
+};
+
+}  // namespace
+
+void check_glue(const Case& given, Findings& findings) {
+  GlueCheck(given, findings).run();
+}
+
+}  // namespace ridgecraft::verify
