@@ -25,6 +25,7 @@
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/even_pieces.hpp"
+#include "unfold/pieces/fewer_pieces.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/moved_borders.hpp"
 #include "unfold/pieces/part_merging.hpp"
@@ -126,10 +127,12 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
   if (rules.merge) {
     move_borders_of(asked, plan, patch, context, parts);
   }
-  const Folds merged = rules.merge
-                           ? merge_parts(patch, asked.part.items(), parts.folds, plan.room, rules.weights,
-                                         net_tolerance(patch.extent), context.seed, context)
-                           : std::move(parts.folds);
+  Folds merged = rules.merge ? merge_parts(patch, asked.part.items(), parts.folds, plan.room, rules.weights,
+                                           net_tolerance(patch.extent), context.seed, context)
+                             : std::move(parts.folds);
+  if (rules.merge && rules.mode == PieceMode::few) {
+    merged = fewer_pieces(asked.surface, plan.whole, patch, merged, asked.options, plan.room, context);
+  }
   const MirrorImages images = context.out_of_time() ? MirrorImages() : mirror_images_here();
   const Folds even = even_pieces(asked.surface, patch, merged, images, rules.weights, plan.room,
                                  net_tolerance(patch.extent), context.seed, context);

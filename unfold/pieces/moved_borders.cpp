@@ -216,18 +216,7 @@ class BorderMover {
   }
 
   [[nodiscard]] PiecesTogether united(const std::vector<std::uint32_t>& pieces) const {
-    PiecesTogether all;
-    for (const std::uint32_t p : pieces) {
-      all.faces.insert(all.faces.end(), layout_.faces[p].begin(), layout_.faces[p].end());
-    }
-    std::sort(all.faces.begin(), all.faces.end());
-    all.patch = sub_patch(patch_, all.faces);
-    all.apart = sub_folds(patch_, result_.folds, all.faces);
-    all.trees = pieces.size();
-    const std::uint32_t f = layout_.faces[pieces.front()].front();
-    all.first = static_cast<std::uint32_t>(std::lower_bound(all.faces.begin(), all.faces.end(), f) -
-                                           all.faces.begin());
-    return all;
+    return pieces_together(patch_, result_.folds, layout_, pieces);
   }
 
   /// Takes these trees, one fewer, unless they are much more ragged.

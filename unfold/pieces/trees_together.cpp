@@ -9,7 +9,7 @@
 #include "unfold/energy/net_energy.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/forest.hpp"
-#include "unfold/patch/layout.hpp"
+#include "unfold/patch/sub_patch.hpp"
 #include "unfold/search/heated_search.hpp"
 #include "unfold/search/least_trees.hpp"
 
@@ -64,6 +64,22 @@ void set_folds(const Patch& patch, Folds& folds, const std::vector<std::uint32_t
 }
 
 }  // namespace
+
+PiecesTogether pieces_together(const Patch& whole, const Folds& folds, const Layout& layout,
+                               std::span<const std::uint32_t> pieces) {
+  PiecesTogether all;
+  for (const std::uint32_t p : pieces) {
+    all.faces.insert(all.faces.end(), layout.faces[p].begin(), layout.faces[p].end());
+  }
+  std::sort(all.faces.begin(), all.faces.end());
+  all.patch = sub_patch(whole, all.faces);
+  all.apart = sub_folds(whole, folds, all.faces);
+  all.trees = pieces.size();
+  const std::uint32_t f = layout.faces[pieces.front()].front();
+  all.first =
+      static_cast<std::uint32_t>(std::lower_bound(all.faces.begin(), all.faces.end(), f) - all.faces.begin());
+  return all;
+}
 
 TreesTogether::TreesTogether(const mesh::Surface& surface, const prepare::Panels& panels,
                              const Options& options, const Room& room, double tolerance,

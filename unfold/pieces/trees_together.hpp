@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/context.hpp"
@@ -12,6 +13,7 @@
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/options.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/patch/linked_patch.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/room.hpp"
@@ -26,6 +28,10 @@ struct PiecesTogether {
   std::size_t trees = 0;    ///< that it has
   std::uint32_t first = 0;  ///< one of the first piece's faces, of the patch
 };
+
+/// These pieces of a forest of the whole; the first of them comes first. `layout`: of the forest.
+[[nodiscard]] PiecesTogether pieces_together(const Patch& whole, const Folds& folds, const Layout& layout,
+                                             std::span<const std::uint32_t> pieces);
 
 /// Trees, and what they cost as annealing counts it (NetEnergy), mm.
 struct SettledTrees {

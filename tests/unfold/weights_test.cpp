@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every weight that users can change changes the nets, and in the way that its name says.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/context.hpp"
+#include "support/flat_panels.hpp"
+#include "support/shapes.hpp"
+#include "unfold/energy/cut_costs.hpp"
+#include "unfold/net/piece_rules.hpp"
+#include "unfold/nets_checks.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/objective.hpp"
+#include "unfold/patch/sub_patch.hpp"
+#include "unfold/pieces/mirror_images.hpp"
+
+using namespace ridgecraft;
+using unfold::Folds;
+using unfold::Nets;
+using unfold::Patch;
+using unfold::Weights;
+
+namespace {
+
+/// A model with what the terms are about: its faces and parts.
+struct Model {
+  mesh::Surface surface;
+  prepare::Panels panels;
+  IdVector<FaceId, PartId> part;
+  double piece = 350.0;  ///< what each piece costs
+};
+
+/// A lumpy ball, even about the plane y = 0, in parts: columns from pole to pole.
+Model ball(double mm, int columns, std::uint32_t waves) {
+  const mesh::Surface round = test::sphere(12, 8);
+  std::vector<Vec3> points;
+  for (const Vec3 p : round.points()) {
+    const double wave = std::sin(waves * p.x + 1.0) * std::cos(2.0 * p.y) + 0.5 * std::sin(3.0 * p.z + p.x);
+    points.push_back(mm * (1.0 + 0.25 * wave) * p);
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(round.face_count())) {
+    faces.push_back(round.vertices(f));
+  }
+  Model model{mesh::Surface(std::move(points), std::move(faces)), {}, {}};
+  model.panels = test::no_panels(model.surface);
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    const auto [a, b, c] = round.vertices(f);
+    const Vec3 middle = round.point(a) + round.point(b) + round.point(c);
+    const double turn = std::atan2(middle.y, middle.x) / 6.283185307179586 + 0.5;
+    model.part.push_back(
+        PartId(static_cast<std::uint32_t>(turn * columns) % static_cast<std::uint32_t>(columns)));
+  }
+  return model;
+}
+
+/// A vase of walls that go round, pointed at both ends: flat ones would close circles of folds.
+Model vase() {
+  Model model{
+      test::scaled(test::revolve({{0, -0.3}, {1, 0}, {1.3, 1}, {1, 2}, {1, 3}, {0, 3.3}}, 9), 22.0), {}, {}};
+  model.panels = test::flat_panels(model.surface);
+  model.part = test::one_part(model.surface);
+  return model;
+}
+
+const std::vector<Model>& models() {
+  static const std::vector<Model> all = [] {
+    std::vector<Model> made;
+    made.push_back(ball(45.0, 3, 2));
+    made.push_back(ball(30.0, 12, 3));
+    made.push_back(vase());
+    // Where a piece costs less than a further part in another one, only small ones join others.
+    made.push_back(ball(12.0, 6, 2));
+    made.back().piece = 100.0;
+    return made;
+  }();
+  return all;
+}
+
+Nets nets_of(const Model& model, std::string_view term, double factor) {
+  unfold::Options options = test::on_sheet(190.0, 277.0);
+  options.pieces = unfold::rules_of(unfold::PieceMode::parts);
+  options.pieces.trials_per_face = 100.0;
+  options.pieces.weights.pieces = model.piece;
+  *unfold::weight_named(options.pieces.weights, term) *= factor;
+  return unfold::unfold(model.surface, model.panels, model.part, options, Context());
+}
+
+/// How much of what a term counts these nets have.
+double measure(const Model& model, const Nets& nets, std::string_view term) {
+  if (term == "bare") {
+    double bare = 0.0;
+    for (const unfold::Join& join : nets.joins) {
+      bare += join.tab.valid() ? 0.0 : model.surface.length(join.edge);
+    }
+    return bare;
+  }
+  Weights weights;
+  for (const std::string_view other : unfold::term_names()) {
+    *unfold::weight_named(weights, other) = other == term ? 1.0 : 0.0;
+  }
+  const Patch patch = test::whole_patch(model.surface, model.panels);
+  Folds folds(patch.twin.size(), 0);
+  for (std::uint32_t side = 0; side < folds.size(); ++side) {
+    const EdgeId edge = model.surface.edge(mesh::corner(patch.face[side / 3], side % 3));
+    folds[side] = nets.use[edge] == unfold::EdgeUse::fold ? 1 : 0;
+  }
+  const std::vector<std::uint32_t> mirror =
+      mirror_sides(model.surface, patch, unfold::mirror_images(model.surface, Weights()).edge);
+  unfold::CutFacts facts;
+  facts.mirror = mirror;
+  unfold::CutCosts cuts(patch, facts, weights);
+  cuts.set_tree(folds);
+  double sum = cuts.total();
+  weights.seam = 0.0;  // was counted
+  for (const unfold::Piece& piece : nets.pieces) {
+    std::vector<std::uint32_t> faces;
+    for (const FaceId f : piece.faces) {
+      faces.push_back(f.value());
+    }
+    const Patch own = sub_patch(patch, faces);
+    sum += cost_of_piece(own, sub_folds(patch, folds, faces), piece.parts.size(), weights);
+  }
+  return sum;
+}
+
+/// Share of the seam of both that only one of them has.
+double difference(const Model& model, const Nets& a, const Nets& b) {
+  double all = 0.0;
+  double differing = 0.0;
+  for (const EdgeId e : ids<EdgeId>(model.surface.edge_count())) {
+    const bool in_a = a.use[e] == unfold::EdgeUse::cut;
+    const bool in_b = b.use[e] == unfold::EdgeUse::cut;
+    all += in_a || in_b ? model.surface.length(e) : 0.0;
+    differing += in_a != in_b ? model.surface.length(e) : 0.0;
+  }
+  return differing / all;
+}
+
+}  // namespace
+
+TEST_CASE("each weight changes the nets, and what weighs more is less", "[energy]") {
+  for (const std::string_view term : unfold::term_names()) {
+    double light = 0.0;
+    double heavy = 0.0;
+    double most_different = 0.0;
+    for (const Model& model : models()) {
+      const Nets little = nets_of(model, term, 0.1);
+      const Nets much = nets_of(model, term, 10.0);
+      light += measure(model, little, term);
+      heavy += measure(model, much, term);
+      most_different = std::max(most_different, difference(model, little, much));
+    }
+    CAPTURE(term, light, heavy, most_different);
+    CHECK(heavy < 0.97 * light - 0.001 * std::abs(light));
+    CHECK(most_different > 0.1);
+  }
+}
