@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the drawing of each page together: its pieces, their texts, the furniture.
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -134,11 +135,9 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
         piece_drawing(model, nets, piece, contents[piece], placement, style));
     pieces[placement.page.value()].back().notes = notes[piece];
     report_lines(pieces[placement.page.value()].back().group, sum);
-    for (const Contact& contact : sum.contacts) {
-      if (contact.piece == piece) {
-        add_glue_spot(contact, placement, nets.pieces[contact.other].name,
-                      pieces[placement.page.value()].back());
-      }
+    for (const Contact& contact : std::ranges::equal_range(sum.contacts, piece, {}, &Contact::piece)) {
+      add_glue_spot(contact, placement, nets.pieces[contact.other].name,
+                    pieces[placement.page.value()].back());
     }
     piece_ids[placement.page.value()].push_back(piece);
   }

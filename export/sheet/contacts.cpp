@@ -233,7 +233,7 @@ std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::N
     FaceId on_it(j);
     const auto body = [&](FaceId f) { return surface.component(f).value(); };
     if (body(face) == body(on_it) ||
-        std::abs(dot(surface.normal(face), surface.normal(on_it))) < parallel_cosine) {
+        !(std::abs(dot(surface.normal(face), surface.normal(on_it))) >= parallel_cosine)) {
       return;
     }
     if (std::pair(area[body(face)], body(on_it)) < std::pair(area[body(on_it)], body(face))) {

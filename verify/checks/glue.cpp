@@ -54,10 +54,10 @@ class GlueCheck {
       : given_(given), file_(given.file), findings_(findings), bodies_(file_.model.faces.faces()) {}
 
   void run() {
-    find_bodies();
-    if (trees_.size() < 2 && file_.glue.empty()) {
+    if (count_bodies() < 2 && file_.glue.empty()) {
       return;
     }
+    lay_out_bodies();
     std::set<std::pair<Index, Index>> told;
     for (Index i = 0; i < file_.glue.size(); ++i) {
       given_.context.check();
@@ -83,13 +83,20 @@ class GlueCheck {
     });
   }
 
-  void find_bodies() {
+  std::size_t count_bodies() {
     const FaceList& faces = file_.model.faces;
+    std::size_t count = faces.faces();
     for (Index side = 0; side < faces.sides(); ++side) {
-      if (file_.model.twin[side] != none) {
-        bodies_.join(faces.face(side), faces.face(file_.model.twin[side]));
+      const Index twin = file_.model.twin[side];
+      if (twin != none && bodies_.find(faces.face(side)) != bodies_.find(faces.face(twin))) {
+        bodies_.join(faces.face(side), faces.face(twin));
+        --count;
       }
     }
+    return count;
+  }
+
+  void lay_out_bodies() {
     body_of_piece_.assign(file_.pieces.size(), none);
     std::map<Index, std::vector<Triangle3>> triangles;
     pairs_.resize(file_.pieces.size());
@@ -115,6 +122,13 @@ class GlueCheck {
     }
     for (const auto& [body, list] : triangles) {
       trees_.emplace(body, SurfaceTree(list));
+      Box3 box;
+      for (const Triangle3& triangle : list) {
+        for (const Vec3 p : triangle) {
+          box.add(p);
+        }
+      }
+      boxes_.emplace(body, box);
     }
   }
 
@@ -164,6 +178,9 @@ class GlueCheck {
   /// A face of some size whose middle lies on a parallel face of another body.
   void check_untold(const std::set<std::pair<Index, Index>>& told) {
     const FaceList& faces = file_.model.faces;
+    if (trees_.size() < 2 || faces.faces() > most_pairs / trees_.size()) {
+      return;
+    }
     for (Index face = 0; face < faces.faces(); ++face) {
       if (given_.relations.area[face] < least_untold_area) {
         continue;
@@ -175,7 +192,7 @@ class GlueCheck {
         middle += file_.model.points[v] / static_cast<double>(faces.size(face));
       }
       for (const auto& [other, tree] : trees_) {
-        if (other == body || told.contains(std::minmax(body, other))) {
+        if (other == body || !is_near(boxes_.at(other), middle) || told.contains(std::minmax(body, other))) {
           continue;
         }
         const SurfaceTree::Place at = tree.nearest(middle, 0.0, {tree.triangles().front()[0], 0});
@@ -196,6 +213,14 @@ class GlueCheck {
     }
   }
 
+  static bool is_near(const Box3& box, Vec3 p) {
+    const auto within = [](double low, double x, double high) {
+      return x > low - surely_touching_mm && x < high + surely_touching_mm;
+    };
+    return within(box.low.x, p.x, box.high.x) && within(box.low.y, p.y, box.high.y) &&
+           within(box.low.z, p.z, box.high.z);
+  }
+
   static bool is_well_inside(const Triangle3& t, Vec3 p) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 side = t[(k + 1) % 3] - t[k];
@@ -212,6 +237,8 @@ class GlueCheck {
   static constexpr double surely_touching_mm = 0.05;
   static constexpr double parallel_cosine = 0.9998;
   static constexpr double inside_mm = 2.0;
+  /// Pairs of a face and a body that are looked at: a fraction of a second.
+  static constexpr std::size_t most_pairs = 20'000'000;
 
   const Case& given_;
   const File& file_;
@@ -219,6 +246,7 @@ class GlueCheck {
   DisjointSets bodies_;                   ///< model faces
   std::vector<Index> body_of_piece_;      ///< or none
   std::vector<std::vector<Pair>> pairs_;  ///< per piece
+  std::map<Index, Box3> boxes_;           ///< per body
   std::map<Index, SurfaceTree> trees_;    ///< per body
 };
 
