@@ -22,6 +22,9 @@ namespace {
 
 /// Lines between two questions whether to stop.
 constexpr std::size_t lines_per_check = 1U << 14U;
+/// A text that ends within a line is cut off where so many points are used by nothing: programs end their
+/// files with a line's end and use their points, and who writes by hand may forget both, but not so often.
+constexpr std::size_t lost_points = 3;
 
 class ObjReader {
  public:
@@ -43,6 +46,7 @@ class ObjReader {
   void read_usemtl();
   std::string read_name();
   void finish();
+  void require_whole_text();
   void finish_textures();
   void finish_materials();
   [[noreturn]] void refuse(const char* line, std::string_view reason) {
@@ -191,8 +195,19 @@ void ObjReader::read_texture_point() {
 }
 
 void ObjReader::read_face(const char* line) {
+  std::ptrdiff_t slashes = 0;  // of the first corner
+  std::size_t corners = 0;
+  bool whole = true;
   while (!text_.line_is_over()) {
+    const char* const corner = text_.place();
     read_corner(line);
+    const std::ptrdiff_t own = std::count(corner, text_.place(), '/');
+    slashes = corners == 0 ? own : slashes;
+    whole = own >= slashes && text_.place()[-1] != '/';
+    ++corners;
+  }
+  if (text_.done() && (corners < 3 || !whole)) {
+    refuse(line, "the file ends within a face, so it is cut off");
   }
   check_corner_count(source_, soup_);
   soup_.first_corner.push_back(static_cast<std::uint32_t>(soup_.corner_point.size()));
@@ -300,6 +315,27 @@ void ObjReader::read_usemtl() {
   material_from_.emplace_back(soup_.polygon_count(), number);
 }
 
+/// Most of a text that is cut off is points that its faces are lacking to.
+void ObjReader::require_whole_text() {
+  if (soup_.polygon_count() == 0 || is_line_end(source_.bytes.back())) {
+    return;
+  }
+  std::vector<bool> used(soup_.points.size(), false);
+  for (const std::uint32_t p : soup_.corner_point) {
+    used[p] = true;
+  }
+  for (const auto& line : soup_.lines) {
+    used[line[0]] = used[line[1]] = true;
+  }
+  const auto unused = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+  if (unused >= lost_points) {
+    source_.refuse(
+        ErrorKind::unreadable_input,
+        fmt::format("ends within a line, and {} of its {} points are used by no face: it is cut off", unused,
+                    used.size()));
+  }
+}
+
 void ObjReader::finish() {
   if (highest_point_ > static_cast<std::int64_t>(soup_.points.size())) {
     refuse(highest_point_line_, fmt::format("a face names point {}, but the file has only {} points",
@@ -309,6 +345,7 @@ void ObjReader::finish() {
     refuse(unknown_.first, "this is no OBJ file, nor another known mesh format");
   }
   finish_lines();
+  require_whole_text();
   ignored_.report(RepairKind::element_ignored, source_, soup_.remarks);
   unknown_.report(RepairKind::element_ignored, source_, soup_.remarks);
   finish_textures();

@@ -187,3 +187,36 @@ TEST_CASE("OBJ: names of objects are fit to be printed") {
   REQUIRE(soup.objects.size() == 1);
   CHECK(soup.objects[0].second == "a\xef\xbf\xbd\xef\xbf\xbd[31m");
 }
+
+TEST_CASE("OBJ: a text that ends early is refused, wherever within its lines") {
+  // Ten triangles in a row: each has a point more.
+  std::string text;
+  for (int i = 0; i < 12; ++i) {
+    text += "v " + std::to_string(i / 2) + " " + std::to_string(i % 2) + " 0\nvt 0 0\n";
+  }
+  const std::size_t faces = text.size();
+  for (int i = 1; i <= 10; ++i) {
+    const auto corner = [](int p) { return " " + std::to_string(p) + "/" + std::to_string(p); };
+    text += "f" + corner(i) + corner(i + 1) + corner(i + 2) + "\n";
+  }
+  const std::size_t last_face = text.rfind('f');
+  for (std::size_t end = faces + 1; end < text.size(); ++end) {
+    const std::string start = text.substr(0, end);
+    const bool within_line = start.back() != '\n';
+    const std::string told = refusal(start, "obj");
+    // Three points are lacking where three faces are, and faces that lack a corner are known by themselves.
+    if (within_line && start.find("f 8/8 ") == std::string::npos) {
+      CAPTURE(start.substr(faces));
+      CHECK(told.starts_with("3 model.obj"));
+    }
+  }
+  CHECK(refusal(text.substr(0, last_face + 5), "obj") ==
+        "3 model.obj, line 34: the file ends within a face, so it is cut off");
+  CHECK(refusal(text.substr(0, faces + 13), "obj") ==
+        "3 model.obj ends within a line, and 9 of its 12 points are used by no face: it is cut off");
+  // Nobody minds a line's end that is missing at the end of a whole text, or a point that is left over.
+  CHECK(refusal(text.substr(0, text.size() - 1), "obj").empty());
+  CHECK(refusal("v 7 7 7\nv 8 8 8\n" + std::string(three_points) + "f -3 -2 -1", "obj").empty());
+  // Points that only marked edges use are used.
+  CHECK(refusal(std::string(three_points) + "v 0 0 1\nv 0 1 1\nv 1 1 1\nf 1 2 3\nl 4 5 6", "obj").empty());
+}
