@@ -12,6 +12,10 @@ if(RIDGECRAFT_PROGRAM)
     VERBATIM)
   add_custom_target(man_page ALL DEPENDS ${man_page})
   install(TARGETS ridgecraft RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  if(ridgecraft_import)
+    # Not on the path: nobody calls it but the program.
+    install(TARGETS ridgecraft-import RUNTIME DESTINATION libexec/ridgecraft COMPONENT program)
+  endif()
   install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
   install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
   install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT program

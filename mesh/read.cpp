@@ -24,7 +24,7 @@ Model read(const std::filesystem::path& file, const ReadOptions& options, const 
 
 Model read(const ModelFile& file, const ReadOptions& options, const Context& context) {
   context.report("reading", 0.0);
-  Soup soup = parse_soup(file.bytes, file.name, file.folder, context);
+  Soup soup = parse_soup(file.bytes, file.name, file.folder, context, options.importer);
   context.report("repairing", 0.0);
   const std::string beside = std::move(soup.beside_digest);
   try {

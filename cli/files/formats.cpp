@@ -21,7 +21,11 @@ constexpr std::array read_rows{
     Row{".glb", "glTF 2 in one file, with colours and pictures"},
     Row{".gltf", "glTF 2 as text, with the files beside it"},
     Row{".3mf", "3MF, with colours and pictures"},
-    Row{".pdo", "Pepakura Designer 2 to 5, with colours and pictures (its nets: --from)"}};
+    Row{".pdo", "Pepakura Designer 2 to 5, with colours and pictures (its nets: --from)"},
+    Row{".dae", "COLLADA, where ridgecraft-import is installed (it reads by Assimp)"},
+    Row{".fbx", "FBX, in the same way"},
+    Row{".3ds", "3DS, in the same way"},
+    Row{".blend", "Blender up to 2.79, uncompressed or by gzip, in the same way"}};
 
 struct PaperRow {
   Format format;

@@ -14,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "cli/files/formats.hpp"
+#include "cli/files/importer.hpp"
 #include "mesh/reading/read_file.hpp"
 
 namespace ridgecraft::cli {
@@ -103,7 +104,9 @@ std::string results_name(const std::string& model) {
   return model == dash ? "model" : std::filesystem::path(model).stem().string();
 }
 
-mesh::Model read_model(const std::string& model, const mesh::ReadOptions& options, const Context& context) {
+mesh::Model read_model(const std::string& model, const mesh::ReadOptions& asked, const Context& context) {
+  mesh::ReadOptions options = asked;
+  options.importer = importer_program();
   if (model != dash) {
     try {
       return mesh::read(std::filesystem::path(model), options, context);

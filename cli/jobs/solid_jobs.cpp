@@ -15,6 +15,7 @@
 #include "base/sentence.hpp"
 #include "base/version.hpp"
 #include "cli/files/formats.hpp"
+#include "cli/files/importer.hpp"
 #include "cli/files/model_input.hpp"
 #include "cli/files/part_files.hpp"
 #include "cli/files/targets.hpp"
@@ -200,7 +201,7 @@ void write_body(const std::string& output, bool overwrite, const Context& contex
 
 /// A cage as its file has it: repair might renumber it.
 solid::Body read_cage(const std::string& file, const Context& context) {
-  const mesh::Soup soup = mesh::read_soup(file, context);
+  const mesh::Soup soup = mesh::read_soup(file, context, importer_program());
   solid::Body body;
   body.points = soup.points;
   for (std::size_t i = 0; i < soup.polygon_count(); ++i) {

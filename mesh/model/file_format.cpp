@@ -19,7 +19,9 @@ constexpr std::array formats{
     Row{FileFormat::stl_binary, "STL", 0, true},  Row{FileFormat::ply_ascii, "PLY", 0, false},
     Row{FileFormat::ply_binary, "PLY", 0, false}, Row{FileFormat::off, "OFF", 0, false},
     Row{FileFormat::glb, "GLB", 0, true},         Row{FileFormat::gltf, "glTF", 0, true},
-    Row{FileFormat::threemf, "3MF", 0, false},    Row{FileFormat::pdo, "PDO", 0, false}};
+    Row{FileFormat::threemf, "3MF", 0, false},    Row{FileFormat::pdo, "PDO", 0, false},
+    Row{FileFormat::dae, "DAE", 0, true},         Row{FileFormat::fbx, "FBX", 0, true},
+    Row{FileFormat::max3ds, "3DS", 0, true},      Row{FileFormat::blend, "BLEND", 0, true}};
 
 const Row& row(FileFormat format) {
   return *std::find_if(formats.begin(), formats.end(), [&](const Row& r) { return r.format == format; });
@@ -39,6 +41,11 @@ std::vector<std::string> format_names() {
     }
   }
   return names;
+}
+
+bool is_imported(FileFormat format) {
+  return format == FileFormat::dae || format == FileFormat::fbx || format == FileFormat::max3ds ||
+         format == FileFormat::blend;
 }
 
 std::uint32_t first_point_number(FileFormat format) {

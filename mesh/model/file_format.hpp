@@ -9,7 +9,23 @@
 
 namespace ridgecraft::mesh {
 
-enum class FileFormat { obj, stl_ascii, stl_binary, ply_ascii, ply_binary, off, gltf, glb, threemf, pdo };
+enum class FileFormat {
+  obj,
+  stl_ascii,
+  stl_binary,
+  ply_ascii,
+  ply_binary,
+  off,
+  gltf,
+  glb,
+  threemf,
+  pdo,
+  // by a program beside this one (is_imported)
+  dae,
+  fbx,
+  max3ds,
+  blend
+};
 
 /// "OBJ", "STL", "PLY", "OFF", "glTF" and so on.
 [[nodiscard]] std::string_view format_name(FileFormat format);
@@ -17,6 +33,9 @@ enum class FileFormat { obj, stl_ascii, stl_binary, ply_ascii, ply_binary, off, 
 /// "OBJ", "STL" and so on: each name once. They are the suffixes of their files, too, in letters of either
 /// case.
 [[nodiscard]] std::vector<std::string> format_names();
+
+/// True where a program of its own reads the format (mesh/reading/imported).
+[[nodiscard]] bool is_imported(FileFormat format);
 
 /// The number that the format itself gives to the first point of a file: OBJ counts from 1, others from 0.
 [[nodiscard]] std::uint32_t first_point_number(FileFormat format);

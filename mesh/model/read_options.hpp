@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+
 namespace ridgecraft::mesh {
 
 /// What repair does where the jobs differ.
@@ -9,6 +11,8 @@ struct ReadOptions {
   /// closed surfaces.
   bool collapse_flat_faces = true;
   bool keep_points = false;  ///< fill Model::file_points
+  /// The program that reads formats by Assimp (import/, is_imported()); empty: they are refused.
+  std::filesystem::path importer = {};
 };
 
 }  // namespace ridgecraft::mesh

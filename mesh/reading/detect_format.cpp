@@ -102,6 +102,9 @@ FileFormat by_suffix(const Source& source, std::string_view file_name, bool text
       return FileFormat::stl_binary;
     }
   }
+  if (const auto format = imported_format(ending); format && !source.importer.empty()) {
+    return *format;
+  }
   if (const auto sentence = foreign_suffix(ending)) {
     source.refuse(ErrorKind::unreadable_input, *sentence);
   }
@@ -145,6 +148,11 @@ FileFormat detect_format(const Source& source, std::string_view file_name) {
   }
   if (is_gltf_text(bytes, file_name)) {
     return FileFormat::gltf;
+  }
+  if (!source.importer.empty()) {
+    if (const auto format = imported_format(bytes, suffix(file_name))) {
+      return *format;
+    }
   }
   if (const auto sentence = foreign_content(bytes, suffix(file_name))) {
     source.refuse(ErrorKind::unreadable_input, *sentence);

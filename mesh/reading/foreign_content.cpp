@@ -22,6 +22,7 @@ struct Signature {
   std::string_view start;
   std::string_view what;
   Way way = Way::none;  ///< by_suffix: many things are packed so, and the suffix may tell which
+  std::optional<FileFormat> imported = std::nullopt;  ///< what a program beside this one reads
 };
 
 constexpr std::array signatures{
@@ -42,9 +43,9 @@ constexpr std::array signatures{
     Signature{"8BPS"sv, "a Photoshop picture"},
     Signature{"%PDF-"sv, "a PDF document"},
     Signature{"%!PS"sv, "a PostScript document"},
-    Signature{"Kaydara FBX Binary"sv, "an FBX model", Way::blender},
-    Signature{"; FBX"sv, "an FBX model", Way::blender},
-    Signature{"BLENDER"sv, "a Blender file", Way::blender},
+    Signature{"Kaydara FBX Binary"sv, "an FBX model", Way::blender, FileFormat::fbx},
+    Signature{"; FBX"sv, "an FBX model", Way::blender, FileFormat::fbx},
+    Signature{"BLENDER"sv, "a Blender file", Way::blender, FileFormat::blend},
     Signature{"ISO-10303-21"sv, "a STEP model", Way::cad},
     Signature{"PXR-USDC"sv, "a USD model", Way::blender},
     Signature{"#usda"sv, "a USD model", Way::blender},
@@ -73,7 +74,7 @@ constexpr std::array signatures{
 
 /// Words by which files of markup are known, looked for near their start, more telling ones first.
 constexpr std::array markup{
-    Signature{"<collada", "a COLLADA model", Way::blender},
+    Signature{"<collada", "a COLLADA model", Way::blender, FileFormat::dae},
     Signature{"<x3d", "an X3D model", Way::blender},
     Signature{"<amf", "an AMF model", Way::blender},
     Signature{"<svg", "an SVG picture"},
@@ -107,10 +108,10 @@ constexpr std::array suffixes{
     Signature{"sat", "an ACIS model", Way::cad},
     Signature{"ifc", "a building model (IFC)", Way::cad},
     Signature{"scad", "an OpenSCAD program", Way::cad},
-    Signature{"fbx", "an FBX model", Way::blender},
-    Signature{"blend", "a Blender file", Way::blender},
-    Signature{"dae", "a COLLADA model", Way::blender},
-    Signature{"3ds", "a 3DS model", Way::blender},
+    Signature{"fbx", "an FBX model", Way::blender, FileFormat::fbx},
+    Signature{"blend", "a Blender file", Way::blender, FileFormat::blend},
+    Signature{"dae", "a COLLADA model", Way::blender, FileFormat::dae},
+    Signature{"3ds", "a 3DS model", Way::blender, FileFormat::max3ds},
     Signature{"usdz", "a USD model", Way::blender},
     Signature{"usd", "a USD model", Way::blender},
     Signature{"x3d", "an X3D model", Way::blender},
@@ -175,7 +176,7 @@ std::optional<Signature> known_by_length(std::string_view bytes) {
     return Signature{{}, "a BMP picture"};
   }
   if (bytes.starts_with("MM") && bytes.size() > 6 && little_endian(bytes, 2) == bytes.size()) {
-    return Signature{{}, "a 3DS model", Way::blender};
+    return Signature{{}, "a 3DS model", Way::blender, FileFormat::max3ds};
   }
   if (bytes.starts_with("RIFF") && bytes.size() > 12) {
     return Signature{{}, bytes.substr(8, 4) == "WEBP" ? "a WebP picture" : "a media file"};
@@ -224,6 +225,15 @@ std::optional<Signature> by_content(std::string_view bytes) {
   return markup_or_json(bytes);
 }
 
+std::optional<Signature> by_suffix(std::string_view suffix) {
+  for (const Signature& known : suffixes) {
+    if (equal_ignoring_case(suffix, known.start)) {
+      return known;
+    }
+  }
+  return std::nullopt;
+}
+
 std::string sentence_of(const Signature& known) {
   const std::string_view way = words(known.way);
   return way.empty() ? "is no mesh but " + std::string(known.what)
@@ -232,13 +242,13 @@ std::string sentence_of(const Signature& known) {
 
 }  // namespace
 
+std::string_view way_by_blender() {
+  return words(Way::blender);
+}
+
 std::optional<std::string> foreign_suffix(std::string_view suffix) {
-  for (const Signature& known : suffixes) {
-    if (equal_ignoring_case(suffix, known.start)) {
-      return sentence_of(known);
-    }
-  }
-  return std::nullopt;
+  const auto found = by_suffix(suffix);
+  return found ? std::optional(sentence_of(*found)) : std::nullopt;
 }
 
 std::optional<std::string> foreign_content(std::string_view bytes, std::string_view suffix) {
@@ -248,6 +258,19 @@ std::optional<std::string> foreign_content(std::string_view bytes, std::string_v
   }
   const auto told = found->way == Way::by_suffix ? foreign_suffix(suffix) : std::nullopt;
   return told ? told : sentence_of(*found);
+}
+
+std::optional<FileFormat> imported_format(std::string_view bytes, std::string_view suffix) {
+  const auto found = by_content(bytes);
+  if (!found) {
+    return std::nullopt;
+  }
+  return found->way == Way::by_suffix ? imported_format(suffix) : found->imported;
+}
+
+std::optional<FileFormat> imported_format(std::string_view suffix) {
+  const auto found = by_suffix(suffix);
+  return found ? found->imported : std::nullopt;
 }
 
 }  // namespace ridgecraft::mesh

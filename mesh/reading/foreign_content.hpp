@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "mesh/model/file_format.hpp"
+
 namespace ridgecraft::mesh {
 
 /// As "is no mesh but a PNG picture", or "is a STEP model, which isn't read: open it in ..."; nothing where
@@ -14,5 +16,13 @@ namespace ridgecraft::mesh {
 
 /// The same by the suffix alone (without its dot), for content that tells nothing.
 [[nodiscard]] std::optional<std::string> foreign_suffix(std::string_view suffix);
+
+/// The format of is_imported() that such content is in; nothing for all other content. The suffix helps in
+/// the same way.
+[[nodiscard]] std::optional<FileFormat> imported_format(std::string_view bytes, std::string_view suffix);
+[[nodiscard]] std::optional<FileFormat> imported_format(std::string_view suffix);
+
+/// What somebody can do with a file of such a format that can't be read.
+[[nodiscard]] std::string_view way_by_blender();
 
 }  // namespace ridgecraft::mesh

@@ -37,6 +37,11 @@ Soup read_as(FileFormat format, const Source& source) {
       return read_3mf(source);
     case FileFormat::pdo:
       return read_pdo(source);
+    case FileFormat::dae:
+    case FileFormat::fbx:
+    case FileFormat::max3ds:
+    case FileFormat::blend:
+      return read_imported(format, source);
     case FileFormat::off:
       break;
   }
@@ -46,11 +51,12 @@ Soup read_as(FileFormat format, const Source& source) {
 }  // namespace
 
 Soup parse_soup(std::string_view bytes, std::string_view file_name,
-                const std::filesystem::path& folder_for_materials, const Context& context) {
+                const std::filesystem::path& folder_for_materials, const Context& context,
+                const std::filesystem::path& importer) {
   if (bytes.starts_with(utf8_mark)) {
     bytes.remove_prefix(utf8_mark.size());
   }
-  const Source source{bytes, printable(file_name), folder_for_materials, context};
+  const Source source{bytes, printable(file_name), folder_for_materials, context, importer};
   try {
     const FileFormat format = detect_format(source, file_name);
     Soup soup = read_as(format, source);
@@ -68,7 +74,8 @@ Soup parse_soup(std::string_view bytes, std::string_view file_name,
   }
 }
 
-Soup read_soup(const std::filesystem::path& file, const Context& context) {
+Soup read_soup(const std::filesystem::path& file, const Context& context,
+               const std::filesystem::path& importer) {
   std::string bytes;
   try {
     bytes = read_file(file);
@@ -78,7 +85,7 @@ Soup read_soup(const std::filesystem::path& file, const Context& context) {
                 name);
   }
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  return parse_soup(bytes, file.string(), folder, context);
+  return parse_soup(bytes, file.string(), folder, context, importer);
 }
 
 }  // namespace ridgecraft::mesh

@@ -14,13 +14,16 @@ namespace ridgecraft::mesh {
 /// the content could be several. Time and memory are linear in the size of the file; counts in headers are
 /// compared with the bytes that are there. The result has at least one polygon and finite points. Throws
 /// Error(unreadable_input) or Error(unusable_mesh) with one sentence that names the file, the place in it and
-/// the reason.
-[[nodiscard]] Soup read_soup(const std::filesystem::path& file, const Context& context);
+/// the reason. `importer` is the program that reads formats by Assimp (ReadOptions::importer); without it
+/// they are refused.
+[[nodiscard]] Soup read_soup(const std::filesystem::path& file, const Context& context,
+                             const std::filesystem::path& importer = {});
 
 /// The same for bytes in memory. `file_name` is used for messages and for its suffix. Material files and
 /// pictures are looked for in `folder_for_materials`; where that is empty none are opened and materials are
 /// names only.
 [[nodiscard]] Soup parse_soup(std::string_view bytes, std::string_view file_name,
-                              const std::filesystem::path& folder_for_materials, const Context& context);
+                              const std::filesystem::path& folder_for_materials, const Context& context,
+                              const std::filesystem::path& importer = {});
 
 }  // namespace ridgecraft::mesh

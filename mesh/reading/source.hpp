@@ -25,6 +25,7 @@ struct Source {
   std::string file;              ///< its name as messages print it
   std::filesystem::path folder;  ///< where its material files are looked for; empty for nowhere
   const Context& context;
+  std::filesystem::path importer = {};  ///< as ReadOptions::importer
 
   /// Number of the line that a place in the bytes is on, from 1. Linear: for messages only.
   [[nodiscard]] std::size_t line(const char* place) const;

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ridgecraft-import FORMAT: reads a model of that format from standard input by Assimp, and writes what is in
+// it to standard output (mesh/reading/imported/stream.hpp). Not to be called by people: ridgecraft does,
+// where it lets others read for it. Nothing here trusts Assimp: the process can open no files, write none,
+// and has little time and memory.
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/scene.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "import/scene_soup.hpp"
+#include "import/stream_writer.hpp"
+#include "mesh/reading/imported/stream.hpp"
+
+namespace {
+
+using ridgecraft::import::StreamWriter;
+namespace stream = ridgecraft::mesh::imported;
+
+constexpr rlim_t most_seconds = 60;
+constexpr rlim_t most_memory = rlim_t{1} << 31U;
+
+void limit(int resource, rlim_t value) {
+  const rlimit limits{value, value};
+  (void)setrlimit(static_cast<__rlimit_resource_t>(resource), &limits);
+}
+
+/// Assimp asks for files beside the model, which it has in memory: there are none.
+class NoFiles final : public Assimp::IOSystem {
+ public:
+  [[nodiscard]] bool Exists(const char* /*file*/) const override { return false; }
+  [[nodiscard]] char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* /*file*/, const char* /*mode*/) override { return nullptr; }
+  void Close(Assimp::IOStream* /*file*/) override {}
+};
+
+std::string read_all() {
+  std::string bytes;
+  std::array<char, 65536> buffer{};
+  for (ssize_t got = 1; got > 0;) {
+    got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+    bytes.append(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+  }
+  return bytes;
+}
+
+bool write_all(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+    if (put <= 0) {
+      return false;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
+  return true;
+}
+
+std::string refusal(std::string_view reason) {
+  StreamWriter out;
+  out.words(stream::start);
+  out.index(stream::kind_refusal);
+  out.text(reason);
+  out.words(stream::end);
+  return out.take();
+}
+
+/// Leaves none but the importer of files with this suffix: what the others would make of the bytes is
+/// nobody's wish.
+void keep_only(Assimp::Importer& importer, const std::string& suffix) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    const aiImporterDesc* const about = importer.GetImporterInfo(i);
+    const std::string suffixes = " " + std::string(about == nullptr ? "" : about->mFileExtensions) + " ";
+    if (suffixes.find(" " + suffix + " ") == std::string::npos) {
+      importer.UnregisterLoader(importer.GetImporter(i));
+    }
+  }
+}
+
+std::string imported(const std::string& bytes, const std::string& format) {
+  std::string suffix = format;
+  for (char& c : suffix) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  Assimp::Importer importer;
+  keep_only(importer, suffix);
+  importer.SetIOHandler(new NoFiles);  // the importer deletes it
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  const aiScene* const scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, suffix.c_str());
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    return refusal(importer.GetErrorString());
+  }
+  return ridgecraft::import::soup_stream(*scene, format);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, 0);
+  limit(RLIMIT_CPU, most_seconds);
+#if !defined(RIDGECRAFT_SANITIZED)
+  limit(RLIMIT_AS, most_memory);  // a sanitizer's bookkeeping alone takes more
+#endif
+  (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (argc != 2) {
+    return 2;
+  }
+  std::string answer;
+  try {
+    answer = imported(read_all(), argv[1]);
+  } catch (const std::bad_alloc&) {
+    answer = refusal("it needs more memory than its reader may have");
+  } catch (const std::exception& error) {
+    answer = refusal(error.what());
+  }
+  // Nothing is to be put in order after that, least of all by Assimp.
+  std::_Exit(write_all(answer) ? 0 : 1);
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers and texts one after the other (mesh/reading/imported/stream.hpp).
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ridgecraft::import {
+
+class StreamWriter {
+ public:
+  void words(std::string_view text) { bytes_ += text; }
+  void index(std::uint32_t value) { append(value); }
+  void number(double value) { append(value); }
+  void text(std::string_view text) {
+    index(static_cast<std::uint32_t>(text.size()));
+    words(text);
+  }
+  void indices(const std::vector<std::uint32_t>& values) {
+    for (const std::uint32_t value : values) {
+      index(value);
+    }
+  }
+  [[nodiscard]] std::string take() { return std::move(bytes_); }
+
+ private:
+  template <class T>
+  void append(T value) {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    bytes_.append(bytes, sizeof(T));
+  }
+
+  std::string bytes_;
+};
+
+}  // namespace ridgecraft::import

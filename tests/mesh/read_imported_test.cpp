@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Formats that a program beside ours reads: what comes through the pipe, and what happens where it breaks
+// down.
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "imported_seeds.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/reading/imported/read_stream.hpp"
+#include "mesh/reading/imported/stream.hpp"
+#include "mesh/reading/read_file.hpp"
+#include "reading.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::test;
+using mesh::RepairKind;
+using mesh::Soup;
+
+namespace {
+
+const std::filesystem::path importer = RIDGECRAFT_IMPORTER;
+
+bool is_built() {
+  if (importer.empty()) {
+    WARN("ridgecraft-import isn't built (libassimp-dev is missing): skipped");
+  }
+  return !importer.empty();
+}
+
+Soup imported(std::string_view bytes, const std::string& name,
+              const std::filesystem::path& program = importer) {
+  return mesh::parse_soup(bytes, name, {}, {}, program);
+}
+
+std::string import_refusal(std::string_view bytes, const std::string& name,
+                           const std::filesystem::path& program = importer) {
+  try {
+    (void)imported(bytes, name, program);
+  } catch (const Error& error) {
+    CHECK((error.kind() == ErrorKind::unreadable_input || error.kind() == ErrorKind::unusable_mesh));
+    return error.what();
+  }
+  return {};
+}
+
+/// A program that stands in for the importer.
+std::filesystem::path script(const TemporaryFolder& folder, const std::string& text) {
+  const std::filesystem::path file = folder / "stand-in";
+  std::ofstream(file) << "#!/bin/sh\n" << text << "\n";
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  return file;
+}
+
+/// What the importer would say of a triangle with a material and a name.
+std::string triangle_stream() {
+  std::string bytes(mesh::imported::start);
+  const auto index = [&](std::uint32_t value) {
+    bytes.append(std::string(reinterpret_cast<const char*>(&value), sizeof value));
+  };
+  const auto number = [&](double value) {
+    bytes.append(std::string(reinterpret_cast<const char*>(&value), sizeof value));
+  };
+  const auto text = [&](const std::string& value) {
+    index(static_cast<std::uint32_t>(value.size()));
+    bytes += value;
+  };
+  index(mesh::imported::kind_soup);
+  number(25.4);
+  index(2);
+  index(1);  // moves
+  index(1);
+  text("paint");
+  index(1);
+  for (const double channel : {0.5, 2.0, 0.0}) {
+    number(channel);
+  }
+  index(mesh::imported::picture_bytes);
+  text("no picture");
+  index(3);
+  for (const double x : {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}) {
+    number(x);
+  }
+  index(3);
+  for (const double x : {0.0, 0.0, 1.0, 0.0, 0.0, 1e9}) {
+    number(x);
+  }
+  index(1);
+  index(0);
+  text("sail");
+  index(1);
+  index(3);
+  index(3);
+  for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 1U, 2U}) {
+    index(corner);
+  }
+  index(0);
+  return bytes + std::string(mesh::imported::end);
+}
+
+Soup from_stream(const std::string& stream) {
+  const Context context;
+  return mesh::read_stream(stream, mesh::FileFormat::fbx, {stream, "model.fbx", {}, context});
+}
+
+}  // namespace
+
+TEST_CASE("FBX, COLLADA and 3DS: shape, polygons, unit, up, colours and names come through", "[imported]") {
+  if (!is_built()) {
+    return;
+  }
+  struct Case {
+    const char* name;
+    std::string bytes;
+    std::size_t polygons;
+    double unit_mm;  ///< 0: not told
+    mesh::Axis up;
+    double height;  ///< along that axis, in units
+    const char* object;
+  };
+  // Assimp turns what has z up so that y is, where it knows.
+  for (const Case& c : {Case{"tower.fbx", fbx_tower(), 6, 25.4, mesh::Axis::z, 3.0, "tower"},
+                        Case{"tower.dae", dae_tower(), 6, 1000.0, mesh::Axis::y, 0.03, "tower"},
+                        Case{"tower.3ds", max3ds_tower(), 12, 0.0, mesh::Axis::y, 3.0, ""}}) {
+    INFO(c.name);
+    const Soup soup = imported(c.bytes, c.name);
+    CHECK(soup.polygon_count() == c.polygons);
+    CHECK(soup.frame.mm_per_unit.value_or(0.0) == Approx(c.unit_mm));
+    REQUIRE(soup.frame.up == c.up);
+    REQUIRE(soup.materials.size() == 1);
+    CHECK(soup.materials[0].name == "stone");
+    REQUIRE(soup.materials[0].colour);
+    CHECK((*soup.materials[0].colour)[1] == Approx(0.5).margin(0.01));
+    CHECK(soup.remarks.entries().empty());
+    mesh::ReadOptions options;
+    options.importer = importer;
+    const mesh::Model model = mesh::read(mesh::ModelFile{c.bytes, c.name, "tower", {}}, options, {});
+    CHECK(model.surface.vertex_count() == 8);
+    CHECK(model.surface.component_count() == 1);
+    CHECK(model.repairs.entries().empty());
+    const Vec3 size = model.surface.bounds().size();
+    CHECK((c.up == mesh::Axis::y ? size.y : size.z) == Approx(c.height));
+    CHECK(model.object_name(FaceId(0)) == c.object);
+    // Outside is outside.
+    double volume = 0.0;
+    for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+      const auto [a, b, d] = model.surface.vertices(f);
+      volume += dot(model.surface.point(a), cross(model.surface.point(b), model.surface.point(d))) / 6.0;
+    }
+    CHECK(volume == Approx(6.0 * std::pow(c.height / 3.0, 3)));
+  }
+}
+
+TEST_CASE("The content decides, and without the importer such files are refused with a way out",
+          "[imported]") {
+  CHECK(import_refusal(fbx_tower(), "a.obj", {}) ==
+        "a.obj is an FBX model, which isn't read: open it in Blender and export it as glTF (.glb) or OBJ");
+  // What is OBJ stays so, whatever it is called.
+  CHECK(imported("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.fbx").format == mesh::FileFormat::obj);
+  if (is_built()) {
+    CHECK(imported(dae_tower(), "a.xml").format == mesh::FileFormat::dae);
+    CHECK(import_refusal("; FBX 7.3.0 project file\n", "a.fbx").starts_with("a.fbx can't be read as FBX"));
+    CHECK(import_refusal("no model at all", "a.dae").starts_with("a.dae can't be read as DAE"));
+  }
+}
+
+TEST_CASE("A reader that breaks down costs one sentence", "[imported]") {
+  const TemporaryFolder folder;
+  const std::string bytes = fbx_tower();
+  const std::string way = "; open it in Blender and export it as glTF (.glb) or OBJ";
+  CHECK(import_refusal(bytes, "a.fbx", script(folder, "kill -SEGV $$")) ==
+        "a.fbx can't be read: what reads FBX files broke down over it" + way);
+  CHECK(import_refusal(bytes, "a.fbx", script(folder, "exit 3")) ==
+        "a.fbx can't be read: what reads FBX files broke down over it" + way);
+  CHECK(import_refusal(bytes, "a.fbx", script(folder, "kill -XCPU $$")) ==
+        "a.fbx can't be read: what reads FBX files took too long over it" + way);
+  CHECK(import_refusal(bytes, "a.fbx", script(folder, "cat >/dev/null; echo nonsense")) ==
+        "a.fbx can't be read: what reads FBX files broke off");
+  CHECK(import_refusal(bytes, "a.fbx", folder / "missing").find("can't be started") != std::string::npos);
+  // It ends before it has read all that there is for it.
+  CHECK(import_refusal(bytes + std::string(4 << 20, ' '), "a.fbx", script(folder, "exit 0")) ==
+        "a.fbx can't be read: what reads FBX files broke off");
+  // Who waits for it can stop.
+  Context context;
+  StopSource stop;
+  context.stop = stop.get_token();
+  stop.request_stop();
+  CHECK_THROWS_AS(mesh::parse_soup(bytes, "a.fbx", {}, context, script(folder, "sleep 100")), Error);
+}
+
+TEST_CASE("What comes through the pipe is checked as a file is", "[imported]") {
+  const std::string whole = triangle_stream();
+  const Soup soup = from_stream(whole);
+  CHECK(soup.polygon_count() == 1);
+  CHECK(soup.frame.mm_per_unit == 25.4);
+  CHECK(soup.frame.up == mesh::Axis::z);
+  CHECK(soup.objects == std::vector<std::pair<std::uint32_t, std::string>>{{0, "sail"}});
+  CHECK(soup.remarks.count(RepairKind::motion_ignored) == 1);
+  CHECK(soup.remarks.count(RepairKind::material_value_corrected) == 1);
+  CHECK(soup.remarks.count(RepairKind::texture_missing) == 1);
+  CHECK(soup.remarks.count(RepairKind::texture_point_dropped) == 1);
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    CHECK_THROWS_AS(from_stream(whole.substr(0, length)), Error);
+  }
+  CHECK_THROWS_AS(from_stream(whole + "x"), Error);
+  Random random(7);
+  for (int i = 0; i < 4000; ++i) {
+    std::string changed = whole;
+    for (int k = 0; k < 3; ++k) {
+      changed[random.below(static_cast<std::uint32_t>(changed.size()))] =
+          static_cast<char>(random.below(256));
+    }
+    try {
+      const Soup read = from_stream(changed);
+      REQUIRE(read.first_corner.back() == read.corner_point.size());
+      for (const std::uint32_t p : read.corner_point) {
+        REQUIRE(p < read.points.size());
+      }
+    } catch (const Error& error) {
+      REQUIRE((error.kind() == ErrorKind::unreadable_input || error.kind() == ErrorKind::unusable_mesh));
+    }
+  }
+}
+
+TEST_CASE("Damaged files of these formats are read or refused, never more", "[imported]") {
+  if (!is_built()) {
+    return;
+  }
+  Random random(11);
+  for (const auto& [name, seed] : std::map<std::string, std::string>{
+           {"a.fbx", fbx_tower()}, {"a.dae", dae_tower()}, {"a.3ds", max3ds_tower()}}) {
+    for (int i = 0; i < 25; ++i) {
+      std::string changed = seed;
+      const auto at = [&] { return random.below(static_cast<std::uint32_t>(changed.size())); };
+      if (i % 5 == 0) {
+        changed.resize(at());
+      }
+      for (int k = 0; k < 4 && !changed.empty(); ++k) {
+        changed[at()] = static_cast<char>(random.below(256));
+      }
+      const std::string told = import_refusal(changed, name);
+      CHECK((told.empty() || told.starts_with(name)));
+      CHECK(told.find('\n') == std::string::npos);
+    }
+  }
+}
