@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/printable.hpp"
 #include "base/utf8.hpp"
 #include "export/export.hpp"
 #include "export/page/back_of_page.hpp"
@@ -26,14 +27,20 @@ namespace ridgecraft::paper {
 
 namespace {
 
-/// For each piece the words that say which others are equal, which of several separate bodies it belongs to,
-/// and, where no number does, beside which piece. O(pieces + joins).
+/// For each piece the words that say which object of the model it is of, which others are equal, which of
+/// several separate bodies it belongs to, and, where no number does, beside which piece. O(pieces + joins).
 IdVector<PieceId, std::vector<std::string>> piece_notes(const mesh::Surface& surface,
                                                         const unfold::Nets& nets,
                                                         const std::vector<Body>& bodies,
-                                                        const std::vector<PieceKind>& kinds) {
+                                                        const std::vector<PieceKind>& kinds,
+                                                        const IdVector<PieceId, std::string>& objects) {
   constexpr std::size_t most_names = 4;  // as many as find room on a small piece
   IdVector<PieceId, std::vector<std::string>> notes(nets.pieces.size());
+  for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
+    if (!objects[piece].empty()) {
+      notes[piece].push_back(shortened(objects[piece]));
+    }
+  }
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     for (const unfold::EqualPiece& equal : nets.equal[i]) {
       notes[equal.piece].push_back(kind_words(nets, kinds[i], most_names));
@@ -120,7 +127,8 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   DrawReport sum;
   sum.bodies = find_bodies(model, nets);
   sum.kinds = find_piece_kinds(model, nets);
-  const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds);
+  sum.objects = find_piece_objects(model, nets);
+  const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds, sum.objects);
   const auto neighbours = find_neighbours(model.model.surface, nets);
   std::vector<std::vector<Text>> indices;
   std::vector<Unlisted> partners, numbers;
@@ -187,6 +195,9 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
     Drawing& drawing = drawings[i];
     drawing.size = pages.paper.size;
     drawing.title = printable_utf8(model.model.name);
+    if (i < pages.names.size()) {
+      drawing.title += printable_utf8(": " + pages.names[i]);
+    }
     drawing.page = static_cast<int>(i + 1);
     drawing.page_count = static_cast<int>(drawings.size());
     Group foot = furniture(pages.paper, drawing.title, drawing.page, drawing.page_count,

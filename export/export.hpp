@@ -28,9 +28,11 @@ namespace ridgecraft::paper {
 
 /// Packs the pieces by their true outlines, tabs included, with the gap between them (more where a page has
 /// room), on as few pages as it can. Pieces of one part stay together where that costs no page and leaves no
-/// page half empty. Deterministic, unless the context's deadline passes: then the best so far is taken.
-/// Throws Error(no_nets) naming a piece that fits no page.
-[[nodiscard]] Pages layout(const unfold::Nets& nets, const Paper& paper, const Context& context);
+/// page half empty; those of different `sort` never share a page, and pages come in the order of these.
+/// Deterministic, unless the context's deadline passes: then the best so far is taken. Throws Error(no_nets)
+/// naming a piece that fits no page.
+[[nodiscard]] Pages layout(const unfold::Nets& nets, const Paper& paper, const Context& context,
+                           const IdVector<PieceId, std::uint32_t>& sort = {});
 
 /// The largest of a few sizes below the present one, as a share of it, at which these pieces would take a
 /// page less; none where even the smallest of them wouldn't do. About, since tabs don't shrink with the model

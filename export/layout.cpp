@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -123,23 +125,75 @@ std::vector<AlikeShapes> alike_shapes(const Nets& nets) {
   return kinds;
 }
 
+/// The shapes of each sort; all, where there are no sorts.
+std::vector<std::vector<std::uint32_t>> sorts_of(const IdVector<PieceId, std::uint32_t>& sort,
+                                                 std::size_t count) {
+  std::map<std::uint32_t, std::vector<std::uint32_t>> of_sort;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    of_sort[sort.empty() ? 0 : sort[PieceId(i)]].push_back(i);
+  }
+  std::vector<std::vector<std::uint32_t>> result;
+  for (auto& [value, shapes] : of_sort) {
+    result.push_back(std::move(shapes));
+  }
+  return result;
+}
+
+PackingTask part_of(const PackingTask& task, const std::vector<std::uint32_t>& shapes) {
+  PackingTask part;
+  part.area = task.area;
+  part.gap = task.gap;
+  for (const std::uint32_t shape : shapes) {
+    part.shapes.push_back(task.shapes[shape]);
+    part.group.push_back(task.group[shape]);
+  }
+  return part;
+}
+
+/// Kinds of which there is more than one among these shapes (ascending), by their new numbers.
+std::vector<AlikeShapes> part_of(const std::vector<AlikeShapes>& kinds,
+                                 const std::vector<std::uint32_t>& shapes) {
+  std::vector<AlikeShapes> result;
+  for (const AlikeShapes& kind : kinds) {
+    AlikeShapes part;
+    for (std::size_t i = 0; i < kind.shapes.size(); ++i) {
+      const auto at = std::lower_bound(shapes.begin(), shapes.end(), kind.shapes[i]);
+      if (at != shapes.end() && *at == kind.shapes[i]) {
+        part.shapes.push_back(static_cast<std::uint32_t>(at - shapes.begin()));
+        part.motion.push_back(kind.motion[i]);
+        part.mirrored.push_back(kind.mirrored[i]);
+      }
+    }
+    if (part.shapes.size() > 1) {
+      result.push_back(std::move(part));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
-Pages layout(const Nets& nets, const Paper& paper, const Context& context) {
+Pages layout(const Nets& nets, const Paper& paper, const Context& context,
+             const IdVector<PieceId, std::uint32_t>& sort) {
   check_paper(paper);
   const PackingTask task = task_of(nets, paper);
   check_fit(nets, task.shapes, paper, task.area);
   Pages pages;
   pages.paper = paper;
+  pages.placements = IdVector<PieceId, Placement>(task.shapes.size());
   const Vec2 corner = piece_box(paper).low;
-  for (const Packed& packed : pack_in_rows(task, alike_shapes(nets), context)) {
-    Placement placement;
-    placement.page = PageId(packed.page);
-    placement.cosine = packed.turn.cosine;
-    placement.sine = packed.turn.sine;
-    placement.shift = packed.shift + corner;
-    pages.placements.push_back(placement);
-    pages.count = std::max<std::size_t>(pages.count, packed.page + 1);
+  const std::vector<AlikeShapes> alike = alike_shapes(nets);
+  for (const std::vector<std::uint32_t>& shapes : sorts_of(sort, task.shapes.size())) {
+    const std::size_t first_page = pages.count;
+    const std::vector<Packed> packed = pack_in_rows(part_of(task, shapes), part_of(alike, shapes), context);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      Placement& placement = pages.placements[PieceId(shapes[i])];
+      placement.page = PageId(first_page + packed[i].page);
+      placement.cosine = packed[i].turn.cosine;
+      placement.sine = packed[i].turn.sine;
+      placement.shift = packed[i].shift + corner;
+      pages.count = std::max<std::size_t>(pages.count, first_page + packed[i].page + 1);
+    }
   }
   separate_collisions(task.shapes, pages);
   return pages;

@@ -13,6 +13,7 @@
 #include "job/edge_wishes.hpp"
 #include "job/extent.hpp"
 #include "job/model_of_nets.hpp"
+#include "job/page_labels.hpp"
 #include "job/parts.hpp"
 #include "job/settings.hpp"
 #include "job/verdict.hpp"
@@ -81,13 +82,20 @@ verify::Figures checked_figures(const std::string& fold, const Context& context)
 }
 
 void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
-  made.pages =
-      clock("lay out", context, [&] { return paper::layout(made.nets, *made.options.paper, context); });
+  made.pages = clock("lay out", context, [&] {
+    const PageLabels labels = page_labels(made.prepared.model, made.options.page_by);
+    paper::Pages pages =
+        paper::layout(made.nets, *made.options.paper, context, labels_of_pieces(labels, made.nets));
+    pages.names = names_of_pages(labels, made.nets, pages);
+    return pages;
+  });
 }
 
 void draw_pages(Paper& made, StageClock& clock, const Context& context) {
-  made.share_saving_a_page =
-      clock("hint", context, [&] { return paper::share_that_saves_a_page(made.nets, made.pages, context); });
+  if (made.options.page_by == PageBy::any) {
+    made.share_saving_a_page = clock(
+        "hint", context, [&] { return paper::share_that_saves_a_page(made.nets, made.pages, context); });
+  }
   made.drawings = clock("draw", context, [&] {
     return paper::draw(made.prepared, made.nets, made.pages, made.options.style, &made.drawn, context);
   });
@@ -194,6 +202,7 @@ void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare
     report.evened_mm = std::max(report.evened_mm, mm_per_unit * ready.evened_mm);
     report.specks_dropped += ready.specks_dropped;
     report.features_removed += ready.features_removed;
+    report.turned += ready.turned;
   }
 }
 
@@ -267,6 +276,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
       clock("prepare", context, [&] { return wishes_of(options.edges, made.prepared, context, notes); });
   if (options.paper) {
     note_divided_panels(made.prepared, notes);
+    part_by_labels(page_labels(made.prepared.model, options.page_by), made.prepared, wishes);
   }
   Parts parts = clock("segment", context, [&] { return find_parts(made.prepared, options, context); });
   made.part = std::move(parts.of_face);

@@ -57,6 +57,9 @@ enum class PartsFrom {
   components,    ///< each component as a whole
 };
 
+/// What the pieces of a page have in common, for paper in several colours.
+enum class PageBy { any, material, object };
+
 struct Options {
   prepare::Selection selection;
   /// Bodies that touch or run into each other become one skin. Not where a model's file holds nets that are
@@ -75,6 +78,7 @@ struct Options {
   unfold::PanelCuts panel_cuts = unfold::PanelCuts::only_if_too_large;
   EdgeRequests edges;
   paper::Style style;
+  PageBy page_by = PageBy::any;
   bool guide = false;   ///< pages that tell how the model is built; with paper only
   bool strict = false;  ///< what nobody could build at this size isn't made
 };

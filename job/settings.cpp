@@ -118,6 +118,9 @@ void add_pages(const Options& options, paper::Settings& settings) {
   for (const std::string_view term : unfold::term_names()) {
     settings["weigh_" + std::string(term)] = number(*unfold::weight_named(weights, term));
   }
+  if (options.page_by != PageBy::any) {
+    settings["page_by"] = json_string(options.page_by == PageBy::material ? "material" : "object");
+  }
   settings["hide_folds_deg"] = degrees(options.style.hidden_fold_angle);
 }
 

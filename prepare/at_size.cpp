@@ -12,7 +12,6 @@
 #include "prepare/simplify/fold_figures.hpp"
 #include "prepare/simplify/simplify.hpp"
 #include "prepare/size.hpp"
-#include "prepare/twins/body_names.hpp"
 #include "prepare/twins/twin_copies.hpp"
 
 namespace ridgecraft::prepare {
@@ -69,7 +68,6 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
   prepared.mm_per_unit = to_size.mm_per_unit;
   add_to_way(prepared, to_size);
   const std::size_t faces_before = prepared.model.surface.face_count();
-  const BodyNames names(prepared.model);
   remesh_panels(prepared.model, context);
   prepared.simplified = prepare::simplify(prepared.model, simplify, context);
   prepared.simplified.faces_before = faces_before;
@@ -92,7 +90,6 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
     renew_copies(prepared, context);
   }
   const mesh::Surface& surface = prepared.model.surface;
-  prepared.body_names = names.of(surface);
   if (count_narrow_faces(surface, prepared.panels, nothing_mm) == surface.face_count()) {
     throw Error(ErrorKind::no_nets, "every face is too narrow to be cut from paper at this size");
   }

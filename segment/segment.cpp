@@ -48,12 +48,13 @@ ScaledSurface scaled_and_whole(const mesh::Surface& surface, std::span<const std
 
 /// The surface in the forms that all phases look at and none changes.
 struct Ground {
-  Ground(const mesh::Surface& surface, std::span<const std::uint32_t> polygon, const Options& options)
+  Ground(const mesh::Surface& surface, std::span<const std::uint32_t> polygon, const Options& options,
+         std::span<const std::uint32_t> label)
       : closed(closes_holes(surface, options)),
         real_facets(surface.face_count()),
         scaled(scaled_and_whole(surface, polygon, closed, options.components)),
         rules(rules_of(options.reading)),
-        weights(weigh_edges(scaled, rules)),
+        weights(weigh_edges(scaled, rules, label)),
         graph(build_vertex_graph(scaled, arc_sagitta_share * options.concavity)) {}
 
   bool closed;  ///< holes were closed: facets from real_facets on are virtual
@@ -236,8 +237,9 @@ void require_possible(const Options& options) {
 
 /// A surface as it is.
 Segmentation segment_surface(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
-                             const Options& options, const Context& context) {
-  const Ground ground(surface, polygon, options);
+                             const Options& options, std::span<const std::uint32_t> label,
+                             const Context& context) {
+  const Ground ground(surface, polygon, options, label);
   PartWorkers workers(ground.scaled, ground.graph, ground.weights, options.concavity, context, ground.rules);
   PartWorker& worker = workers.first();
   std::optional<Assembly> assembly;
@@ -255,7 +257,7 @@ Segmentation segment_surface(const mesh::Surface& surface, std::span<const std::
 }  // namespace
 
 Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
-                     const Options& options, const Context& context) {
+                     const Options& options, const Context& context, std::span<const std::uint32_t> label) {
   require_possible(options);
   context.check();
   if (surface.face_count() == 0) {
@@ -267,9 +269,15 @@ Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t
           ? divide_valleys(surface, polygon, shortest_valley_share * options.concavity)
           : DividedValleys();
   if (!divided.any()) {
-    return segment_surface(surface, polygon, options, context);
+    return segment_surface(surface, polygon, options, label, context);
   }
-  Segmentation s = segment_surface(divided.surface, divided.polygon, options, context);
+  std::vector<std::uint32_t> divided_label;
+  if (!label.empty()) {
+    for (const FaceId f : divided.face_of) {
+      divided_label.push_back(label[f.value()]);
+    }
+  }
+  Segmentation s = segment_surface(divided.surface, divided.polygon, options, divided_label, context);
   s.part = {};
   s.part.resize(surface.face_count());
   for (const PartId p : ids<PartId>(s.parts.size())) {

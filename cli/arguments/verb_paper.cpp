@@ -77,6 +77,7 @@ struct PaperTexts {
   std::string ink, dpi;
   bool keep_bodies = false;
   std::string skins = "outer";
+  std::string page_by = "any";
 
   void add_to(Verb& verb, PaperJob& job) {
     verb.option("Paper", "--paper", paper, "NAME|WxH",
@@ -88,6 +89,10 @@ struct PaperTexts {
         "Paper", "--calibrate", calibrate, "WxH",
         "What comes out where 100 mm were printed, across the sheet and up it, such as 100.4x99.6: twice "
         "the length of the bar of 50 mm. Pages are drawn so that the next ones have the right size.");
+    verb.option(
+        "Paper", "--page-by", page_by, "material|object",
+        "Only pieces of one material, or of one object, on a page, for paper in several colours: cuts "
+        "run along the borders between them (any).");
     tabs.add_to(verb, job);
     verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
                 "Draw no line where the surface is folded by less than this (3).");
@@ -125,6 +130,9 @@ struct PaperTexts {
         {"outer", prepare::Skins::outer}, {"middle", prepare::Skins::middle}, {"both", prepare::Skins::both}};
     job.options.simplify.skins = choice_or_refuse<prepare::Skins>("--skins", skins, skin_choices);
     job.options.concavity = concavity_or_refuse(concavity);
+    const Choices<job::PageBy> page_choices{
+        {"any", job::PageBy::any}, {"material", job::PageBy::material}, {"object", job::PageBy::object}};
+    job.options.page_by = choice_or_refuse<job::PageBy>("--page-by", page_by, page_choices);
     tabs.check_into(job);
     job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
     check_numbers(job);

@@ -269,7 +269,8 @@ std::string tabs_text(const TabFigures& figures, const unfold::Nets& nets,
       figures.without > 0 ? fmt::format("; {} without ({})", figures.without, without_tab_text(nets)) : "");
 }
 
-Value index_value(const mesh::Surface& surface, const unfold::Nets& nets, const paper::Pages& pages) {
+Value index_value(const mesh::Surface& surface, const unfold::Nets& nets, const paper::Pages& pages,
+                  const paper::DrawReport& drawn) {
   const auto neighbours = paper::find_neighbours(surface, nets);
   Value list(Value::List{});
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
@@ -280,6 +281,7 @@ Value index_value(const mesh::Surface& surface, const unfold::Nets& nets, const 
     }
     list.add(Value::Object{{"piece", nets.pieces[p].name},
                            {"page", pages.placements[p].page.value() + 1},
+                           {"object", p.value() < drawn.objects.size() ? drawn.objects[p] : std::string()},
                            {"joins", std::move(joins)}});
   }
   return list;

@@ -51,7 +51,7 @@ struct GlueFigures {
 
 /// Which pieces each piece is glued to, by which numbers, and the page that it is on.
 [[nodiscard]] Value index_value(const mesh::Surface& surface, const unfold::Nets& nets,
-                                const paper::Pages& pages);
+                                const paper::Pages& pages, const paper::DrawReport& drawn);
 
 /// Numbers and names that stand elsewhere than they should, or nowhere.
 void add_numbers(Summary& summary, const paper::DrawReport& drawn);

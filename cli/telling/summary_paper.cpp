@@ -85,6 +85,7 @@ Value simplified_value(const prepare::SimplifyReport& report) {
                        {"evened_mm", rounded(report.evened_mm)},
                        {"specks_dropped", report.specks_dropped},
                        {"features_removed", report.features_removed},
+                       {"turned", report.turned},
                        {"short_edges_before", rounded(report.short_edges_before)},
                        {"short_edges_after", rounded(report.short_edges_after)},
                        {"tiny_edges_after", rounded(report.tiny_edges_after)},
@@ -115,6 +116,11 @@ void say_simplified(Summary& summary, const job::Paper& made) {
   if (report.specks_dropped > 0) {
     summary.say(Line::simplified, "left out",
                 counted(report.specks_dropped, "component") + " too small to be held");
+  }
+  if (report.turned > 0) {
+    summary.say(Line::simplified, "turned",
+                fmt::format("{} {} fewer sides now, evenly around", bodies_text(report.turned),
+                            report.turned == 1 ? "has" : "have"));
   }
   if (report.features_removed > 0) {
     summary.say(Line::simplified, "left out",
@@ -179,6 +185,24 @@ void add_guide(Summary& summary, const job::Paper& made) {
                           paper::hardness_words(effort.hardness)));
 }
 
+/// "pages 1 and 2: stone; page 3: wood", with --page-by.
+void add_page_names(Summary& summary, const paper::Pages& pages) {
+  Value names(Value::List{});
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < pages.names.size();) {
+    std::size_t end = i;
+    while (end < pages.names.size() && pages.names[end] == pages.names[i]) {
+      names.add(pages.names[end]);
+      ++end;
+    }
+    words.push_back(end == i + 1 ? fmt::format("page {}: {}", i + 1, pages.names[i])
+                                 : fmt::format("pages {} to {}: {}", i + 1, end, pages.names[i]));
+    i = end;
+  }
+  summary.add("page_names", std::move(names), Line::nets, "sorted",
+              fmt::format("{}", fmt::join(words, "; ")));
+}
+
 /// Where pieces of separate bodies are glued to each other.
 void add_glue_spots(Summary& summary, const job::Paper& made) {
   Value spots(Value::List{});
@@ -211,6 +235,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
               fmt::format("{}, {}{} on {}, {}", counted(made.part_count, "part"),
                           counted(nets.pieces.size(), "piece"), reasons_text(nets),
                           counted(made.pages.count, "page"), job.paper_name));
+  add_page_names(summary, made.pages);
   summary.add("ground", made.ground ? Value(*made.ground) : Value());
   add_page_saving(summary, made);
   add_extra_pieces(summary, nets, job.options.pieces.max_panels);
@@ -228,7 +253,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   summary.add("weak_tab_mm", rounded(glue.weak_mm), "mm");
   summary.add("cut_mm", rounded(made.drawn.cut_mm), Line::lines, "lines", lines_text(made.drawn), "mm");
   summary.add("fold_mm", rounded(made.drawn.fold_mm), "mm");
-  summary.add("index", index_value(model.surface, nets, made.pages));
+  summary.add("index", index_value(model.surface, nets, made.pages, made.drawn));
   add_numbers(summary, made.drawn);
   add_slivers(summary, made);
   add_folding(summary, nets);

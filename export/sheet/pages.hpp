@@ -28,6 +28,7 @@ struct Pages {
   Paper paper;
   std::size_t count = 0;
   IdVector<PieceId, Placement> placements;
+  std::vector<std::string> names;  ///< of each page: what its pieces have in common; or empty
 };
 
 /// How much of a model's colours is printed.
@@ -74,12 +75,13 @@ struct DrawReport {
   /// no folds that get no line.
   double cut_mm = 0.0;
   double fold_mm = 0.0;
-  std::size_t list_pages = 0;      ///< pages at the end that have such a list and no pieces
-  std::size_t labels_outside = 0;  ///< numbers that stand beside their piece, with a leader
-  std::size_t names_left_out = 0;  ///< pieces whose name found no place
-  std::vector<Contact> contacts;   ///< where pieces of separate bodies are glued to each other
-  std::vector<Body> bodies;        ///< separate ones, if there are several (export/sheet/bodies.hpp)
-  std::vector<PieceKind> kinds;    ///< of pieces that there are several of, as Nets::equal
+  std::size_t list_pages = 0;              ///< pages at the end that have such a list and no pieces
+  std::size_t labels_outside = 0;          ///< numbers that stand beside their piece, with a leader
+  std::size_t names_left_out = 0;          ///< pieces whose name found no place
+  std::vector<Contact> contacts;           ///< where pieces of separate bodies are glued to each other
+  std::vector<Body> bodies;                ///< separate ones, if there are several (export/sheet/bodies.hpp)
+  std::vector<PieceKind> kinds;            ///< of pieces that there are several of, as Nets::equal
+  IdVector<PieceId, std::string> objects;  ///< of each piece, as find_piece_objects()
 };
 
 }  // namespace ridgecraft::paper

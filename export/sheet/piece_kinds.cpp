@@ -23,8 +23,7 @@ std::string without_number(const std::string& name) {
 /// Who is called what, face by face.
 class Names {
  public:
-  Names(const prepare::Prepared& prepared, const unfold::Nets& nets)
-      : model_(prepared.model), bodies_(prepared.body_names), nets_(nets) {
+  Names(const prepare::Prepared& prepared, const unfold::Nets& nets) : model_(prepared.model), nets_(nets) {
     const mesh::Model& model = prepared.model;
     for (const FaceId f : ids<FaceId>(model.material.size())) {
       if (model.material[f] != mesh::Soup::none) {
@@ -38,19 +37,13 @@ class Names {
     std::set<std::string> names;
     for (const unfold::EqualPiece& equal : kind) {
       for (const FaceId f : nets_.pieces[equal.piece].faces) {
-        names.insert(without_number(name_of(f)));
+        names.insert(without_number(model_.object_name(f)));
         if (names.size() > 1) {
           return {};
         }
       }
     }
     return *names.begin();
-  }
-
-  /// Faces that were made on the way are of no polygon.
-  [[nodiscard]] std::string name_of(FaceId f) const {
-    return model_.polygon[f] != mesh::Soup::none || bodies_.empty() ? model_.object_of(model_.polygon[f])
-                                                                    : bodies_[model_.surface.component(f)];
   }
 
   [[nodiscard]] std::string of_material(const std::vector<unfold::EqualPiece>& kind) const {
@@ -75,7 +68,6 @@ class Names {
 
  private:
   const mesh::Model& model_;
-  const IdVector<ComponentId, std::string>& bodies_;
   const unfold::Nets& nets_;
   std::map<std::uint32_t, std::set<PieceId>> pieces_of_material_;
 };
@@ -105,6 +97,27 @@ std::vector<PieceKind> find_piece_kinds(const prepare::Prepared& model, const un
     kind.name = printable_utf8(object.empty() ? names.of_material(equal) : object);
   }
   return kinds;
+}
+
+IdVector<PieceId, std::string> find_piece_objects(const prepare::Prepared& prepared,
+                                                  const unfold::Nets& nets) {
+  const mesh::Model& model = prepared.model;
+  IdVector<PieceId, std::string> names(nets.pieces.size());
+  std::set<std::string> all;
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    std::set<std::string> own;
+    for (const FaceId f : nets.pieces[p].faces) {
+      own.insert(model.object_name(f));
+    }
+    all.insert(own.begin(), own.end());
+    if (own.size() == 1) {
+      names[p] = printable_utf8(*own.begin());
+    }
+  }
+  if (all.size() < 2) {
+    return IdVector<PieceId, std::string>(nets.pieces.size());
+  }
+  return names;
 }
 
 std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most) {

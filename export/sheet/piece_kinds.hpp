@@ -24,6 +24,11 @@ struct PieceKind {
 [[nodiscard]] std::vector<PieceKind> find_piece_kinds(const prepare::Prepared& model,
                                                       const unfold::Nets& nets);
 
+/// What the model's file calls the object that all faces of a piece are of, such as "ear.L"; empty where
+/// there is none, and for all pieces where all are of one. O(faces).
+[[nodiscard]] IdVector<PieceId, std::string> find_piece_objects(const prepare::Prepared& model,
+                                                                const unfold::Nets& nets);
+
 /// "4 × wheel: C to F", "14 equal: A, C, E, ..., mirrored: B, D": at most `most` names of either.
 [[nodiscard]] std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most);
 

@@ -2,13 +2,10 @@
 // A model: its surface, where each face came from, and what was done to it.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/id.hpp"
@@ -46,8 +43,11 @@ struct Model {
   /// As the file was read: preparing the model doesn't move them. Null when no corner has a colour.
   std::shared_ptr<const CornerColours> corner_colours;
 
-  /// Names that the file has for its objects: from this polygon on; ascending.
-  std::vector<std::pair<std::uint32_t, std::string>> objects;
+  /// Names that the file has for its objects, each once, in the file's order; none is empty.
+  std::vector<std::string> objects;
+  /// Per face: index into objects or Soup::none; empty when no face has one. Like its material a face keeps
+  /// it through everything that is done to the model's faces.
+  IdVector<FaceId, std::uint32_t> object;
 
   /// Edges that the file marks (Soup::lines), from point to point; they needn't be edges of the surface any
   /// more.
@@ -62,12 +62,9 @@ struct Model {
 
   RepairReport repairs;
 
-  /// The object that a polygon belongs to; empty where the file has no name for it. O(log n).
-  [[nodiscard]] std::string object_of(std::uint32_t polygon_of_file) const {
-    const auto after = std::upper_bound(objects.begin(), objects.end(), polygon_of_file,
-                                        [](std::uint32_t p, const auto& object) { return p < object.first; });
-    return polygon_of_file == Soup::none || after == objects.begin() ? std::string()
-                                                                     : std::prev(after)->second;
+  /// What the file calls the object that a face belongs to; empty where it has no name for it.
+  [[nodiscard]] std::string object_name(FaceId f) const {
+    return object.empty() || object[f] == Soup::none ? std::string() : objects[object[f]];
   }
 };
 

@@ -14,6 +14,9 @@ void LooseFaces::add(const LooseFaces& from, std::size_t i, const std::array<std
   if (!from.material.empty()) {
     material.push_back(from.material[i]);
   }
+  if (!from.object.empty()) {
+    object.push_back(from.object[i]);
+  }
   if (!from.texture.empty()) {
     texture.push_back(places);
   }
@@ -29,6 +32,7 @@ LooseFaces take_apart(const Model& model) {
   }
   loose.polygon = model.polygon.items();
   loose.material = model.material.items();
+  loose.object = model.object.items();
   loose.texture = model.texture.items();
   return loose;
 }
@@ -88,6 +92,7 @@ void put_together(Model& model, LooseFaces loose) {
   model.surface = Surface(std::move(points), std::move(faces));
   model.polygon = IdVector<FaceId, std::uint32_t>(std::move(loose.polygon));
   model.material = IdVector<FaceId, std::uint32_t>(std::move(loose.material));
+  model.object = IdVector<FaceId, std::uint32_t>(std::move(loose.object));
   model.texture = IdVector<FaceId, std::array<Vec2, 3>>(std::move(loose.texture));
 }
 

@@ -11,12 +11,14 @@
 
 namespace ridgecraft::mesh {
 
-/// Faces over shared points with what each face carries. material and texture are empty or as long as faces.
+/// Faces over shared points with what each face carries. material, object and texture are empty or as long
+/// as faces.
 struct LooseFaces {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> faces;
   std::vector<std::uint32_t> polygon;
   std::vector<std::uint32_t> material;
+  std::vector<std::uint32_t> object;
   std::vector<std::array<Vec2, 3>> texture;
 
   /// Appends a copy of `from`'s face i with other corners (and their places in the picture).

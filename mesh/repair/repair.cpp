@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/error.hpp"
@@ -102,6 +104,34 @@ std::shared_ptr<const CornerColours> corner_colours_of(const Soup& soup, double 
   return std::make_shared<const CornerColours>(std::move(colours));
 }
 
+/// Objects of one name are one.
+void take_objects(const Soup& soup, Model& model) {
+  std::map<std::string_view, std::uint32_t> number;
+  std::vector<std::uint32_t> of_range;
+  for (const auto& [first, name] : soup.objects) {
+    if (name.empty()) {
+      of_range.push_back(Soup::none);
+      continue;
+    }
+    const auto [at, fresh] = number.try_emplace(name, static_cast<std::uint32_t>(model.objects.size()));
+    if (fresh) {
+      model.objects.push_back(name);
+    }
+    of_range.push_back(at->second);
+  }
+  if (model.objects.empty()) {
+    return;
+  }
+  model.object.reserve(model.polygon.size());
+  for (const std::uint32_t polygon : model.polygon) {
+    const auto after = std::upper_bound(soup.objects.begin(), soup.objects.end(), polygon,
+                                        [](std::uint32_t p, const auto& object) { return p < object.first; });
+    model.object.push_back(after == soup.objects.begin()
+                               ? Soup::none
+                               : of_range[static_cast<std::size_t>(after - soup.objects.begin()) - 1]);
+  }
+}
+
 Model build(const Soup& soup, TriangleList list) {
   Model model;
   std::vector<std::uint32_t> number(list.points.size(), Soup::none);
@@ -134,7 +164,7 @@ Model build(const Soup& soup, TriangleList list) {
   model.surface = Surface(std::move(points), std::move(faces));
   model.polygon_count = soup.polygon_count();
   model.materials = soup.materials;
-  model.objects = soup.objects;
+  take_objects(soup, model);
   return model;
 }
 

@@ -274,6 +274,9 @@ class PanelCutter {
     if (!loose_.material.empty()) {
       loose_.material.push_back(std::uint32_t{loose_.material[f]});
     }
+    if (!loose_.object.empty()) {
+      loose_.object.push_back(std::uint32_t{loose_.object[f]});
+    }
     if (!loose_.texture.empty()) {
       loose_.texture.push_back(second);
     }

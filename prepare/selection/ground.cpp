@@ -58,7 +58,7 @@ std::vector<Box3> boxes_of(const mesh::Model& model, const std::vector<std::stri
   std::vector<Box3> boxes(names.size() + 1);
   const mesh::Surface& surface = model.surface;
   for (const FaceId face : ids<FaceId>(surface.face_count())) {
-    const std::string object = model.object_of(model.polygon[face]);
+    const std::string object = model.object_name(face);
     const std::uint32_t material = model.material.empty() ? mesh::Soup::none : model.material[face];
     // A face counts by its object; by its material where objects have no names.
     const bool by_object = !object.empty() || material == mesh::Soup::none;

@@ -34,7 +34,7 @@ bool matches(std::string_view name, std::string_view asked) {
 /// The names that a face bears: of its object and of its material; empty where it has none.
 std::pair<std::string, std::string> names_at(const mesh::Model& model, FaceId face) {
   const std::uint32_t material = model.material.empty() ? mesh::Soup::none : model.material[face];
-  return {model.object_of(model.polygon[face]),
+  return {model.object_name(face),
           material == mesh::Soup::none ? std::string() : model.materials[material].name};
 }
 
@@ -64,7 +64,7 @@ std::vector<std::string> names_of(const mesh::Model& model) {
       names.push_back(name);
     }
   };
-  for (const auto& [polygon, name] : model.objects) {
+  for (const std::string& name : model.objects) {
     add(name);
   }
   for (const mesh::Material& material : model.materials) {
@@ -108,6 +108,7 @@ mesh::Model select(mesh::Model model, const Selection& selection) {
   };
   kept(model.polygon);
   kept(model.material);
+  kept(model.object);
   kept(model.texture);
   model.surface = std::move(part.surface);
   return model;

@@ -27,6 +27,7 @@ SymmetricShare all_of(const mesh::LooseFaces& model) {
   share.faces = model;
   share.faces.texture.clear();
   share.faces.material.clear();
+  share.faces.object.clear();
   for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
     share.faces.material.push_back(f);
     share.origins.push_back(

@@ -130,6 +130,9 @@ class Placer {
     if (!model_.material.empty()) {
       result_.material.push_back(model_.material[from == PointRules::none ? like : from]);
     }
+    if (!model_.object.empty()) {
+      result_.object.push_back(model_.object[from == PointRules::none ? like : from]);
+    }
     if (!model_.texture.empty()) {
       result_.texture.push_back(texture);
     }

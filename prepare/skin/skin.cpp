@@ -258,6 +258,9 @@ class Skin {
       if (!loose_.material.empty()) {
         fresh_.material.push_back(f.valid() ? loose_.material[f.value()] : Soup::none);
       }
+      if (!loose_.object.empty()) {
+        fresh_.object.push_back(f.valid() ? loose_.object[f.value()] : Soup::none);
+      }
       if (!loose_.texture.empty()) {
         std::array<Vec2, 3> places{};
         for (std::size_t k = 0; f.valid() && k < 3; ++k) {

@@ -77,6 +77,9 @@ class Copier {
       if (!old_.material.empty()) {
         faces.material[to] = old_.material[from.value()];
       }
+      if (!old_.object.empty()) {
+        faces.object[to] = old_.object[from.value()];
+      }
       if (!old_.texture.empty()) {
         faces.texture[to] = places(first_[i], from);
       }

@@ -12,6 +12,8 @@ constexpr double alpha = 0.8;
 /// More than any cosine: no edge is too flat to be concave.
 constexpr double no_dead_zone = 2.0;
 constexpr double concave_smoothness = 0.3;
+/// Where the artist drew a border, a cut is as cheap as in a hollow, and in a hollow cheaper still.
+constexpr double border_smoothness = 0.3;
 /// cos 5 degrees: flatter concave edges are noise of the mesh, no place to cut.
 constexpr double dead_zone_cosine = 0.99619469809174555;
 /// Relative height of the neighbour's centroid above a facet from which the edge is concave: rounding of
@@ -36,9 +38,23 @@ bool is_concave(const ScaledSurface& s, std::uint32_t f, std::uint32_t g, double
   return dot(n, over) > rise_tolerance * length(over);
 }
 
+/// Do two facets have labels that differ? Facets that close holes have none.
+bool at_border(const ScaledSurface& s, std::span<const std::uint32_t> label, std::uint32_t f,
+               std::uint32_t g) {
+  if (label.empty()) {
+    return false;
+  }
+  const auto number = [&](std::uint32_t facet) {
+    return facet < s.face_of.size() ? s.face_of[facet] : facet;
+  };
+  const std::uint32_t a = number(f);
+  const std::uint32_t b = number(g);
+  return a < label.size() && b < label.size() && label[a] != label[b];
+}
+
 }  // namespace
 
-EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules) {
+EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules, std::span<const std::uint32_t> label) {
   const double flattest_cosine = rules.folds_by_length ? dead_zone_cosine : no_dead_zone;
   EdgeWeights w;
   const std::size_t sides = 3 * s.facet_count();
@@ -67,7 +83,8 @@ EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules) {
       const std::uint32_t twin = 3 * g + j;
       w.length[side] = w.length[twin] = length(s.points[to] - s.points[from]);
       w.smoothness[side] = w.smoothness[twin] =
-          is_concave(s, f, g, flattest_cosine) ? concave_smoothness : 1.0;
+          (is_concave(s, f, g, flattest_cosine) ? concave_smoothness : 1.0) *
+          (at_border(s, label, f, g) ? border_smoothness : 1.0);
       length_sum += w.length[side];
       smoothness_sum += w.smoothness[side];
       first_side.push_back(side);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "segment/parts/rules.hpp"
@@ -18,7 +19,8 @@ struct EdgeWeights {
   std::vector<std::int64_t> capacity;  ///< w(e) in steps of 2^-20, at least 1: flows are exact in integers
 };
 
-/// O(n).
-[[nodiscard]] EdgeWeights weigh_edges(const ScaledSurface& surface, const Rules& rules = {});
+/// `label`, as in segment(): edges between faces of different labels are cheap, too. O(n).
+[[nodiscard]] EdgeWeights weigh_edges(const ScaledSurface& surface, const Rules& rules = {},
+                                      std::span<const std::uint32_t> label = {});
 
 }  // namespace ridgecraft::segment

@@ -171,7 +171,9 @@ TEST_CASE("fine bodies are simplified one by one") {
     }
     bodies.add(points, faces);
   }
-  Model model = bodies.model();
+  mesh::Soup named = soup(bodies.points, bodies.faces);
+  named.objects = {{0, "left tube"}, {2 + sides, "right tube"}};
+  Model model = mesh::repair(std::move(named), {}, Context());
   const std::size_t before = model.surface.face_count();
   REQUIRE(before > 10000);
   const ReadyReport report = ready(model, 300.0);
@@ -183,6 +185,11 @@ TEST_CASE("fine bodies are simplified one by one") {
   CHECK(report.simplified.deviation_mm <= 1.5);
   // Its place and unit stay.
   CHECK(std::abs(model.surface.bounds().high.x - 100.0) < 1.5);
+  // Faces that are of no polygon any more still know what they belong to; a name is more than a place: the
+  // tubes run into each other.
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    CHECK(model.object_name(f) == (model.surface.component(f).value() == 0 ? "left tube" : "right tube"));
+  }
 }
 
 TEST_CASE("a model with too many faces loses details that would be hard to fold, if they are why") {

@@ -506,3 +506,20 @@ TEST_CASE("materials and pictures stay where they were", "[skin]") {
     }
   }
 }
+
+TEST_CASE("faces of one skin know what they were called") {
+  mesh::Soup named = soup(both(box_points({0, 0, 0}, {4, 4, 4}), box_points({1, 1, 2}, {3, 3, 9})),
+                          both(box_faces, shifted(box_faces, 8)));
+  named.objects = {{0, "house"}, {6, "chimney"}};
+  Model model = mesh::repair(std::move(named), {}, Context());
+  REQUIRE(prepare::unite_bodies(model, Context()).united_into == 1);
+  std::set<std::string> names;
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    const auto [a, b, c] = model.surface.vertices(f);
+    const double top =
+        std::max({model.surface.point(a).z, model.surface.point(b).z, model.surface.point(c).z});
+    CHECK(model.object_name(f) == (top > 4.0 ? "chimney" : "house"));
+    names.insert(model.object_name(f));
+  }
+  CHECK(names.size() == 2);
+}

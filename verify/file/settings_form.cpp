@@ -27,6 +27,7 @@ enum class Kind {
   skins,
   piece_mode,
   tab_sides,
+  page_by,
   words
 };
 
@@ -42,7 +43,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 30> known_settings{{
+constexpr std::array<Known, 31> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"bodies", Kind::bodies, Needed::never},
@@ -71,6 +72,7 @@ constexpr std::array<Known, 30> known_settings{{
     {"gap_mm", Kind::number, Needed::with_pages, 0.0, max_coordinate_mm},
     {"pieces", Kind::piece_mode, Needed::with_pages},
     {"max_faces", Kind::whole_number, Needed::with_pages, 0.0, any},
+    {"page_by", Kind::page_by, Needed::never},
     {"hide_folds_deg", Kind::number, Needed::with_pages, 0.0, 180.0},
     {"whole", Kind::yes_no, Needed::without_pages},
 }};
@@ -138,6 +140,8 @@ bool fits(const Setting& value, const Known& known) {
       return word_is_one_of(value, {"few", "parts", "small"});
     case Kind::tab_sides:
       return word_is_one_of(value, {"one-side", "alternate", "both"});
+    case Kind::page_by:
+      return word_is_one_of(value, {"material", "object"});
     case Kind::words: {
       const std::string* const words = std::get_if<std::string>(&value);
       return words != nullptr && !words->empty();
