@@ -21,6 +21,7 @@ struct SimplifyReport {
   std::size_t faces_after = 0;
   std::size_t specks_dropped = 0;    ///< automatic: components too small to be held, left out
   std::size_t features_removed = 0;  ///< automatic: small holes closed and small knobs cut off flat walls
+  std::size_t turned = 0;     ///< automatic: bodies that were turned, and have fewer sides now, evenly around
   double deviation_mm = 0.0;  ///< greatest measured distance between the old and the new surface, both ways
   /// Its sides were mirror images only nearly, off by so much, and are so exactly now; 0 where they were, or
   /// where the model isn't symmetric.
@@ -52,9 +53,6 @@ struct Prepared {
   mesh::Model model;  ///< in mm, centred on the origin; not turned, not mirrored
   Panels panels;      ///< flat regions of model.surface; those that no page holds in cells that pages hold
   TwinBodies twins;   ///< components that are equal; they are exact copies of each other
-  /// What the file calls each component: for faces that are of no polygon any more. Empty where there is one
-  /// component or name.
-  IdVector<ComponentId, std::string> body_names;
   double mm_per_unit = 1.0;
   ToSize from_model;  ///< points that nothing else moved
   /// What the model looked like before anything was done to its faces, in the place of `model`; null where it

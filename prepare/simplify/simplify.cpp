@@ -18,6 +18,7 @@
 #include "prepare/simplify/sequence.hpp"
 #include "prepare/simplify/share_bodies.hpp"
 #include "prepare/simplify/symmetric_share.hpp"
+#include "prepare/simplify/turned.hpp"
 #include "prepare/simplify/walls.hpp"
 #include "prepare/simplify/whole.hpp"
 
@@ -75,6 +76,7 @@ void take_over(mesh::Model& model, mesh::Model&& simplified) {
   model.surface = std::move(simplified.surface);
   model.polygon = std::move(simplified.polygon);
   model.material = std::move(simplified.material);
+  model.object = std::move(simplified.object);
   model.texture = std::move(simplified.texture);
 }
 
@@ -142,16 +144,24 @@ Allowed simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& b
   return {changed, rules.largest_mm};
 }
 
-/// Without features of walls, if asked for. How far the surface was allowed to move.
-double simplify_components(mesh::Model& model, const SimplifyOptions& options, bool features,
+/// What is done to whole bodies and walls before edges collapse.
+struct Beforehand {
+  bool features = true;
+  bool turned = true;
+};
+
+/// How far the surface was allowed to move.
+double simplify_components(mesh::Model& model, const SimplifyOptions& options, Beforehand beforehand,
                            SimplifyReport& report, const Context& context) {
   const mesh::Surface before = model.surface;
   const double extent = before.bounds().largest_extent();
-  report.features_removed =
-      features ? remove_features(model, options, options.largest_deviation * extent) : 0;
+  const double largest_mm = options.largest_deviation * extent;
+  report.deviation_mm = report.evened_mm = 0.0;
+  report.features_removed = beforehand.features ? remove_features(model, options, largest_mm) : 0;
   if (report.features_removed > 0) {
     remesh_panels(model, context);
   }
+  report.turned = beforehand.turned ? simplify_turned(model, options, largest_mm, context) : 0;
   const mesh::LooseFaces all = mesh::take_apart(model);
   const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
   const SymmetricShare start = symmetric_share(model, symmetric_within, context);
@@ -159,7 +169,7 @@ double simplify_components(mesh::Model& model, const SimplifyOptions& options, b
   const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
   std::vector<SymmetricShare> bodies = divided(start);
   const Allowed allowed = simplify_bodies(model, bodies, rules, options, context);
-  if (!allowed.changed && report.features_removed == 0) {
+  if (!allowed.changed && report.features_removed + report.turned == 0) {
     return allowed.largest_mm;
   }
   mesh::Model result;
@@ -175,12 +185,15 @@ double simplify_components(mesh::Model& model, const SimplifyOptions& options, b
 void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
                       const Context& context) {
   report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
-  mesh::Model kept = model;
-  const double largest_mm = simplify_components(model, options, true, report, context);
-  if (report.features_removed > 0 && report.deviation_mm > largest_mm) {
-    // What was simplified beside the features moved the surface as far again.
-    model = std::move(kept);
-    simplify_components(model, options, false, report, context);
+  const mesh::Model kept = model;
+  const double largest_mm = simplify_components(model, options, {}, report, context);
+  // What was simplified after the features and the turned bodies may have moved the surface as far again.
+  for (const Beforehand fewer : {Beforehand{false, true}, Beforehand{false, false}}) {
+    const bool was_tried = report.features_removed == 0 && (fewer.turned || report.turned == 0);
+    if (report.deviation_mm > largest_mm && !was_tried) {
+      model = kept;
+      simplify_components(model, options, fewer, report, context);
+    }
   }
 }
 
