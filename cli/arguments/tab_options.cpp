@@ -2,6 +2,7 @@
 #include "cli/arguments/tab_options.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <numbers>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-enum class Sides { best, one_side, alternate, both, none };
+enum class Sides : std::uint8_t { best, one_side, alternate, both, none };
 
 double height_or_refuse(const std::string& text) {
   const double mm = length_or_refuse("--tab-height", text);

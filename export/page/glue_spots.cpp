@@ -100,7 +100,7 @@ bool place_beside(const GlueSpot& spot, PieceDrawing& piece, const Box2& area, O
                            [](const Segment2& s) { return length(s.b - s.a); });
   constexpr std::size_t most_edges = 8;
   edges.resize(std::min(edges.size(), most_edges));
-  for (double reach = 3.0; reach < 18.0; reach += 1.0) {
+  for (int reach = 3; reach < 18; ++reach) {  // mm
     for (const Segment2& edge : edges) {
       const Vec2 middle = 0.5 * (edge.a + edge.b);
       const Vec2 out = -perpendicular(edge.b - edge.a) / length(edge.b - edge.a);

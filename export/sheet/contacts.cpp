@@ -115,6 +115,7 @@ std::vector<Vec2> common_area(const mesh::Surface& surface, const unfold::Nets& 
     polygon = clipped(polygon, [&](Vec3 p) { return cross(side, Vec2{p.x, p.y} - from); });
   }
   std::vector<Vec2> area;
+  area.reserve(polygon.size());
   for (const Vec3 p : polygon) {
     area.push_back({p.x, p.y});
   }
@@ -240,14 +241,15 @@ std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::N
       std::swap(face, on_it);
     }
     if (std::vector<Vec2> common = common_area(surface, nets, face, on_it); common.size() > 2) {
-      areas[{nets.piece[face], nets.piece[on_it]}].push_back(
-          {{face.value(), on_it.value()}, std::move(common)});
+      areas[{nets.piece[face], nets.piece[on_it]}].emplace_back(std::array{face.value(), on_it.value()},
+                                                                std::move(common));
     }
   });
   std::vector<Contact> contacts;
   for (auto& [pieces, list] : areas) {
     std::ranges::sort(list, {}, [](const auto& entry) { return entry.first; });
     std::vector<std::vector<Vec2>> polygons;
+    polygons.reserve(list.size());
     for (auto& [faces, polygon] : list) {
       polygons.push_back(std::move(polygon));
     }

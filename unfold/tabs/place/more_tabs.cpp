@@ -46,8 +46,8 @@ class MoreTabs {
       if (!wishes[j.value()].second || !join.tab.valid()) {
         continue;
       }
-      const std::size_t first =
-          2 * j.value() + (nets_.tabs[join.tab].side == sites_[2 * j.value()].side ? 0 : 1);
+      const std::size_t even = std::size_t{2} * j.value();
+      const std::size_t first = even + (nets_.tabs[join.tab].side == sites_[even].side ? 0 : 1);
       const TabSite& own = sites_[first];
       const TabSite& other = sites_[first ^ 1U];
       const ConvexShape shape = own.own.in(ConvexShape(std::span<const Vec2>(nets_.tabs[join.tab].polygon)));
