@@ -3,8 +3,12 @@
 #pragma once
 
 #include "base/context.hpp"
-#include "export/guide/picture.hpp"
+#include "export/guide/fit.hpp"
+#include "export/sheet/drawing.hpp"
+#include "export/view/camera.hpp"
+#include "export/view/scene.hpp"
 #include "export/view/view.hpp"
+#include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::paper {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "export/guide/fit.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/view/camera.hpp"
 #include "export/view/scene.hpp"
@@ -39,12 +40,6 @@ using LookOf = std::function<const PieceLook&(PieceId)>;
 [[nodiscard]] Scene scene_with(const Scene& whole, const unfold::Nets& nets,
                                const IdVector<PieceId, bool>& shown);
 
-/// From the scene, as the eye has it, to the page.
-struct Fit {
-  double scale = 1.0;
-  Vec2 shift;
-  [[nodiscard]] Vec2 operator()(Vec2 p) const { return scale * p + shift; }
-};
 /// The largest that has room, in the middle of the frame.
 [[nodiscard]] Fit fit_into(const Box2& seen, const Box2& frame);
 

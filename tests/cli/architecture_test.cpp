@@ -102,7 +102,7 @@ const std::vector<Folder>& folders() {
         {"packing", {}},
         {"assembly", {}},
         {"view", {}},
-        {"guide", {"sheet", "style", "page", "assembly", "view"}},
+        {"guide", {"sheet", "style", "page", "paint", "assembly", "view"}},
         {"formats", {"sheet", "style", "machine", "assembly"}}},
        {"export.hpp", "sheet/calibration.hpp", "sheet/paper.hpp", "sheet/pages.hpp", "page/neighbours.hpp",
         "guide/stance.hpp"}},
