@@ -3,9 +3,12 @@
 # Installs the Debian packages that the given lists name and that are missing. Quiet when nothing is.
 set -eu
 
+# A package of another name may stand for it: some distributions of node bring npm along.
+provided=$(dpkg-query -W -f '${db:Status-Status} ${Provides}\n' | sed -n 's/^installed //p' | sed 's/([^)]*)//g' | tr -s ', ' '\n')
 missing=
 for package in $(cat "$@" | sed 's/#.*//'); do
-  dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing="$missing $package"
+  dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed && continue
+  printf '%s\n' "$provided" | grep -qxF "$package" || missing="$missing $package"
 done
 [ -n "$missing" ] || exit 0
 

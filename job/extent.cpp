@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "export/guide/stance.hpp"
+#include "export/view/stance.hpp"
 
 namespace ridgecraft::job {
 namespace {

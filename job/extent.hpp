@@ -9,7 +9,7 @@
 namespace ridgecraft::job {
 
 /// The model's largest extent as a multiple of this one; the model stands as its guide shows it
-/// (export/guide/stance.hpp). Throws Error(usage) where it has no such extent. O(faces).
+/// (export/view/stance.hpp). Throws Error(usage) where it has no such extent. O(faces).
 [[nodiscard]] double largest_share(const mesh::Model& model, ExtentKind kind);
 
 }  // namespace ridgecraft::job

@@ -39,6 +39,7 @@ struct PaperJob {
   std::string model;
   std::vector<std::string> outputs;  ///< empty: all default formats in the current folder
   bool overwrite = false;
+  bool page = true;  ///< a page for browsers is among the default formats
   AskedSize size_asked;
   std::string paper_name = "A4";
   /// What comes out on the user's machine where 100 mm are drawn, across and up the sheet.

@@ -214,8 +214,9 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft",
             "turns 3D models into paper: parts, nets without overlap, pages to print, cut, fold and glue");
   verb.usage("ridgecraft MODEL [options]").usage("ridgecraft VERB ... (ridgecraft VERB --help tells more)");
-  verb.example("ridgecraft whale.obj",
-               "Pages for a whale of 150 mm: whale.pdf, whale.svg and whale.fold in this folder.");
+  verb.example(
+      "ridgecraft whale.obj",
+      "Pages for a whale of 150 mm: whale.pdf, whale.svg, whale.fold and whale.html in this folder.");
   verb.example("ridgecraft penguin.obj --size 30cm --paper A3 -o out", "Larger, on A3, into the folder out.");
   verb.example("ridgecraft house.obj --scale 1:500 --unit m -o house.pdf",
                "A house drawn in metres, at a scale.");
@@ -233,8 +234,8 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   add_selection(verb, job.options.selection);
   verb.list(
       "Output", "-o,--output", job.outputs, "WHERE",
-      "A folder gets all default formats (PDF, SVG, FOLD); a file's suffix names its format (.pdf, .svg, "
-      ".fold, .png, .dxf). May be given several times (the current folder).");
+      "A folder gets all default formats (PDF, SVG, FOLD, HTML); a file's suffix names its format (.pdf, "
+      ".svg, .fold, .html, .png, .dxf). May be given several times (the current folder).");
   std::string preset;
   verb.option("Output", "--preset", preset, preset_words(),
               "Files as a machine or its program expects them, named after it: pieces alone, lines by "
@@ -246,6 +247,10 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   bool no_guide = false;
   verb.flag("Output", "--no-guide", no_guide,
             "Write no NAME-guide.pdf beside NAME.pdf: pictures of where each piece goes, step by step.");
+  bool no_page = false;
+  verb.flag(
+      "Output", "--no-page", no_page,
+      "Write no NAME.html: the model and its sheets side by side in any browser, folding and step by step.");
   verb.flag("Output", "--overwrite", job.overwrite,
             "Replace existing files, also those that weren't made from this model.");
   size.add_to(verb, "auto");
@@ -270,6 +275,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     }
     require(job.model, "name the model to turn into paper", "ridgecraft");
     job.options.guide = !no_guide;
+    job.page = !no_page;
     job.common = common.checked();
     job.preset = choice_or_refuse<const paper::Preset*>("--preset", preset, preset_choices());
     if (job.preset != nullptr && job.preset->dxf && dxf.empty()) {

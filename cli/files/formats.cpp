@@ -37,6 +37,10 @@ constexpr std::array paper_formats{
     PaperRow{Format::pdf, {".pdf", "pages to print; default"}, false, true},
     PaperRow{Format::svg, {".svg", "pages with a layer for each class of line; default"}, true, true},
     PaperRow{Format::fold, {".fold", "FOLD 1.2: nets, joins, tabs and the model; default"}, false, true},
+    PaperRow{Format::html,
+             {".html", "a page for any browser: the model, its sheets, how it folds and is built; default"},
+             false,
+             true},
     PaperRow{Format::png, {".png", "pages as pictures"}, true, false},
     PaperRow{
         Format::dxf, {".dxf", "pieces for cutters and lasers, a layer for each operation"}, true, false}};

@@ -14,7 +14,7 @@
 namespace ridgecraft::cli {
 
 /// What the main job writes.
-enum class Format { pdf, svg, fold, png, dxf };
+enum class Format { pdf, svg, fold, html, png, dxf };
 
 /// The main job's format with this suffix (lower case, with its dot); none where it writes no such files.
 [[nodiscard]] std::optional<Format> paper_format(std::string_view suffix);
@@ -22,13 +22,13 @@ enum class Format { pdf, svg, fold, png, dxf };
 /// ".pdf"
 [[nodiscard]] const char* suffix(Format format);
 
-/// SVG, PNG and DXF hold one page each, PDF and FOLD all of them.
+/// SVG, PNG and DXF hold one page each, PDF, FOLD and HTML all of them.
 [[nodiscard]] bool one_file_per_page(Format format);
 
 /// What a folder after -o gets, and what is written without -o: for a printer, or for a machine.
 [[nodiscard]] std::vector<Format> default_formats(const paper::Preset* preset = nullptr);
 
-/// ".pdf, .svg, .fold, .png and .dxf", for a sentence.
+/// ".pdf, .svg, .fold, .html, .png and .dxf", for a sentence.
 [[nodiscard]] std::string paper_suffixes();
 
 /// The suffix in lower case, with its dot.

@@ -64,12 +64,14 @@ void require_no_dash(const std::string& option, const std::string& output) {
 }
 
 std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name,
-                                 const paper::Preset* preset) {
+                                 const paper::Preset* preset, bool page) {
   std::vector<Target> targets;
   const std::string stem = preset == nullptr ? model_name : model_name + "-" + std::string(preset->name);
   const auto add_folder = [&](const fs::path& folder) {
     for (const Format format : default_formats(preset)) {
-      targets.push_back({format, folder, stem, suffix(format)});
+      if (page || format != Format::html) {
+        targets.push_back({format, folder, stem, suffix(format)});
+      }
     }
   };
   if (outputs.empty()) {
@@ -84,6 +86,9 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
     if (is_folder(output)) {
       add_folder(path);
     } else if (const auto format = paper_format(suffix_of(path))) {
+      if (!page && *format == Format::html) {
+        throw Error(ErrorKind::usage, "-o " + output + " names a page, and --no-page wants none");
+      }
       targets.push_back({*format, path.has_parent_path() ? path.parent_path() : fs::path("."),
                          path.stem().string(), path.extension().string()});
     } else {

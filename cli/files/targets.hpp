@@ -27,13 +27,13 @@ struct Target {
 /// Refuses - after an option that names a result ("--labels"): Error(usage).
 void require_no_dash(const std::string& option, const std::string& output);
 
-/// What -o asks for; without any, all default formats in the current folder (PDF, SVG and FOLD; or those of
-/// the preset, whose name the files bear). Folders that are asked for and don't exist are created when files
-/// are written. Throws Error(usage) for a suffix that is no format, Error(cant_write) for a folder that can't
-/// be written to.
+/// What -o asks for; without any, all default formats in the current folder (PDF, SVG, FOLD and, unless
+/// `page` says otherwise, HTML; or those of the preset, whose name the files bear). Folders that are asked
+/// for and don't exist are created when files are written. Throws Error(usage) for a suffix that is no format
+/// and for HTML that `page` excludes, Error(cant_write) for a folder that can't be written to.
 [[nodiscard]] std::vector<Target> plan_targets(const std::vector<std::string>& outputs,
                                                const std::string& model_name,
-                                               const paper::Preset* preset = nullptr);
+                                               const paper::Preset* preset = nullptr, bool page = true);
 
 /// The guide beside a PDF of nets: NAME-guide.pdf.
 [[nodiscard]] Target guide_beside(const Target& pdf);

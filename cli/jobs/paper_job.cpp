@@ -88,6 +88,9 @@ void add_target(const Target& target, const std::vector<fs::path>& files, const 
       case Format::fold:
         pending.add(files[i], made.fold);
         break;
+      case Format::html:
+        pending.add(files[i], paper::write_html(made.fold, made.drawings, made.mark));
+        break;
     }
     written.push_back(printed(files[i]));
   }
@@ -144,7 +147,7 @@ bool has_guide(const std::vector<Target>& targets) {
 
 /// What is known of the outputs is checked before the long work.
 std::vector<Target> checked_targets(const PaperJob& job) {
-  std::vector<Target> targets = plan_targets(job.outputs, results_name(job.model), job.preset);
+  std::vector<Target> targets = plan_targets(job.outputs, results_name(job.model), job.preset, job.page);
   if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
     paper::check_pdf_size(job.options.paper->size);
   }

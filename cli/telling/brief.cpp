@@ -131,11 +131,14 @@ std::string next_line(const PaperResult& result) {
   if (pdf != result.files.end()) {
     clauses.push_back("print " + std::filesystem::path(*pdf).filename().string() + " at 100 %");
   }
-  const auto guide = std::find_if(result.files.begin(), result.files.end(), [&](const std::string& file) {
-    return file.ends_with("-guide.pdf") && !made.guide.pages.empty();
-  });
-  if (guide != result.files.end()) {
-    clauses.push_back("build it by " + std::filesystem::path(*guide).filename().string());
+  std::vector<std::string> guides;
+  for (const std::string& file : result.files) {
+    if ((file.ends_with("-guide.pdf") && !made.guide.pages.empty()) || file.ends_with(".html")) {
+      guides.push_back(std::filesystem::path(file).filename().string());
+    }
+  }
+  if (!guides.empty()) {
+    clauses.push_back("build it by " + listed(guides, "or"));
   }
   if (made.prepared.simplified.still_too_fine && made.prepared.smallest_size_mm) {
     clauses.push_back(fmt::format("--size {:.0f}mm can be folded", *made.prepared.smallest_size_mm));

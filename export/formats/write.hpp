@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "export/assembly/assembly.hpp"
 #include "export/machine/presets.hpp"
@@ -46,5 +47,11 @@ void check_pdf_size(Vec2 page_mm);
 [[nodiscard]] std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
                                      const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
                                      const Mark& mark, const std::vector<Contact>& contacts = {});
+
+/// Bytes of a page for browsers that shows a finished result (docs/page.md): the program of web/, `fold`,
+/// which are bytes of write_fold() with pages, and of the drawings what can't be told from these: texts,
+/// leaders, the foot of each page, colours and pictures. It loads nothing from elsewhere. Same input, same
+/// bytes. O(size).
+[[nodiscard]] std::string write_html(std::string_view fold, std::span<const Drawing> pages, const Mark& mark);
 
 }  // namespace ridgecraft::paper

@@ -12,6 +12,7 @@
 #include "export/assembly/assembly.hpp"
 #include "export/formats/net_frame.hpp"
 #include "export/formats/write.hpp"
+#include "export/view/stance.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -303,6 +304,8 @@ std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, Pa
   JsonText json;
   json.raw("{");
   write_head(json, mark);
+  json.key("ridgecraft:up");
+  json.string(mesh::axis_name(up_axis_of(model.model)));
   json.list("vertices_coords", frame.points.size(), [&](std::size_t i) { json.point(frame.points[i]); });
   write_edges(json, surface, frame);
   json.list("faces_vertices", frame.faces.size(),

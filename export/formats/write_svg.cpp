@@ -2,7 +2,6 @@
 // SVG of one page: plain XML in true millimetres, y down, a layer for each class of line, presentation
 // attributes only (no CSS, no transforms, no reuse), since cutters' importers understand little more.
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
+#include "export/formats/base64.hpp"
 #include "export/formats/layer_order.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
@@ -27,23 +27,6 @@ std::string escaped(std::string_view text) {
 
 std::string color(Color c) {
   return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
-}
-
-/// RFC 4648.
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[k])) : 0U;
-    };
-    const std::uint32_t three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (std::size_t k = 0; k < 4; ++k) {
-      text.push_back(i + k <= bytes.size() ? letters[three >> (18U - 6U * k) & 63U] : '=');
-    }
-  }
-  return text;
 }
 
 class SvgWriter {

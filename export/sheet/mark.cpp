@@ -14,6 +14,8 @@ constexpr std::string_view word_start = "ridgecraft-model:";
 constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 /// Meshes and robot descriptions carry the word in a comment in or after their first lines.
 constexpr std::size_t mesh_header_size = 512;
+/// So does a page for browsers, before anything else but what kind of text it is.
+constexpr std::size_t html_header_size = 256;
 /// mesh::Model::digest has 16 digits; longer ones may come.
 constexpr std::size_t longest_digest = 64;
 
@@ -67,6 +69,14 @@ std::string svg_digest(std::string_view bytes) {
   }
   const auto end = bytes.find("</metadata>", start);
   return end == std::string_view::npos ? std::string() : digest_after_word(bytes.substr(start, end - start));
+}
+
+/// Pages for browsers tell it in their head, before anything that came from a model.
+std::string html_digest(std::string_view bytes) {
+  constexpr std::string_view name = "<meta name=\"ridgecraft-model\" content=\"";
+  const std::string_view head = bytes.substr(0, html_header_size);
+  const auto at = head.find(name);
+  return at == std::string_view::npos ? std::string() : digest_after_word(head.substr(at + name.size()));
 }
 
 std::string urdf_digest(std::string_view bytes) {
@@ -131,6 +141,9 @@ std::string read_mark_digest(std::string_view bytes) {
   }
   if (bytes[first] != '<') {
     return {};
+  }
+  if (bytes.substr(first).starts_with("<!doctype html>")) {
+    return html_digest(bytes.substr(first));
   }
   std::string of_robot = urdf_digest(bytes);
   return of_robot.empty() ? svg_digest(bytes) : of_robot;

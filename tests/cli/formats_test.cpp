@@ -9,7 +9,7 @@
 using namespace ridgecraft::cli;
 
 TEST_CASE("a suffix names one format and the format that suffix", "[formats]") {
-  for (const char* text : {".pdf", ".svg", ".fold", ".png"}) {
+  for (const char* text : {".pdf", ".svg", ".fold", ".html", ".png"}) {
     const auto format = paper_format(text);
     REQUIRE(format.has_value());
     CHECK(std::string(suffix(*format)) == text);
@@ -21,7 +21,7 @@ TEST_CASE("a suffix names one format and the format that suffix", "[formats]") {
   CHECK(suffix_of("a.b/C.PdF") == ".pdf");
   CHECK(one_file_per_page(Format::svg));
   CHECK_FALSE(one_file_per_page(Format::pdf));
-  CHECK(default_formats() == std::vector{Format::pdf, Format::svg, Format::fold});
+  CHECK(default_formats() == std::vector{Format::pdf, Format::svg, Format::fold, Format::html});
 }
 
 TEST_CASE("the printed list and the JSON have the same rows", "[formats]") {

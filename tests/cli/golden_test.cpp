@@ -94,6 +94,15 @@ std::string png_text(const std::string& bytes) {
   return chunks;
 }
 
+/// Of a page for browsers, what of the sheets can't be told from the nets; its program isn't made from the
+/// model.
+std::string sheets_text(const std::string& bytes) {
+  const std::string begin = "id=\"sheets\">";
+  const std::size_t from = bytes.find(begin);
+  REQUIRE(from != std::string::npos);
+  return bytes.substr(from + begin.size(), bytes.find("</script>", from) - from - begin.size());
+}
+
 /// From the man page, where each has a section: ".SH RIDGECRAFT SEGMENT".
 std::vector<std::string> all_verbs(const TemporaryFolder& folder) {
   constexpr std::string_view heading = ".SH RIDGECRAFT ";
@@ -135,6 +144,8 @@ TEST_CASE("printed nets are as they were", "[golden]") {
   check_golden("files/house.dxf", read_bytes(folder / "house.dxf"));
   check_golden("files/house.svg", read_bytes(folder / "house.svg"));
   check_golden("files/house.fold", read_bytes(folder / "house.fold"));
+  run_well({"house.obj", "--size", "45mm", "--paper", "A6", "-o", "house.html"}, folder);
+  check_golden("files/house.html.txt", sheets_text(read_bytes(folder / "house.html")));
 }
 
 TEST_CASE("parts, nets without pages, hulls, cages and shells are as they were", "[golden]") {

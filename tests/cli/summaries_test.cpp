@@ -61,7 +61,7 @@ TEST_CASE("machines get one JSON object with the names that they know", "[summar
   }
   CHECK(json["size_mm"].size() == 3);
   CHECK(json["size_mm"][2].get<double>() == Approx(80.0));
-  CHECK(json["files"].size() == 4);
+  CHECK(json["files"].size() == 5);
   CHECK(fs::exists(folder / "out/house.fold"));
 
   const Json verified = Json::parse(run_program({"verify", "out/house.fold", "--json"}, in(folder)).out);

@@ -9,14 +9,14 @@
 using namespace ridgecraft::test;
 namespace fs = std::filesystem;
 
-TEST_CASE("a model becomes PDF, SVG and FOLD in the current folder", "[written_files]") {
+TEST_CASE("a model becomes PDF, SVG, FOLD and HTML in the current folder", "[written_files]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   const Outcome outcome = run_program({"house.obj", "--size", "8cm"}, in(folder));
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  CHECK(folder.names() ==
-        std::set<std::string>{"house.obj", "house.pdf", "house-guide.pdf", "house.svg", "house.fold"});
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house-guide.pdf", "house.svg",
+                                                "house.fold", "house.html"});
   CHECK(outcome.out.find("wrote house.pdf") != std::string::npos);
   CHECK(read_bytes(folder / "house.pdf").starts_with("%PDF"));
   CHECK(run_program({"verify", "house.fold"}, in(folder)).exit_code == 0);
@@ -47,6 +47,26 @@ TEST_CASE("a guide stands beside each PDF, unless nobody wants it", "[written_fi
             .exit_code == 0);
 }
 
+TEST_CASE("a page for browsers stands beside the other files, unless nobody wants it", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "page.html", "-o", "page.fold"}, in(folder))
+              .exit_code == 0);
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "page.html", "page.fold"});
+  // The nets in it are those of the file, byte by byte: this name needs nothing to be written otherwise.
+  const std::string html = read_bytes(folder / "page.html");
+  CHECK(html.starts_with("<!doctype html>"));
+  CHECK(html.find(">" + read_bytes(folder / "page.fold") + "</script>") != std::string::npos);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "--no-page", "-o", "out"}, in(folder)).exit_code == 0);
+  CHECK_FALSE(fs::exists(folder / "out/house.html"));
+  CHECK(fs::exists(folder / "out/house.fold"));
+  check_refusal(run_program({"house.obj", "--no-page", "-o", "a.html"}, in(folder)), 2, "--no-page");
+  // It is a result like others: replaced by those of the same model alone.
+  REQUIRE(run_program({"house.obj", "--size", "9cm", "-o", "page.html"}, in(folder)).exit_code == 0);
+  write_bytes(folder / "house.obj", std::string(house) + "# edited\n");
+  check_refusal(run_program({"house.obj", "--size", "9cm", "-o", "page.html"}, in(folder)), 7, "page.html");
+}
+
 TEST_CASE("a preset's files bear its name and stand beside those for the printer", "[written_files]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
@@ -55,8 +75,8 @@ TEST_CASE("a preset's files bear its name and stand beside those for the printer
   REQUIRE(run_program({"house.obj", "--size", "8cm", "--preset", "plotter", "--dxf", "plain"}, in(folder))
               .exit_code == 0);
   CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house-guide.pdf", "house.svg",
-                                                "house.fold", "house-laser.svg", "house-laser.dxf",
-                                                "house-plotter.dxf"});
+                                                "house.fold", "house.html", "house-laser.svg",
+                                                "house-laser.dxf", "house-plotter.dxf"});
   CHECK(read_bytes(folder / "house-laser.dxf").find("AC1015") != std::string::npos);
   // The DXF that was asked for wins over the preset's.
   CHECK(read_bytes(folder / "house-plotter.dxf").find("POLYLINE") == std::string::npos);
@@ -91,7 +111,7 @@ TEST_CASE("pages left over from an earlier run of the same model are removed", "
   CHECK_FALSE(fs::exists(folder / "house.svg"));
   REQUIRE(run_program({"house.obj", "--size", "8cm"}, in(folder)).exit_code == 0);
   CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house-guide.pdf", "house.svg",
-                                                "house.fold", "house-9.svg"});
+                                                "house.fold", "house.html", "house-9.svg"});
 }
 
 TEST_CASE("with --overwrite, pages of the model whose files are replaced go", "[written_files]") {
@@ -114,7 +134,7 @@ TEST_CASE("with --overwrite, pages of the model whose files are replaced go", "[
     names.insert(entry.path().filename().string());
   }
   CHECK(names == std::set<std::string>{"house.pdf", "house-guide.pdf", "house.svg", "house.fold",
-                                       "house-8.svg", "house-9.svg"});
+                                       "house.html", "house-8.svg", "house-9.svg"});
 }
 
 TEST_CASE("a file that is asked for twice is written once", "[written_files]") {
@@ -186,7 +206,7 @@ TEST_CASE("a folder that may be written, but not listed", "[written_files]") {
     CHECK(outcome.exit_code == 0);
   }
   fs::permissions(folder / "out", fs::perms(0777));
-  CHECK(contents(folder / "out").size() == 4);
+  CHECK(contents(folder / "out").size() == 5);
 }
 
 TEST_CASE("names with spaces and letters of any script work", "[written_files]") {

@@ -15,7 +15,7 @@
 #include "export/guide/callouts.hpp"
 #include "export/guide/effort.hpp"
 #include "export/guide/hues.hpp"
-#include "export/guide/stance.hpp"
+#include "export/view/stance.hpp"
 #include "export/guide/step_words.hpp"
 #include "export/page/obstacles.hpp"
 #include "export/style/stroke_font.hpp"

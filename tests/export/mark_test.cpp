@@ -32,6 +32,8 @@ const std::string pdf = "%PDF-1.5\n1 0 obj\n<< /Keywords (" + word + ") >>\nendo
 const std::string fold = "{\n\"file_spec\": 1.2, \"ridgecraft:model_digest\" : \"" + digest + "\"}";
 const std::string obj = "# " + word + "\nv 0 0 0\n";
 const std::string dxf = "999\nridgecraft 1 " + word + "\n  0\nSECTION\n";
+const std::string html =
+    "<!doctype html>\n<head>\n<meta name=\"ridgecraft-model\" content=\"" + word + "\">\n";
 const std::string urdf = "<?xml version=\"1.0\"?>\n<!-- " + word + " -->\n<robot name=\"x\">\n</robot>\n";
 
 }  // namespace
@@ -44,6 +46,7 @@ TEST_CASE("the mark is found in every format", "[mark]") {
   CHECK(read_mark_digest(svg) == digest);
   CHECK(read_mark_digest(pdf) == digest);
   CHECK(read_mark_digest(fold) == digest);
+  CHECK(read_mark_digest(html) == digest);
 }
 
 TEST_CASE("a file of another program has no mark", "[mark]") {
@@ -56,6 +59,7 @@ TEST_CASE("a file of another program has no mark", "[mark]") {
   CHECK(read_mark_digest("<robot><!-- " + word + " --></robot>").empty());
   CHECK(read_mark_digest("<svg><text>" + word + "</text></svg>").empty());
   CHECK(read_mark_digest("<svg><metadata>" + word).empty());
+  CHECK(read_mark_digest("<!doctype html><title>" + word + "</title>").empty());
   CHECK(read_mark_digest("{\"file_creator\": \"" + word + "\"}").empty());
   CHECK(read_mark_digest("{\"ridgecraft:model_digest\": 12}").empty());
   CHECK(read_mark_digest("{\"ridgecraft:model_digest\": \"12\\n\"}").empty());
@@ -66,7 +70,7 @@ TEST_CASE("a file of another program has no mark", "[mark]") {
 }
 
 TEST_CASE("the mark survives no byte that is cut off, and any bytes are read", "[mark]") {
-  for (const std::string& whole : {png, svg, pdf, fold, obj, urdf, dxf}) {
+  for (const std::string& whole : {png, svg, pdf, fold, obj, urdf, dxf, html}) {
     for (std::size_t size = 0; size <= whole.size(); ++size) {
       const std::string found = read_mark_digest(std::string_view(whole).substr(0, size));
       CHECK((found.empty() || digest.starts_with(found)));

@@ -116,6 +116,10 @@ TEST_CASE("kind 3: the hash of the model, and who made the file", "[statements]"
   check_found("no version of ridgecraft",
               [](Json& json) { json["file_creator"] = "ridgecraft of tomorrow"; });
   check_found("is empty", [](Json& json) { json["file_creator"] = ""; });
+  check_found(
+      "not x, y or z", [](Json& json) { json["ridgecraft:up"] = "north"; }, 0);
+  check_found(
+      "is not a text", [](Json& json) { json["ridgecraft:up"] = 2; }, 0);
 }
 
 TEST_CASE("kind 4: words of the frames", "[statements]") {
@@ -302,6 +306,8 @@ const std::set<std::string> free_paths = {
     "/ridgecraft:equal_pieces", "/ridgecraft:equal_pieces/#", "/ridgecraft:equal_pieces/#/#",
     // Nor need the order of assembly; what stands alone may come in any.
     "/ridgecraft:assembly",
+    // Nor what is up.
+    "/ridgecraft:up",
     // One that is symmetric itself is a mirror image as well.
     "/ridgecraft:equal_pieces/#/#/mirrored"};
 

@@ -42,6 +42,17 @@ void read_settings(const Json& json, File& file) {
   }
 }
 
+/// Which axis points up; a file needn't tell.
+void read_up(const Json& json) {
+  if (!json.contains("ridgecraft:up")) {
+    return;
+  }
+  const std::string& up = text_member(json, "ridgecraft:up", whole_file);
+  if (up != "x" && up != "y" && up != "z") {
+    refuse("\"ridgecraft:up\" of the file is {}, not x, y or z", quote(up));
+  }
+}
+
 void read_digest(const Json& json, File& file) {
   if (json.contains("ridgecraft:model_digest")) {
     file.digest = text_member(json, "ridgecraft:model_digest", whole_file);
@@ -179,11 +190,11 @@ class KeyWatch {
 };
 
 void note_unknown_keys(const Json& json, File& file) {
-  constexpr std::array<std::string_view, 13> top = {
+  constexpr std::array<std::string_view, 14> top = {
       "ridgecraft:faces_model", "ridgecraft:faces_piece",  "ridgecraft:pieces",   "ridgecraft:fold_order",
       "ridgecraft:pages",       "ridgecraft:joins",        "ridgecraft:tabs",     "ridgecraft:model_digest",
       "ridgecraft:settings",    "ridgecraft:equal_pieces", "ridgecraft:assembly", "ridgecraft:more_tabs",
-      "ridgecraft:glue"};
+      "ridgecraft:glue",        "ridgecraft:up"};
   constexpr std::array<std::string_view, 2> equal = {"piece", "mirrored"};
   constexpr std::array<std::string_view, 2> assembly = {"pieces", "joins"};
   constexpr std::array<std::string_view, 1> model = {"ridgecraft:faces_part"};
@@ -232,6 +243,7 @@ std::optional<double> Settings::number(std::string_view name) const {
 void read_statements(const Json& json, File& file) {
   read_settings(json, file);
   read_digest(json, file);
+  read_up(json);
   read_fold_order(json, file);
   read_equal_pieces(json, file);
   read_assembly(json, file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/guide/stance.hpp"
+#include "export/view/stance.hpp"
 
 #include <algorithm>
 
@@ -67,7 +67,9 @@ mesh::Axis usual_up(mesh::FileFormat format) {
   }
 }
 
-mesh::Axis up_of(const mesh::Model& model) {
+}  // namespace
+
+mesh::Axis up_axis_of(const mesh::Model& model) {
   if (model.frame.up) {
     return *model.frame.up;
   }
@@ -86,10 +88,8 @@ mesh::Axis up_of(const mesh::Model& model) {
   return usual_up(model.format);
 }
 
-}  // namespace
-
 Stance stance_of(const mesh::Model& model) {
-  switch (up_of(model)) {
+  switch (up_axis_of(model)) {
     case mesh::Axis::x:
       return {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
     case mesh::Axis::z:

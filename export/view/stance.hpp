@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a model stands, so that pictures show it as people see it.
+#pragma once
+
+#include "export/view/camera.hpp"
+#include "mesh/model/model.hpp"
+
+namespace ridgecraft::paper {
+
+/// The axis that points up is what the file says. Where it says nothing, it is y or z: the one on which the
+/// model stands better (flat ground, or feet that are far apart), or else the one along which it is clearly
+/// shorter, or what is usual for the format (z for STL, PLY, OFF and 3MF, else y). O(faces).
+[[nodiscard]] mesh::Axis up_axis_of(const mesh::Model& model);
+
+/// That axis, and the front, which looks along z where y is up and against y where z is, as modelling
+/// programs have it. O(faces).
+[[nodiscard]] Stance stance_of(const mesh::Model& model);
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who answers the page's wishes. All backends have one interface, so that the same page shows a finished result, and
+// edits a model where a program stands behind it.
+
+/**
+ * @typedef {object} State
+ * @property {number} revision
+ * @property {Record<string, unknown>} options
+ * @property {string} fold the nets: text of a FOLD file
+ * @property {string} sheets what else stands on the pages: text of the second document (docs/page.md)
+ * @property {{text: string, about?: {piece?: number, edge?: number, face?: number}}[]} notes
+ * @property {Record<string, unknown>} figures
+ * @property {boolean} canUndo
+ * @property {boolean} canRedo
+ * @property {boolean} busy
+ *
+ * @typedef {object} Capabilities
+ * @property {boolean} edit
+ * @property {string[]} export formats
+ * @property {string} version
+ *
+ * @typedef {object} Backend
+ * @property {() => Capabilities} capabilities
+ * @property {(name: string, bytes: Uint8Array, sidecars: Record<string, Uint8Array>) => Promise<State>} open
+ * @property {(options: Record<string, unknown>) => Promise<State>} set
+ * @property {(edits: object[]) => Promise<State>} apply all of them, or none
+ * @property {() => Promise<State>} undo
+ * @property {() => Promise<State>} redo
+ * @property {(edit: object) => Promise<{ok: boolean, why?: string, pieces?: object[]}>} preview
+ * @property {(format: string) => Promise<Uint8Array>} export
+ * @property {() => void} cancel
+ * @property {(listener: (stage: string, share: number) => void) => void} onProgress
+ * @property {(listener: (note: State["notes"][number]) => void) => void} onNote
+ */
+
+/** A wish that needs a program behind the page. */
+export class NotEditable extends Error {
+  constructor() {
+    super("not_editable");
+    this.name = "NotEditable";
+  }
+}
+
+/** Text of a script element as it was before write_html() put it there. @param {string} text */
+function unescaped(text) {
+  return text.replace(/\\(\\|u003c|u2028|u2029)/g, (all, what) =>
+    what === "\\" ? all : String.fromCharCode(parseInt(what.slice(1), 16)));
+}
+
+/**
+ * One finished result, that stands in the page itself.
+ * @param {Document} page
+ * @returns {Backend & {state: () => State}}
+ */
+export function staticBackend(page) {
+  const text = (/** @type {string} */ id) => page.getElementById(id)?.textContent ?? "";
+  const refuse = () => Promise.reject(new NotEditable());
+  return {
+    state: () => ({revision: 0, options: {}, fold: text("fold"), sheets: text("sheets"), notes: [], figures: {},
+      canUndo: false, canRedo: false, busy: false}),
+    capabilities: () => ({edit: false, export: ["fold"],
+      version: page.querySelector("meta[name=generator]")?.getAttribute("content") ?? ""}),
+    open: refuse,
+    set: refuse,
+    apply: refuse,
+    undo: refuse,
+    redo: refuse,
+    preview: refuse,
+    export: (format) =>
+      format === "fold" ? Promise.resolve(new TextEncoder().encode(unescaped(text("fold")))) : refuse(),
+    cancel: () => {},
+    onProgress: () => {},
+    onNote: () => {},
+  };
+}

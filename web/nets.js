@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a FOLD file of this program says (docs/formats.md), as arrays and records that the other modules draw from.
+// Lengths are mm, angles radians, y runs up.
+
+/**
+ * @typedef {object} Edge of the nets
+ * @property {number} a net vertex
+ * @property {number} b net vertex
+ * @property {"B"|"M"|"V"|"F"} kind cut, mountain, valley, flat
+ * @property {number} angle of the fold, valley positive
+ * @property {number[]} faces one at a cut, two at a fold
+ * @property {number} piece
+ * @property {number} join at a cut: index into joins, or -1
+ * @property {number} tab that grows from it, or -1
+ * @property {number} length
+ *
+ * @typedef {object} Piece
+ * @property {number} index
+ * @property {string} name
+ * @property {number} part
+ * @property {number} page
+ * @property {number[]} faces
+ * @property {number[]} edges all but flat folds
+ * @property {number[]} joins each once
+ * @property {number[][]} steps edges that are folded together, in order
+ * @property {number} folds mountain and valley folds
+ * @property {number[]} box left, bottom, right, top in the plane of all nets, tabs included
+ * @property {number[]} colour red, green, blue, 0 to 255
+ * @property {number} step of the assembly
+ *
+ * @typedef {object} Join
+ * @property {number} number as printed
+ * @property {number[]} edges two
+ * @property {number[]} pieces of these edges
+ * @property {number} tab or -1
+ * @property {string} why there is no tab
+ * @property {number} step of the assembly in which it is closed
+ *
+ * @typedef {object} Tab
+ * @property {number} edge
+ * @property {number} piece
+ * @property {number} face that it grows from
+ * @property {number} join
+ * @property {number[][]} polygon
+ *
+ * @typedef {{x: number, y: number, width: number, height: number, pieces: number[]}} Page
+ * @typedef {{pieces: number[], joins: number[]}} Step joins are indices
+ *
+ * @typedef {object} Nets
+ * @property {string} title
+ * @property {string} digest
+ * @property {string} creator
+ * @property {"x"|"y"|"z"} up
+ * @property {number} hiddenAngle folds of less have no line, radians
+ * @property {Float64Array} points two a net vertex
+ * @property {Uint32Array} faces three net vertices a face
+ * @property {Int32Array} faceEdges of each side
+ * @property {Int32Array} facePiece
+ * @property {Edge[]} edges
+ * @property {Piece[]} pieces
+ * @property {Join[]} joins
+ * @property {Tab[]} tabs
+ * @property {Page[]} pages with nets
+ * @property {Step[]} steps
+ * @property {Float64Array} modelPoints three a vertex
+ * @property {Uint32Array} modelFaces three model vertices a net face, corner by corner
+ * @property {number[]} size of the model along x, y, z
+ */
+
+const degree = Math.PI / 180;
+
+/** OKLCH to sRGB, 0 to 255 (Ottosson 2020). @param {number} l @param {number} c @param {number} h degrees */
+export function colourOf(l, c, h) {
+  const a = c * Math.cos(h * degree);
+  const b = c * Math.sin(h * degree);
+  const [x, y, z] = [l + 0.3963377774 * a + 0.2158037573 * b, l - 0.1055613458 * a - 0.0638541728 * b,
+    l - 0.0894841775 * a - 1.291485548 * b].map((v) => v * v * v);
+  return [4.0767416621 * x - 3.3077115913 * y + 0.2309699292 * z,
+    -1.2684380046 * x + 2.6097574011 * y - 0.3413193965 * z,
+    -0.0041960863 * x - 0.7034186147 * y + 1.707614701 * z].map((v) => {
+    const shown = v <= 0.0031308 ? 12.92 * v : 1.055 * Math.pow(v, 1 / 2.4) - 0.055;
+    return Math.round(255 * Math.min(1, Math.max(0, shown)));
+  });
+}
+
+/**
+ * Per part a hue, per piece of a part a shade of it.
+ * @param {number} part
+ * @param {number} within
+ */
+function pieceColour(part, within) {
+  const shift = within === 0 ? 0 : ((within * 0.618034) % 1) - 0.5;
+  const hue = part * 137.508 + 235 + 64 * shift;
+  return colourOf([0.8, 0.72, 0.86, 0.76][within % 4], 0.075, hue);
+}
+
+/** @param {any} fold @param {Piece[]} pieces @param {Edge[]} edges @param {Join[]} joins @returns {Step[]} */
+function readSteps(fold, pieces, edges, joins) {
+  /** @type {{pieces: number[], joins: number[]}[]} */
+  const told = fold["ridgecraft:assembly"] ?? pieces.map((piece) => ({pieces: [piece.index], joins: []}));
+  told.forEach((step, k) => {
+    for (const piece of step.pieces) {
+      pieces[piece].step = k;
+    }
+  });
+  /** @type {Step[]} */
+  const steps = told.map((step) => ({pieces: step.pieces, joins: []}));
+  joins.forEach((join, j) => {
+    join.step = Math.max(...join.pieces.map((piece) => pieces[piece].step));
+    steps[join.step].joins.push(j);
+  });
+  for (const step of steps) {
+    step.joins.sort((i, j) => joins[i].number - joins[j].number);
+  }
+  return steps;
+}
+
+/**
+ * @param {string} text of a FOLD file
+ * @returns {Nets}
+ */
+export function readNets(text) {
+  const fold = JSON.parse(text);
+  const frame = fold.file_frames[0];
+  const count = fold.faces_vertices.length;
+  const points = Float64Array.from(fold.vertices_coords.flat());
+  const faces = Uint32Array.from(fold.faces_vertices.flat());
+  const facePiece = Int32Array.from(fold["ridgecraft:faces_piece"]);
+  const vertices = points.length / 2;
+  /** @type {Map<number, number>} */
+  const edgeAt = new Map();
+  const key = (/** @type {number} */ a, /** @type {number} */ b) => Math.min(a, b) * vertices + Math.max(a, b);
+  /** @type {Edge[]} */
+  const edges = fold.edges_vertices.map((/** @type {number[]} */ [a, b], /** @type {number} */ i) => {
+    edgeAt.set(key(a, b), i);
+    const length = Math.hypot(points[2 * a] - points[2 * b], points[2 * a + 1] - points[2 * b + 1]);
+    return {a, b, kind: fold.edges_assignment[i], angle: fold.edges_foldAngle[i] * degree, faces: [], piece: -1,
+      join: -1, tab: -1, length};
+  });
+  const faceEdges = new Int32Array(3 * count);
+  /** @type {number[]} */
+  const withinPart = [];
+  /** @type {Piece[]} */
+  const pieces = fold["ridgecraft:pieces"].map((/** @type {any} */ told, /** @type {number} */ index) => {
+    const part = told.parts[0] ?? index;
+    const within = withinPart[part] ?? 0;
+    withinPart[part] = within + 1;
+    return {index, name: told.name, part, page: told.page, faces: [], edges: [], joins: [],
+      steps: fold["ridgecraft:fold_order"]?.[index] ?? [], folds: 0,
+      box: [Infinity, Infinity, -Infinity, -Infinity], colour: pieceColour(part, within), step: 0};
+  });
+  const widen = (/** @type {number[]} */ box, /** @type {number} */ x, /** @type {number} */ y) => {
+    box[0] = Math.min(box[0], x);
+    box[1] = Math.min(box[1], y);
+    box[2] = Math.max(box[2], x);
+    box[3] = Math.max(box[3], y);
+  };
+  for (let f = 0; f < count; ++f) {
+    const piece = pieces[facePiece[f]];
+    piece.faces.push(f);
+    for (let k = 0; k < 3; ++k) {
+      const a = faces[3 * f + k];
+      const e = /** @type {number} */ (edgeAt.get(key(a, faces[3 * f + (k + 1) % 3])));
+      faceEdges[3 * f + k] = e;
+      widen(piece.box, points[2 * a], points[2 * a + 1]);
+      if (edges[e].faces.push(f) === 1 && edges[e].kind !== "F") {
+        piece.edges.push(e);
+        piece.folds += edges[e].kind === "B" ? 0 : 1;
+      }
+      edges[e].piece = piece.index;
+    }
+  }
+  /** @type {Join[]} */
+  const joins = fold["ridgecraft:joins"].map((/** @type {any} */ told, /** @type {number} */ j) => {
+    for (const e of told.edges) {
+      edges[e].join = j;
+    }
+    const of = told.edges.map((/** @type {number} */ e) => edges[e].piece);
+    for (const piece of new Set(of)) {
+      pieces[/** @type {number} */ (piece)].joins.push(j);
+    }
+    return {number: told.number, edges: told.edges, pieces: of, tab: told.tab ?? -1, why: told.why ?? "", step: 0};
+  });
+  /** @type {Tab[]} */
+  const tabs = [...fold["ridgecraft:tabs"], ...(fold["ridgecraft:more_tabs"] ?? [])].map((/** @type {any} */ told, /** @type {number} */ t) => {
+    const edge = edges[told.edge];
+    for (const e of told.edges ?? [told.edge]) {
+      edges[e].tab = t;
+    }
+    for (const [x, y] of told.polygon) {
+      widen(pieces[edge.piece].box, x, y);
+    }
+    return {edge: told.edge, piece: edge.piece, face: edge.faces[0], join: edge.join, polygon: told.polygon};
+  });
+  /** @type {Page[]} */
+  const pages = fold["ridgecraft:pages"].map((/** @type {any} */ told, /** @type {number} */ p) => ({
+    x: told.origin[0], y: told.origin[1], width: told.size?.[0] ?? 0, height: told.size?.[1] ?? 0,
+    pieces: pieces.filter((piece) => piece.page === p).map((piece) => piece.index)}));
+  const modelFaces = new Uint32Array(3 * count);
+  fold["ridgecraft:faces_model"].forEach((/** @type {number} */ m, /** @type {number} */ f) => {
+    modelFaces.set(frame.faces_vertices[m], 3 * f);
+  });
+  const modelPoints = Float64Array.from(frame.vertices_coords.flat());
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  modelPoints.forEach((value, i) => {
+    low[i % 3] = Math.min(low[i % 3], value);
+    high[i % 3] = Math.max(high[i % 3], value);
+  });
+  return {
+    title: fold.file_title ?? "", digest: fold["ridgecraft:model_digest"] ?? "", creator: fold.file_creator ?? "",
+    up: fold["ridgecraft:up"] ?? "y", hiddenAngle: (fold["ridgecraft:settings"]?.hide_folds_deg ?? 3) * degree, points,
+    faces, faceEdges, facePiece, edges, pieces, joins, tabs, pages, steps: readSteps(fold, pieces, edges, joins),
+    modelPoints, modelFaces, size: high.map((value, k) => value - low[k]),
+  };
+}
+
+/**
+ * Whether a line is drawn there: cuts, and folds that are not too small.
+ * @param {Nets} nets
+ * @param {number} e
+ */
+export function hasLine(nets, e) {
+  const edge = nets.edges[e];
+  return edge.kind === "B" || (edge.kind !== "F" && Math.abs(edge.angle) >= nets.hiddenAngle);
+}
+
+/**
+ * The face of a piece where a point of the plane of all nets lies, or -1. O(faces of the page).
+ * @param {Nets} nets
+ * @param {number} page
+ * @param {number} x
+ * @param {number} y
+ */
+export function faceAt(nets, page, x, y) {
+  const {points, faces} = nets;
+  for (const p of nets.pages[page].pieces) {
+    const piece = nets.pieces[p];
+    if (x < piece.box[0] || x > piece.box[2] || y < piece.box[1] || y > piece.box[3]) {
+      continue;
+    }
+    for (const f of piece.faces) {
+      let inside = true;
+      for (let k = 0; k < 3 && inside; ++k) {
+        const a = 2 * faces[3 * f + k];
+        const b = 2 * faces[3 * f + (k + 1) % 3];
+        inside = (points[b] - points[a]) * (y - points[a + 1]) - (points[b + 1] - points[a + 1]) * (x - points[a]) >= 0;
+      }
+      if (inside) {
+        return f;
+      }
+    }
+  }
+  return -1;
+}

@@ -1,0 +1,769 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sheets as SVG: what is drawn on a page, pages in a grid, and what is under the pointer.
+
+import {faceAt, hasLine} from "./nets.js";
+import {segmentDistance} from "./scene.js";
+
+/** @typedef {import("./folding.js").Folding} Folding */
+/** @typedef {import("./nets.js").Nets} Nets */
+/** @typedef {import("./scene.js").Spot} Spot */
+
+/**
+ * What the second document of the page says of a group (docs/page.md).
+ * @typedef {object} Group
+ * @property {string} id
+ * @property {[number, string, number, number, number, number, number?, number?][]} [texts] layer, text, x, y, height, degrees,
+ *   flags, width
+ * @property {[string, number, number[], number[]][]} [lines] colour, width, dashes, points
+ * @property {[string, number[]][]} [areas] colour, outline
+ * @property {[string, number[][]][]} [ground]
+ * @property {[number[], string, number[][]][]} [images] place, JPEG, clip
+ * @property {[string, number[][]][]} [fills]
+ *
+ * @typedef {{pages: {size: number[], groups: Group[]}[]}} Sheets
+ */
+
+const svgSpace = "http://www.w3.org/2000/svg";
+/** Classes of texts: numbers, names of pieces, words of the page. */
+const layerNames = ["number", "name", "word"];
+/** Of capital letters, as a share of the font's size. */
+const capitals = 0.72;
+
+/**
+ * @template {keyof SVGElementTagNameMap} Name
+ * @param {Name} name
+ * @param {Record<string, string | number>} [attributes]
+ * @param {Element} [parent]
+ * @returns {SVGElementTagNameMap[Name]}
+ */
+export function svgElement(name, attributes = {}, parent) {
+  const element = document.createElementNS(svgSpace, name);
+  for (const [key, value] of Object.entries(attributes)) {
+    element.setAttribute(key, String(value));
+  }
+  parent?.append(element);
+  return element;
+}
+
+/** @param {number} value */
+function short(value) {
+  return Math.round(value * 1000) / 1000;
+}
+
+/** Draws pages: all that is on paper, in mm from the left upper corner of the sheet. */
+export class PageDrawer {
+  /**
+   * @param {Nets} nets
+   * @param {Folding} folding
+   * @param {Sheets} sheets
+   */
+  constructor(nets, folding, sheets) {
+    this.nets = nets;
+    this.folding = folding;
+    this.sheets = sheets;
+    this.pieceByGroup = new Map(nets.pieces.map((piece) => [`piece-${piece.name}`, piece.index]));
+    this.painted = sheets.pages.some((page) => page.groups.some((group) => group.images || group.fills || group.ground));
+    this.clips = 0;
+  }
+
+  /** How many pages there are, those with lists of numbers included. */
+  get count() {
+    return Math.max(this.sheets.pages.length, this.nets.pages.length);
+  }
+
+  /** @param {number} p */
+  size(p) {
+    const page = this.nets.pages[p];
+    return this.sheets.pages[p]?.size ?? [page.width, page.height];
+  }
+
+  /** From the plane of all nets to the sheet. @param {number} p @param {number} x @param {number} y */
+  onSheet(p, x, y) {
+    const page = this.nets.pages[p];
+    return [short(x - page.x), short(page.height - (y - page.y))];
+  }
+
+  /** @param {number} p @param {number[][]} points @param {boolean} closed */
+  #path(p, points, closed) {
+    return `M${points.map(([x, y]) => this.onSheet(p, x, y).join(" ")).join("L")}${closed ? "Z" : ""}`;
+  }
+
+  /** Of numbers in the second document: y up, from the lower corner. @param {number} p @param {number[]} numbers @param {boolean} closed */
+  #toldPath(p, numbers, closed) {
+    const height = this.size(p)[1];
+    let d = "";
+    for (let i = 0; i < numbers.length; i += 2) {
+      d += `${i === 0 ? "M" : "L"}${short(numbers[i])} ${short(height - numbers[i + 1])}`;
+    }
+    return closed ? `${d}Z` : d;
+  }
+
+  /** @param {number} e @returns {number[][]} */
+  ends(e) {
+    const {points, edges} = this.nets;
+    return [edges[e].a, edges[e].b].map((v) => [points[2 * v], points[2 * v + 1]]);
+  }
+
+  /** @param {number} p page @param {number} e */
+  edgePath(p, e) {
+    return this.#path(p, this.ends(e), false);
+  }
+
+  /** @param {number} index of a piece */
+  outlines(index) {
+    const {nets, folding} = this;
+    const piece = nets.pieces[index];
+    const p = piece.page;
+    const lines = {faces: "", tabs: "", cut: "", mountain: "", valley: "", base: ""};
+    for (const f of piece.faces) {
+      lines.faces += this.#path(p, folding.flatCorners(f), true);
+    }
+    for (const e of piece.edges) {
+      const edge = nets.edges[e];
+      const [a, b] = this.ends(e);
+      if (edge.kind !== "B") {
+        if (hasLine(nets, e)) {
+          lines[edge.kind === "M" ? "mountain" : "valley"] += this.#path(p, [a, b], false);
+        }
+      } else if (edge.tab < 0) {
+        lines.cut += this.#path(p, [a, b], false);
+      } else {
+        const polygon = nets.tabs[edge.tab].polygon;
+        lines.tabs += this.#path(p, polygon, true);
+        lines.cut += this.#path(p, [...polygon.slice(1), polygon[0]], false);
+        const angle = folding.tabAngles[edge.tab];
+        lines[Math.abs(angle) < nets.hiddenAngle ? "base" : angle < 0 ? "mountain" : "valley"] +=
+          this.#path(p, [polygon[0], polygon[1]], false);
+        const share = (/** @type {number[]} */ q) => ((q[0] - a[0]) * (b[0] - a[0]) + (q[1] - a[1]) * (b[1] - a[1])) / (edge.length * edge.length);
+        const [from, to] = [share(polygon[0]), share(polygon[1])].sort((s, t) => s - t);
+        const at = (/** @type {number} */ t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+        if (from * edge.length > 0.02) {
+          lines.cut += this.#path(p, [a, at(from)], false);
+        }
+        if ((1 - to) * edge.length > 0.02) {
+          lines.cut += this.#path(p, [at(to), b], false);
+        }
+      }
+    }
+    return lines;
+  }
+
+  /** @param {Element} parent @param {number} p @param {[string, number[][]][]} fills */
+  #fills(parent, p, fills) {
+    for (const [colour, polygons] of fills) {
+      svgElement("path", {class: "fill", fill: colour, stroke: colour,
+        d: polygons.map((polygon) => this.#toldPath(p, polygon, true)).join("")}, parent);
+    }
+  }
+
+  /** @param {Element} parent @param {number} p @param {Group} group */
+  #paint(parent, p, group) {
+    const height = this.size(p)[1];
+    for (const [place, jpeg, clip] of group.images ?? []) {
+      const id = `clip-${++this.clips}`;
+      svgElement("path", {d: clip.map((polygon) => this.#toldPath(p, polygon, true)).join("")},
+        svgElement("clipPath", {id}, parent));
+      svgElement("image", {x: place[0], y: short(height - place[3]), width: short(place[2] - place[0]),
+        height: short(place[3] - place[1]), preserveAspectRatio: "none", "clip-path": `url(#${id})`,
+        href: `data:image/jpeg;base64,${jpeg}`}, parent);
+    }
+    this.#fills(parent, p, group.fills ?? []);
+  }
+
+  /** Colours that reach below other pieces. @param {Element} parent @param {number} p */
+  ground(parent, p) {
+    for (const group of this.sheets.pages[p]?.groups ?? []) {
+      this.#fills(parent, p, group.ground ?? []);
+    }
+  }
+
+  /** Lines, areas and texts that the program has placed. @param {Element} parent @param {number} p @param {Group} group */
+  told(parent, p, group) {
+    const height = this.size(p)[1];
+    for (const [colour, area] of group.areas ?? []) {
+      svgElement("path", {fill: colour, d: this.#toldPath(p, area, true)}, parent);
+    }
+    for (const [colour, width, dashes, points] of group.lines ?? []) {
+      svgElement("path", {class: "told", stroke: colour, "stroke-width": width, "stroke-dasharray": dashes.join(" "),
+        d: this.#toldPath(p, points, false)}, parent);
+    }
+    for (const [layer, text, x, y, size, angle, flags = 0, width = 0] of group.texts ?? []) {
+      const kind = layerNames[layer];
+      const place = `translate(${x} ${short(height - y)})${angle ? ` rotate(${-angle})` : ""}`;
+      const element = svgElement("text", {class: `${kind}${flags & 2 ? " light" : ""}`, transform: place, y: short(size / 2),
+        "font-size": short(size / capitals)}, parent);
+      element.textContent = text;
+      if (text.length > 4 && width > 0) {
+        element.setAttribute("textLength", String(short(width)));
+        element.setAttribute("lengthAdjust", "spacingAndGlyphs");
+      }
+      if (flags & 1) {
+        svgElement("path", {class: `told ${kind}-line`, transform: place, stroke: flags & 2 ? "#ececec" : "#000",
+          "stroke-width": short(size / 9), d: `M${short(-width / 2)} ${short(0.76 * size)}H${short(width / 2)}`}, parent);
+      }
+    }
+  }
+
+  /**
+   * A piece as it lies on its page.
+   * @param {Element} parent
+   * @param {number} index
+   * @param {boolean} tinted in the piece's own colour, as on the screen
+   */
+  piece(parent, index, tinted) {
+    const piece = this.nets.pieces[index];
+    const group = this.sheets.pages[piece.page]?.groups.find((candidate) => this.pieceByGroup.get(candidate.id) === index);
+    const lines = this.outlines(index);
+    const tint = piece.colour.map((value) => Math.round(0.55 * value + 0.45 * 255));
+    svgElement("path", {class: "faces", fill: tinted && !this.painted ? `rgb(${tint})` : "#fff", d: lines.faces}, parent);
+    if (group) {
+      this.#paint(parent, piece.page, group);
+    }
+    svgElement("path", {class: "tabs", d: lines.tabs}, parent);
+    if (this.painted) {
+      svgElement("path", {class: "rim", d: lines.mountain + lines.valley + lines.base}, parent);
+    }
+    for (const kind of /** @type {const} */ (["mountain", "valley", "base", "cut"])) {
+      if (lines[kind]) {
+        svgElement("path", {class: kind, d: lines[kind]}, parent);
+      }
+    }
+    if (group) {
+      this.told(parent, piece.page, group);
+    }
+  }
+
+  /** All that belongs to no piece. @param {Element} parent @param {number} p */
+  furniture(parent, p) {
+    for (const group of this.sheets.pages[p]?.groups ?? []) {
+      if (!this.pieceByGroup.has(group.id)) {
+        this.told(parent, p, group);
+      }
+    }
+  }
+
+  /** A page for the printer, in true size. @param {number} p */
+  printed(p) {
+    const [width, height] = this.size(p);
+    const svg = svgElement("svg", {class: "plan", width: `${width}mm`, height: `${height}mm`, viewBox: `0 0 ${width} ${height}`});
+    this.ground(svg, p);
+    for (const index of this.nets.pages[p]?.pieces ?? []) {
+      this.piece(svgElement("g", {}, svg), index, false);
+    }
+    this.furniture(svg, p);
+    return svg;
+  }
+
+  /**
+   * The colours of a page as a picture, for the model's view.
+   * @param {number} p
+   * @param {number} scale pixels a mm
+   * @returns {Promise<HTMLCanvasElement>}
+   */
+  async picture(p, scale) {
+    const [width, height] = this.size(p);
+    const canvas = document.createElement("canvas");
+    canvas.width = Math.round(width * scale);
+    canvas.height = Math.round(height * scale);
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    context.fillStyle = "#fff";
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.setTransform(scale, 0, 0, -scale, 0, canvas.height);
+    const pathOf = (/** @type {number[][]} */ polygons) => {
+      const path = new Path2D();
+      for (const polygon of polygons) {
+        for (let i = 0; i < polygon.length; i += 2) {
+          i === 0 ? path.moveTo(polygon[0], polygon[1]) : path.lineTo(polygon[i], polygon[i + 1]);
+        }
+        path.closePath();
+      }
+      return path;
+    };
+    const fill = (/** @type {[string, number[][]][]} */ fills) => {
+      for (const [colour, polygons] of fills) {
+        context.fillStyle = context.strokeStyle = colour;
+        context.lineWidth = 0.12;
+        const path = pathOf(polygons);
+        context.fill(path);
+        context.stroke(path);
+      }
+    };
+    const groups = this.sheets.pages[p]?.groups ?? [];
+    groups.forEach((group) => fill(group.ground ?? []));
+    for (const group of groups) {
+      for (const [place, jpeg, clip] of group.images ?? []) {
+        const image = new Image();
+        image.src = `data:image/jpeg;base64,${jpeg}`;
+        await image.decode();
+        context.save();
+        context.clip(pathOf(clip));
+        context.translate(place[0], place[3]);
+        context.scale(1, -1);
+        context.drawImage(image, 0, 0, place[2] - place[0], place[3] - place[1]);
+        context.restore();
+      }
+      fill(group.fills ?? []);
+    }
+    return canvas;
+  }
+}
+
+/**
+ * @typedef {object} PlanListener
+ * @property {(spot: Spot | null) => void} hover
+ * @property {(spot: Spot | null, add: boolean) => void} choose
+ * @property {(pieces: number[]) => void} chooseMany
+ * @property {(spot: Spot) => void} visit
+ * @property {(index: number) => string} pieceWords
+ * @property {(edge: number) => string} edgeWords
+ */
+
+/** All pages side by side, that can be moved, zoomed and pointed at. */
+export class Plan {
+  /**
+   * @param {SVGSVGElement} svg
+   * @param {PageDrawer} drawer
+   * @param {PlanListener} listener
+   */
+  constructor(svg, drawer, listener) {
+    this.svg = svg;
+    this.drawer = drawer;
+    this.nets = drawer.nets;
+    this.listener = listener;
+    this.view = {x: 0, y: 0, scale: 1};
+    this.fitted = true;
+    /** @type {{x: number, y: number}[]} */
+    this.corners = [];
+    /** @type {SVGGElement[]} */
+    this.pieces = [];
+    /** @type {number[]} */
+    this.edges = [];
+    this.pagesGroup = svgElement("g", {}, svg);
+    this.marks = svgElement("g", {class: "marks"}, svg);
+    this.#draw();
+    this.#listen();
+    this.resize();
+  }
+
+  #draw() {
+    const {drawer, nets} = this;
+    /** @type {SVGGElement[]} */
+    this.pageGroups = [];
+    for (let p = 0; p < drawer.count; ++p) {
+      const [width, height] = drawer.size(p);
+      const page = svgElement("g", {class: "page"}, this.pagesGroup);
+      this.pageGroups.push(page);
+      svgElement("rect", {class: "sheet", width, height}, page);
+      drawer.ground(svgElement("g", {class: "ground"}, page), p);
+      for (const index of nets.pages[p]?.pieces ?? []) {
+        const group = svgElement("g", {class: "piece", tabindex: 0, role: "img", "data-piece": index}, page);
+        drawer.piece(group, index, true);
+        this.pieces[index] = group;
+      }
+      drawer.furniture(svgElement("g", {class: "furniture"}, page), p);
+    }
+    this.say();
+  }
+
+  /** Names pieces for those who can't see them. */
+  say() {
+    this.pieces.forEach((group, index) => group.setAttribute("aria-label", this.listener.pieceWords(index)));
+  }
+
+  /** Pages in the grid that fills the view best. */
+  #arrange() {
+    const {drawer} = this;
+    const [width, height] = drawer.size(0);
+    const gap = 0.06 * width;
+    const box = this.svg.getBoundingClientRect();
+    let columns = 1;
+    let best = 0;
+    for (let n = 1; n <= drawer.count; ++n) {
+      const rows = Math.ceil(drawer.count / n);
+      const scale = Math.min(box.width / (n * (width + gap)), box.height / (rows * (height + gap)));
+      if (scale > best * 1.001) {
+        best = scale;
+        columns = n;
+      }
+    }
+    this.corners = [];
+    for (let p = 0; p < drawer.count; ++p) {
+      const corner = {x: (p % columns) * (width + gap), y: Math.floor(p / columns) * (height + gap)};
+      this.corners.push(corner);
+      this.pageGroups?.[p].setAttribute("transform", `translate(${corner.x} ${corner.y})`);
+    }
+    this.extent = {x: -0.5 * gap, y: -0.5 * gap, width: columns * (width + gap),
+      height: Math.ceil(drawer.count / columns) * (height + gap)};
+  }
+
+  resize() {
+    const box = this.svg.getBoundingClientRect();
+    if (box.width < 2 || box.height < 2) {
+      return;
+    }
+    const old = this.box;
+    this.box = box;
+    this.#arrange();
+    if (this.fitted || !old) {
+      this.fit();
+    } else {
+      this.#apply();
+    }
+    this.#drawMarks();
+  }
+
+  fit() {
+    if (this.extent) {
+      this.#show(this.extent, 0.99);
+      this.fitted = true;
+    }
+  }
+
+  /** @param {{x: number, y: number, width: number, height: number}} room @param {number} share of the view that it fills */
+  #show(room, share) {
+    if (!this.box) {
+      return;
+    }
+    const scale = Math.min(share * this.box.width / room.width, share * this.box.height / room.height);
+    this.view = {scale, x: room.x + 0.5 * room.width - (0.5 * this.box.width) / scale,
+      y: room.y + 0.5 * room.height - (0.5 * this.box.height) / scale};
+    this.fitted = false;
+    this.#apply();
+  }
+
+  #apply() {
+    const {view, box, svg} = this;
+    if (!box) {
+      return;
+    }
+    svg.setAttribute("viewBox", `${view.x} ${view.y} ${box.width / view.scale} ${box.height / view.scale}`);
+    svg.style.setProperty("--thin", String(Math.max(0.15, 0.7 / view.scale)));
+    svg.style.setProperty("--thick", String(Math.max(0.2, 1 / view.scale)));
+    svg.style.setProperty("--mark", String(Math.max(0.5, 3.2 / view.scale)));
+    svg.classList.toggle("far", view.scale < 2);
+    svg.classList.toggle("very-far", view.scale < 0.9);
+  }
+
+  /** Shows a piece, or the seam of an edge. @param {Spot} spot */
+  goTo(spot) {
+    const join = spot.edge >= 0 ? this.nets.edges[spot.edge].join : -1;
+    const boxes = join >= 0 ? this.nets.joins[join].edges.map((e) => this.#edgeBox(e)) : [this.#pieceBox(spot.piece)];
+    const low = [0, 1].map((k) => Math.min(...boxes.map((box) => box[k])));
+    const high = [2, 3].map((k) => Math.max(...boxes.map((box) => box[k])));
+    const least = 40;
+    const [width, height] = [high[0] - low[0], high[1] - low[1]];
+    const [w, h] = [Math.max(least, width), Math.max(least, height)];
+    this.#show({x: low[0] - 0.5 * (w - width), y: low[1] - 0.5 * (h - height), width: w, height: h}, 0.8);
+  }
+
+  /** @param {number} p page @param {number} x @param {number} y of all nets */
+  #atPlan(p, x, y) {
+    const [sx, sy] = this.drawer.onSheet(p, x, y);
+    return [this.corners[p].x + sx, this.corners[p].y + sy];
+  }
+
+  /** @param {number} index */
+  #pieceBox(index) {
+    const {box, page} = this.nets.pieces[index];
+    const [x, y] = this.#atPlan(page, box[0], box[3]);
+    return [x, y, x + box[2] - box[0], y + box[3] - box[1]];
+  }
+
+  /** @param {number} e */
+  #edgeBox(e) {
+    const {page} = this.nets.pieces[this.nets.edges[e].piece];
+    const [[ax, ay], [bx, by]] = this.drawer.ends(e).map(([x, y]) => this.#atPlan(page, x, y));
+    return [Math.min(ax, bx), Math.min(ay, by), Math.max(ax, bx), Math.max(ay, by)];
+  }
+
+  /** Whether a piece can be seen whole. @param {number} index */
+  sees(index) {
+    if (!this.box) {
+      return false;
+    }
+    const box = this.#pieceBox(index);
+    const {view} = this;
+    return box[0] >= view.x && box[1] >= view.y && box[2] <= view.x + this.box.width / view.scale &&
+      box[3] <= view.y + this.box.height / view.scale;
+  }
+
+  /**
+   * Lights pieces up, and marks edges; with none all are as they are.
+   * @param {Set<number>} pieces
+   * @param {number[]} edges
+   */
+  light(pieces, edges) {
+    this.svg.classList.toggle("dimmed", pieces.size > 0);
+    this.pieces.forEach((group, index) => group.classList.toggle("lit", pieces.has(index)));
+    this.edges = edges;
+    this.#drawMarks();
+  }
+
+  #drawMarks() {
+    this.marks.replaceChildren();
+    const {edges} = this;
+    /** @type {number[][]} */
+    const middles = [];
+    for (const e of edges) {
+      const {page} = this.nets.pieces[this.nets.edges[e].piece];
+      const [[ax, ay], [bx, by]] = this.drawer.ends(e).map(([x, y]) => this.#atPlan(page, x, y));
+      svgElement("path", {class: "mark", d: `M${ax} ${ay}L${bx} ${by}`}, this.marks);
+      middles.push([0.5 * (ax + bx), 0.5 * (ay + by)]);
+    }
+    if (middles.length === 2) {
+      svgElement("path", {class: "link", d: `M${middles[0].join(" ")}L${middles[1].join(" ")}`}, this.marks);
+    }
+  }
+
+  /**
+   * @param {number} clientX
+   * @param {number} clientY
+   * @param {number} reach pixels
+   * @returns {Spot | null}
+   */
+  pick(clientX, clientY, reach) {
+    if (!this.box) {
+      return null;
+    }
+    const {view, nets, drawer} = this;
+    const box = this.svg.getBoundingClientRect();
+    const x = view.x + (clientX - box.left) / view.scale;
+    const y = view.y + (clientY - box.top) / view.scale;
+    const p = nets.pages.findIndex((page, k) => x >= this.corners[k].x && x <= this.corners[k].x + page.width &&
+      y >= this.corners[k].y && y <= this.corners[k].y + page.height);
+    if (p < 0) {
+      return null;
+    }
+    const page = nets.pages[p];
+    const nx = x - this.corners[p].x + page.x;
+    const ny = page.y + page.height - (y - this.corners[p].y);
+    let best = reach / view.scale;
+    /** @type {Spot | null} */
+    let found = null;
+    for (const index of page.pieces) {
+      const piece = nets.pieces[index];
+      if (nx < piece.box[0] - best || nx > piece.box[2] + best || ny < piece.box[1] - best || ny > piece.box[3] + best) {
+        continue;
+      }
+      for (const e of piece.edges) {
+        if (hasLine(nets, e)) {
+          const [a, b] = drawer.ends(e);
+          const away = segmentDistance(nx, ny, a, b);
+          if (away < best) {
+            best = away;
+            found = {piece: index, edge: e};
+          }
+        }
+      }
+    }
+    if (found) {
+      return found;
+    }
+    const tab = nets.tabs.find(({piece, polygon}) => nets.pieces[piece].page === p && holdsPoint(polygon, nx, ny));
+    if (tab) {
+      return {piece: tab.piece, edge: tab.edge};
+    }
+    const number = this.#numberAt(p, x - this.corners[p].x, page.height - (y - this.corners[p].y), nx, ny);
+    if (number) {
+      return number;
+    }
+    const f = faceAt(nets, p, nx, ny);
+    return f < 0 ? null : {piece: nets.facePiece[f], edge: -1};
+  }
+
+  /** The edge whose number stands there. @param {number} p @param {number} x on the page, y up @param {number} y
+   * @param {number} nx in the plane of all nets @param {number} ny @returns {Spot | null} */
+  #numberAt(p, x, y, nx, ny) {
+    const {nets, drawer} = this;
+    for (const group of drawer.sheets.pages[p]?.groups ?? []) {
+      const index = drawer.pieceByGroup.get(group.id);
+      if (index === undefined) {
+        continue;
+      }
+      const text = group.texts?.find(([layer, number, tx, ty, height]) => layer === 0 &&
+        Math.hypot(x - tx, y - ty) < 0.5 * height * Math.max(1, 0.6 * number.length) + 0.4);
+      if (text) {
+        const edges = nets.pieces[index].joins.flatMap((j) => (nets.joins[j].number === parseInt(text[1], 10) ? nets.joins[j].edges : []))
+          .filter((e) => nets.edges[e].piece === index);
+        const away = (/** @type {number} */ e) => segmentDistance(nx, ny, drawer.ends(e)[0], drawer.ends(e)[1]);
+        edges.sort((a, b) => away(a) - away(b));
+        return edges.length > 0 ? {piece: index, edge: edges[0]} : null;
+      }
+    }
+    return null;
+  }
+
+  /** Marks an edge of a piece for those who use the keyboard, and puts the focus on it. @param {number} index @param {number} e */
+  focusEdge(index, e) {
+    const group = this.pieces[index];
+    const path = svgElement("path", {class: "focus-edge", tabindex: -1, role: "img", "aria-label": this.listener.edgeWords(e),
+      d: this.drawer.edgePath(this.nets.pieces[index].page, e), "data-edge": e}, group);
+    path.addEventListener("blur", () => setTimeout(() => path.remove()), {once: true});
+    path.focus();
+  }
+
+  #listen() {
+    const {svg} = this;
+    /** @type {Map<number, {x: number, y: number}>} */
+    const fingers = new Map();
+    let moved = 0;
+    /** @type {SVGRectElement | null} */
+    let frame = null;
+    let start = {x: 0, y: 0};
+    const reachOf = (/** @type {PointerEvent | MouseEvent} */ event) =>
+      "pointerType" in event && event.pointerType === "touch" ? 16 : 6;
+    svg.addEventListener("pointerdown", (event) => {
+      svg.setPointerCapture(event.pointerId);
+      fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+      moved = 0;
+      start = {x: event.clientX, y: event.clientY};
+      if (event.shiftKey) {
+        frame = svgElement("rect", {class: "frame"}, svg);
+      }
+    });
+    svg.addEventListener("pointermove", (event) => {
+      const before = fingers.get(event.pointerId);
+      if (!before) {
+        if (!hasMoved(event)) {
+          return;
+        }
+        this.listener.hover(this.pick(event.clientX, event.clientY, reachOf(event)));
+        return;
+      }
+      const others = [...fingers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
+      const dx = event.clientX - before.x;
+      const dy = event.clientY - before.y;
+      moved += Math.abs(dx) + Math.abs(dy);
+      if (frame) {
+        const [a, b] = [start, {x: event.clientX, y: event.clientY}].map((at) => this.#atClient(at.x, at.y));
+        for (const [key, value] of Object.entries({x: Math.min(a[0], b[0]), y: Math.min(a[1], b[1]),
+          width: Math.abs(a[0] - b[0]), height: Math.abs(a[1] - b[1])})) {
+          frame.setAttribute(key, String(value));
+        }
+      } else if (others.length > 0) {
+        const o = others[0];
+        const old = Math.hypot(before.x - o.x, before.y - o.y);
+        const now = Math.hypot(event.clientX - o.x, event.clientY - o.y);
+        this.#pan(0.5 * dx, 0.5 * dy);
+        if (old > 1) {
+          this.zoomAt(now / old, 0.5 * (event.clientX + o.x), 0.5 * (event.clientY + o.y));
+        }
+      } else if (moved > 4) {
+        this.#pan(dx, dy);
+      }
+      fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+    });
+    const up = (/** @type {PointerEvent} */ event) => {
+      if (frame) {
+        const [a, b] = [start, {x: event.clientX, y: event.clientY}].map((at) => this.#atClient(at.x, at.y));
+        frame.remove();
+        frame = null;
+        const [left, right] = [Math.min(a[0], b[0]), Math.max(a[0], b[0])];
+        const [top, bottom] = [Math.min(a[1], b[1]), Math.max(a[1], b[1])];
+        this.listener.chooseMany(this.nets.pieces.map((piece) => piece.index).filter((index) => {
+          const box = this.#pieceBox(index);
+          return box[0] <= right && box[2] >= left && box[1] <= bottom && box[3] >= top;
+        }));
+      } else if (event.type === "pointerup" && moved <= 4 && fingers.size === 1) {
+        this.listener.choose(this.pick(event.clientX, event.clientY, reachOf(event)), event.ctrlKey || event.metaKey);
+      }
+      fingers.delete(event.pointerId);
+    };
+    svg.addEventListener("pointerup", up);
+    svg.addEventListener("pointercancel", up);
+    svg.addEventListener("pointerleave", () => this.listener.hover(null));
+    svg.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.zoomAt(Math.exp(-wheelSteps(event) * 0.16), event.clientX, event.clientY);
+    }, {passive: false});
+    svg.addEventListener("dblclick", (event) => {
+      const spot = this.pick(event.clientX, event.clientY, 6);
+      if (spot) {
+        this.listener.visit(spot);
+        return;
+      }
+      const [x, y] = this.#atClient(event.clientX, event.clientY);
+      const p = this.corners.findIndex((corner, k) => x >= corner.x && x <= corner.x + this.drawer.size(k)[0] && y >= corner.y &&
+        y <= corner.y + this.drawer.size(k)[1]);
+      if (p < 0) {
+        this.fit();
+      } else {
+        const [width, height] = this.drawer.size(p);
+        this.#show({...this.corners[p], width, height}, 0.96);
+      }
+    });
+    svg.addEventListener("focusin", (event) => {
+      const target = /** @type {Element} */ (event.target);
+      const index = Number(target.closest("[data-piece]")?.getAttribute("data-piece") ?? -1);
+      if (index >= 0 && fingers.size === 0) {
+        const edge = Number(target.getAttribute("data-edge") ?? -1);
+        this.listener.hover({piece: index, edge});
+        if (!this.sees(index)) {
+          this.goTo({piece: index, edge: -1});
+        }
+      }
+    });
+    svg.addEventListener("focusout", () => this.listener.hover(null));
+  }
+
+  /** @param {number} clientX @param {number} clientY */
+  #atClient(clientX, clientY) {
+    const box = this.svg.getBoundingClientRect();
+    return [this.view.x + (clientX - box.left) / this.view.scale, this.view.y + (clientY - box.top) / this.view.scale];
+  }
+
+  /** Where the middle of an edge is in the window. @param {number} e */
+  clientOf(e) {
+    const [left, top, right, bottom] = this.#edgeBox(e);
+    const box = this.svg.getBoundingClientRect();
+    return [box.left + (0.5 * (left + right) - this.view.x) * this.view.scale, box.top + (0.5 * (top + bottom) - this.view.y) * this.view.scale];
+  }
+
+  /** @param {number} dx pixels @param {number} dy */
+  #pan(dx, dy) {
+    this.view.x -= dx / this.view.scale;
+    this.view.y -= dy / this.view.scale;
+    this.fitted = false;
+    this.#apply();
+  }
+
+  /** @param {number} factor @param {number} clientX @param {number} clientY */
+  zoomAt(factor, clientX, clientY) {
+    const scale = Math.min(60, Math.max(0.15, this.view.scale * factor));
+    const box = this.svg.getBoundingClientRect();
+    const shift = 1 / this.view.scale - 1 / scale;
+    this.view.x += (clientX - box.left) * shift;
+    this.view.y += (clientY - box.top) * shift;
+    this.view.scale = scale;
+    this.fitted = false;
+    this.#apply();
+  }
+}
+
+let lastPlace = "";
+
+/**
+ * Whether a pointer is elsewhere than at its last move: browsers also tell of a move where the page has changed under
+ * a pointer that rests, and what the keyboard points at must not be lost by that.
+ * @param {PointerEvent} event
+ */
+export function hasMoved(event) {
+  const place = `${event.screenX} ${event.screenY}`;
+  const moved = place !== lastPlace;
+  lastPlace = place;
+  return moved;
+}
+
+/** Notches of a mouse wheel; a touch pad gives parts of one. @param {WheelEvent} event */
+export function wheelSteps(event) {
+  const step = event.deltaMode === 0 ? event.deltaY / 100 : event.deltaY / 3;
+  return Math.max(-3, Math.min(3, event.ctrlKey ? 6 * step : step));
+}
+
+/** @param {number[][]} polygon convex, counterclockwise @param {number} x @param {number} y */
+function holdsPoint(polygon, x, y) {
+  return polygon.every(([ax, ay], k) => {
+    const [bx, by] = polygon[(k + 1) % polygon.length];
+    return (bx - ax) * (y - ay) - (by - ay) * (x - ax) >= 0;
+  });
+}
