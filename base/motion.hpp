@@ -3,9 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
+#include "base/elementary.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft {
@@ -72,8 +72,8 @@ struct Motion {
 
 /// Turns about a line in the plane z = 0 by an angle in radians (O. Rodrigues). The direction has length 1.
 [[nodiscard]] inline Motion turn_about(Vec2 start, Vec2 direction, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
+  const double c = elementary::cos(angle);
+  const double s = elementary::sin(angle);
   const Vec2 d = direction;
   Motion turn;
   turn.rows = {Vec3{c + d.x * d.x * (1.0 - c), d.x * d.y * (1.0 - c), d.y * s},

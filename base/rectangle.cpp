@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft {
 namespace {
 
@@ -28,7 +30,7 @@ class HullReach {
     std::vector<double> direction(hull.size());
     for (std::size_t i = 0; i < hull.size(); ++i) {
       const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
-      direction[i] = std::atan2(side.y, side.x);
+      direction[i] = elementary::atan2(side.y, side.x);
     }
     first_ =
         static_cast<std::size_t>(std::min_element(direction.begin(), direction.end()) - direction.begin());
@@ -47,7 +49,7 @@ class HullReach {
     }
     // At the farthest corner the sides turn from running along u to running against it: a quarter turn from
     // u. Its neighbours are looked at, too, since directions of short sides are rounded.
-    const double across = std::atan2(u.x, -u.y);
+    const double across = elementary::atan2(u.x, -u.y);
     const std::size_t n = hull_.size();
     const auto side = static_cast<std::size_t>(
         std::lower_bound(directions_.begin(), directions_.end(), across) - directions_.begin());
@@ -65,7 +67,7 @@ class HullReach {
 };
 
 bool fits_at(const HullReach& reach, double angle, const Rectangle& rectangle) {
-  const Vec2 u{std::cos(angle), -std::sin(angle)};
+  const Vec2 u{elementary::cos(angle), -elementary::sin(angle)};
   const Vec2 v = perpendicular(u);
   return reach.along(u) + reach.along(-u) <= rectangle.width + fit_slack &&
          reach.along(v) + reach.along(-v) <= rectangle.height + fit_slack;
@@ -109,7 +111,7 @@ std::optional<double> angle_to_fit(std::span<const Vec2> hull, const Rectangle& 
     return std::nullopt;
   }
   std::optional<double> found;
-  const double diagonal = std::hypot(rectangle.width, rectangle.height);
+  const double diagonal = elementary::hypot(rectangle.width, rectangle.height);
   const auto try_angle = [&](double angle) {
     if (!found && fits_at(reach, angle, rectangle)) {
       found = angle;
@@ -124,20 +126,20 @@ std::optional<double> angle_to_fit(std::span<const Vec2> hull, const Rectangle& 
   }
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 edge = hull[(i + 1) % hull.size()] - hull[i];
-    const double angle = -std::atan2(edge.y, edge.x);
+    const double angle = -elementary::atan2(edge.y, edge.x);
     if (try_angle(angle) || try_angle(angle + quarter)) {
       return found;
     }
   }
   any_antipodal(hull, [&](Vec2 d) {
     const double size = length(d);
-    const double direction = std::atan2(d.y, d.x);
+    const double direction = elementary::atan2(d.y, d.x);
     for (const double side : {rectangle.width, rectangle.height}) {
       if (size < side) {
         continue;
       }
       // Turned so that the extent along x is `side`; with width and height exchanged a quarter turn more.
-      const double open = std::acos(side / size);
+      const double open = elementary::acos(side / size);
       const double base = side == rectangle.width ? 0.0 : quarter;
       if (try_angle(base - direction + open) || try_angle(base - direction - open)) {
         return true;

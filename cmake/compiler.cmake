@@ -132,6 +132,8 @@ function(ridgecraft_library name)
     target_compile_options(ridgecraft_${name}_cgal PRIVATE ${ridgecraft_cgal_options})
     target_link_libraries(ridgecraft_${name}_cgal PRIVATE
       ridgecraft_options ${arg_CGAL_PRIVATE} CGAL::CGAL CGAL::Eigen3_support Boost::headers)
+    # Sums in the order in which they are written, whatever the processor's registers hold.
+    target_compile_definitions(ridgecraft_${name}_cgal PRIVATE EIGEN_DONT_VECTORIZE)
     ridgecraft_unity(ridgecraft_${name}_cgal ${arg_CGAL_SOURCES})
     target_sources(ridgecraft_${name} PRIVATE $<TARGET_OBJECTS:ridgecraft_${name}_cgal>)
     target_link_libraries(ridgecraft_${name} PRIVATE ${arg_CGAL_PRIVATE} PkgConfig::mpfr PkgConfig::gmp)

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 
 namespace ridgecraft::solid {
@@ -68,7 +69,7 @@ bool lies_on(Vec3 point, const std::array<Vec3, 3>& triangle, double& angle) {
   if (std::abs(volume) <= in_plane && around <= in_plane) {
     return true;
   }
-  angle += 2.0 * std::atan2(volume, around);
+  angle += 2.0 * elementary::atan2(volume, around);
   return false;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "solid/solid.hpp"
 
@@ -65,12 +66,12 @@ class MeanValue {
     double half = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const double chord = length(direction_[t[(i + 1) % 3]] - direction_[t[(i + 2) % 3]]);
-      side[i] = 2.0 * std::asin(std::fmin(1.0, 0.5 * chord));
+      side[i] = 2.0 * elementary::asin(std::fmin(1.0, 0.5 * chord));
       half += 0.5 * side[i];
     }
     if (std::numbers::pi - half < on_cage) {  // the point is in the triangle
       for (std::size_t i = 0; i < 3; ++i) {
-        weight[i] = std::sin(side[i]) * distance_[t[(i + 1) % 3]] * distance_[t[(i + 2) % 3]];
+        weight[i] = elementary::sin(side[i]) * distance_[t[(i + 1) % 3]] * distance_[t[(i + 2) % 3]];
       }
       return Seen::inside;
     }
@@ -81,8 +82,9 @@ class MeanValue {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
       const std::size_t k = (i + 2) % 3;
-      cosine[i] =
-          2.0 * std::sin(half) * std::sin(half - side[i]) / (std::sin(side[j]) * std::sin(side[k])) - 1.0;
+      cosine[i] = 2.0 * elementary::sin(half) * elementary::sin(half - side[i]) /
+                      (elementary::sin(side[j]) * elementary::sin(side[k])) -
+                  1.0;
       cosine[i] = std::clamp(cosine[i], -1.0, 1.0);
       sine[i] = sign * std::sqrt(1.0 - cosine[i] * cosine[i]);
       if (std::fabs(sine[i]) <= on_cage) {
@@ -93,7 +95,7 @@ class MeanValue {
       const std::size_t j = (i + 1) % 3;
       const std::size_t k = (i + 2) % 3;
       weight[i] = (side[i] - cosine[j] * side[k] - cosine[k] * side[j]) /
-                  (distance_[t[i]] * std::sin(side[j]) * sine[k]);
+                  (distance_[t[i]] * elementary::sin(side[j]) * sine[k]);
     }
     return Seen::apart;
   }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/write_bodies.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "base/xml_text.hpp"
 
@@ -47,9 +46,9 @@ std::string write_urdf(const std::vector<Body>& bodies, const UrdfOptions& optio
   RIDGECRAFT_ASSERT(bodies.size() == options.mesh_files.size());
   const MassProperties of_units = mass_properties(bodies);
   const double scale = options.metres_per_unit;
-  const double mass = options.density * of_units.volume * std::pow(scale, 3.0);
+  const double mass = options.density * of_units.volume * elementary::pow(scale, 3.0);
   const Vec3 center = scale * of_units.center;
-  const double inertia_scale = options.density * std::pow(scale, 5.0);
+  const double inertia_scale = options.density * elementary::pow(scale, 5.0);
   const auto inertia = [&](std::size_t i) { return inertia_scale * of_units.inertia[i]; };
   std::string text =
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {} -->\n<robot name=\"{}\">\n",

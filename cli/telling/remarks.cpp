@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::cli {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double printer_margin_mm = 3.0;
 constexpr double tiny_mm = 30.0;
 
 double two_digits(double value) {
-  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) - 1.0));
+  const double unit = elementary::pow(10.0, std::max(0.0, std::floor(elementary::log10(value)) - 1.0));
   return std::round(value / unit) * unit;
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/elementary.hpp"
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
 #include "export/formats/base64.hpp"
@@ -214,7 +215,7 @@ class SvgWriter {
   }
 
   void write_real_text(const Text& text) {
-    const Vec2 down{std::sin(text.angle), -std::cos(text.angle)};
+    const Vec2 down{elementary::sin(text.angle), -elementary::cos(text.angle)};
     // From the left end of its estimated box: only titles can be such texts.
     const double half = 0.5 * text_width(text.text, text.height);
     const Vec2 baseline = text.centre + 0.5 * text.height * down + half * perpendicular(-down);

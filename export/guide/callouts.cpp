@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "export/guide/words.hpp"
 #include "export/style/stroke_font.hpp"
 
@@ -71,7 +72,7 @@ void add_dot(Vec2 at, Group& group) {
   Area dot{Layer::picture, {}, leader_pen.color};
   for (int k = 0; k < dot_corners; ++k) {
     const double angle = 2.0 * 3.14159265358979323846 * k / dot_corners;
-    dot.outline.push_back(at + dot_radius * Vec2{std::cos(angle), std::sin(angle)});
+    dot.outline.push_back(at + dot_radius * Vec2{elementary::cos(angle), elementary::sin(angle)});
   }
   group.areas.push_back(std::move(dot));
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/convex_hull.hpp"
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "base/rectangle.hpp"
 
@@ -24,7 +25,7 @@ double area_of(std::span<const Vec2> polygon) {
 }
 
 Turn turn_by(double angle) {
-  return {std::cos(angle), std::sin(angle)};
+  return {elementary::cos(angle), elementary::sin(angle)};
 }
 
 /// Room left in the rectangle, negative where the hull sticks out.
@@ -43,8 +44,8 @@ void add_limits(std::span<const Vec2> hull, double limit, double offset, std::ve
       if (size < limit || size <= 0.0) {
         continue;
       }
-      const double direction = std::atan2(d.y, d.x);
-      const double open = std::acos(limit / size);
+      const double direction = elementary::atan2(d.y, d.x);
+      const double open = elementary::acos(limit / size);
       for (const double angle : {open - direction, -open - direction, std::numbers::pi - open - direction,
                                  std::numbers::pi + open - direction}) {
         angles.push_back(angle + offset);
@@ -82,7 +83,7 @@ std::vector<Turn> fitting_turns(std::span<const Vec2> hull, Vec2 area) {
   std::vector<double> angles{0.0, std::numbers::pi / 2.0};
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
-    const double level = -std::atan2(side.y, side.x);
+    const double level = -elementary::atan2(side.y, side.x);
     angles.push_back(level);
     angles.push_back(level + std::numbers::pi / 2.0);
   }
@@ -124,7 +125,7 @@ std::vector<Turn> promising_turns(std::span<const Vec2> hull, Vec2 area, std::si
   std::vector<std::pair<double, double>> level;  // area of the enclosing rectangle, angle
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
-    const double angle = -std::atan2(side.y, side.x);
+    const double angle = -elementary::atan2(side.y, side.x);
     const Vec2 size = extent(hull, turn_by(angle));
     level.emplace_back(size.x * size.y, angle);
   }

@@ -8,6 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::paper {
 namespace {
 
@@ -96,7 +98,7 @@ class RowMaker {
   [[nodiscard]] std::vector<Row> rows() {
     turn_ = narrowest_turn();
     const std::size_t all = kind_.shapes.size();
-    const double longest = std::hypot(task_.area.x, task_.area.y);
+    const double longest = elementary::hypot(task_.area.x, task_.area.y);
     const double step = std::max(1.0, distance(sides(0), sides(0), gap_));
     std::size_t most = std::min(all, static_cast<std::size_t>(longest / step) + 1);
     std::vector<Row> result;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/elementary.hpp"
 #include "export/page/leader.hpp"
 #include "export/style/stroke_font.hpp"
 
@@ -87,7 +88,7 @@ std::vector<Text> label(const PieceDrawing& piece, double height, double degrees
   const double angle = degrees * std::numbers::pi / 180.0;
   // The line under a name tells which side is up: N and Z, M and W, H and I lie on the table in all turns.
   std::vector<Text> texts{{Layer::piece_name, piece.name, {}, height, angle, true}};
-  const Vec2 down{std::sin(angle), -std::cos(angle)};
+  const Vec2 down{elementary::sin(angle), -elementary::cos(angle)};
   double at = (0.5 + underline_drop) * height + note_gap;
   for (std::size_t i = 0; i < notes; ++i) {
     texts.push_back(
@@ -221,7 +222,7 @@ bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, c
   const Vec2 to_middle = -0.5 * (at_origin.low + at_origin.high);
   for (double reach = 3.0; reach < 16.0; reach += 1.0) {
     for (const double turn : {0.0, 0.4, -0.4, 0.75, -0.75}) {
-      const Vec2 centre = middle + reach * (std::cos(turn) * out + std::sin(turn) * along);
+      const Vec2 centre = middle + reach * (elementary::cos(turn) * out + elementary::sin(turn) * along);
       const std::vector<Text> here = moved(texts, centre + to_middle);
       const Box2 box = bounds_of(here);
       const Vec2 tip{std::clamp(middle.x, box.low.x, box.high.x),

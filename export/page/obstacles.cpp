@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/elementary.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
@@ -46,7 +47,7 @@ Box2 TurnedBox::bounds() const {
 }
 
 TurnedBox box_of(const Text& text) {
-  const Vec2 along{std::cos(text.angle), std::sin(text.angle)};
+  const Vec2 along{elementary::cos(text.angle), elementary::sin(text.angle)};
   const double drop = text.underlined ? underline_drop * text.height : 0.0;
   return {text.centre - 0.5 * drop * perpendicular(along), along, 0.5 * text_width(text.text, text.height),
           0.5 * (text.height + drop)};

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "export/page/glue_spots.hpp"
 #include "export/page/leader.hpp"
 #include "export/page/name_placement.hpp"
@@ -33,7 +34,7 @@ struct Frame {
         middle(0.5 * (edge.a + edge.b)),
         along(size > 0.0 ? (edge.b - edge.a) / size : Vec2{1.0, 0.0}),
         inward(perpendicular(along)),
-        angle(upright(std::atan2(along.y, along.x))) {}
+        angle(upright(elementary::atan2(along.y, along.x))) {}
 
   double size;
   Vec2 middle;
@@ -134,7 +135,7 @@ class NumberPlacer {
           // Straight ahead first, then to both sides in turn.
           const double turn = (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>((i + 1) / 2) * leader_turn;
           Text text = number(*wanted.seam, height, frame.angle);
-          text.centre = start + reach * (std::cos(turn) * out + std::sin(turn) * frame.along);
+          text.centre = start + reach * (elementary::cos(turn) * out + elementary::sin(turn) * frame.along);
           if (blocked[i]) {
             continue;
           }
@@ -189,7 +190,7 @@ class NumberPlacer {
     text.text = placed.seam->partner + ":" + plain.text;
     text.underlined = false;  // the name comes first: which end that is tells which side is up
     const double growth = box_of(text).half_width - box_of(plain).half_width;
-    const Vec2 baseline{std::cos(plain.angle), std::sin(plain.angle)};
+    const Vec2 baseline{elementary::cos(plain.angle), elementary::sin(plain.angle)};
     const Frame frame(placed.seam->edge);
     for (const double share : {0.0, 0.5, -0.5, 1.0, -1.0}) {
       text.centre = plain.centre + share * growth * baseline;

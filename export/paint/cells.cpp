@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "base/segment.hpp"
 #include "export/page/segment2.hpp"
 
@@ -54,12 +55,13 @@ std::vector<Segment2> outlines_of(const PieceDrawing& piece) {
 
 /// Between 0 and a full turn, from one direction to another, against the clock.
 double turn_between(Vec2 from, Vec2 to) {
-  const double angle = std::atan2(cross(from, to), dot(from, to));
+  const double angle = elementary::atan2(cross(from, to), dot(from, to));
   return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
 }
 
 Vec2 turned(Vec2 v, double angle) {
-  return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
+  return {elementary::cos(angle) * v.x - elementary::sin(angle) * v.y,
+          elementary::sin(angle) * v.x + elementary::cos(angle) * v.y};
 }
 
 class RimMaker {

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "export/page/obstacles.hpp"
 #include "export/paint/cells.hpp"
@@ -36,7 +37,7 @@ mesh::Rgb pale(mesh::Rgb colour) {
 double light_of(const mesh::Rgb& colour) {
   const auto light = [](std::uint8_t channel) {
     const double shown = channel / 255.0;
-    return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+    return shown <= 0.04045 ? shown / 12.92 : elementary::pow((shown + 0.055) / 1.055, 2.4);
   };
   return 0.2126 * light(colour[0]) + 0.7152 * light(colour[1]) + 0.0722 * light(colour[2]);
 }

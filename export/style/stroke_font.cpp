@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/elementary.hpp"
 #include "base/utf8.hpp"
 #include "export/style/glyph_table.hpp"
 
@@ -98,7 +99,8 @@ class PathReader {
     const int steps = std::max(2, static_cast<int>(std::ceil(std::abs(to - from) / arc_step)));
     for (int i = 0; i <= steps; ++i) {
       const double angle = from + (to - from) * i / steps;
-      const Vec2 p{centre.x + radius.x * std::cos(angle), centre.y + radius.y * std::sin(angle)};
+      const Vec2 p{centre.x + radius.x * elementary::cos(angle),
+                   centre.y + radius.y * elementary::sin(angle)};
       if (strokes_.back().empty() || length(p - strokes_.back().back()) > 1e-6) {
         strokes_.back().push_back(p);
       }
@@ -231,7 +233,7 @@ std::vector<std::vector<Vec2>> text_strokes(const Text& text) {
   }
   const double scale = text.height / units_per_height;
   const double width = text_width(text.text, text.height);
-  const Vec2 along{std::cos(text.angle), std::sin(text.angle)};
+  const Vec2 along{elementary::cos(text.angle), elementary::sin(text.angle)};
   const Vec2 up = perpendicular(along);
   const Vec2 start = text.centre - 0.5 * width * along - 0.5 * text.height * up;
   double x = 0.0;

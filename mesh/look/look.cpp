@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::mesh {
 namespace {
 
@@ -127,7 +129,7 @@ Look::Look(LookParts parts, double factor, Vec3 shift)
     pixel_size_.push_back(pixel_size(face, paints_[face.paint]));
     std::for_each(face.corners.begin(), face.corners.end(), [&](Vec3 p) { bounds.add(p); });
   }
-  tie_ = std::pow(equal_share * bounds.largest_extent(), 2.0);
+  tie_ = elementary::pow(equal_share * bounds.largest_extent(), 2.0);
 }
 
 LookPlace Look::nearest(Vec3 p, Vec3 normal, std::uint32_t hint) const {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/elementary.hpp"
 #include "mesh/look/look.hpp"
 
 namespace ridgecraft::mesh {
@@ -30,10 +31,10 @@ Rgb unpacked(std::uint32_t packed) {
 
 /// IEC 61966-2-1.
 double light_of(double shown) {
-  return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+  return shown <= 0.04045 ? shown / 12.92 : elementary::pow((shown + 0.055) / 1.055, 2.4);
 }
 double shown_of(double light) {
-  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * elementary::pow(light, 1.0 / 2.4) - 0.055;
 }
 
 std::shared_ptr<const std::array<Rgb, 256>> tint_of(const Colour& colour) {

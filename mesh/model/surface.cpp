@@ -2,8 +2,8 @@
 #include "mesh/model/surface.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 
 namespace ridgecraft::mesh {
@@ -100,7 +100,7 @@ void Surface::measure() {
       // n x m points along the side of c where the edge is convex, against it where it is concave.
       const double sine = dot(ridgecraft::cross(n, m), normalized(along));
       const double cosine = dot(n, m);
-      fold_angles_[e.value()] = sine == 0.0 && cosine == 0.0 ? 0.0 : -std::atan2(sine, cosine);
+      fold_angles_[e.value()] = sine == 0.0 && cosine == 0.0 ? 0.0 : -elementary::atan2(sine, cosine);
     }
   }
 }

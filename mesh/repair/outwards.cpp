@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "base/elementary.hpp"
 #include "base/near_boxes.hpp"
 #include "mesh/repair/orient.hpp"
 
@@ -93,8 +94,8 @@ double winding(const TriangleList& list, const Component& c, Vec3 q) {
     const double la = length(a);
     const double lb = length(b);
     const double ld = length(d);
-    angle += 2.0 *
-             std::atan2(dot(a, cross(b, d)), la * lb * ld + dot(a, b) * ld + dot(b, d) * la + dot(d, a) * lb);
+    angle += 2.0 * elementary::atan2(dot(a, cross(b, d)),
+                                     la * lb * ld + dot(a, b) * ld + dot(b, d) * la + dot(d, a) * lb);
   }
   return angle / (4.0 * std::numbers::pi);
 }

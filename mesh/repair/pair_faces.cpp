@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/elementary.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
@@ -44,7 +45,7 @@ std::vector<Blade> blades_at(const TriangleList& list, const std::vector<EdgeUse
   std::vector<Blade> blades;
   for (std::size_t i = first; i < last; ++i) {
     const Vec3 d = aside(uses[i]);
-    double angle = std::atan2(dot(d, y), dot(d, x));
+    double angle = elementary::atan2(dot(d, y), dot(d, x));
     if (angle < -same_angle) {
       angle += 2.0 * std::numbers::pi;
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/constrained_delaunay.hpp"
+#include "base/elementary.hpp"
 #include "base/plane_frame.hpp"
 
 namespace ridgecraft::mesh {
@@ -68,7 +69,7 @@ Split judge(Vec3 a, Vec3 b, Vec3 c, Vec3 d, bool taken) {
   const Vec3 n = cross(b - a, c - a);
   const Vec3 m = cross(c - a, d - a);
   const double worse = std::min(shape(a, b, c), shape(a, c, d));
-  const double fold = worse > no_area ? std::atan2(length(cross(n, m)), dot(n, m)) : 0.0;
+  const double fold = worse > no_area ? elementary::atan2(length(cross(n, m)), dot(n, m)) : 0.0;
   return {fold, worse, taken};
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/box_tree.hpp"
 #include "base/boxes.hpp"
+#include "base/elementary.hpp"
 #include "mesh/model/faces_alone.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
@@ -66,8 +67,8 @@ std::array<double, 3> extents(const mesh::Surface& surface, const std::vector<Fa
   std::array<double, 3> result{INFINITY, INFINITY, extent(axes[longest])};
   for (int turn = 0; turn < turns; ++turn) {
     const double angle = 0.5 * std::numbers::pi * turn / turns;
-    const double one = extent(std::cos(angle) * u + std::sin(angle) * v);
-    const double other = extent(std::cos(angle) * v - std::sin(angle) * u);
+    const double one = extent(elementary::cos(angle) * u + elementary::sin(angle) * v);
+    const double other = extent(elementary::cos(angle) * v - elementary::sin(angle) * u);
     if (std::min(one, other) < result[0]) {
       result[0] = std::min(one, other);
       result[1] = std::max(one, other);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::prepare {
 namespace {
 
@@ -12,7 +14,7 @@ class Grower {
  public:
   Grower(const mesh::Surface& surface, const PanelTolerance& tolerance)
       : surface_(surface),
-        cosine_(std::cos(tolerance.angle)),
+        cosine_(elementary::cos(tolerance.angle)),
         distance_(tolerance.distance * surface.bounds().diagonal()) {
     panels_.panel = IdVector<FaceId, PanelId>(surface.face_count());
   }

@@ -7,16 +7,17 @@
 #include <cstddef>
 #include <numbers>
 
+#include "base/elementary.hpp"
 #include "mesh/model/surface_distance.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
 /// A face may turn by at most this much in one collapse.
-const double turn_cosine = std::cos(75.0 * std::numbers::pi / 180.0);
+const double turn_cosine = elementary::cos(75.0 * std::numbers::pi / 180.0);
 /// Neighbours may not fold back onto each other further than this where they didn't before: paper can't be
 /// folded shut.
-const double fold_cosine = std::cos(160.0 * std::numbers::pi / 180.0);
+const double fold_cosine = elementary::cos(160.0 * std::numbers::pi / 180.0);
 /// Smallest height over longest side of a new face where the old faces weren't worse.
 constexpr double thinnest_face = 0.02;
 /// The same for the triangles of a wall, which are one face on paper: all they need is an area.

@@ -5,6 +5,7 @@
 
 // The mesh and CGAL's view of it must be known before the simplification is.
 // clang-format off
+#include "base/elementary.hpp"
 #include "prepare/simplify/edit_mesh.hpp"
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
@@ -261,7 +262,7 @@ class WeightedCost {
     const double squared = CGAL::squared_distance(profile.p0(), profile.p1());
     const double ratio = std::max(squared / (rules_.short_edge * rules_.short_edge), 1e-4);
     // In flat regions all errors are nothing but rounding: there the length alone decides.
-    return (std::max(cost, 0.0) + flat_error * squared) * std::pow(ratio, 0.5 * rules_.power);
+    return (std::max(cost, 0.0) + flat_error * squared) * elementary::pow(ratio, 0.5 * rules_.power);
   }
 
  private:

@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+
+#include "base/elementary.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
 constexpr std::uint32_t no_vertex = 0xffffffffU;
 /// A face may lean by this much (0.1 degrees, as within a panel).
-const double leaning_cosine = std::cos(0.1 * 3.14159265358979323846 / 180.0);
+const double leaning_cosine = elementary::cos(0.1 * 3.14159265358979323846 / 180.0);
 /// Height over longest side below which a face is nothing but rounding.
 constexpr double thin_as_rounding = 1e-6;
 /// Places in a picture differ by no more than this share of the picture.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/elementary.hpp"
 #include "mesh/model/faces_alone.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/remesh_panels.hpp"
@@ -63,7 +64,8 @@ struct Turned {
   bool inwards = false;                      ///< faces made ring by ring would look inwards
 
   [[nodiscard]] Vec3 place(const Ring& ring, double angle) const {
-    return centre + ring.height * axis + ring.radius * (std::cos(angle) * across + std::sin(angle) * beside);
+    return centre + ring.height * axis +
+           ring.radius * (elementary::cos(angle) * across + elementary::sin(angle) * beside);
   }
 };
 
@@ -181,7 +183,7 @@ class Recogniser {
 
   [[nodiscard]] double angle_of(VertexId v) const {
     const Vec3 p = surface_.point(v) - result_.centre;
-    return std::atan2(dot(p, result_.beside), dot(p, result_.across));
+    return elementary::atan2(dot(p, result_.beside), dot(p, result_.across));
   }
 
   /// Each face lies between two rings or within one.
@@ -453,7 +455,7 @@ class Chooser {
       for (std::uint32_t sides = std::min(body_.sides, most_left / step * step); sides >= fewest_left;
            sides -= step) {
         context_.check();
-        const double sagitta = widest * (1.0 - std::cos(std::numbers::pi / sides));
+        const double sagitta = widest * (1.0 - elementary::cos(std::numbers::pi / sides));
         if (sagitta + bend > largest_mm_ || (best && 2 * rings.size() * sides <= best->faces.size())) {
           break;
         }

@@ -8,6 +8,8 @@
 #include <map>
 #include <numbers>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::prepare {
 namespace {
 
@@ -22,7 +24,7 @@ constexpr double detail = 0.5;
 /// ... and regions of this size are walls whatever is around them.
 constexpr double large = 4.0;
 /// Planes at smaller angles have a common line that isn't known well.
-const double distinct = std::sin(2.0 * degrees);
+const double distinct = elementary::sin(2.0 * degrees);
 /// Components of which walls are less of the area are no hard surfaces.
 constexpr double least_share = 0.4;
 

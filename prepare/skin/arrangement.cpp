@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <type_traits>
 
 #include <CGAL/Constrained_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -37,8 +38,26 @@ Filtered::Point_3 filtered(Vec3 p) {
 Exact::Point_3 exact(Vec3 p) {
   return {p.x, p.y, p.z};
 }
+/// The double nearest to an exact number, the lower of two. CGAL::to_double depends on how far the number was
+/// computed before and on the library that computes exactly; the same model is to give the same points
+/// everywhere.
+double nearest(const Exact::FT& number) {
+  const auto& exact = number.exact();
+  using Number = std::decay_t<decltype(exact)>;
+  const double near = CGAL::to_double(exact);
+  double best = near;
+  Number least = abs(Number(exact - Number(near)));
+  for (const double other : {std::nextafter(near, -INFINITY), std::nextafter(near, INFINITY)}) {
+    const Number distance = abs(Number(exact - Number(other)));
+    if (distance < least || (distance == least && other < best)) {
+      best = other;
+      least = distance;
+    }
+  }
+  return best;
+}
 Vec3 rounded(const Exact::Point_3& p) {
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  return {nearest(p.x()), nearest(p.y()), nearest(p.z())};
 }
 
 Box3 box_of(const std::vector<Vec3>& points, const Corners& t) {
@@ -452,8 +471,7 @@ class Arranger {
   }
 
   [[nodiscard]] static View exact_view(const Exact::Plane_3& plane) {
-    const Vec3 normal{CGAL::to_double(plane.a()), CGAL::to_double(plane.b()), CGAL::to_double(plane.c())};
-    return view_along(normal);
+    return view_along({nearest(plane.a()), nearest(plane.b()), nearest(plane.c())});
   }
   [[nodiscard]] static Exact::Point_3 lifted(const Exact::Point_2& p, const Exact::Plane_3& plane,
                                              View view) {
@@ -493,6 +511,7 @@ class Arranger {
     }
     return outlines;
   }
+  /// Enough for boxes that are a little too large.
   static Vec2 roughly(const Exact::Point_2& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
 
   /// The triangles of a group that a face of its triangulation lies in.
@@ -666,7 +685,7 @@ class Arranger {
     std::map<std::uint32_t, std::int32_t> ahead;    // around the side that the ray leaves to
     std::map<std::uint32_t, std::int32_t> through;  // what the front has less than the back
     bool sure = true;
-    const Vec3 start = rounded(from);
+    const Vec3 start{CGAL::to_double(from.x()), CGAL::to_double(from.y()), CGAL::to_double(from.z())};
     const double margin = 1e-9 * all.diagonal();
     tree.search([&](std::uint32_t node) { return comes_near(start, way, tree.box(node), margin); },
                 [&](std::uint32_t place) {

@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/edge_order.hpp"
+#include "base/elementary.hpp"
 #include "base/same_place.hpp"
 #include "prepare/skin/sight.hpp"
 
@@ -24,7 +25,7 @@ constexpr std::ptrdiff_t looks_that_count = 2;
 constexpr double little_seen = 0.4;
 
 std::vector<Vec3> on_grid(const std::vector<Vec3>& points, double share) {
-  const double unit = std::exp2(std::floor(std::log2(share)));
+  const double unit = elementary::exp2(std::floor(elementary::log2(share)));
   std::vector<Vec3> result;
   result.reserve(points.size());
   for (const Vec3 p : points) {
@@ -476,8 +477,8 @@ class Meeting {
       const double la = length(a);
       const double lb = length(b);
       const double lc = length(c);
-      angle +=
-          std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+      angle += elementary::atan2(dot(a, cross(b, c)),
+                                 la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
     }
     return angle > std::numbers::pi;
   }

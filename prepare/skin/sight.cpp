@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::prepare {
 namespace {
 
@@ -24,7 +26,7 @@ Vec3 direction(int i) {
   const double z = 1.0 - (2.0 * i + 1.0) / looks;
   const double angle = 0.4 + i * std::numbers::pi * (3.0 - std::sqrt(5.0));
   const double r = std::sqrt(1.0 - z * z);
-  return {r * std::cos(angle), r * std::sin(angle), z};
+  return {r * elementary::cos(angle), r * elementary::sin(angle), z};
 }
 
 bool comes_near(Vec3 from, Vec3 way, const Box3& box) {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "prepare/symmetry/area_frame.hpp"
 
 namespace ridgecraft::prepare {
@@ -21,8 +22,8 @@ constexpr std::size_t most_planes = 16;
 
 /// Turns about a line through a point (O. Rodrigues).
 Isometry turn_about_line(Vec3 point, Vec3 axis, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
+  const double c = elementary::cos(angle);
+  const double s = elementary::sin(angle);
   Isometry turn;
   turn.motion.rows = {Vec3{c, -s * axis.z, s * axis.y} + (1.0 - c) * axis.x * axis,
                       Vec3{s * axis.z, c, -s * axis.x} + (1.0 - c) * axis.y * axis,

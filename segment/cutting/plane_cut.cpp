@@ -9,6 +9,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
@@ -183,7 +185,7 @@ void PlaneCutter::add_stars(const std::array<Vec3, 3>& axes, std::vector<Trial>&
       Trial trial;
       for (int j = 0; j < planes; ++j) {
         const double angle = std::numbers::pi * (j + 0.5) / planes;
-        const Vec3 n = std::cos(angle) * u + std::sin(angle) * v;
+        const Vec3 n = elementary::cos(angle) * u + elementary::sin(angle) * v;
         trial.planes.push_back({n, dot(n, middle)});
       }
       if (planes > 1) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
@@ -44,7 +46,7 @@ std::uint32_t cell_of(Vec3 n, std::uint32_t squares) {
 void PlaneDirections::assign(std::span<const HullPlane> planes, Vec3 centre) {
   centre_ = centre;
   // 6 s^2 cells of n / (6 s^2) planes: about as many planes in a cell as cells at s = (n / 36)^(1/4).
-  const double even = std::pow(static_cast<double>(planes.size()) / 36.0, 0.25);
+  const double even = elementary::pow(static_cast<double>(planes.size()) / 36.0, 0.25);
   const std::uint32_t squares = std::min(most_squares, static_cast<std::uint32_t>(even) + 1);
   first_.assign(std::size_t{6} * squares * squares + 1, 0);
   place_.resize(planes.size());

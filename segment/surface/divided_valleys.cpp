@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "base/elementary.hpp"
 
 namespace ridgecraft::segment {
 namespace {
@@ -15,7 +16,7 @@ constexpr double least_fold = 5.0 * std::numbers::pi / 180.0;
 /// A fold of less is none.
 constexpr double flat = 1e-3;
 /// A valley goes on at a vertex along another concave edge that turns by at most this much.
-const double goes_on = std::cos(60.0 * std::numbers::pi / 180.0);
+const double goes_on = elementary::cos(60.0 * std::numbers::pi / 180.0);
 
 std::array<VertexId, 2> ends_of(const mesh::Surface& surface, EdgeId e) {
   const CornerId c = surface.sides(e)[0];

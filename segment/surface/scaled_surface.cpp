@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/curve_order.hpp"
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "segment/surface/enclosing_ball.hpp"
 #include "segment/surface/exact_orientation.hpp"
@@ -122,7 +123,7 @@ void find_normals(ScaledSurface& s) {
     s.facet_normals[f] = n;
     for (std::size_t k = 0; k < 3; ++k) {
       const double cosine = -dot(side[k], side[(k + 2) % 3]);
-      s.vertex_normals[s.corners[f][k]] += std::acos(std::clamp(cosine, -1.0, 1.0)) * n;
+      s.vertex_normals[s.corners[f][k]] += elementary::acos(std::clamp(cosine, -1.0, 1.0)) * n;
     }
   }
   for (Vec3& n : s.vertex_normals) {

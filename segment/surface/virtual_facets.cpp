@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/disjoint_sets.hpp"
+#include "base/elementary.hpp"
 
 namespace ridgecraft::segment {
 namespace {
@@ -227,7 +228,7 @@ class Closer {
         continue;
       }
       const Vec3 to = s_->points[s_->corners[side.facet][side.side]] - s_->points[at];
-      double angle = std::atan2(dot(n, cross(to, from)), dot(from, to) - dot(n, from) * dot(n, to));
+      double angle = elementary::atan2(dot(n, cross(to, from)), dot(from, to) - dot(n, from) * dot(n, to));
       angle += angle <= 0.0 ? 2.0 * std::numbers::pi : 0.0;
       if (angle < least) {
         least = angle;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::unfold {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr double quick_for_exact = 80.0;
 
 Annealing annealing_for(double trials_per_face, std::uint32_t faces) {
   const double more = std::max(1.0, static_cast<double>(faces) / ordinary_faces);
-  const double trials = trials_per_face * static_cast<double>(faces) * std::pow(more, growth - 1.0);
+  const double trials = trials_per_face * static_cast<double>(faces) * elementary::pow(more, growth - 1.0);
   return {static_cast<std::uint64_t>(trials), static_cast<std::uint64_t>(trials / quick_for_exact)};
 }
 

@@ -2,8 +2,9 @@
 // How long and how hot the search for a net of less energy is.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
+
+#include "base/elementary.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -24,7 +25,7 @@ struct Annealing {
 
 /// A value between two, in equal ratios for equal steps of `share` from 0 to 1.
 [[nodiscard]] inline double between(double first, double last, double share) {
-  return first * std::pow(last / first, share);
+  return first * elementary::pow(last / first, share);
 }
 
 }  // namespace ridgecraft::unfold

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
+
+#include "base/elementary.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -23,7 +24,7 @@ double corner_angle(const Patch& patch, std::uint32_t side) {
   const Triangle& t = patch.shape[side / 3];
   const Vec2 a = t[(side + 1) % 3] - t[side % 3];
   const Vec2 b = t[(side + 2) % 3] - t[side % 3];
-  return std::atan2(cross(a, b), dot(a, b));
+  return elementary::atan2(cross(a, b), dot(a, b));
 }
 
 /// A side of a region's outline, and whether the outline turns where it begins.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 
 namespace ridgecraft::unfold {
@@ -32,7 +33,7 @@ float angle_needed(const TabCandidate& tab, bool at_corner, Seen seen, double cl
       const Vec2 p = seen(corner);
       const double r = length(p);
       if (r > 0.0) {
-        most = std::max(most, std::atan2(p.y, p.x) + std::asin(std::min(1.0, distance / r)));
+        most = std::max(most, elementary::atan2(p.y, p.x) + elementary::asin(std::min(1.0, distance / r)));
       }
     }
   };
@@ -71,7 +72,7 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
     const std::uint32_t k = side % 3;
     const Vec2 a = t[(k + 1) % 3] - t[k];
     const Vec2 b = t[(k + 2) % 3] - t[k];
-    corner_angle_[side] = static_cast<float>(std::atan2(cross(a, b), dot(a, b)));
+    corner_angle_[side] = static_cast<float>(elementary::atan2(cross(a, b), dot(a, b)));
     price_[side] = patch.length[side] * (weights.seam + weights.open * openness(patch.fold_angle[side]));
     if (!facts.image_outside.empty()) {
       price_[side] -= weights.mirror * patch.length[side] * static_cast<double>(facts.image_outside[side]);

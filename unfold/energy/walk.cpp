@@ -2,7 +2,8 @@
 #include "unfold/energy/walk.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/elementary.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -54,7 +55,7 @@ bool Walk::step(double heat, std::uint64_t& trials) {
   ++trials;
   for (int i = 0; i < folds_per_path && length > 0; ++i, ++trials) {
     const Swap swap = *swap_of(path_[random_.below(length)], cut);
-    const double may_cost = -heat * std::log(1.0 - random_.unit());
+    const double may_cost = -heat * elementary::log(1.0 - random_.unit());
     const std::optional<Swap> mirrored = mirror_image(swap);
     if (mirrored ? make_both(swap, *mirrored, may_cost) : make_one(swap, may_cost)) {
       return true;

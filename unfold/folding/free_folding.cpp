@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/elementary.hpp"
 #include "base/random.hpp"
 #include "unfold/folding/fold_trial.hpp"
 #include "unfold/folding/folding_meetings.hpp"
@@ -102,7 +103,7 @@ class FreeFolding {
       return;
     }
     const double longer = piece_.length[net_.side_above(swap->below)] - piece_.length[swap->side];
-    const double may_cost = -heat * std::log(1.0 - random_.unit()) - longer / pair_mm;
+    const double may_cost = -heat * elementary::log(1.0 - random_.unit()) - longer / pair_mm;
     const auto met = static_cast<std::int64_t>(meetings_.total());
     // So many pairs may be left; overlaps are counted first, since that is quicker.
     const auto most = met + static_cast<std::int64_t>(std::floor(may_cost));

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/box_grid.hpp"
+#include "base/elementary.hpp"
 #include "base/polygon.hpp"
 
 namespace ridgecraft::unfold {
@@ -112,7 +113,7 @@ void cancel_opposite(const std::vector<NodePair>& segments, std::vector<NodePair
 
 /// Angle from direction a counterclockwise to direction b, in (0, 2 pi].
 double turn(Vec2 a, Vec2 b) {
-  const double angle = std::atan2(cross(a, b), dot(a, b));
+  const double angle = elementary::atan2(cross(a, b), dot(a, b));
   return angle > 0.0 ? angle : angle + 2.0 * std::numbers::pi;
 }
 

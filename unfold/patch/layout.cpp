@@ -2,9 +2,9 @@
 #include "unfold/patch/layout.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/convex_hull.hpp"
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "unfold/net/tolerance.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 /// the other, at most.
 double distance_between(const Rigid& one, const Rigid& other, double reach) {
   return length(one.shift - other.shift) +
-         reach * std::hypot(one.cosine - other.cosine, one.sine - other.sine);
+         reach * elementary::hypot(one.cosine - other.cosine, one.sine - other.sine);
 }
 
 }  // namespace

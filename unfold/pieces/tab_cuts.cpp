@@ -2,11 +2,11 @@
 #include "unfold/pieces/tab_cuts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "base/random.hpp"
 #include "unfold/patch/forest.hpp"
 
@@ -162,7 +162,7 @@ class Chooser {
       for (const auto& [side, n] : count) {
         const double share = static_cast<double>(n) / static_cast<double>(place.size());
         double& worth = most[side];
-        worth = std::max(worth, std::pow(share, sharpness));
+        worth = std::max(worth, elementary::pow(share, sharpness));
       }
     }
     gap.worths.clear();

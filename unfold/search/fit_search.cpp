@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/convex_hull.hpp"
+#include "base/elementary.hpp"
 #include "base/random.hpp"
 #include "base/rectangle.hpp"
 #include "unfold/patch/branch.hpp"
@@ -129,7 +130,7 @@ class FitSearch {
         const double u = std::abs(dot(frame_.along, p) - centre.x) - half_u;
         const double v = std::abs(cross(frame_.along, p) - centre.y) - half_v;
         reach = std::max({reach, u, v});
-        near += std::hypot(u + half_u, v + half_v);
+        near += elementary::hypot(u + half_u, v + half_v);
       }
       // Blurred, so that not always the same one is chosen.
       const double rated = reach > 0.0 ? reach * (0.1 + random_.unit()) : reach;
@@ -176,7 +177,7 @@ class FitSearch {
   }
 
   /// Never worse but sometimes, and then by little.
-  bool accept(double worse) { return worse <= 0.0 || random_.unit() < 0.5 * std::exp(-worse / 3.0); }
+  bool accept(double worse) { return worse <= 0.0 || random_.unit() < 0.5 * elementary::exp(-worse / 3.0); }
 
   const Patch& patch_;
   const Room& room_;

@@ -2,8 +2,8 @@
 #include "unfold/search/heated_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.hpp"
 #include "base/random.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
@@ -55,7 +55,7 @@ class HeatedWalk {
           return false;
         }
         const double done = static_cast<double>(trial) / static_cast<double>(trials);
-        heat = hottest * std::pow(coolest / hottest, done);
+        heat = hottest * elementary::pow(coolest / hottest, done);
       }
       ++trials_;
       try_swap(heat);
@@ -81,7 +81,7 @@ class HeatedWalk {
       return;
     }
     // What the heat allows is drawn first, so that counting ends as soon as it is passed.
-    const double allowed = -heat * std::log(std::max(random_.unit(), 1e-300));
+    const double allowed = -heat * elementary::log(std::max(random_.unit(), 1e-300));
     const auto limit = static_cast<std::int64_t>(allowed) + 1;
     if (pairs_.added(below, side, limit) >= limit) {
       return;

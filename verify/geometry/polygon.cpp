@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/elementary.hpp"
 #include "base/segment.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/box_finder.hpp"
@@ -53,7 +54,7 @@ bool is_convex(std::span<const Vec2> polygon) {
     if (turn < -dent_tolerance_mm * length(c - a)) {
       return false;
     }
-    turned += std::atan2(turn, dot(b - a, c - b));
+    turned += elementary::atan2(turn, dot(b - a, c - b));
   }
   // Several rounds are a star. What the tolerance lets pass is far less than half a round.
   return std::abs(turned - 2.0 * std::numbers::pi) < 1.0;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::verify {
 namespace {
 
@@ -21,8 +23,8 @@ Vec3 centre(std::span<const Vec3> points) {
 /// turns.
 void rotate(Matrix4& m, Matrix4& vectors, std::size_t p, std::size_t q) {
   const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
-  const double t = (theta >= 0.0 ? 1.0 : -1.0) / (std::abs(theta) + std::hypot(theta, 1.0));
-  const double c = 1.0 / std::hypot(t, 1.0);
+  const double t = (theta >= 0.0 ? 1.0 : -1.0) / (std::abs(theta) + elementary::hypot(theta, 1.0));
+  const double c = 1.0 / elementary::hypot(t, 1.0);
   const double s = t * c;
   for (std::size_t k = 0; k < 4; ++k) {
     const double mkp = m[k][p];
@@ -84,8 +86,8 @@ Turn unit(const Turn& q) {
 }  // namespace
 
 Turn Turn::about(Vec3 direction, double angle) {
-  const double s = std::sin(0.5 * angle);
-  return {std::cos(0.5 * angle), s * direction.x, s * direction.y, s * direction.z};
+  const double s = elementary::sin(0.5 * angle);
+  return {elementary::cos(0.5 * angle), s * direction.x, s * direction.y, s * direction.z};
 }
 
 Vec3 Turn::operator()(Vec3 p) const {

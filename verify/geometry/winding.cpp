@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/geometry/winding.hpp"
 
-#include <cmath>
 #include <numbers>
+
+#include "base/elementary.hpp"
 
 namespace ridgecraft::verify {
 
@@ -16,8 +17,8 @@ double winding(const std::vector<Triangle3>& triangles, Vec3 p) {
     const double la = length(a);
     const double lb = length(b);
     const double lc = length(c);
-    angle += 2.0 *
-             std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    angle += 2.0 * elementary::atan2(dot(a, cross(b, c)),
+                                     la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
   }
   return angle / (4.0 * std::numbers::pi);
 }

@@ -2,10 +2,10 @@
 #include "verify/relations/model_fold.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "base/elementary.hpp"
 #include "verify/file/tolerance.hpp"
 
 namespace ridgecraft::verify {
@@ -18,7 +18,7 @@ ModelFold model_fold(const File& file, const Relations& relations, Index model_s
   const Vec3 along = model.points[model.faces.head(model_side)] - model.points[model.faces.tail(model_side)];
   const double sine = dot(cross(relations.normal[a], relations.normal[b]), normalized(along));
   ModelFold fold;
-  fold.angle_deg = -std::atan2(sine, dot(relations.normal[a], relations.normal[b])) * degrees;
+  fold.angle_deg = -elementary::atan2(sine, dot(relations.normal[a], relations.normal[b])) * degrees;
   // Faces without area have no normal: then every angle is within the tolerance.
   const double area = std::min(relations.area[a], relations.area[b]);
   fold.tolerance_deg = area > 0.0

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/elementary.hpp"
 #include "base/printable.hpp"
 #include "mesh/reading/check_picture.hpp"
 #include "mesh/reading/find_inside.hpp"
@@ -18,7 +19,7 @@ namespace {
 std::uint8_t screen_channel(double light) {
   const double in_range = std::isnan(light) ? 1.0 : std::clamp(light, 0.0, 1.0);
   const double shown =
-      in_range <= 0.0031308 ? 12.92 * in_range : 1.055 * std::pow(in_range, 1.0 / 2.4) - 0.055;
+      in_range <= 0.0031308 ? 12.92 * in_range : 1.055 * elementary::pow(in_range, 1.0 / 2.4) - 0.055;
   return static_cast<std::uint8_t>(std::lround(255.0 * shown));
 }
 
@@ -60,8 +61,8 @@ std::optional<GltfPicture> GltfPaint::read_map(const GltfObject& map) {
     const auto scale = transform->numbers("scale", 2).value_or(std::vector{1.0, 1.0});
     const auto shift = transform->numbers("offset", 2).value_or(std::vector{0.0, 0.0});
     const double turn = transform->number("rotation").value_or(0.0);
-    picture.row_u = {std::cos(turn) * scale[0], std::sin(turn) * scale[1]};
-    picture.row_v = {-std::sin(turn) * scale[0], std::cos(turn) * scale[1]};
+    picture.row_u = {elementary::cos(turn) * scale[0], elementary::sin(turn) * scale[1]};
+    picture.row_v = {-elementary::sin(turn) * scale[0], elementary::cos(turn) * scale[1]};
     picture.shift = {shift[0], shift[1]};
   }
   const GltfObject texture = document_.element("textures", map.needed_whole("index"), map);

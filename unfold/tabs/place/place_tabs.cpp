@@ -2,10 +2,10 @@
 #include "unfold/tabs/place/place_tabs.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "unfold/tabs/place/assignment.hpp"
 #include "unfold/tabs/place/even_tabs.hpp"
 #include "unfold/tabs/place/sites.hpp"
@@ -59,7 +59,7 @@ void add_walls(const TabRoom& room, const TabOptions& options, TabSite& site) {
   if (widest.empty()) {
     return;
   }
-  const Vec2 x{std::cos(room.angle), -std::sin(room.angle)};
+  const Vec2 x{elementary::cos(room.angle), -elementary::sin(room.angle)};
   const Vec2 y = perpendicular(x);
   // Tabs keep the clearance from the walls, and may touch the room's border.
   const Vec2 low = room.box.low - Vec2{options.clearance_mm, options.clearance_mm};

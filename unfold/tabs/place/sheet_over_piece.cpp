@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/convex_hull.hpp"
+#include "base/elementary.hpp"
 #include "base/rectangle.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
@@ -30,7 +31,7 @@ Vec2 in_turned(Vec2 right, Vec2 p) {
 
 /// By how much a point lies outside, mm; negative inside.
 double beyond(const TabRoom& room, Vec2 p) {
-  const Vec2 q = in_turned({std::cos(room.angle), -std::sin(room.angle)}, p);
+  const Vec2 q = in_turned({elementary::cos(room.angle), -elementary::sin(room.angle)}, p);
   return std::max({room.box.low.x - q.x, q.x - room.box.high.x, room.box.low.y - q.y, q.y - room.box.high.y});
 }
 
@@ -45,7 +46,7 @@ Box2 box_in(Vec2 right, const std::vector<Vec2>& points) {
 /// The lowest tab that holds, as steep as tabs may be.
 ConvexShape least_tab(double length, const TabOptions& options) {
   const double height = std::min({usable_height_mm, options.height_mm, length});
-  const double cotangent = std::min(1.0 / std::tan(options.steepest_angle), 0.4 * length / height);
+  const double cotangent = std::min(1.0 / elementary::tan(options.steepest_angle), 0.4 * length / height);
   return trapezoid(0.0, length, height, cotangent, cotangent);
 }
 
@@ -152,7 +153,7 @@ class Chooser {
     }
     if (const auto angle = angle_to_fit(hull, sheet_)) {
       // The piece turned by it lies along the sheet's sides.
-      found.push_back({std::cos(*angle), -std::sin(*angle)});
+      found.push_back({elementary::cos(*angle), -elementary::sin(*angle)});
     }
     return found;
   }
@@ -170,7 +171,8 @@ class Chooser {
       const Box2 tabs = box_in(right, all);
       for (const double x : starts(faces.low.x, faces.high.x, tabs.low.x, tabs.high.x, sheet_.width)) {
         for (const double y : starts(faces.low.y, faces.high.y, tabs.low.y, tabs.high.y, sheet_.height)) {
-          const TabRoom room{std::atan2(-right.y, right.x), {{x, y}, {x + sheet_.width, y + sheet_.height}}};
+          const TabRoom room{elementary::atan2(-right.y, right.x),
+                             {{x, y}, {x + sheet_.width, y + sheet_.height}}};
           const double here = cost(p, room);
           if (here < least - 1e-9) {
             least = here;

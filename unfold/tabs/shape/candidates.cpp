@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/elementary.hpp"
 #include "unfold/tabs/shape/clearance.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
@@ -55,7 +56,7 @@ std::vector<TabCandidate> tab_candidates(const ConvexShape& largest, double leng
     }
   }
   // Steep ones on a part of the edge.
-  const double steep = height / std::tan(options.steepest_angle);
+  const double steep = height / elementary::tan(options.steepest_angle);
   for (const double place : {0.5, 0.0, 1.0}) {
     const double left =
         std::clamp(room.from + place * way, inset_mm, std::max(inset_mm, length - inset_mm - width));

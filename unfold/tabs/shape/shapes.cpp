@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::unfold {
 
 namespace {
@@ -114,8 +116,9 @@ struct Family {
 
 Family family(const TabOptions& options) {
   const double low = usable_height(options);
-  return {{1.0 / std::tan(options.angle), 1.0 / std::tan(0.5 * (options.angle + options.steepest_angle)),
-           1.0 / std::tan(options.steepest_angle)},
+  return {{1.0 / elementary::tan(options.angle),
+           1.0 / elementary::tan(0.5 * (options.angle + options.steepest_angle)),
+           1.0 / elementary::tan(options.steepest_angle)},
           {options.height_mm, 0.5 * (options.height_mm + low), low}};
 }
 
@@ -180,7 +183,7 @@ ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstac
   if (!long_enough(base.edge, options)) {
     return {};
   }
-  const double steep = 1.0 / std::tan(options.steepest_angle);
+  const double steep = 1.0 / elementary::tan(options.steepest_angle);
   // Where even the steepest sides leave no top, only upright ones do.
   const double top = (base.right - base.left - least_top(base.edge, options)) / (2.0 * steep);
   const auto enough = [&](const ConvexShape& tab) {
