@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# tidy.sh BUILD [BASE]: clang-tidy, as .clang-tidy says, on the files that differ from BASE, compiled as in a build folder.
+# tidy.sh BUILD [BASE]: clang-tidy, as .clang-tidy says, on the lines that differ from BASE, compiled as in a build folder.
 # BASE is where the branch left main; on main itself the commit before. Precompiled headers are left out: so a file that
 # doesn't name what it uses is found, too.
 set -eu
@@ -21,19 +21,29 @@ fi
   exit 0
 }
 
-# What the build knows of; a changed header is looked at with the source of its name.
-python3 - "$build/compile_commands.json" "$(git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp')" "$limit_s" <<'END'
+# What the build knows of; a changed header is looked at with the source of its name, other headers not at all.
+git diff -U0 --no-prefix --diff-filter=d "$base" -- '*.cpp' '*.hpp' >"$build/tidy.diff"
+python3 - "$build/compile_commands.json" "$build/tidy.diff" "$limit_s" <<'END'
 import concurrent.futures, json, os, re, subprocess, sys, tempfile, time
 
-database, changed, limit = json.load(open(sys.argv[1])), sys.argv[2].split(), float(sys.argv[3])
+database, limit = json.load(open(sys.argv[1])), float(sys.argv[3])
+changed = {}
+for line in open(sys.argv[2], errors="replace"):
+    if line.startswith("+++ "):
+        lines = changed.setdefault(line[4:].split("\t")[0].strip(), [])
+    elif at := re.match(r"@@ \S+ \+(\d+)(?:,(\d+))? @@", line):
+        first, count = int(at[1]), int(at[2] or 1)
+        if count > 0:
+            lines.append([first, first + count - 1])
 for entry in database:
     entry["command"] = re.sub(r" -Winvalid-pch|( -Xclang)? -include(-pch)? *( -Xclang)? *\S*cmake_pch\S*", "", entry["command"])
 known = {os.path.relpath(entry["file"]): entry for entry in database}
 wanted = {name if name.endswith(".cpp") else name[:-3] + "cpp" for name in changed}
 files = sorted(wanted & known.keys())
+line_filter = json.dumps([{"name": name, "lines": lines} for name, lines in changed.items() if lines])
 # GCC's settings; CGAL 5.5 has templates that clang can't read before somebody uses them.
 extra = ["--extra-arg=" + word for word in (
-    "-Wno-unknown-warning-option", "-Wno-double-promotion", "-Wno-deprecated-declarations",
+    "-Wno-unknown-warning-option", "-Wno-c2y-extensions", "-Wno-double-promotion", "-Wno-deprecated-declarations",
     "-fdelayed-template-parsing", "-Wno-delayed-template-parsing-in-cxx20")]
 until = time.monotonic() + limit
 
@@ -41,8 +51,9 @@ until = time.monotonic() + limit
 def look(file):
     if time.monotonic() > until:
         return file, None
-    run = subprocess.run(["clang-tidy-22", "--quiet", "--warnings-as-errors=*", "-p", folder, *extra, file],
-                         capture_output=True, text=True)
+    run = subprocess.run(
+        ["clang-tidy-22", "--quiet", "--warnings-as-errors=*", "--line-filter=" + line_filter, "-p", folder, *extra, file],
+        capture_output=True, text=True)
     return file, (run.returncode, run.stdout + run.stderr)
 
 

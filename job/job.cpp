@@ -38,7 +38,7 @@ Vec2 room_for_pieces(const Options& options) {
 
 prepare::PanelRoom panel_room(const Options& options) {
   const Vec2 area = room_for_pieces(options);
-  return {area.x, area.y, options.paper && options.tabs.wanted ? options.tabs.height_mm : 0.0};
+  return {{area.x, area.y}, options.paper && options.tabs.wanted ? options.tabs.height_mm : 0.0};
 }
 
 unfold::Options unfold_options(const Options& options, const prepare::Prepared& prepared,

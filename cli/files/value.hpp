@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,26 +20,21 @@ class Value {
   using List = std::vector<Value>;
   using Object = std::vector<Member>;  ///< in the order in which they are printed
 
+  // An object can only be made or given up where Member is known: after this class.
   /// null
-  Value() = default;
-  Value(bool value) : held_(value) {}
+  Value();
+  Value(bool value);
   template <std::integral Number>
-  requires(!std::same_as<Number, bool>) Value(Number value) {
-    if constexpr (std::unsigned_integral<Number>) {
-      held_ = static_cast<std::uint64_t>(value);
-    } else {
-      held_ = static_cast<std::int64_t>(value);
-    }
-  }
-  Value(double value) : held_(value) {}
-  Value(std::string value) : held_(std::move(value)) {}
-  Value(std::string_view value) : held_(std::string(value)) {}
-  Value(const char* value) : held_(std::string(value)) {}
-  Value(List value) : held_(std::move(value)) {}
+  requires(!std::same_as<Number, bool>) Value(Number value);
+  Value(double value);
+  Value(std::string value);
+  Value(std::string_view value);
+  Value(const char* value);
+  Value(List value);
   Value(Object value);
   /// null where there is none.
   template <class T>
-  Value(const std::optional<T>& value) : Value(value ? Value(*value) : Value()) {}
+  Value(const std::optional<T>& value);
 
   /// Appends to a list, which null becomes.
   void add(Value value);
@@ -57,6 +53,24 @@ struct Value::Member {
   std::string key;
   Value value;
 };
+
+inline Value::Value() = default;
+inline Value::Value(bool value) : held_(value) {}
+template <std::integral Number>
+requires(!std::same_as<Number, bool>) Value::Value(Number value) {
+  if constexpr (std::unsigned_integral<Number>) {
+    held_ = static_cast<std::uint64_t>(value);
+  } else {
+    held_ = static_cast<std::int64_t>(value);
+  }
+}
+inline Value::Value(double value) : held_(value) {}
+inline Value::Value(std::string value) : held_(std::move(value)) {}
+inline Value::Value(std::string_view value) : held_(std::string(value)) {}
+inline Value::Value(const char* value) : held_(std::string(value)) {}
+inline Value::Value(List value) : held_(std::move(value)) {}
+template <class T>
+Value::Value(const std::optional<T>& value) : Value(value ? Value(*value) : Value()) {}
 
 /// The texts as a list.
 [[nodiscard]] Value list_of(const std::vector<std::string>& texts);

@@ -146,6 +146,29 @@ TEST_CASE("the code that docs show of an example is the example's", "[library]")
   CHECK(shown == std::set<std::string>{"segment", "unfold", "job"});
 }
 
+TEST_CASE("the program of the README is built and runs as it stands there", "[library]") {
+  const TemporaryFolder folder;
+  install_into(folder / "installed");
+  fs::create_directories(folder / "mine");
+  std::istringstream lines(text_of(root / "README.md"));
+  std::ofstream file;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "    cmake_minimum_required(VERSION 3.25)") {
+      file.open(folder / "mine/CMakeLists.txt");
+    } else if (line == "    #include <iostream>") {
+      file.open(folder / "mine/main.cpp");
+    } else if (!line.empty() && !line.starts_with("    ")) {
+      file.close();
+    }
+    if (file.is_open()) {
+      file << line << '\n';
+    }
+  }
+  must_run(configure_words(folder / "mine", folder / "build", folder / "installed"));
+  must_run({"cmake", "--build", (folder / "build").string()});
+  CHECK(must_run({(folder / "build/mine").string()}).out == "0\n0\n0\n0\n");
+}
+
 TEST_CASE("a program that links segment finds the program's parts, without what pages need", "[library]") {
   const TemporaryFolder folder;
   const std::string example = built_example("segment", folder, nothing_for_pages(folder));

@@ -145,8 +145,9 @@ def test_the_version_is_that_of_the_program():
     assert words == ["ridgecraft", ridgecraft.__version__]
 
 
-def test_the_code_of_the_docs_runs(tmp_path, monkeypatch):
-    text = (SAMPLES.parent / "docs" / "library.md").read_text()
+@pytest.mark.parametrize("page", ["README.md", "docs/library.md"])
+def test_the_code_of_the_docs_runs(page, tmp_path, monkeypatch):
+    text = (SAMPLES.parent / page).read_text()
     code = re.search(r"\n    import ridgecraft\n(?:    .*\n|\n)+", text).group()
     monkeypatch.chdir(tmp_path)
     (tmp_path / "samples").symlink_to(SAMPLES)
