@@ -12,8 +12,8 @@ using namespace ridgecraft;
 
 namespace {
 
-/// A house with a red roof, a step in its front wall of the roof's colour within the plane of that wall, and a
-/// box apart.
+/// A house with a red roof, a step in its front wall of the roof's colour within the plane of that wall, and
+/// a box apart.
 mesh::Model house() {
   const std::string text =
       "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv 0 0 2\nv 4 0 2\nv 4 3 2\nv 0 3 2\nv 0 1.5 4\nv 4 1.5 4\n"

@@ -19,7 +19,7 @@ namespace ridgecraft::verify {
 namespace {
 
 /// A triangle of a piece, flat and in space.
-struct Pair {
+struct FoldedTriangle {
   std::array<Vec2, 3> flat;
   Triangle3 solid;
 };
@@ -110,7 +110,7 @@ class GlueCheck {
       const auto flat = file_.faces.vertices(face);
       const auto corners = file_.model.faces.vertices(solid);
       for (std::size_t k = 2; k < flat.size(); ++k) {
-        Pair pair;
+        FoldedTriangle pair;
         const std::array<std::size_t, 3> fan{0, k - 1, k};
         for (std::size_t c = 0; c < 3; ++c) {
           pair.flat[c] = file_.points[flat[fan[c]]];
@@ -134,9 +134,9 @@ class GlueCheck {
 
   /// The place in space of a point of a piece; nothing where the piece has no paper there.
   [[nodiscard]] std::optional<Vec3> in_space(Index piece, Vec2 p) const {
-    const Pair* nearest = nullptr;
+    const FoldedTriangle* nearest = nullptr;
     double distance = glue_place_mm;
-    for (const Pair& pair : pairs_[piece]) {
+    for (const FoldedTriangle& pair : pairs_[piece]) {
       if (const double d = distance_to(pair.flat, p); d <= distance) {
         nearest = &pair;
         distance = d;
@@ -243,11 +243,11 @@ class GlueCheck {
   const Case& given_;
   const File& file_;
   Findings& findings_;
-  DisjointSets bodies_;                   ///< model faces
-  std::vector<Index> body_of_piece_;      ///< or none
-  std::vector<std::vector<Pair>> pairs_;  ///< per piece
-  std::map<Index, Box3> boxes_;           ///< per body
-  std::map<Index, SurfaceTree> trees_;    ///< per body
+  DisjointSets bodies_;                             ///< model faces
+  std::vector<Index> body_of_piece_;                ///< or none
+  std::vector<std::vector<FoldedTriangle>> pairs_;  ///< per piece
+  std::map<Index, Box3> boxes_;                     ///< per body
+  std::map<Index, SurfaceTree> trees_;              ///< per body
 };
 
 }  // namespace
