@@ -7,8 +7,8 @@
 #include "export/guide/cover.hpp"
 #include "export/guide/guide_model.hpp"
 #include "export/guide/hues.hpp"
-#include "export/view/stance.hpp"
 #include "export/guide/step_pages.hpp"
+#include "export/view/stance.hpp"
 
 namespace ridgecraft::paper {
 

@@ -15,10 +15,10 @@
 #include "export/guide/callouts.hpp"
 #include "export/guide/effort.hpp"
 #include "export/guide/hues.hpp"
-#include "export/view/stance.hpp"
 #include "export/guide/step_words.hpp"
 #include "export/page/obstacles.hpp"
 #include "export/style/stroke_font.hpp"
+#include "export/view/stance.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 

@@ -190,11 +190,13 @@ class KeyWatch {
 };
 
 void note_unknown_keys(const Json& json, File& file) {
-  constexpr std::array<std::string_view, 14> top = {
-      "ridgecraft:faces_model", "ridgecraft:faces_piece",  "ridgecraft:pieces",   "ridgecraft:fold_order",
-      "ridgecraft:pages",       "ridgecraft:joins",        "ridgecraft:tabs",     "ridgecraft:model_digest",
-      "ridgecraft:settings",    "ridgecraft:equal_pieces", "ridgecraft:assembly", "ridgecraft:more_tabs",
-      "ridgecraft:glue",        "ridgecraft:up"};
+  constexpr std::array<std::string_view, 14> top = {"ridgecraft:faces_model", "ridgecraft:faces_piece",
+                                                    "ridgecraft:pieces",      "ridgecraft:fold_order",
+                                                    "ridgecraft:pages",       "ridgecraft:joins",
+                                                    "ridgecraft:tabs",        "ridgecraft:model_digest",
+                                                    "ridgecraft:settings",    "ridgecraft:equal_pieces",
+                                                    "ridgecraft:assembly",    "ridgecraft:more_tabs",
+                                                    "ridgecraft:glue",        "ridgecraft:up"};
   constexpr std::array<std::string_view, 2> equal = {"piece", "mirrored"};
   constexpr std::array<std::string_view, 2> assembly = {"pieces", "joins"};
   constexpr std::array<std::string_view, 1> model = {"ridgecraft:faces_part"};
