@@ -369,7 +369,7 @@ ExitCode do_job(const VerifyJob& job) {
 ExitCode do_job(const FormatsJob& job) {
   Session session(job.common);
   return session.finish(
-      {}, Quiet::no, [] { return formats_text(); }, [] { return formats_json(); });
+      {}, Quiet::no, [&] { return formats_text(job.presets); }, [] { return formats_json(); });
 }
 
 /// Tells of a failure: a sentence for people, and one object for machines where they listen.

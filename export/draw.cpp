@@ -200,8 +200,12 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
     }
     drawing.page = static_cast<int>(i + 1);
     drawing.page_count = static_cast<int>(drawings.size());
-    Group foot = furniture(pages.paper, drawing.title, drawing.page, drawing.page_count,
-                           line_kinds(drawing.groups), anywhere);
+    Group foot;
+    foot.id = "page";
+    if (pages.paper.furniture) {
+      foot = furniture(pages.paper, drawing.title, drawing.page, drawing.page_count,
+                       line_kinds(drawing.groups), anywhere);
+    }
     foot.texts.insert(foot.texts.end(), indices[i].begin(), indices[i].end());
     drawing.groups.push_back(std::move(foot));
     if (i < backs.size() && !backs[i].empty()) {

@@ -81,11 +81,23 @@ verify::Figures checked_figures(const std::string& fold, const Context& context)
   return *report.figures;
 }
 
+/// The nets that are cut out.
+const unfold::Nets& nets_on_pages(const Paper& made) {
+  return made.nets_of_board ? *made.nets_of_board : made.nets;
+}
+
 void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
+  made.nets_of_board.reset();
+  made.thickened = {};
+  if (made.options.board.thickness_mm > 0.0) {
+    made.nets_of_board = clock("lay out", context, [&] {
+      return paper::thick_nets(made.prepared, made.nets, made.options.board, &made.thickened);
+    });
+  }
   made.pages = clock("lay out", context, [&] {
     const PageLabels labels = page_labels(made.prepared.model, made.options.page_by);
     paper::Pages pages =
-        paper::layout(made.nets, *made.options.paper, context, labels_of_pieces(labels, made.nets));
+        paper::layout(nets_on_pages(made), *made.options.paper, context, labels_of_pieces(labels, made.nets));
     pages.names = names_of_pages(labels, made.nets, pages);
     return pages;
   });
@@ -93,11 +105,13 @@ void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
 
 void draw_pages(Paper& made, StageClock& clock, const Context& context) {
   if (made.options.page_by == PageBy::any) {
-    made.share_saving_a_page = clock(
-        "hint", context, [&] { return paper::share_that_saves_a_page(made.nets, made.pages, context); });
+    made.share_saving_a_page = clock("hint", context, [&] {
+      return paper::share_that_saves_a_page(nets_on_pages(made), made.pages, context);
+    });
   }
   made.drawings = clock("draw", context, [&] {
-    return paper::draw(made.prepared, made.nets, made.pages, made.options.style, &made.drawn, context);
+    return paper::draw(made.prepared, nets_on_pages(made), made.pages, made.options.style, &made.drawn,
+                       context);
   });
   made.guide = {};
   if (made.options.guide) {
@@ -114,8 +128,17 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
   made.fold = clock("write", context, [&] {
     made.mark = {program_and_version(), model.name, model.digest,
                  with_searched(settings_of(made.options, made.seed), made.searched_with)};
-    return paper::write_fold(made.prepared, made.part, made.nets, made.assembly,
-                             made.options.paper ? &made.pages : nullptr, made.mark, made.drawn.contacts);
+    // Files keep the nets of the surface, which are larger or smaller than those of board: they get pages of
+    // their own.
+    std::optional<paper::Pages> own;
+    if (made.nets_of_board) {
+      const PageLabels labels = page_labels(made.prepared.model, made.options.page_by);
+      own = paper::layout(made.nets, *made.options.paper, context, labels_of_pieces(labels, made.nets));
+      own->names = names_of_pages(labels, made.nets, *own);
+    }
+    const paper::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
+    return paper::write_fold(made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
+                             own ? std::vector<paper::Contact>() : made.drawn.contacts);
   });
   made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
 }

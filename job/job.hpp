@@ -48,6 +48,9 @@ struct Paper {
   unfold::Nets nets;         ///< its notes begin with those of the stages before
   paper::Assembly assembly;  ///< in which order the pieces are put together
   paper::Pages pages;        ///< none where Options::paper is none
+  /// What lies on the pages where Options::board is as thick as to matter; else none: `nets` do.
+  std::optional<unfold::Nets> nets_of_board;
+  paper::ThickReport thickened;
   std::optional<double>
       share_saving_a_page;  ///< of the size, where a slightly smaller model would take a page less
   std::vector<paper::Drawing> drawings;  ///< one a page

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "export/machine/thick_nets.hpp"
 #include "export/sheet/pages.hpp"
 #include "export/sheet/paper.hpp"
 #include "prepare/prepared/options.hpp"
@@ -79,6 +80,7 @@ struct Options {
   EdgeRequests edges;
   paper::Style style;
   PageBy page_by = PageBy::any;
+  paper::Board board;   ///< what pages are cut from; nets in files stay those of paper
   bool guide = false;   ///< pages that tell how the model is built; with paper only
   bool strict = false;  ///< what nobody could build at this size isn't made
 };

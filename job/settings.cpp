@@ -122,6 +122,10 @@ void add_pages(const Options& options, paper::Settings& settings) {
     settings["page_by"] = json_string(options.page_by == PageBy::material ? "material" : "object");
   }
   settings["hide_folds_deg"] = degrees(options.style.hidden_fold_angle);
+  if (options.board.thickness_mm > 0.0) {
+    settings["thickness_mm"] = number(options.board.thickness_mm);
+    settings["hinge"] = json_string(std::string(paper::word(options.board.hinge)));
+  }
 }
 
 }  // namespace

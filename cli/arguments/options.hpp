@@ -44,8 +44,10 @@ struct PaperJob {
   std::string paper_name = "A4";
   /// What comes out on the user's machine where 100 mm are drawn, across and up the sheet.
   std::optional<Vec2> calibration;
-  const paper::Preset* preset = nullptr;  ///< none: a printer
-  paper::DxfKind dxf = paper::DxfKind::r2000;
+  paper::Preset preset = {};  ///< of a machine, or none: a printer; with what options changed of it
+  bool kerf_test = false;
+  bool print_and_cut = false;  ///< a PDF to be printed first, with marks by which the machine finds its way
+  paper::SpotNames spots;
   job::Options options;  ///< but for the edges that these name:
   EdgeArguments edges;
   std::string tab_file;  ///< tabs edge by edge; empty: none
@@ -130,6 +132,7 @@ struct VerifyJob {
 
 struct FormatsJob {
   CommonOptions common;
+  bool presets = false;  ///< the table of presets alone
 };
 
 /// Text to print, and then the program ends: --help, --version, the man page.

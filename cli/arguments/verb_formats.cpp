@@ -8,9 +8,12 @@ namespace ridgecraft::cli {
 Job build_formats(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft formats",
             "lists the formats that are read and written, and the presets for machines");
-  verb.usage("ridgecraft formats [--json]");
+  verb.usage("ridgecraft formats [--presets] [--json]");
   verb.example("ridgecraft formats", "The list.");
+  verb.example("ridgecraft formats --presets", "What each machine's files are like.");
   FormatsJob job;
+  verb.flag("Output", "--presets", job.presets,
+            "The table of presets alone: what each machine's files are like.");
   CommonTexts common;
   common.add_to(verb);
   return verb.finish(arguments, manual, [&]() -> Job {

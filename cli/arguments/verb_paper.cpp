@@ -7,6 +7,7 @@
 
 #include "base/version.hpp"
 #include "cli/arguments/edge_options.hpp"
+#include "cli/arguments/machine_options.hpp"
 #include "cli/arguments/option_values.hpp"
 #include "cli/arguments/piece_options.hpp"
 #include "cli/arguments/shared_options.hpp"
@@ -18,26 +19,6 @@ namespace ridgecraft::cli {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-const Choices<paper::DxfKind> dxf_kinds{
-    {"r2000", paper::DxfKind::r2000}, {"r12", paper::DxfKind::r12}, {"plain", paper::DxfKind::plain}};
-
-Choices<const paper::Preset*> preset_choices() {
-  Choices<const paper::Preset*> choices{{"print", nullptr}};
-  for (const paper::Preset& preset : paper::presets()) {
-    choices.emplace_back(preset.name, &preset);
-  }
-  return choices;
-}
-
-/// "print|lightburn|..."
-std::string preset_words() {
-  std::string words;
-  for (const auto& [word, preset] : preset_choices()) {
-    words += (words.empty() ? "" : "|") + word;
-  }
-  return words;
-}
 
 ManualSection verbs_section() {
   return {"Verbs for single steps",
@@ -69,7 +50,7 @@ ManualSection exit_section() {
 
 /// What is typed after the options that this verb alone has.
 struct PaperTexts {
-  std::string paper = "A4";
+  std::string paper;
   std::string margin, calibrate, concavity;
   TabTexts tabs;
   std::string hide = "3";
@@ -122,8 +103,8 @@ struct PaperTexts {
   }
 
   /// Throws Error(usage).
-  void check_into(PaperJob& job) const {
-    check_paper(job);
+  void check_into(PaperJob& job, const MachineTexts& machines) const {
+    check_paper(job, machines);
     check_calibration(job);
     job.options.bodies = keep_bodies ? prepare::Bodies::keep : prepare::Bodies::unite;
     const Choices<prepare::Skins> skin_choices{
@@ -134,6 +115,10 @@ struct PaperTexts {
         {"any", job::PageBy::any}, {"material", job::PageBy::material}, {"object", job::PageBy::object}};
     job.options.page_by = choice_or_refuse<job::PageBy>("--page-by", page_by, page_choices);
     tabs.check_into(job);
+    if (tabs.height.empty()) {
+      job.options.tabs.height_mm +=
+          job.options.board.thickness_mm;  // which a tab loses to the board behind it
+    }
     job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
     check_numbers(job);
     check_ink(job);
@@ -162,9 +147,9 @@ struct PaperTexts {
     const Choices<paper::Ink> inks{
         {"colour", paper::Ink::colour}, {"pale", paper::Ink::pale}, {"lines", paper::Ink::lines}};
     // What a machine cuts out bears no colours, unless somebody says that it is printed before.
-    job.options.style.ink = !ink.empty()            ? choice_or_refuse<paper::Ink>("--ink", ink, inks)
-                            : job.preset != nullptr ? paper::Ink::lines
-                                                    : paper::Ink::colour;
+    job.options.style.ink = !ink.empty() ? choice_or_refuse<paper::Ink>("--ink", ink, inks)
+                            : job.preset.is_machine() && !job.print_and_cut ? paper::Ink::lines
+                                                                            : paper::Ink::colour;
     if (!dpi.empty()) {
       if (job.options.style.ink == paper::Ink::lines) {
         refuse("--dpi is about printed pictures; with --ink lines or a machine's preset there are none");
@@ -173,16 +158,21 @@ struct PaperTexts {
     }
   }
 
-  void check_paper(PaperJob& job) const {
-    job.options.paper = paper::parse_paper(paper);
-    job.paper_name = paper;
+  void check_paper(PaperJob& job, const MachineTexts& machines) const {
+    const std::string standard = "A4";
+    paper::Paper sheet = paper::parse_paper(paper.empty() ? standard : paper);
+    const Vec2 asked = sheet.size;
     if (!margin.empty()) {
-      job.options.paper->margin = length_or_refuse("--margin", margin, true);
+      sheet.margin = length_or_refuse("--margin", margin, true);
     }
+    machines.fit_paper(job, !paper.empty(), !margin.empty(), sheet);
+    job.options.paper = sheet;
+    job.paper_name = sheet.size == asked ? (paper.empty() ? standard : paper)
+                                         : fmt::format("{:g}x{:g}mm", sheet.size.x, sheet.size.y);
     const Vec2 area = paper::piece_area(*job.options.paper);
     if (!(area.x >= 20.0 && area.y >= 20.0)) {
-      refuse("paper " + paper + " with a margin of " + fmt::format("{:g}", job.options.paper->margin) +
-             " mm leaves no room for pieces");
+      refuse("paper " + job.paper_name + " with a margin of " +
+             fmt::format("{:g}", job.options.paper->margin) + " mm leaves no room for pieces");
     }
   }
 
@@ -225,6 +215,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   CommonTexts common;
   SizeTexts size;
   PaperTexts texts;
+  MachineTexts machines;
   PieceTexts pieces;
   bool fold_linear = false;
   verb.option("Input", "MODEL", job.model, "MODEL",
@@ -235,15 +226,8 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.list(
       "Output", "-o,--output", job.outputs, "WHERE",
       "A folder gets all default formats (PDF, SVG, FOLD, HTML); a file's suffix names its format (.pdf, "
-      ".svg, .fold, .html, .png, .dxf). May be given several times (the current folder).");
-  std::string preset;
-  verb.option("Output", "--preset", preset, preset_words(),
-              "Files as a machine or its program expects them, named after it: pieces alone, lines by "
-              "operation (formats lists them; print).");
-  std::string dxf;
-  verb.option("Output", "--dxf", dxf, "r2000|r12|plain",
-              "Which DXF: r2000 tells the unit; r12 is for older machines; plain is single lines on one "
-              "layer (r2000).");
+      ".svg, .fold, .html, .png, .dxf, .lbrn2, .eps, .plt). May be given several times (the current "
+      "folder).");
   bool no_guide = false;
   verb.flag("Output", "--no-guide", no_guide,
             "Write no NAME-guide.pdf beside NAME.pdf: pictures of where each piece goes, step by step.");
@@ -257,6 +241,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.flag("Size", "--strict", job.options.strict,
             "Write nothing, with exit code 9, where nobody could fold the model at this size.");
   texts.add_to(verb, job);
+  machines.add_to(verb);
   pieces.add_to(verb);
   verb.flag("Pieces", "--fold-linear", fold_linear, std::string(fold_linear_text));
   add_edge_options(verb, job.edges);
@@ -277,13 +262,9 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     job.options.guide = !no_guide;
     job.page = !no_page;
     job.common = common.checked();
-    job.preset = choice_or_refuse<const paper::Preset*>("--preset", preset, preset_choices());
-    if (job.preset != nullptr && job.preset->dxf && dxf.empty()) {
-      job.dxf = *job.preset->dxf;
-    }
-    job.dxf = dxf.empty() ? job.dxf : choice_or_refuse<paper::DxfKind>("--dxf", dxf, dxf_kinds);
+    machines.check_into(job);
     size.check_into(job.options, job.size_asked);
-    texts.check_into(job);
+    texts.check_into(job, machines);
     job.options.pieces = pieces.rules();
     job.options.pieces.fold_linear = fold_linear;
     return job;

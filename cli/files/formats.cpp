@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,7 @@ struct PaperRow {
   Row row;
   bool per_page;
   bool by_default;
+  bool for_machines = false;
 };
 constexpr std::array paper_formats{
     PaperRow{Format::pdf, {".pdf", "pages to print; default"}, false, true},
@@ -42,8 +44,14 @@ constexpr std::array paper_formats{
              false,
              true},
     PaperRow{Format::png, {".png", "pages as pictures"}, true, false},
-    PaperRow{
-        Format::dxf, {".dxf", "pieces for cutters and lasers, a layer for each operation"}, true, false}};
+    PaperRow{Format::dxf,
+             {".dxf", "pieces for cutters and lasers, a layer for each operation"},
+             true,
+             false,
+             true},
+    PaperRow{Format::lbrn, {".lbrn2", "pieces as a LightBurn project"}, true, false, true},
+    PaperRow{Format::eps, {".eps", "pieces as PostScript, a colour for each operation"}, true, false, true},
+    PaperRow{Format::plt, {".plt", "pieces as HPGL for roll plotters"}, true, false, true}};
 /// What the other verbs write.
 constexpr std::array verb_formats{Row{".fold", "nets without pages (unfold)"},
                                   Row{".ply", "parts in colour (segment); meshes (cage, shell, deform)"},
@@ -90,18 +98,24 @@ bool one_file_per_page(Format format) {
   return row(format).per_page;
 }
 
-std::vector<Format> default_formats(const paper::Preset* preset) {
-  if (preset != nullptr) {
-    std::vector<Format> formats;
-    if (preset->svg) {
-      formats.push_back(Format::svg);
-    }
-    if (preset->dxf) {
-      formats.push_back(Format::dxf);
+bool for_machines_alone(Format format) {
+  return row(format).for_machines;
+}
+
+std::vector<Format> default_formats(const paper::Preset& preset) {
+  std::vector<Format> formats;
+  if (preset.is_machine()) {
+    for (const auto& [wanted, format] : {std::pair(preset.pdf, Format::pdf),
+                                         {preset.svg, Format::svg},
+                                         {preset.dxf, Format::dxf},
+                                         {preset.plt, Format::plt},
+                                         {preset.fold, Format::fold}}) {
+      if (wanted) {
+        formats.push_back(format);
+      }
     }
     return formats;
   }
-  std::vector<Format> formats;
   for (const PaperRow& r : paper_formats) {
     if (r.by_default) {
       formats.push_back(r.format);

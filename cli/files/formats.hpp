@@ -14,7 +14,7 @@
 namespace ridgecraft::cli {
 
 /// What the main job writes.
-enum class Format { pdf, svg, fold, html, png, dxf };
+enum class Format { pdf, svg, fold, html, png, dxf, lbrn, eps, plt };
 
 /// The main job's format with this suffix (lower case, with its dot); none where it writes no such files.
 [[nodiscard]] std::optional<Format> paper_format(std::string_view suffix);
@@ -22,13 +22,16 @@ enum class Format { pdf, svg, fold, html, png, dxf };
 /// ".pdf"
 [[nodiscard]] const char* suffix(Format format);
 
-/// SVG, PNG and DXF hold one page each, PDF, FOLD and HTML all of them.
+/// PDF, FOLD and HTML hold all pages, the others one each.
 [[nodiscard]] bool one_file_per_page(Format format);
 
 /// What a folder after -o gets, and what is written without -o: for a printer, or for a machine.
-[[nodiscard]] std::vector<Format> default_formats(const paper::Preset* preset = nullptr);
+[[nodiscard]] std::vector<Format> default_formats(const paper::Preset& preset = {});
 
-/// ".pdf, .svg, .fold, .html, .png and .dxf", for a sentence.
+/// Whether files of this format hold what machines do, whatever the preset: DXF and others.
+[[nodiscard]] bool for_machines_alone(Format format);
+
+/// ".pdf, .svg, .fold, .html, .png, ... and .plt", for a sentence.
 [[nodiscard]] std::string paper_suffixes();
 
 /// The suffix in lower case, with its dot.

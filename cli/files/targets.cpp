@@ -64,13 +64,15 @@ void require_no_dash(const std::string& option, const std::string& output) {
 }
 
 std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name,
-                                 const paper::Preset* preset, bool page) {
+                                 const paper::Preset& preset, bool page) {
   std::vector<Target> targets;
-  const std::string stem = preset == nullptr ? model_name : model_name + "-" + std::string(preset->name);
+  const std::string stem = preset.is_machine() ? model_name + "-" + std::string(preset.name) : model_name;
   const auto add_folder = [&](const fs::path& folder) {
     for (const Format format : default_formats(preset)) {
+      // Release 12 can't tell the unit, so its files' names do.
+      const bool tells_unit = format == Format::dxf && preset.dxf_kind != paper::DxfKind::r2000;
       if (page || format != Format::html) {
-        targets.push_back({format, folder, stem, suffix(format)});
+        targets.push_back({format, folder, stem, (tells_unit ? "-mm" : "") + std::string(suffix(format))});
       }
     }
   };
@@ -106,6 +108,26 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
     }
   }
   return different;
+}
+
+std::vector<Target> plan_print_and_cut(const std::vector<std::string>& outputs, const std::string& model_name,
+                                       const paper::Preset& preset) {
+  std::vector<Target> targets = plan_targets(outputs, model_name, preset);
+  const std::string stem = model_name + "-" + std::string(preset.name);
+  std::vector<Target> prints;
+  for (Target& target : targets) {
+    if (target.stem == stem) {
+      target.stem += "-cut";
+      Target print{Format::pdf, target.folder, stem + "-print", suffix(Format::pdf), false, true};
+      if (std::ranges::find(prints, print) == prints.end()) {
+        prints.push_back(std::move(print));
+      }
+    } else if (target.format == Format::pdf) {
+      target.print = true;
+    }
+  }
+  targets.insert(targets.begin(), prints.begin(), prints.end());
+  return targets;
 }
 
 Target guide_beside(const Target& pdf) {

@@ -20,6 +20,7 @@ struct Target {
   std::string stem;
   std::string ending;  ///< ".pdf" or as the user wrote it, ".PDF"
   bool guide = false;  ///< of pages that tell how the model is built, and not of nets
+  bool print = false;  ///< of what is printed on sheets that a machine cuts afterwards
 
   friend bool operator==(const Target&, const Target&) = default;
 };
@@ -33,7 +34,13 @@ void require_no_dash(const std::string& option, const std::string& output);
 /// and for HTML that `page` excludes, Error(cant_write) for a folder that can't be written to.
 [[nodiscard]] std::vector<Target> plan_targets(const std::vector<std::string>& outputs,
                                                const std::string& model_name,
-                                               const paper::Preset* preset = nullptr, bool page = true);
+                                               const paper::Preset& preset = {}, bool page = true);
+
+/// For sheets that are printed and cut: what -o asks for of machine files as NAME-PRESET-cut, in the same
+/// folders NAME-PRESET-print.pdf. Files that -o names keep their names.
+[[nodiscard]] std::vector<Target> plan_print_and_cut(const std::vector<std::string>& outputs,
+                                                     const std::string& model_name,
+                                                     const paper::Preset& preset);
 
 /// The guide beside a PDF of nets: NAME-guide.pdf.
 [[nodiscard]] Target guide_beside(const Target& pdf);

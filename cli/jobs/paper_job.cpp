@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -27,16 +28,9 @@ std::string printed(const fs::path& file) {
   return file.lexically_normal().string();
 }
 
-/// Lists of numbers at the end have pages of their own, which no machine needs.
-struct PageCounts {
-  std::size_t drawn = 0;
-  std::size_t of_pieces = 0;
-};
-
-std::vector<fs::path> pages_of(const Target& target, const PaperJob& job, const PageCounts& counts) {
-  const bool for_machine =
-      target.format == Format::dxf || (target.format == Format::svg && job.preset != nullptr);
-  return files_of(target, for_machine ? counts.of_pieces : counts.drawn);
+bool for_machine(const Target& target, const PaperJob& job) {
+  return for_machines_alone(target.format) || (target.format == Format::svg && job.preset.is_machine()) ||
+         (target.format == Format::pdf && job.preset.pdf && !target.print);
 }
 
 /// Pages as they are drawn for the user's machine.
@@ -56,40 +50,93 @@ Printed printed_pages(const job::Paper& made, const PaperJob& job) {
   return printed;
 }
 
-std::string svg_of(const job::Paper& made, const Printed& printed, std::size_t page, const PaperJob& job) {
-  if (job.preset == nullptr) {
-    return paper::write_svg(printed.drawings[page], printed.mark);
+/// Lists of numbers at the end have pages of their own, which no machine needs.
+std::vector<paper::Drawing> machine_pages(const job::Paper& made, const Printed& printed,
+                                          const PaperJob& job) {
+  std::vector<paper::Drawing> pages(printed.drawings.begin(),
+                                    printed.drawings.begin() + static_cast<std::ptrdiff_t>(made.pages.count));
+  if (job.kerf_test) {
+    paper::add_kerf_test(pages, made.pages.paper);
   }
-  return job.preset->simulates
+  if (job.print_and_cut) {
+    for (paper::Drawing& page : pages) {
+      page.groups.push_back(paper::registration_marks(page.size));
+    }
+  }
+  return pages;
+}
+
+/// What files are made of.
+struct Sheets {
+  const job::Paper& made;
+  Printed printed;
+  std::vector<paper::Drawing> for_machine;  ///< empty where no file is for one
+};
+
+std::vector<fs::path> pages_of(const Target& target, const PaperJob& job, const Sheets& sheets) {
+  return files_of(target,
+                  for_machine(target, job) ? sheets.for_machine.size() : sheets.printed.drawings.size());
+}
+
+std::string svg_of(const Sheets& sheets, std::size_t page, const PaperJob& job) {
+  const job::Paper& made = sheets.made;
+  if (!job.preset.is_machine()) {
+    return paper::write_svg(sheets.printed.drawings[page], sheets.printed.mark);
+  }
+  return job.preset.simulates
              ? paper::write_simulator_svg(made.prepared, made.nets, made.pages, PageId(page), made.mark)
-             : paper::write_machine_svg(printed.drawings[page], printed.mark, *job.preset);
+             : paper::write_machine_svg(sheets.for_machine[page], sheets.printed.mark, job.preset);
+}
+
+std::string pdf_of(const Target& target, const Sheets& sheets, const PaperJob& job) {
+  const paper::Mark& mark = sheets.printed.mark;
+  if (target.guide) {
+    return paper::write_guide_pdf(sheets.made.guide.pages, sheets.made.mark);
+  }
+  if (for_machine(target, job)) {
+    return paper::write_packaging_pdf(sheets.for_machine, mark, job.preset, job.spots);
+  }
+  if (!target.print) {
+    return paper::write_pdf(sheets.printed.drawings, mark);
+  }
+  std::vector<paper::Drawing> pages;
+  std::ranges::transform(sheets.printed.drawings, std::back_inserter(pages), paper::printed_page);
+  return paper::write_pdf(pages, mark);
 }
 
 /// Writes one target's files under their temporary names.
-void add_target(const Target& target, const std::vector<fs::path>& files, const job::Paper& made,
-                const Printed& pages, const PaperJob& job, PendingFiles& pending,
-                std::vector<std::string>& written) {
-  const paper::PathRules rules = job.preset == nullptr ? paper::PathRules{} : job.preset->paths;
+void add_target(const Target& target, const std::vector<fs::path>& files, const Sheets& sheets,
+                const PaperJob& job, PendingFiles& pending, std::vector<std::string>& written) {
+  const paper::Mark& mark = sheets.printed.mark;
   for (std::size_t i = 0; i < files.size(); ++i) {
     switch (target.format) {
       case Format::pdf:
-        pending.add(files[i], target.guide ? paper::write_guide_pdf(made.guide.pages, made.mark)
-                                           : paper::write_pdf(pages.drawings, pages.mark));
+        pending.add(files[i], pdf_of(target, sheets, job));
         break;
       case Format::svg:
-        pending.add(files[i], svg_of(made, pages, i, job));
+        pending.add(files[i], svg_of(sheets, i, job));
         break;
       case Format::png:
-        pending.add(files[i], paper::write_png(pages.drawings[i], pages.mark));
+        pending.add(files[i], paper::write_png(sheets.printed.drawings[i], mark));
         break;
       case Format::dxf:
-        pending.add(files[i], paper::write_dxf(pages.drawings[i], pages.mark, job.dxf, rules));
+        pending.add(files[i],
+                    paper::write_dxf(sheets.for_machine[i], mark, job.preset.dxf_kind, job.preset.paths));
+        break;
+      case Format::lbrn:
+        pending.add(files[i], paper::write_lbrn(sheets.for_machine[i], mark, job.preset.paths));
+        break;
+      case Format::eps:
+        pending.add(files[i], paper::write_eps(sheets.for_machine[i], mark, job.preset));
+        break;
+      case Format::plt:
+        pending.add(files[i], paper::write_plt(sheets.for_machine[i], mark, job.preset.paths));
         break;
       case Format::fold:
-        pending.add(files[i], made.fold);
+        pending.add(files[i], sheets.made.fold);
         break;
       case Format::html:
-        pending.add(files[i], paper::write_html(made.fold, made.drawings, made.mark));
+        pending.add(files[i], paper::write_html(sheets.made.fold, sheets.made.drawings, sheets.made.mark));
         break;
     }
     written.push_back(printed(files[i]));
@@ -138,7 +185,7 @@ void require_all_replaceable(const PaperJob& job, const std::vector<std::vector<
 
 /// A machine needs none.
 bool wants_guide(const PaperJob& job) {
-  return job.options.guide && job.preset == nullptr;
+  return job.options.guide && !job.preset.is_machine();
 }
 
 bool has_guide(const std::vector<Target>& targets) {
@@ -147,7 +194,9 @@ bool has_guide(const std::vector<Target>& targets) {
 
 /// What is known of the outputs is checked before the long work.
 std::vector<Target> checked_targets(const PaperJob& job) {
-  std::vector<Target> targets = plan_targets(job.outputs, results_name(job.model), job.preset, job.page);
+  std::vector<Target> targets =
+      job.print_and_cut ? plan_print_and_cut(job.outputs, results_name(job.model), job.preset)
+                        : plan_targets(job.outputs, results_name(job.model), job.preset, job.page);
   if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
     paper::check_pdf_size(job.options.paper->size);
   }
@@ -233,14 +282,17 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   result.made = make(job, std::move(options), edge_files, std::move(model), context, listener);
   clock.add(result.made.seconds);
   clock("write", context, [&] {
+    Sheets sheets{result.made, printed_pages(result.made, job), {}};
+    if (std::ranges::any_of(targets, [&](const Target& target) { return for_machine(target, job); })) {
+      sheets.for_machine = machine_pages(result.made, sheets.printed, job);
+    }
     std::vector<std::vector<fs::path>> files;
     for (const Target& target : targets) {
-      files.push_back(pages_of(target, job, {result.made.drawings.size(), result.made.pages.count}));
+      files.push_back(pages_of(target, job, sheets));
     }
     require_all_replaceable(job, files, digest);
-    const Printed pages = printed_pages(result.made, job);
     for (std::size_t i = 0; i < targets.size(); ++i) {
-      add_target(targets[i], files[i], result.made, pages, job, pending, result.files);
+      add_target(targets[i], files[i], sheets, job, pending, result.files);
     }
     context.check();
     result.file_notes = pending.commit([&] {

@@ -28,7 +28,8 @@ namespace ridgecraft::cli {
 [[nodiscard]] Summary summary(const std::string& file, const verify::Report& report);
 
 /// ridgecraft formats
-[[nodiscard]] std::string formats_text();
+/// The presets alone, or all formats with the presets' names.
+[[nodiscard]] std::string formats_text(bool presets = false);
 [[nodiscard]] std::string formats_json();
 
 /// {"error": {"code": 3, "message": "..."}}: what --json prints where a job fails.

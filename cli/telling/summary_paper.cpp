@@ -163,6 +163,17 @@ std::vector<std::string> notes_of(const job::Paper& made) {
     notes.emplace_back("--time-limit was too short to find parts: each component is one part");
   }
   notes.insert(notes.end(), made.nets.notes.begin(), made.nets.notes.end());
+  if (made.thickened.clamped > 0) {
+    notes.push_back(
+        fmt::format("the sheet is too thick for {}, where a face would have lost a third of its height",
+                    counted(made.thickened.clamped, "edge")));
+  }
+  if (made.thickened.kept > 0) {
+    notes.push_back(fmt::format("{} would have lain on {} with room for the thickness, so {} cut as of paper",
+                                counted(made.thickened.kept, "piece"),
+                                made.thickened.kept == 1 ? "itself" : "themselves",
+                                made.thickened.kept == 1 ? "it is" : "they are"));
+  }
   return notes;
 }
 

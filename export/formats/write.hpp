@@ -8,6 +8,7 @@
 
 #include "export/assembly/assembly.hpp"
 #include "export/machine/presets.hpp"
+#include "export/machine/spot_names.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/mark.hpp"
 #include "export/sheet/pages.hpp"
@@ -39,6 +40,19 @@ void check_pdf_size(Vec2 page_mm);
 /// in that order, a layer for each. Same input, same bytes.
 [[nodiscard]] std::string write_dxf(const Drawing& page, const Mark& mark, DxfKind kind = DxfKind::r2000,
                                     const PathRules& rules = {});
+/// Bytes of a PDF of all pages' pieces for packaging shops: what is cut, creased or perforated, and where
+/// glue goes, in separation colours of these names that overprint, a layer for each; numbers and names in a
+/// layer that isn't printed. Throws as check_pdf_size().
+[[nodiscard]] std::string write_packaging_pdf(std::span<const Drawing> pages, const Mark& mark,
+                                              const Preset& preset, const SpotNames& spots);
+/// Bytes of the LightBurn project of one page's pieces, in true millimetres, y up: a layer for each
+/// operation, in the order of work, without power or speed.
+[[nodiscard]] std::string write_lbrn(const Drawing& page, const Mark& mark, const PathRules& rules = {});
+/// Bytes of the HPGL of one page's pieces for roll plotters, in units of 0.025 mm: pen 1 scores, pen 2 cuts,
+/// pen 3 writes, in the order of work.
+[[nodiscard]] std::string write_plt(const Drawing& page, const Mark& mark, const PathRules& rules = {});
+/// Bytes of the EPS of one page's pieces, in true size, in the preset's colours and the order of work.
+[[nodiscard]] std::string write_eps(const Drawing& page, const Mark& mark, const Preset& preset = {});
 /// Bytes of a PNG of one page; coarser than asked where it would have more than 100 million pixels.
 [[nodiscard]] std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch = 150.0);
 

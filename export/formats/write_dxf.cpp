@@ -25,8 +25,13 @@ struct DxfLayer {
 };
 
 /// By Operation.
-constexpr std::array<DxfLayer, operation_count> layers{
-    {{"ENGRAVE", 7}, {"MOUNTAIN", 5}, {"VALLEY", 6}, {"TAB", 3}, {"CUT_INNER", 30}, {"CUT", 1}}};
+constexpr std::array<DxfLayer, operation_count> layers{{{"REGMARKS", 8},
+                                                        {"ENGRAVE", 7},
+                                                        {"MOUNTAIN", 5},
+                                                        {"VALLEY", 6},
+                                                        {"TAB", 3},
+                                                        {"CUT_INNER", 30},
+                                                        {"CUT", 1}}};
 
 /// One value of one layer, where nothing may tell operations apart.
 constexpr DxfLayer only_layer{"0", 7};

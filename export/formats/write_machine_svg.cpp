@@ -21,12 +21,15 @@ namespace {
 
 /// By Operation: ids, and names for people.
 constexpr std::array<std::array<std::string_view, 2>, operation_count> groups{
-    {{"engrave", "Engrave"},
+    {{"registration", "Regmarks"},
+     {"engrave", "Engrave"},
      {"mountain", "Score: mountain folds"},
      {"valley", "Score: valley folds"},
      {"tab", "Score: tabs"},
      {"cut-inner", "Cut: holes and slits"},
      {"cut", "Cut: outlines"}}};
+
+constexpr double mm_per_inch = 25.4;
 
 class MachineSvg {
  public:
@@ -34,14 +37,14 @@ class MachineSvg {
       : page_(page), mark_(mark), preset_(preset), paths_(machine_paths(page, preset.paths)) {}
 
   std::string write() {
-    const std::string width = decimals(page_.size.x);
-    const std::string height = decimals(page_.size.y);
+    const std::string width = number(page_.size.x);
+    const std::string height = number(page_.size.y);
     append(out_,
            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
            "<svg xmlns=\"http://www.w3.org/2000/svg\" "
            "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\"\n"
-           "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
-           width, height);
+           "     width=\"{0}{2}\" height=\"{1}{2}\" viewBox=\"0 0 {0} {1}\">\n",
+           width, height, preset_.svg_units_per_inch > 0.0 ? "" : "mm");
     append(out_, "  <title>{} – page {} of {}</title>\n", escaped(page_.title), page_.page, page_.page_count);
     append(out_, "  <metadata id=\"metadata\">{} preset:{} {}</metadata>\n", escaped(mark_.producer),
            preset_.name, escaped(mark_word(mark_)));
@@ -53,6 +56,10 @@ class MachineSvg {
   }
 
  private:
+  /// A length in the file's units.
+  [[nodiscard]] std::string number(double mm) const {
+    return decimals(preset_.svg_units_per_inch > 0.0 ? mm * preset_.svg_units_per_inch / mm_per_inch : mm);
+  }
   static std::string escaped(std::string_view text) { return xml_escaped(printable_utf8(text)); }
 
   /// Programs honour empty layers in ways of their own, so there are none.
@@ -75,7 +82,7 @@ class MachineSvg {
     const Color c = preset_.colors[static_cast<std::size_t>(operation)];
     for (const std::string& line : lines) {
       append(out_, "    <path fill=\"none\" stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{}\" d=\"{}\"/>\n",
-             c.red, c.green, c.blue, decimals(preset_.width), line);
+             c.red, c.green, c.blue, number(preset_.width), line);
     }
     append(out_, "  </g>\n");
   }
@@ -83,7 +90,7 @@ class MachineSvg {
   [[nodiscard]] std::string outline(const Path& path) const {
     std::string d;
     for (const Vec2 p : path.points) {
-      d += fmt::format("{}{},{}", d.empty() ? "M" : " L", decimals(p.x), decimals(page_.size.y - p.y));
+      d += fmt::format("{}{},{}", d.empty() ? "M" : " L", number(p.x), number(page_.size.y - p.y));
     }
     return path.closed ? d + " Z" : d;
   }

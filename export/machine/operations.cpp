@@ -7,6 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "base/polygon.hpp"
+#include "export/machine/fold_ends.hpp"
+#include "export/machine/kerf.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
@@ -15,20 +18,8 @@ namespace {
 constexpr double shortest_path_mm = 0.2;
 constexpr double nearest_points_mm = 0.05;
 
-double length_of(const std::vector<Vec2>& points, bool closed) {
-  double sum = closed ? length(points.front() - points.back()) : 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    sum += length(points[i] - points[i - 1]);
-  }
-  return sum;
-}
-
-double doubled_area(const std::vector<Vec2>& points) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    sum += cross(points[i], points[(i + 1) % points.size()]);
-  }
-  return sum;
+double length_of_path(const std::vector<Vec2>& points, bool closed) {
+  return length_of(points) + (closed ? length(points.front() - points.back()) : 0.0);
 }
 
 /// Without crumbs; none where nothing is left.
@@ -47,7 +38,7 @@ std::optional<Path> cleaned(Operation operation, const std::vector<Vec2>& points
          length(path.points.back() - path.points.front()) < nearest_points_mm) {
     path.points.pop_back();
   }
-  if (path.points.size() < (closed ? 3 : 2) || length_of(path.points, closed) < shortest_path_mm) {
+  if (path.points.size() < (closed ? 3 : 2) || length_of_path(path.points, closed) < shortest_path_mm) {
     return std::nullopt;
   }
   return path;
@@ -77,57 +68,23 @@ std::optional<Operation> operation_of(Layer layer) {
   return std::nullopt;
 }
 
-/// Of a piece's closed cuts the one that goes round all others.
-const Line* outline_of(const Group& group) {
-  const Line* outline = nullptr;
-  double largest = 0.0;
+/// The closed cuts of a piece, each in its direction: outlines against the clock, holes with it. The one that
+/// goes round all others is the outline.
+std::vector<std::vector<Vec2>> loops_of(const Group& group) {
+  std::vector<std::vector<Vec2>> loops;
   for (const Line& line : group.lines) {
     if (line.layer == Layer::cut && line.closed) {
-      if (const double area = std::abs(doubled_area(line.points)); area > largest) {
-        largest = area;
-        outline = &line;
-      }
+      loops.push_back(line.points);
     }
   }
-  return outline;
-}
-
-/// Lengths of what is cut of a fold and of the bridges that hold it.
-constexpr double dash_mm = 2.0;
-constexpr double bridge_mm = 1.0;
-
-/// What lies between two places along a line.
-std::vector<Vec2> stretch(const std::vector<Vec2>& points, double from, double to) {
-  std::vector<Vec2> result;
-  double passed = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double side = length(points[i] - points[i - 1]);
-    const auto at = [&](double place) {
-      return points[i - 1] + ((place - passed) / side) * (points[i] - points[i - 1]);
-    };
-    if (side > 0.0 && passed < to && passed + side > from) {
-      if (result.empty()) {
-        result.push_back(at(std::max(from, passed)));
-      }
-      result.push_back(at(std::min(to, passed + side)));
+  const auto size = [](const std::vector<Vec2>& loop) { return std::abs(doubled_area(loop)); };
+  const auto outline = std::ranges::max_element(loops, {}, size);
+  for (std::vector<Vec2>& loop : loops) {
+    if ((doubled_area(loop) > 0.0) != (&loop == &*outline)) {
+      std::ranges::reverse(loop);
     }
-    passed += side;
   }
-  return result;
-}
-
-/// The dashes of a fold, each as a line. It begins and ends with a bridge: a dash that met an outline would
-/// begin a tear.
-std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& points) {
-  const double whole = length_of(points, false);
-  const double count = std::max(1.0, std::round((whole - bridge_mm) / (dash_mm + bridge_mm)));
-  const double fit = whole / (count * dash_mm + (count + 1.0) * bridge_mm);
-  std::vector<std::vector<Vec2>> dashes;
-  for (double i = 0.0; i < count; i += 1.0) {
-    const double from = fit * (bridge_mm + i * (dash_mm + bridge_mm));
-    dashes.push_back(stretch(points, from, from + fit * dash_mm));
-  }
-  return dashes;
+  return loops;
 }
 
 bool is_fold(Operation operation) {
@@ -144,25 +101,36 @@ Operation with_fold(Operation operation, Fold fold) {
 
 class Plan {
  public:
-  explicit Plan(const PathRules& rules) : rules_(rules) {}
+  Plan(const Drawing& page, const PathRules& rules)
+      : rules_(rules), ends_(rules.scores == Scores::ends ? page : Drawing{}) {}
 
-  void add(const Group& group) {
-    const Line* const outline = outline_of(group);
+  void add_piece(const Group& group) {
+    add_loops(group);
     for (const Line& line : group.lines) {
-      if (const auto operation = operation_of(line.layer)) {
-        add(&line == outline ? Operation::cut_outer : with_fold(*operation, line.fold), line.points,
-            line.closed);
+      const auto operation = operation_of(line.layer);
+      if (!operation || (line.layer == Layer::cut && line.closed)) {
+        continue;
+      }
+      if (is_fold(with_fold(*operation, line.fold))) {
+        add_fold(with_fold(*operation, line.fold), line.points);
+      } else if (*operation != Operation::engrave || rules_.engraves) {
+        add(*operation, line.points, line.closed);
       }
     }
     for (const Text& text : group.texts) {
-      if (!rules_.engraves) {
-        break;
+      const auto operation = operation_of(text.layer);
+      if (!operation || !rules_.engraves) {
+        continue;
       }
-      if (const auto operation = operation_of(text.layer)) {
-        for (const std::vector<Vec2>& stroke : text_strokes(text)) {
-          add(*operation, stroke, false);
-        }
+      for (const std::vector<Vec2>& stroke : text_strokes(text)) {
+        add(*operation, stroke, false);
       }
+    }
+  }
+
+  void add_registration(const Group& group) {
+    for (const Line& line : group.lines) {
+      add(Operation::registration, line.points, line.closed);
     }
   }
 
@@ -173,17 +141,61 @@ class Plan {
   }
 
  private:
-  void add(Operation operation, const std::vector<Vec2>& points, bool closed) {
-    if (rules_.dashes && is_fold(operation)) {
-      for (const std::vector<Vec2>& dash : dashes_along(points)) {
-        add_whole(operation, dash, false);
+  void add_loops(const Group& group) {
+    const CutPaths cuts = with_kerf(loops_of(group), rules_.kerf_mm);
+    for (const std::vector<Vec2>& line : cuts.lines) {
+      add(Operation::cut_inner, line, false);
+    }
+    for (const std::vector<Vec2>& loop : cuts.loops) {
+      const bool outer = doubled_area(loop) > 0.0;
+      const std::vector<std::vector<Vec2>> open =
+          outer ? opened(group, loop) : std::vector<std::vector<Vec2>>();
+      for (const std::vector<Vec2>& line : open) {
+        add(Operation::cut_outer, line, false);
       }
-    } else {
-      add_whole(operation, points, closed);
+      if (open.empty()) {
+        add(outer ? Operation::cut_outer : Operation::cut_inner, loop, true);
+      }
     }
   }
 
-  void add_whole(Operation operation, const std::vector<Vec2>& points, bool closed) {
+  /// An outline with the bridges that are wanted; nothing where there are none.
+  [[nodiscard]] std::vector<std::vector<Vec2>> opened(const Group& group,
+                                                      const std::vector<Vec2>& loop) const {
+    std::vector<std::vector<Vec2>> tabs;
+    for (const Area& area : group.areas) {
+      if (area.layer == Layer::tab_fill) {
+        tabs.push_back(area.outline);
+      }
+    }
+    return with_bridges(loop, tabs, rules_.bridges);
+  }
+
+  void add_fold(Operation operation, const std::vector<Vec2>& points) {
+    switch (rules_.scores) {
+      case Scores::solid:
+        add(operation, points, false);
+        break;
+      case Scores::dashes:
+      case Scores::perforate:
+        for (const auto& dash : dashes_along(points, pattern_of(rules_.scores, rules_.board))) {
+          add(operation, dash, false);
+        }
+        break;
+      case Scores::ends:
+        for (const auto& [end, from] :
+             {std::pair(points.front(), points[1]), std::pair(points.back(), points[points.size() - 2])}) {
+          if (const auto line = ends_.beyond(end, from, rules_.kerf_mm)) {
+            add(operation, *line, false);
+          }
+        }
+        break;
+      case Scores::none:
+        break;
+    }
+  }
+
+  void add(Operation operation, const std::vector<Vec2>& points, bool closed) {
     std::optional<Path> path = cleaned(operation, points, closed);
     if (!path) {
       return;
@@ -195,21 +207,25 @@ class Plan {
   }
 
   PathRules rules_;
+  FoldEnds ends_;
   std::vector<Path> paths_;
 };
 
 /// Furniture isn't a piece: all its lines and texts are marks.
 bool is_piece(const Group& group) {
-  return outline_of(group) != nullptr;
+  return std::ranges::any_of(group.lines,
+                             [](const Line& line) { return line.layer == Layer::cut && line.closed; });
 }
 
 }  // namespace
 
 std::vector<Path> machine_paths(const Drawing& page, const PathRules& rules) {
-  Plan plan(rules);
+  Plan plan(page, rules);
   for (const Group& group : page.groups) {
-    if (is_piece(group)) {
-      plan.add(group);
+    if (group.id == registration_group) {
+      plan.add_registration(group);
+    } else if (is_piece(group)) {
+      plan.add_piece(group);
     }
   }
   return plan.in_order();

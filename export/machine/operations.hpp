@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "export/machine/bridges.hpp"
+#include "export/machine/scores.hpp"
 #include "export/sheet/drawing.hpp"
 
 namespace ridgecraft::paper {
@@ -12,14 +14,15 @@ namespace ridgecraft::paper {
 /// In the order in which a sheet is worked: while it lies still and whole, what is written and folded; then
 /// what falls out; outlines last.
 enum class Operation {
-  engrave,    ///< numbers and names
-  mountain,   ///< folds away from the printed side
-  valley,     ///< folds towards it
-  tab_fold,   ///< bases of tabs that go on flat; others are folds
-  cut_inner,  ///< holes, and slits in a piece
-  cut_outer,  ///< outlines of pieces
+  registration,  ///< marks that a machine looks for; nothing is done there
+  engrave,       ///< numbers and names
+  mountain,      ///< folds away from the printed side
+  valley,        ///< folds towards it
+  tab_fold,      ///< bases of tabs that go on flat; others are folds
+  cut_inner,     ///< holes, and slits in a piece
+  cut_outer,     ///< outlines of pieces
 };
-inline constexpr int operation_count = 6;
+inline constexpr int operation_count = 7;
 
 struct Path {
   Operation operation = Operation::cut_outer;
@@ -28,16 +31,21 @@ struct Path {
 };
 
 struct PathRules {
-  bool engraves = true;  ///< numbers and names are there
-  /// Folds are dashes of about 2 mm with gaps of 1 mm, each a path of its own, for machines that cut where
-  /// they can't score; else whole lines.
-  bool dashes = false;
+  bool engraves = true;           ///< numbers and names are there
+  Scores scores = Scores::solid;  ///< what is done at folds
+  bool board = false;             ///< the sheet is thicker than 1 mm: dashes are longer
+  double kerf_mm = 0.0;      ///< what the beam takes: outlines are moved outwards by half of it (kerf.hpp)
+  BridgeRules bridges = {};  ///< of outlines
 };
 
-/// The pieces of a page as paths, by operation and then by piece. What a printer draws around them (scale
-/// bar, legend, lists) isn't there, and neither are the areas of tabs. Paths shorter than 0.2 mm are left out
-/// and points within 0.05 mm of the one before: rounding makes them, where nets touch themselves, and a laser
-/// burns holes there. Names in letters that the alphabet of lines doesn't have are left out. O(n).
+/// Marks by which a machine finds on a printed sheet what it is to cut: the lines of the group of this id.
+inline constexpr std::string_view registration_group = "registration";
+
+/// The pieces of a page as paths, by operation and then by piece; before them what the page has in its
+/// registration group. What a printer draws around them (scale bar, legend, lists) isn't there, and neither
+/// are the areas of tabs. Paths shorter than 0.2 mm are left out and points within 0.05 mm of the one before:
+/// rounding makes them, where nets touch themselves, and a laser burns holes there. Names in letters that the
+/// alphabet of lines doesn't have are left out. O(n log n); Scores::ends O(folds * sides).
 [[nodiscard]] std::vector<Path> machine_paths(const Drawing& page, const PathRules& rules = {});
 
 }  // namespace ridgecraft::paper

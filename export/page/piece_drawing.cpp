@@ -22,6 +22,8 @@ constexpr double straight_cosine = 0.985;
 constexpr double tick_length = 1.5;
 /// Ends of lines that are one point on paper, mm.
 constexpr double near_mm = 0.05;
+/// Ends of the two sides of a fold that are one point but for rounding, mm.
+constexpr double same_fold_end_mm = 1e-4;
 
 double length_of(const std::vector<Vec2>& line) {
   double sum = 0.0;
@@ -108,13 +110,29 @@ class PieceDrawer {
           continue;
         }
         if (const Fold fold = fold_of(edge); fold != Fold::none) {
-          folds.push_back({side(c), fold});
+          folds.push_back({fold_line(c), fold});
         }
       }
     }
     for (const FoldSegment& fold : join_straight(folds)) {
       draw_once(fold, fold.fold == Fold::mountain ? Layer::mountain : Layer::valley);
     }
+  }
+
+  /// What the two sides of a fold have in common: in nets of board one may be longer.
+  [[nodiscard]] Segment2 fold_line(CornerId c) const {
+    const Segment2 one = side(c);
+    const Segment2 other = side(surface_.twin(c));
+    const double size = length(one.b - one.a);
+    if (!(size > 0.0)) {
+      return one;
+    }
+    const Vec2 along = (one.b - one.a) / size;
+    const auto at = [&](Vec2 p) { return dot(p - one.a, along); };
+    const double from = at(other.b);
+    const double to = at(other.a);
+    return {from > same_fold_end_mm ? one.a + from * along : one.a,
+            to < size - same_fold_end_mm && to > from ? one.a + to * along : one.b};
   }
 
   [[nodiscard]] bool within_panel(CornerId c) const {

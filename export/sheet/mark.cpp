@@ -79,9 +79,11 @@ std::string html_digest(std::string_view bytes) {
   return at == std::string_view::npos ? std::string() : digest_after_word(head.substr(at + name.size()));
 }
 
-std::string urdf_digest(std::string_view bytes) {
-  const auto robot = bytes.substr(0, mesh_header_size).find("<robot");
-  return robot == std::string_view::npos ? std::string() : digest_after_word(bytes.substr(0, robot));
+/// Robot descriptions and LightBurn projects have it in a comment before their first element.
+std::string comment_digest(std::string_view bytes) {
+  const std::string_view head = bytes.substr(0, mesh_header_size);
+  const auto element = std::min(head.find("<robot"), head.find("<LightBurnProject"));
+  return element == std::string_view::npos ? std::string() : digest_after_word(bytes.substr(0, element));
 }
 
 std::string json_digest(std::string_view bytes) {
@@ -132,6 +134,12 @@ std::string read_mark_digest(std::string_view bytes) {
   if (bytes.starts_with("999\n")) {
     return digest_after_word(bytes.substr(0, mesh_header_size));  // DXF
   }
+  if (bytes.starts_with("%!PS-Adobe")) {
+    return digest_after_word(bytes.substr(0, mesh_header_size));  // EPS
+  }
+  if (bytes.starts_with("IN;")) {  // HPGL: at the end
+    return digest_after_word(bytes.substr(bytes.size() - std::min(bytes.size(), mesh_header_size)));
+  }
   const auto first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) {
     return {};
@@ -145,8 +153,8 @@ std::string read_mark_digest(std::string_view bytes) {
   if (bytes.substr(first).starts_with("<!doctype html>")) {
     return html_digest(bytes.substr(first));
   }
-  std::string of_robot = urdf_digest(bytes);
-  return of_robot.empty() ? svg_digest(bytes) : of_robot;
+  std::string in_comment = comment_digest(bytes);
+  return in_comment.empty() ? svg_digest(bytes) : in_comment;
 }
 
 }  // namespace ridgecraft::paper

@@ -179,8 +179,8 @@ void check_paper(const Paper& paper) {
 
 Box2 piece_box(const Paper& paper) {
   Box2 box;
-  box.low = {paper.margin, paper.margin + furniture_height};
-  box.high = {paper.size.x - paper.margin, paper.size.y - paper.margin};
+  box.low = {paper.margin, paper.margin + paper.foot};
+  box.high = {paper.size.x - paper.margin, paper.size.y - paper.margin - paper.head};
   return box;
 }
 

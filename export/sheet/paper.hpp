@@ -19,8 +19,11 @@ inline constexpr double furniture_height = 12.0;
 /// A sheet of paper, mm.
 struct Paper {
   Vec2 size{210.0, 297.0};
-  double margin = 10.0;  ///< on all four sides
-  double gap = 2.0;      ///< between the outlines of neighbouring pieces, tabs included
+  double margin = 10.0;            ///< on all four sides
+  double gap = 2.0;                ///< between the outlines of neighbouring pieces, tabs included
+  double foot = furniture_height;  ///< of the band within the margins at the foot that pieces keep out of, mm
+  double head = 0.0;               ///< the same at the top
+  bool furniture = true;           ///< whether title, scale bar and legend stand at the foot
 };
 
 /// "A4", "letter", "jis-b5", "a3-landscape", "210x297mm", "8.5x11in", "210x297" (mm); letter case doesn't

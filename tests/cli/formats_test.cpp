@@ -9,7 +9,7 @@
 using namespace ridgecraft::cli;
 
 TEST_CASE("a suffix names one format and the format that suffix", "[formats]") {
-  for (const char* text : {".pdf", ".svg", ".fold", ".html", ".png"}) {
+  for (const char* text : {".pdf", ".svg", ".fold", ".html", ".png", ".dxf", ".lbrn2", ".eps", ".plt"}) {
     const auto format = paper_format(text);
     REQUIRE(format.has_value());
     CHECK(std::string(suffix(*format)) == text);
@@ -22,6 +22,13 @@ TEST_CASE("a suffix names one format and the format that suffix", "[formats]") {
   CHECK(one_file_per_page(Format::svg));
   CHECK_FALSE(one_file_per_page(Format::pdf));
   CHECK(default_formats() == std::vector{Format::pdf, Format::svg, Format::fold, Format::html});
+}
+
+TEST_CASE("the table of presets has a row for each", "[formats]") {
+  const std::string text = formats_text(true);
+  for (const auto& preset : ridgecraft::paper::presets()) {
+    CHECK(text.find("\n" + std::string(preset.name) + " ") != std::string::npos);
+  }
 }
 
 TEST_CASE("the printed list and the JSON have the same rows", "[formats]") {

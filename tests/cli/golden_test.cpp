@@ -142,6 +142,10 @@ TEST_CASE("printed nets are as they were", "[golden]") {
             "house.dxf"},
            folder);
   check_golden("files/house.dxf", read_bytes(folder / "house.dxf"));
+  for (const std::string name : {"house.lbrn2", "house.eps", "house.plt"}) {
+    run_well({"house.obj", "--size", "45mm", "--paper", "A6", "--preset", "plotter", "-o", name}, folder);
+    check_golden("files/" + name, read_bytes(folder / name));
+  }
   check_golden("files/house.svg", read_bytes(folder / "house.svg"));
   check_golden("files/house.fold", read_bytes(folder / "house.fold"));
   run_well({"house.obj", "--size", "45mm", "--paper", "A6", "-o", "house.html"}, folder);

@@ -76,10 +76,11 @@ TEST_CASE("a preset's files bear its name and stand beside those for the printer
               .exit_code == 0);
   CHECK(folder.names() == std::set<std::string>{"house.obj", "house.pdf", "house-guide.pdf", "house.svg",
                                                 "house.fold", "house.html", "house-laser.svg",
-                                                "house-laser.dxf", "house-plotter.dxf"});
+                                                "house-laser.dxf", "house-plotter-mm.dxf",
+                                                "house-plotter.plt"});
   CHECK(read_bytes(folder / "house-laser.dxf").find("AC1015") != std::string::npos);
   // The DXF that was asked for wins over the preset's.
-  CHECK(read_bytes(folder / "house-plotter.dxf").find("POLYLINE") == std::string::npos);
+  CHECK(read_bytes(folder / "house-plotter-mm.dxf").find("POLYLINE") == std::string::npos);
   // Files of this model may be replaced, others not.
   CHECK(run_program({"house.obj", "--size", "9cm", "--preset", "laser"}, in(folder)).exit_code == 0);
   write_bytes(folder / "house.obj", std::string(house) + "# edited\n");

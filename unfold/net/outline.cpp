@@ -28,6 +28,24 @@ CornerId next_boundary(const mesh::Surface& surface, const Nets& nets, CornerId 
   return d;
 }
 
+/// Where the corners of a fan lie apart, as in nets of board, the chain goes over all of them; mm.
+constexpr double apart_mm = 1e-6;
+
+/// The corners of the fan at the end of side c, in the order of next_boundary(), but for the last one.
+std::vector<Vec2> fan_corners(const mesh::Surface& surface, const Nets& nets, CornerId c) {
+  std::vector<Vec2> corners;
+  CornerId d = mesh::next(c);
+  corners.push_back(start(nets, d));
+  while (nets.use[surface.edge(d)] == EdgeUse::fold) {
+    d = mesh::next(surface.twin(d));
+    corners.push_back(start(nets, d));
+  }
+  const Vec2 last = corners.back();
+  corners.pop_back();
+  const bool together = std::ranges::all_of(corners, [&](Vec2 p) { return length(p - last) <= apart_mm; });
+  return together ? std::vector<Vec2>() : corners;
+}
+
 void append(std::vector<Vec2>& loop, Vec2 p) {
   if (loop.empty() || length(p - loop.back()) > same_corner_mm) {
     loop.push_back(p);
@@ -62,15 +80,16 @@ std::vector<std::vector<Vec2>> outline(const mesh::Surface& surface, const Nets&
       for (; !done[c]; c = next_boundary(surface, nets, c)) {
         done[c] = true;
         append(loop, start(nets, c));
-        const auto tab = tabs.find(c);
-        if (tab == tabs.end()) {
-          continue;
+        if (const auto tab = tabs.find(c); tab != tabs.end()) {
+          // The tab runs counterclockwise and begins with its base, end first: so its way round the outside
+          // is corners 1, 2, ..., 0.
+          const std::vector<Vec2>& polygon = tab->second->polygon;
+          for (std::size_t i = 1; i <= polygon.size(); ++i) {
+            append(loop, polygon[i % polygon.size()]);
+          }
         }
-        // The tab runs counterclockwise and begins with its base, end first: so its way round the outside is
-        // corners 1, 2, ..., 0.
-        const std::vector<Vec2>& polygon = tab->second->polygon;
-        for (std::size_t i = 1; i <= polygon.size(); ++i) {
-          append(loop, polygon[i % polygon.size()]);
+        for (const Vec2 p : fan_corners(surface, nets, c)) {
+          append(loop, p);
         }
       }
       while (loop.size() > 1 && length(loop.back() - loop.front()) <= same_corner_mm) {

@@ -409,6 +409,16 @@ class PageList {
 }  // namespace
 
 void check_pages(const Case& given, std::span<const PrintedFile> printed, Findings& findings) {
+  if (const double mm = given.file.settings.number("thickness_mm").value_or(0.0); mm > 0.0) {
+    findings.add(Promise::printed, {}, [&] {
+      return fmt::format(
+          "pages for board of {:g} mm have other nets than the file, whose are those of the surface: they "
+          "can't "
+          "be held against each other",
+          mm);
+    });
+    return;
+  }
   PageList list(given, findings);
   for (const PrintedFile& file : printed) {
     list.add(file);

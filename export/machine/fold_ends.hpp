@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines beside a piece that show where its folds begin and end: the piece itself stays clean.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "export/sheet/drawing.hpp"
+
+namespace ridgecraft::paper {
+
+class FoldEnds {
+ public:
+  /// Of the pieces of a page.
+  explicit FoldEnds(const Drawing& page);
+
+  /// The line of 4 mm that goes on beyond the end of a fold that comes from `from`, away from the piece;
+  /// shorter where something else is cut there. None where the fold ends inside the piece or nothing has
+  /// room. It begins where the beam's cut ends. O(sides of the page).
+  [[nodiscard]] std::optional<std::vector<Vec2>> beyond(Vec2 end, Vec2 from, double kerf_mm) const;
+
+ private:
+  struct Side {
+    Vec2 a;
+    Vec2 b;
+    bool bounds = true;  ///< paper on one side alone; false: a slit
+  };
+
+  [[nodiscard]] bool in_paper(Vec2 p) const;
+
+  std::vector<Side> sides_;
+};
+
+}  // namespace ridgecraft::paper

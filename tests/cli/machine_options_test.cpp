@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options for machines: what they change in files, and what is refused.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "cli/arguments/parse.hpp"
+#include "cli/program_checks.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ridgecraft;
+using namespace ridgecraft::cli;
+using namespace ridgecraft::test;
+
+namespace {
+
+PaperJob job_of(std::vector<std::string> words) {
+  words.insert(words.begin(), "house.obj");
+  return std::get<PaperJob>(parse_arguments(words));
+}
+
+}  // namespace
+
+TEST_CASE("a preset sets its sheet, and every option goes before it", "[machine_options]") {
+  const PaperJob cricut = job_of({"--preset", "cricut"});
+  CHECK(cricut.options.paper->size == Vec2{292.0, 292.0});
+  CHECK(cricut.options.paper->margin == 0.0);
+  CHECK_FALSE(cricut.options.paper->furniture);
+  CHECK(job_of({"--preset", "cricut", "--paper", "A4"}).options.paper->size == Vec2{210.0, 297.0});
+  CHECK(job_of({"--preset", "cricut", "--margin", "7"}).options.paper->margin == 7.0);
+  const PaperJob bed = job_of({"--preset", "glowforge", "--bed", "400x300mm", "--kerf", "0.2mm"});
+  CHECK(bed.options.paper->size == Vec2{400.0, 300.0});
+  // Room for the beam at the edges and between pieces.
+  CHECK(bed.options.paper->margin == Approx(0.2));
+  CHECK(job_of({"--preset", "laser", "--kerf", "2mm"}).options.paper->gap == Approx(4.5));
+  CHECK(bed.preset.paths.kerf_mm == Approx(0.2));
+  const PaperJob changed =
+      job_of({"--preset", "laser", "--score", "solid", "--bridges", "3", "--engrave", "off", "--colour",
+              "cut=#010203", "--colour", "numbers=#0a0b0c", "--svg-px", "72", "--thickness", "3mm"});
+  CHECK(changed.preset.paths.scores == paper::Scores::solid);
+  CHECK(changed.preset.paths.bridges.count == 3);
+  CHECK_FALSE(changed.preset.paths.engraves);
+  CHECK(changed.preset.colors[6] == paper::Color{1, 2, 3});
+  CHECK(changed.preset.colors[1] == paper::Color{10, 11, 12});
+  CHECK(changed.preset.svg_units_per_inch == 72.0);
+  CHECK(changed.options.board.hinge == paper::Hinge::back);
+  CHECK(changed.options.tabs.height_mm == Approx(8.0));
+  CHECK(job_of({"--thickness", "1mm", "--preset", "packaging"}).options.board.hinge == paper::Hinge::middle);
+  CHECK(job_of({}).options.paper->size == Vec2{210.0, 297.0});
+}
+
+TEST_CASE("options that only machines heed are refused without one", "[machine_options]") {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& part) {
+    std::vector<std::string> all{"house.obj"};
+    all.insert(all.end(), words.begin(), words.end());
+    check_refusal(run_program(all, in(folder)), 2, part);
+  };
+  refused({"--kerf", "0.1mm"}, "--kerf is about files for machines");
+  refused({"--bridges", "2"}, "--bridges is about files for machines");
+  refused({"--preset", "origami-simulator", "--kerf", "0.1"}, "--kerf");
+  refused({"--preset", "laser", "--kerf", "3mm"}, "0 to 2mm");
+  refused({"--preset", "laser", "--bridges", "51"}, "0 to 50");
+  refused({"--preset", "laser", "--score", "half"}, "perforate");
+  refused({"--preset", "laser", "--colour", "cut=red"}, "#ff8000");
+  refused({"--preset", "laser", "--colour", "hole=#ff0000"}, "OPERATION");
+  refused({"--preset", "laser", "--bed", "300x200", "--paper", "A4"}, "--bed and --paper");
+  refused({"--preset", "laser", "--spot", "cut=Die"}, "packaging");
+  refused({"--preset", "packaging", "--spot", "fold=Die"}, "crease");
+  refused({"--preset", "packaging", "--spot", "cut=a b"}, "letters");
+  refused({"--hinge", "back"}, "--thickness");
+  refused({"--thickness", "25mm"}, "20mm");
+  refused({"--print-and-cut"}, "--preset silhouette");
+  refused({"--preset", "cricut", "--print-and-cut"}, "cricut");
+  refused({"--preset", "laser", "--print-and-cut", "--bed", "300x200"}, "--paper");
+}
+
+TEST_CASE("files for machines are written, each with its mark, and may be written again",
+          "[machine_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  for (int round = 0; round < 2; ++round) {
+    REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "h.lbrn2", "-o", "h.eps", "-o", "h.plt", "-o",
+                         "h.dxf", "--kerf", "0.1mm", "--kerf-test"},
+                        in(folder))
+                .exit_code == 0);
+    REQUIRE(run_program({"house.obj", "--size", "8cm", "--preset", "packaging"}, in(folder)).exit_code == 0);
+    REQUIRE(
+        run_program({"house.obj", "--size", "8cm", "--preset", "silhouette", "--print-and-cut"}, in(folder))
+            .exit_code == 0);
+    REQUIRE(run_program({"house.obj", "--size", "8cm", "--thickness", "1mm", "-o", "thick.pdf", "-o",
+                         "thick.fold", "--no-guide"},
+                        in(folder))
+                .exit_code == 0);
+  }
+  CHECK(folder.names() == std::set<std::string>{"house.obj", "h.lbrn2", "h.eps", "h.plt", "h.dxf",
+                                                "house-packaging.pdf", "house-packaging.dxf",
+                                                "house-silhouette-print.pdf", "house-silhouette-cut.svg",
+                                                "house-silhouette-cut-mm.dxf", "thick.pdf", "thick.fold"});
+  CHECK(read_bytes(folder / "house-silhouette-cut.svg").find("Regmarks") != std::string::npos);
+  CHECK(run_program({"verify", "thick.fold"}, in(folder)).exit_code == 0);
+  // Nobody takes pages of board for those of the nets in the file.
+  const auto told = run_program({"verify", "thick.fold", "--pages", "thick.pdf"}, in(folder));
+  CHECK(told.exit_code == 6);
+}
+
+TEST_CASE("a cube of board has faces as wide as it leaves them", "[machine_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "cube.obj",
+              "v 0 0 0\nv 60 0 0\nv 60 60 0\nv 0 60 0\nv 0 0 60\nv 60 0 60\nv 60 60 60\nv 0 60 60\n"
+              "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  REQUIRE(run_program({"cube.obj", "--size", "60mm", "--preset", "plotter", "--score", "solid", "--bed",
+                       "400x300mm", "--thickness", "2mm"},
+                      in(folder))
+              .exit_code == 0);
+  // Lengths of folds and bases of tabs: between two folds 56, two bases 52, a base and a fold 54, a fold and
+  // an edge with a tab behind it 58, two such edges 60.
+  std::istringstream lines(read_bytes(folder / "cube-plotter.plt"));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line) && line != "SP2;";) {
+    double ax = 0.0;
+    double ay = 0.0;
+    double bx = 0.0;
+    double by = 0.0;
+    if (std::sscanf(line.c_str(), "PU%lf,%lf;PD%lf,%lf", &ax, &ay, &bx, &by) == 4) {
+      ++count;
+      const double mm = std::hypot(bx - ax, by - ay) / 40.0;
+      CHECK(std::abs(mm / 2.0 - std::round(mm / 2.0)) < 0.03);
+      CHECK(mm > 51.9);
+      CHECK(mm < 60.1);
+    }
+  }
+  CHECK(count == 12);
+}
+
+TEST_CASE("other programs find nothing wrong with any preset's files", "[slow]") {
+  const auto has = [](const std::string& command) {
+    return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
+  };
+  const bool shapely = has("/usr/bin/python3 -c 'import shapely'");
+  const bool ezdxf = has("/usr/bin/python3 -c 'import ezdxf'");
+  const bool inkscape = has("inkscape --version");
+  if (!shapely || !ezdxf || !inkscape) {
+    WARN("skipped in part: " << (shapely ? "" : "python3-shapely ") << (ezdxf ? "" : "python3-ezdxf ")
+                             << (inkscape ? "" : "inkscape ") << "not installed");
+  }
+  const TemporaryFolder folder;
+  const std::string source = RIDGECRAFT_SOURCE_DIR;
+  const std::vector<std::vector<std::string>> jobs{{"penguin.obj"},
+                                                   {"mug.obj", "--kerf", "0.2mm", "--score", "perforate"},
+                                                   {"house.obj", "--thickness", "2mm", "--score", "ends"}};
+  std::size_t number = 0;
+  for (const std::vector<std::string>& words : jobs) {
+    for (const paper::Preset& preset : paper::presets()) {
+      if (preset.simulates) {
+        continue;
+      }
+      std::vector<std::string> all = words;
+      all[0] = source + "/samples/" + words[0];
+      all.insert(all.end(), {"--preset", std::string(preset.name), "-o",
+                             (folder / ("out" + std::to_string(number++))).string() + "/"});
+      const Outcome outcome = run_program(all, in(folder));
+      INFO(outcome.err);
+      REQUIRE(outcome.exit_code == 0);
+    }
+  }
+  std::string svg;
+  std::string dxf;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+    const std::string ending = entry.path().extension().string();
+    (ending == ".svg" ? svg : dxf) +=
+        ending == ".svg" || ending == ".dxf" ? " '" + entry.path().string() + "'" : "";
+  }
+  if (shapely) {
+    CHECK(std::system(("/usr/bin/python3 '" + source + "/tests/cli/machine_svg.py'" +
+                       (inkscape ? " --inkscape" : "") + svg)
+                          .c_str()) == 0);
+  }
+  if (ezdxf) {
+    std::ofstream(folder / "read.py") << R"(
+import sys, ezdxf
+for name in sys.argv[1:]:
+    audit = ezdxf.readfile(name).audit()
+    assert not audit.errors and not audit.fixes, (name, audit.errors, audit.fixes)
+)";
+    CHECK(std::system(("/usr/bin/python3 '" + (folder / "read.py").string() + "'" + dxf).c_str()) == 0);
+  }
+}

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files for machines, read back: the same cuts in every format, bridges, scores, marks, inks.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <pugixml.hpp>
+
+#include "base/polygon.hpp"
+#include "export/formats/write.hpp"
+#include "export/machine/hatching.hpp"
+#include "export/machine/registration.hpp"
+#include "machine_pages.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace ridgecraft {
+namespace {
+
+using paper::Operation;
+using paper::Path;
+using paper::Scores;
+
+const paper::Mark mark{"ridgecraft test", "Cube", "0123456789abcdef"};
+
+double length_of(const Path& path) {
+  return paper::length_of(path.points) +
+         (path.closed ? length(path.points.front() - path.points.back()) : 0.0);
+}
+
+double total(const std::vector<Path>& paths, bool folds) {
+  double sum = 0.0;
+  for (const Path& path : paths) {
+    if ((path.operation < Operation::cut_inner) == folds && path.operation != Operation::engrave &&
+        path.operation != Operation::registration) {
+      sum += length_of(path);
+    }
+  }
+  return sum;
+}
+
+std::vector<Path> closed_cuts(const paper::Drawing& page, const paper::PathRules& rules) {
+  std::vector<Path> paths = paper::machine_paths(page, rules);
+  std::erase_if(paths, [](const Path& path) { return !path.closed; });
+  return paths;
+}
+
+void check_same(const std::vector<std::vector<Vec2>>& read, const std::vector<Path>& wanted,
+                double tolerance) {
+  REQUIRE(read.size() == wanted.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    REQUIRE(read[i].size() == wanted[i].points.size());
+    for (std::size_t k = 0; k < read[i].size(); ++k) {
+      CHECK(length(read[i][k] - wanted[i].points[k]) < tolerance);
+    }
+  }
+}
+
+bool runs(const std::string& command) {
+  return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("an outline with bridges is cut but for them, on tabs before other places and off corners") {
+  for (const paper::Drawing& page : test::pages_for_machines()) {
+    const auto whole = paper::machine_paths(page, {.engraves = false});
+    const auto held = paper::machine_paths(page, {.engraves = false, .bridges = {3, 0.4}});
+    CHECK(total(whole, true) == Approx(total(held, true)));
+    std::size_t outlines = 0;
+    double left = 0.0;
+    for (const Path& path : whole) {
+      outlines += path.operation == Operation::cut_outer ? 1U : 0U;
+    }
+    left = total(whole, false) - total(held, false);
+    const double bridges = left / 0.4;
+    CHECK(bridges == Approx(std::round(bridges)).margin(1e-6));
+    CHECK(std::round(bridges) <= 3.0 * static_cast<double>(outlines));
+    CHECK(std::round(bridges) >= static_cast<double>(outlines));
+    for (const Path& path : held) {
+      if (path.operation == Operation::cut_outer && !path.closed) {
+        // Its ends are 3 mm or more from the corners before and after.
+        CHECK(length(path.points[1] - path.points[0]) > 3.0 - 1e-6);
+        CHECK(length(path.points[path.points.size() - 1] - path.points[path.points.size() - 2]) > 3.0 - 1e-6);
+      }
+    }
+  }
+}
+
+TEST_CASE("dashes begin and end with a bridge, whatever the length of the fold") {
+  for (const paper::ScorePattern pattern :
+       {paper::pattern_of(Scores::dashes, false), paper::pattern_of(Scores::dashes, true),
+        paper::pattern_of(Scores::perforate, false)}) {
+    for (double size = 0.5; size < 60.0; size += 0.137) {
+      CAPTURE(size, pattern.cut, pattern.bridge);
+      const auto dashes = paper::dashes_along({{1.0, 2.0}, {1.0 + size, 2.0}}, pattern);
+      CHECK(dashes.empty() == (size < 3.0 * pattern.bridge));
+      double at = 1.0;
+      for (const auto& dash : dashes) {
+        REQUIRE(dash.size() == 2);
+        CHECK(dash[0].x - at > 0.8 * pattern.bridge - 1e-9);
+        at = dash[1].x;
+        if (size >= 2.0 * pattern.bridge + pattern.cut) {
+          CHECK(dash[1].x - dash[0].x > 0.75 * pattern.cut - 1e-9);
+          CHECK(dash[1].x - dash[0].x < 1.25 * pattern.cut + 1e-9);
+        }
+      }
+      if (!dashes.empty()) {
+        CHECK(1.0 + size - at > 0.8 * pattern.bridge - 1e-9);
+      }
+    }
+  }
+}
+
+TEST_CASE("scores at ends lie beside the piece, and none are none") {
+  for (const paper::Drawing& page : test::pages_for_machines()) {
+    const auto ends = paper::machine_paths(page, {.engraves = false, .scores = Scores::ends});
+    const auto none = paper::machine_paths(page, {.engraves = false, .scores = Scores::none});
+    CHECK(total(none, true) == 0.0);
+    CHECK(total(ends, false) == Approx(total(none, false)));
+    std::vector<std::vector<Vec2>> outlines;
+    for (const Path& path : none) {
+      if (path.closed && path.operation >= Operation::cut_inner) {
+        outlines.push_back(path.points);  // what lies in a hole lies in two of them
+      }
+    }
+    std::size_t count = 0;
+    for (const Path& path : ends) {
+      if (path.operation >= Operation::cut_inner) {
+        continue;
+      }
+      ++count;
+      CHECK(length_of(path) < 4.0 + 1e-9);
+      const Vec2 p = 0.5 * (path.points.front() + path.points.back());
+      bool odd = false;
+      for (const auto& outline : outlines) {
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+          const Vec2 a = outline[i];
+          const Vec2 b = outline[(i + 1) % outline.size()];
+          odd ^= (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+        }
+      }
+      CHECK_FALSE(odd);
+    }
+    CHECK(count > 0);
+  }
+}
+
+TEST_CASE("no path of a machine is shorter than 0.2 mm, no step of one than 0.05, with every rule") {
+  for (const paper::Drawing& page : test::pages_for_machines()) {
+    for (const Scores scores :
+         {Scores::solid, Scores::dashes, Scores::perforate, Scores::ends, Scores::none}) {
+      for (const double kerf : {0.0, 0.1, 0.3}) {
+        for (const Path& path :
+             paper::machine_paths(page, {.scores = scores, .kerf_mm = kerf, .bridges = {2, 0.4}})) {
+          CHECK(length_of(path) >= 0.2 - 1e-9);
+          for (std::size_t i = 1; path.closed && i < path.points.size(); ++i) {
+            CHECK(length(path.points[i] - path.points[i - 1]) >= 0.05 - 1e-9);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a LightBurn project has the settings that its shapes use, and the page's outlines") {
+  for (const paper::Drawing& page : test::pages_for_machines()) {
+    const paper::PathRules rules{.kerf_mm = 0.1};
+    pugi::xml_document document;
+    const std::string bytes = paper::write_lbrn(page, mark, rules);
+    REQUIRE(document.load_string(bytes.c_str()));
+    CHECK(paper::read_mark_digest(bytes) == mark.digest);
+    std::set<int> settings;
+    std::set<int> used;
+    int priority = -1;
+    std::vector<std::vector<Vec2>> closed;
+    for (const pugi::xml_node setting : document.child("LightBurnProject").children("CutSetting")) {
+      CHECK(settings.insert(setting.child("index").attribute("Value").as_int()).second);
+      CHECK(setting.child("priority").attribute("Value").as_int() > priority);
+      priority = setting.child("priority").attribute("Value").as_int();
+      CHECK_FALSE(setting.child("maxPower"));
+    }
+    for (const pugi::xml_node shape : document.child("LightBurnProject").children("Shape")) {
+      used.insert(shape.attribute("CutIndex").as_int());
+      std::vector<Vec2> points;
+      std::istringstream in(shape.child("VertList").child_value());
+      for (std::string word; std::getline(in, word, 'V');) {
+        Vec2 p;
+        if (std::sscanf(word.c_str(), "%lf %lfc0x1c1x1", &p.x, &p.y) == 2) {
+          points.push_back(p);
+        }
+      }
+      if (std::string(shape.child("PrimList").child_value()) == "LineClosed") {
+        closed.push_back(points);
+      } else {
+        CHECK(std::string(shape.child("PrimList").child_value()).starts_with("L0 1"));
+      }
+    }
+    CHECK(settings == used);
+    check_same(closed, closed_cuts(page, rules), 1e-4);
+  }
+}
+
+TEST_CASE("EPS has the page's outlines in millimetres, in the colours of the operations, and no date") {
+  for (const paper::Drawing& page : test::pages_for_machines()) {
+    const paper::Preset& laser = paper::presets()[1];
+    const std::string eps = paper::write_eps(page, mark, laser);
+    CHECK(eps == paper::write_eps(page, mark, laser));
+    CHECK(paper::read_mark_digest(eps) == mark.digest);
+    CHECK(eps.find("Date") == std::string::npos);
+    std::vector<std::vector<Vec2>> closed;
+    std::vector<Vec2> points;
+    std::istringstream in(eps);
+    for (std::string line; std::getline(in, line);) {
+      Vec2 p;
+      char word[16] = "";
+      if (std::sscanf(line.c_str(), "%lf %lf %15s", &p.x, &p.y, word) == 3 &&
+          (std::string(word) == "moveto" || std::string(word) == "lineto")) {
+        if (std::string(word) == "moveto") {
+          points.clear();
+        }
+        points.push_back(p);
+      } else if (line == "closepath stroke") {
+        closed.push_back(points);
+      }
+    }
+    check_same(closed, closed_cuts(page, laser.paths), 1e-4);
+  }
+}
+
+TEST_CASE("HPGL scores with pen 1 and cuts with pen 2, within a plotter's unit") {
+  for (const paper::Drawing& page : test::pages_for_machines()) {
+    const paper::PathRules rules{.engraves = false, .scores = Scores::dashes};
+    const std::string plt = paper::write_plt(page, mark, rules);
+    CHECK(paper::read_mark_digest(plt) == mark.digest);
+    const std::vector<Path> paths = paper::machine_paths(page, rules);
+    std::istringstream in(plt);
+    int pen = 0;
+    std::size_t next = 0;
+    for (std::string word; std::getline(in, word, ';');) {
+      word.erase(0, word.find_first_not_of('\n'));
+      if (word.starts_with("SP")) {
+        pen = std::stoi(word.substr(2));
+      } else if (word.starts_with("PU") && word.size() > 2) {
+        REQUIRE(next < paths.size());
+        const Path& path = paths[next++];
+        CHECK(pen == (path.operation >= Operation::cut_inner ? 2 : 1));
+        long x = 0;
+        long y = 0;
+        REQUIRE(std::sscanf(word.c_str(), "PU%ld,%ld", &x, &y) == 2);
+        CHECK(length(Vec2{static_cast<double>(x), static_cast<double>(y)} / 40.0 - path.points[0]) < 0.02);
+      }
+    }
+    CHECK(next == paths.size());
+  }
+}
+
+TEST_CASE("the lines of a hatched area lie in it, 2 mm apart") {
+  const std::vector<Vec2> tab{{10, 10}, {40, 10}, {36, 16}, {14, 16}};
+  const auto lines = paper::hatching(tab, 2.0);
+  CHECK(lines.size() > 10);
+  for (const auto& line : lines) {
+    for (const Vec2 p : line) {
+      CHECK((p.y > 10.0 - 1e-9 && p.y < 16.0 + 1e-9));
+    }
+    CHECK(std::abs((line[1].y - line[0].y) - (line[1].x - line[0].x)) < 1e-9);
+  }
+}
+
+TEST_CASE("a packaging PDF has an ink for each step, and they overprint") {
+  const test::TemporaryFolder folder;
+  const std::vector<paper::Drawing> pages = test::pages_for_machines();
+  const auto preset = std::ranges::find(paper::presets(), "packaging", &paper::Preset::name);
+  REQUIRE(preset != paper::presets().end());
+  paper::SpotNames spots;
+  spots.cut = "Die_Cut";
+  const std::string pdf = paper::write_packaging_pdf(pages, mark, *preset, spots);
+  CHECK(pdf == paper::write_packaging_pdf(pages, mark, *preset, spots));
+  CHECK(paper::read_mark_digest(pdf) == mark.digest);
+  for (const char* word : {"/Separation /Die_Cut", "/Separation /Crease", "/Separation /Glue", "/OP true",
+                           "/GTS_ProcStepsType /Cutting", "/TrimBox"}) {
+    CHECK(pdf.find(word) != std::string::npos);
+  }
+  CHECK(pdf.find("CutContour") == std::string::npos);
+  const auto file = folder.path() / "box.pdf";
+  std::ofstream(file, std::ios::binary) << pdf;
+  if (!runs("qpdf --version")) {
+    WARN("qpdf isn't installed: the packaging PDF isn't checked by it");
+  } else {
+    CHECK(runs("qpdf --check " + file.string()));
+  }
+  if (!runs("gs --version")) {
+    WARN("Ghostscript isn't installed: separations aren't made");
+    return;
+  }
+  REQUIRE(runs("gs -dBATCH -dNOPAUSE -dFirstPage=1 -dLastPage=1 -r72 -sDEVICE=tiffsep -o " +
+               (folder.path() / "plate.tif").string() + " " + file.string()));
+  std::set<std::string> plates;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    plates.insert(entry.path().filename().string());
+  }
+  for (const char* ink : {"Die_Cut", "Crease", "Glue"}) {
+    CAPTURE(ink);
+    CHECK(std::ranges::any_of(
+        plates, [&](const std::string& plate) { return plate.find(ink) != std::string::npos; }));
+  }
+}
+
+TEST_CASE("registration marks lie where cutters look for them, the same in what is printed and what is cut") {
+  paper::Paper sheet;
+  paper::fit_registration(sheet);
+  const Box2 area = paper::piece_box(sheet);
+  CHECK(area.low == Vec2{10.0, 30.0});
+  CHECK(area.high == Vec2{200.0, 267.0});
+  paper::Drawing page = test::pages_for_machines()[0];
+  page.size = sheet.size;
+  const paper::Drawing printed = paper::printed_page(page);
+  page.groups.push_back(paper::registration_marks(page.size));
+  std::vector<std::vector<Vec2>> in_cut;
+  for (const Path& path : paper::machine_paths(page, {.engraves = false})) {
+    if (path.operation == Operation::registration) {
+      in_cut.push_back(path.points);
+    }
+  }
+  REQUIRE(in_cut.size() == 3);
+  Box2 marks;
+  for (const auto& points : in_cut) {
+    for (const Vec2 p : points) {
+      marks.add(p);
+    }
+  }
+  CHECK(marks.size() == Vec2{190.0, 277.0});
+  std::size_t found = 0;
+  for (const paper::Group& group : printed.groups) {
+    for (const paper::Line& line : group.lines) {
+      CHECK(line.layer != paper::Layer::cut);
+      found += group.id == paper::registration_group && std::ranges::find(in_cut, line.points) != in_cut.end()
+                   ? 1U
+                   : 0U;
+    }
+  }
+  CHECK(found == 2);  // the angles; the square runs the other way round where it is cut
+  // They come first, so that a machine that works down a file doesn't cut them.
+  CHECK(paper::machine_paths(page, {}).front().operation == Operation::registration);
+}
+
+}  // namespace ridgecraft
