@@ -4,6 +4,7 @@
 # holds some results against those of the program that GCC has built in build/test: the same bytes.
 set -eu
 cd "$(dirname "$0")/.."
+sh cmake/install-packages.sh .ci/clang-packages.txt
 
 log=build/clang.log
 mkdir -p build
