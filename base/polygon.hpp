@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures of polygons in the plane.
+// Measures and parts of polygons.
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "base/vector.hpp"
 
@@ -17,6 +18,27 @@ namespace ridgecraft {
     sum += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
   }
   return sum;
+}
+
+/// The part of a polygon where `height`, an affine function of the place, isn't negative; fewer than three
+/// corners where it is negative everywhere. Convex polygons stay convex; parts of others hang together along
+/// the line of height 0. O(n).
+template <class Point, class Height>
+[[nodiscard]] std::vector<Point> part_where(const std::vector<Point>& polygon, Height height) {
+  std::vector<Point> part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point p = polygon[i];
+    const Point q = polygon[(i + 1) % polygon.size()];
+    const double at_p = height(p);
+    const double at_q = height(q);
+    if (at_p >= 0.0) {
+      part.push_back(p);
+    }
+    if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0)) {
+      part.push_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+  }
+  return part;
 }
 
 }  // namespace ridgecraft

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "base/polygon.hpp"
 #include "export/guide/coloured_areas.hpp"
 #include "export/guide/hues.hpp"
 #include "export/view/view.hpp"
@@ -18,25 +19,6 @@ namespace {
 constexpr double smallest_drawn_mm = 0.04;
 constexpr Color white{0xff, 0xff, 0xff};
 constexpr Color ink{0x33, 0x33, 0x38};
-
-/// The part of a polygon on the inner side of a line parallel to an axis: where value(p) isn't negative.
-template <class Value>
-std::vector<Vec2> part_where(const std::vector<Vec2>& polygon, Value value) {
-  std::vector<Vec2> part;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 p = polygon[i];
-    const Vec2 q = polygon[(i + 1) % polygon.size()];
-    const double at_p = value(p);
-    const double at_q = value(q);
-    if (at_p >= 0.0) {
-      part.push_back(p);
-    }
-    if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0)) {
-      part.push_back(p + at_p / (at_p - at_q) * (q - p));
-    }
-  }
-  return part;
-}
 
 std::vector<Vec2> clipped_polygon(std::vector<Vec2> polygon, const Box2& box) {
   polygon = part_where(polygon, [&](Vec2 p) { return p.x - box.low.x; });

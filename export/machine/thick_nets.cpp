@@ -346,20 +346,7 @@ class Thickener {
 
   /// The part of a convex polygon on the side of `at` that `inward` points to.
   static std::vector<Vec2> kept(const std::vector<Vec2>& polygon, Vec2 at, Vec2 inward) {
-    std::vector<Vec2> result;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vec2 p = polygon[i];
-      const Vec2 q = polygon[(i + 1) % polygon.size()];
-      const double of_p = dot(p - at, inward);
-      const double of_q = dot(q - at, inward);
-      if (of_p >= 0.0) {
-        result.push_back(p);
-      }
-      if ((of_p > 0.0 && of_q < 0.0) || (of_p < 0.0 && of_q > 0.0)) {
-        result.push_back(p + of_p / (of_p - of_q) * (q - p));
-      }
-    }
-    return result;
+    return part_where(polygon, [&](Vec2 p) { return dot(p - at, inward); });
   }
 
   /// Turned so that its first two corners are those on the base; none where it has no such side or is a

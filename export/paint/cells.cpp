@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/elementary.hpp"
+#include "base/polygon.hpp"
 #include "base/segment.hpp"
 #include "export/page/segment2.hpp"
 
@@ -199,19 +200,7 @@ std::array<double, 3> weights_at(const std::array<Vec2, 3>& triangle, Vec2 p) {
 }
 
 std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, Vec2 at, Vec2 normal) {
-  std::vector<Vec2> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 p = polygon[i];
-    const Vec2 q = polygon[(i + 1) % polygon.size()];
-    const double a = dot(p - at, normal);
-    const double b = dot(q - at, normal);
-    if (a <= 0.0) {
-      kept.push_back(p);
-    }
-    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) {
-      kept.push_back(p + a / (a - b) * (q - p));
-    }
-  }
+  std::vector<Vec2> kept = part_where(polygon, [&](Vec2 p) { return -dot(p - at, normal); });
   return kept.size() < 3 ? std::vector<Vec2>() : kept;
 }
 

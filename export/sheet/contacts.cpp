@@ -57,25 +57,6 @@ struct Laid {
   Vec2 at, along;
 };
 
-/// What of a convex polygon lies where `height` is at least 0.
-template <class Height>
-std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, Height height) {
-  std::vector<Vec3> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 p = polygon[i];
-    const Vec3 q = polygon[(i + 1) % polygon.size()];
-    const double hp = height(p);
-    const double hq = height(q);
-    if (hp >= 0.0) {
-      result.push_back(p);
-    }
-    if ((hp >= 0.0) != (hq >= 0.0)) {
-      result.push_back(p + (hp / (hp - hq)) * (q - p));
-    }
-  }
-  return result;
-}
-
 /// A convex polygon, counterclockwise, with its sides moved outwards.
 std::vector<Vec2> grown(const std::vector<Vec2>& polygon, double by) {
   std::vector<Vec2> corners;
@@ -106,13 +87,13 @@ std::vector<Vec2> common_area(const mesh::Surface& surface, const unfold::Nets& 
   for (const VertexId v : surface.vertices(on_it)) {
     polygon.push_back(laid(surface.point(v)));
   }
-  polygon = clipped(polygon, [](Vec3 p) { return contact_mm - p.z; });
-  polygon = clipped(polygon, [](Vec3 p) { return contact_mm + p.z; });
+  polygon = part_where(polygon, [](Vec3 p) { return contact_mm - p.z; });
+  polygon = part_where(polygon, [](Vec3 p) { return contact_mm + p.z; });
   const auto& flat = nets.flat[face];
   for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) {
     const Vec2 from = flat[k];
     const Vec2 side = flat[(k + 1) % 3] - from;
-    polygon = clipped(polygon, [&](Vec3 p) { return cross(side, Vec2{p.x, p.y} - from); });
+    polygon = part_where(polygon, [&](Vec3 p) { return cross(side, Vec2{p.x, p.y} - from); });
   }
   std::vector<Vec2> area;
   area.reserve(polygon.size());

@@ -12,6 +12,7 @@
 #include <boost/polygon/polygon.hpp>
 
 #include "base/box_tree.hpp"
+#include "base/boxes.hpp"
 #include "base/polygon.hpp"
 
 namespace ridgecraft::paper {
@@ -29,26 +30,9 @@ constexpr double same_depth_share = 1e-6;
 /// What overlaps by less of the scene's size only touches.
 constexpr double touch_share = 1e-6;
 
-bool boxes_meet(const Box2& a, const Box2& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 /// The part of a convex polygon on the left of the line from a to b.
 std::vector<Vec2> left_of(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b) {
-  std::vector<Vec2> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 p = polygon[i];
-    const Vec2 q = polygon[(i + 1) % polygon.size()];
-    const double side_p = cross(b - a, p - a);
-    const double side_q = cross(b - a, q - a);
-    if (side_p >= 0.0) {
-      result.push_back(p);
-    }
-    if ((side_p > 0.0 && side_q < 0.0) || (side_p < 0.0 && side_q > 0.0)) {
-      result.push_back(p + side_p / (side_p - side_q) * (q - p));
-    }
-  }
-  return result;
+  return part_where(polygon, [&](Vec2 p) { return cross(b - a, p - a); });
 }
 
 /// Whether a polygon is wider than this: a strip has its length times its width.
@@ -116,7 +100,7 @@ class Looker {
   /// Calls visit(i) for the seen faces whose boxes meet this one.
   template <class Visit>
   void for_faces_near(const Box2& box, Visit visit) const {
-    tree_.search([&](std::uint32_t node) { return boxes_meet(tree_.box(node), box); },
+    tree_.search([&](std::uint32_t node) { return meet(tree_.box(node), box); },
                  [&](std::uint32_t place) { visit(tree_.order()[place]); });
   }
 
@@ -125,7 +109,7 @@ class Looker {
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
       const Box2 box = faces_[i].box();
       for_faces_near(box, [&](std::uint32_t j) {
-        if (j > i && boxes_meet(box, faces_[j].box()) &&
+        if (j > i && meet(box, faces_[j].box()) &&
             scene_.region[faces_[i].face] != scene_.region[faces_[j].face]) {
           order_pair(i, j);
         }

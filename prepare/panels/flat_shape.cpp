@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/polygon.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -20,28 +21,11 @@ using Tile = std::vector<Vec2>;
 
 /// The part of a convex tile where dot(p, normal) >= offset.
 Tile clipped(const Tile& tile, Vec2 normal, double offset) {
-  Tile kept;
-  for (std::size_t i = 0; i < tile.size(); ++i) {
-    const Vec2 p = tile[i];
-    const Vec2 q = tile[(i + 1) % tile.size()];
-    const double a = dot(p, normal) - offset;
-    const double b = dot(q, normal) - offset;
-    if (a >= 0.0) {
-      kept.push_back(p);
-    }
-    if ((a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)) {
-      kept.push_back(p + (a / (a - b)) * (q - p));
-    }
-  }
-  return kept;
+  return part_where(tile, [&](Vec2 p) { return dot(p, normal) - offset; });
 }
 
 double area_of(const Tile& tile) {
-  double doubled = 0.0;
-  for (std::size_t i = 2; i < tile.size(); ++i) {
-    doubled += cross(tile[i - 1] - tile[0], tile[i] - tile[0]);
-  }
-  return 0.5 * doubled;
+  return 0.5 * doubled_area(tile);
 }
 
 /// What lies between two parallel lines.
