@@ -11,6 +11,7 @@
 #include <boost/polygon/polygon.hpp>
 #include <boost/polygon/voronoi.hpp>
 
+#include "base/boxes.hpp"
 #include "base/near_boxes.hpp"
 #include "base/polygon.hpp"
 #include "export/machine/distance.hpp"
@@ -29,6 +30,9 @@ constexpr double cells_per_mm = 1e5;
 constexpr double most_cells = 1e9;
 /// Corners nearer than this to the line between their neighbours come of rounding, mm.
 constexpr double straight_mm = 3e-5;
+/// What moved loops leave of a gap is no gap where it is narrower than twice this: its sides would be cut
+/// beside each other, mm.
+constexpr double sliver_mm = 0.025;
 /// How far beyond half of the kerf paper may lie that isn't cut, mm.
 constexpr double reach_mm = 0.05;
 /// No path of a machine is shorter, mm (operations.cpp); where a line in a gap is, it begins farther out.
@@ -62,11 +66,12 @@ Grid grid_for(const std::vector<std::vector<Vec2>>& loops) {
   return {0.5 * (box.low + box.high), std::min(cells_per_mm, most_cells / size)};
 }
 
-/// Loops moved away from what they bound.
+/// Loops moved away from what they bound. No corner's mitre reaches farther than `reach`, at least the
+/// distance.
 class Mover {
  public:
-  Mover(const std::vector<std::vector<Vec2>>& loops, double distance)
-      : loops_(loops), distance_(distance), grid_(grid_for(loops)) {}
+  Mover(const std::vector<std::vector<Vec2>>& loops, double distance, double reach)
+      : loops_(loops), distance_(distance), reach_(reach / distance), grid_(grid_for(loops)) {}
 
   std::vector<std::vector<Vec2>> moved() {
     for (std::size_t i = 0; i < loops_.size(); ++i) {
@@ -118,19 +123,19 @@ class Mover {
     }
     const Vec2 middle = one + two;
     const double size = length(middle);
-    // The mitre lies 2 / |one + two| times the distance from the corner; twice the distance is the limit.
-    if (size >= 1.0) {
+    // The mitre lies 2 / |one + two| times the distance from the corner.
+    if (size * reach_ >= 2.0) {
       add({at, at + distance_ * one, at + (2.0 * distance_ / (size * size)) * middle, at + distance_ * two});
       return;
     }
     // Cut off across the end. Where the sides lie on each other their sum has no direction.
     const Vec2 along = size > 1e-9 ? middle / size : perpendicular(one);
     const auto cut_off = [&](Vec2 normal, double turn) {
-      // On the side's moved line, at twice the distance along the middle.
+      // On the side's moved line, as far along the middle as a mitre may reach.
       const double up = dot(normal, along);
       const Vec2 across = turn * perpendicular(along);
       const double right = dot(normal, across);
-      return at + distance_ * (2.0 * along + ((1.0 - 2.0 * up) / right) * across);
+      return at + distance_ * (reach_ * along + ((1.0 - reach_ * up) / right) * across);
     };
     add({at, at + distance_ * one, cut_off(one, -1.0), cut_off(two, 1.0), at + distance_ * two});
   }
@@ -171,9 +176,49 @@ class Mover {
 
   const std::vector<std::vector<Vec2>>& loops_;
   double distance_;
+  double reach_;  ///< in distances
   Grid grid_;
   PlanarSet set_;
 };
+
+/// What lies around a piece, up to a frame: the loops the other way round, and the frame first.
+std::vector<std::vector<Vec2>> surroundings(const std::vector<std::vector<Vec2>>& loops, double width) {
+  Box2 box;
+  std::vector<std::vector<Vec2>> result(1);
+  for (std::vector<Vec2> loop : loops) {
+    for (const Vec2 p : loop) {
+      box.add(p);
+    }
+    std::ranges::reverse(loop);
+    result.push_back(std::move(loop));
+  }
+  const Box2 frame = grown(box, width);
+  result[0] = {frame.low, {frame.high.x, frame.low.y}, frame.high, {frame.low.x, frame.high.y}};
+  return result;
+}
+
+/// Loops moved by the distance; what is left of gaps is wider than a sliver.
+std::vector<std::vector<Vec2>> moved_without_slivers(const std::vector<std::vector<Vec2>>& loops,
+                                                     double distance) {
+  const std::vector<std::vector<Vec2>> beyond =
+      Mover(loops, distance + sliver_mm, 2.0 * distance + sliver_mm).moved();
+  if (beyond.empty()) {
+    return {};
+  }
+  std::vector<std::vector<Vec2>> back = Mover(surroundings(beyond, 1.0), sliver_mm, 2.0 * sliver_mm).moved();
+  std::vector<std::vector<Vec2>> result;
+  for (std::vector<Vec2>& loop : back) {
+    std::ranges::reverse(loop);
+    result.push_back(std::move(loop));
+  }
+  // The frame bounds all else.
+  const auto frame =
+      std::ranges::min_element(result, {}, [](const std::vector<Vec2>& loop) { return doubled_area(loop); });
+  if (frame != result.end()) {
+    result.erase(frame);
+  }
+  return result;
+}
 
 /// Whether a point lies in what loops bound (odd number of crossings).
 bool inside(const std::vector<std::vector<Vec2>>& loops, Vec2 p) {
@@ -471,7 +516,7 @@ class GapLines {
         }
       }
       for (const std::size_t i : together) {
-        wanted_[i] = sum > distance_ + reach_mm;
+        wanted_[i] = sum > distance_ - sliver_mm + reach_mm;
       }
     }
   }
@@ -511,7 +556,8 @@ CutPaths with_kerf(const std::vector<std::vector<Vec2>>& loops, double kerf_mm) 
   if (!(kerf_mm > 0.0)) {
     return {loops, {}};
   }
-  return {Mover(loops, 0.5 * kerf_mm).moved(), GapLines(loops, 0.5 * kerf_mm).lines()};
+  const double distance = 0.5 * kerf_mm;
+  return {moved_without_slivers(loops, distance), GapLines(loops, distance + sliver_mm).lines()};
 }
 
 }  // namespace ridgecraft::paper

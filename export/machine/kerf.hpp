@@ -16,10 +16,11 @@ struct CutPaths {
 
 /// The loops of one piece (the outer one and its holes) moved by half of the kerf away from the paper, so
 /// that the piece is as large as drawn when the beam has passed. Corners are mitred, but for those that would
-/// reach farther than the kerf. Where a gap is narrower than the kerf, as towards the tip of every narrow
-/// wedge, the moved loops end; there a line in the middle of the gap, from the tip to where they begin, does
-/// the cut. Every point of the given loops is within half of the kerf and 0.05 mm of what comes back. A kerf
-/// of 0 gives the loops back. O(n log n) for n corners, but for gaps between two corners (n each).
+/// reach farther than the kerf. Where a gap is narrower than the kerf and 0.05 mm, as towards the tip of
+/// every narrow wedge, the moved loops end; there a line in the middle of the gap, from the tip to where they
+/// begin, does the cut. Every point of the given loops is within half of the kerf and 0.05 mm of what comes
+/// back. A kerf of 0 gives the loops back. O(n log n) for n corners, but for gaps between two corners (n
+/// each).
 ///
 /// The loops are added up on a grid of 0.00001 mm (Boost.Polygon); the middle of a gap is an edge of the
 /// Voronoi diagram of the sides (Fortune: A sweepline algorithm for Voronoi diagrams, 1987).
