@@ -290,13 +290,21 @@ Group overview(const GuideModel& guide) {
     for (const std::size_t p : order) {
       callouts.push_back({guide.nets->pieces[PieceId(p)].name, fit(view.anchors[p].at)});
     }
+    const std::size_t texts_before = group.texts.size();
     const std::size_t placed = add_callouts(callouts, place.columns, group);
     for (std::size_t k = 0; k < placed; ++k) {
       named[order[k]] = true;
     }
     const std::string_view caption = guide_sides()[drawn[i]].words;
     const double middle = low.x + 0.5 * (cell.x - text_width(caption, caption_height));
-    group.texts.push_back(in_grey(words_from(caption, {middle, low.y}, caption_height)));
+    // Right below the picture, and below the lowest name beside it.
+    constexpr double caption_gap = 3.0;
+    double foot = fit(seen_box(guide.scene, view.camera).low).y;
+    for (std::size_t k = texts_before; k < group.texts.size(); ++k) {
+      foot = std::min(foot, group.texts[k].centre.y - 0.5 * name_height);
+    }
+    group.texts.push_back(in_grey(
+        words_from(caption, {middle, std::max(low.y, foot - caption_gap - caption_height)}, caption_height)));
   }
   std::vector<std::string> hidden;
   for (std::size_t s = 0; s < guide.assembly->steps.size(); ++s) {

@@ -8,14 +8,14 @@ namespace ridgecraft::paper {
 const std::array<Side, 8>& guide_sides() {
   constexpr double degree = std::numbers::pi / 180.0;
   static constexpr std::array<Side, 8> sides{
-      {{35.0 * degree, 22.0 * degree, "from the front"},
-       {-55.0 * degree, 22.0 * degree, "from the front, other side"},
-       {125.0 * degree, 22.0 * degree, "from behind"},
-       {-145.0 * degree, 22.0 * degree, "from behind, other side"},
-       {35.0 * degree, -28.0 * degree, "from the front, below"},
-       {-55.0 * degree, -28.0 * degree, "from the front, other side, below"},
-       {125.0 * degree, -28.0 * degree, "from behind, below"},
-       {-145.0 * degree, -28.0 * degree, "from behind, other side, below"}}};
+      {{35.0 * degree, 22.0 * degree, "as on the first page"},
+       {125.0 * degree, 22.0 * degree, "a quarter turn on"},
+       {215.0 * degree, 22.0 * degree, "half a turn on"},
+       {305.0 * degree, 22.0 * degree, "three quarters of a turn on"},
+       {35.0 * degree, -28.0 * degree, "as on the first page, but from below"},
+       {125.0 * degree, -28.0 * degree, "a quarter turn on, from below"},
+       {215.0 * degree, -28.0 * degree, "half a turn on, from below"},
+       {305.0 * degree, -28.0 * degree, "three quarters of a turn on, from below"}}};
   return sides;
 }
 

@@ -45,7 +45,8 @@ struct Side {
   double elevation = 0.0;  ///< radians
   std::string_view words;
 };
-/// Four sides from above, the front first, then the same from below.
+/// Four sides from above, one after the other round the model, then the same from below. Their words don't
+/// say what is its front: files don't, either.
 [[nodiscard]] const std::array<Side, 8>& guide_sides();
 
 }  // namespace ridgecraft::paper

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -55,6 +56,7 @@ constexpr std::size_t most_faces_drawn = 100'000;
 struct StepScene {
   Scene scene;
   Camera camera;
+  std::string_view turned;  ///< how it is seen, where that isn't as in the step before
 };
 
 class StepPages {
@@ -137,8 +139,11 @@ class StepPages {
           shown[piece] = true;
         }
       }
-      StepScene step{scene_with(guide_.scene, *guide_.nets, shown), {}};
-      side = best_side(i, step.scene, side);
+      StepScene step{scene_with(guide_.scene, *guide_.nets, shown), {}, {}};
+      const std::size_t before = std::exchange(side, best_side(i, step.scene, side));
+      if (side != before) {
+        step.turned = guide_sides()[side].words;
+      }
       step.camera = look_from(guide_.stance, guide_sides()[side].azimuth, guide_sides()[side].elevation);
       scenes.push_back(std::move(step));
     }
@@ -167,7 +172,7 @@ class StepPages {
   [[nodiscard]] Group cell(std::size_t index, const StepScene& step) const {
     Group group;
     const Box2 box = box_of_step(index);
-    const double top = add_head(index, box, group);
+    const double top = add_head(index, box, step.turned, group);
     const double bottom = add_sentences(index, box, group);
     Box2 picture{{box.low.x, bottom}, {box.high.x, top}};
     add_net(index, picture, group);
@@ -176,8 +181,8 @@ class StepPages {
     return group;
   }
 
-  /// The number and the names; returns where they end.
-  double add_head(std::size_t index, const Box2& box, Group& group) const {
+  /// The number, the names and how the model is turned; returns where they end.
+  double add_head(std::size_t index, const Box2& box, std::string_view turned, Group& group) const {
     const double number_height = grid_.number_height;
     const double name_height = 0.62 * number_height;
     group.lines.push_back(guide_rule({box.low.x, box.high.y}, box.high));
@@ -185,9 +190,13 @@ class StepPages {
     const Vec2 base{box.low.x, box.high.y - number_height - 2.2};
     group.texts.push_back(words_from(number, base, number_height, Weight::bold));
     const double left = base.x + text_width(number, number_height) + 0.8 * number_height;
-    group.texts.push_back(words_from(
-        shortened(step_title(*guide_.nets, steps_[index]), box.high.x - left - grid_.net_width, name_height),
-        {left, base.y}, name_height, Weight::bold));
+    const double end = box.high.x - grid_.net_width;
+    const std::string title = shortened(step_title(*guide_.nets, steps_[index]), end - left, name_height);
+    group.texts.push_back(words_from(title, {left, base.y}, name_height, Weight::bold));
+    const double after = left + text_width(title, name_height) + number_height;
+    if (!turned.empty() && after + text_width(turned, grid_.words_height) < end) {
+      group.texts.push_back(in_grey(words_from(turned, {after, base.y}, grid_.words_height)));
+    }
     return base.y - 2.0;
   }
 
