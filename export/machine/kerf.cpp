@@ -217,6 +217,9 @@ std::vector<std::vector<Vec2>> moved_without_slivers(const std::vector<std::vect
   if (frame != result.end()) {
     result.erase(frame);
   }
+  // Outlines before holes, as they are given.
+  std::ranges::stable_partition(result,
+                                [](const std::vector<Vec2>& loop) { return doubled_area(loop) > 0.0; });
   return result;
 }
 
@@ -516,7 +519,10 @@ class GapLines {
         }
       }
       for (const std::size_t i : together) {
-        wanted_[i] = sum > distance_ - sliver_mm + reach_mm;
+        // Where slivers are taken away, loops reach farther in again: to the mitre of a corner, or to its
+        // limit.
+        const double back = std::min(sliver_mm * sum / distance_, 2.0 * sliver_mm);
+        wanted_[i] = sum - back > distance_ - sliver_mm + reach_mm;
       }
     }
   }
