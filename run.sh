@@ -21,6 +21,6 @@ if [ ! -f "$build/build.ninja" ]; then
   echo "Building Ridgecraft; the first time takes a few minutes ($log tells how far it is)." >&2
   quietly cmake -S "$here" --preset release
 fi
-quietly cmake --build "$build" --target ridgecraft man_page
+quietly cmake --build "$build"
 
 exec "$build/ridgecraft" "$@"

@@ -228,7 +228,8 @@ std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& net
       }
       const Segment2 edge{on_page(side), on_page(mesh::next(side))};
       const auto tab = tab_at.find(side);
-      if (tab == tab_at.end()) {
+      if (tab == tab_at.end() || !surface.twin(side).valid()) {
+        // A tab at a border is covered by nothing: the face's own colours reach onto it.
         rest.push_back({CellKind::bleed, rims.beyond(edge), f, face.at, {}});
         continue;
       }

@@ -111,3 +111,18 @@ TEST_CASE("a model gets the height, width or depth that is asked for", "[tabs]")
   check("--height", 75.0, 60.0, 46.875);
   check("--depth", 96.0, 76.8, 60.0);
 }
+
+TEST_CASE("tabs at borders of a model in colours", "[tabs]") {
+  const test::TemporaryFolder folder;
+  // A box without a lid, red outside.
+  test::write_bytes(folder / "box.mtl", "newmtl red\nKd 0.9 0.1 0.1\n");
+  test::write_bytes(folder / "box.obj",
+                    "mtllib box.mtl\nusemtl red\n"
+                    "v 0 0 0\nv 40 0 0\nv 40 32 0\nv 0 32 0\nv 0 0 25\nv 40 0 25\nv 40 32 25\nv 0 32 25\n"
+                    "f 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  const auto outcome = run_program(
+      {"box.obj", "--skins", "both", "--border-tabs", "-o", "x.pdf", "-o", "x.fold"}, test::in(folder));
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(run_program({"verify", "x.fold", "--pages", "x.pdf"}, test::in(folder)).exit_code == 0);
+}
