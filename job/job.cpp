@@ -138,7 +138,7 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
     }
     const paper::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
     return paper::write_fold(made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
-                             own ? std::vector<paper::Contact>() : made.drawn.contacts);
+                             own ? paper::find_contacts(model.surface, made.nets) : made.drawn.contacts);
   });
   made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
 }

@@ -159,6 +159,28 @@ TEST_CASE("without paper there are nets and no pages", "[job]") {
   CHECK(made.figures.faces == made.part.size());
 }
 
+TEST_CASE("nets of board tell where bodies touch, as those of paper do", "[job]") {
+  // A box on a larger one: nothing joins them.
+  const std::string text =
+      "v 0 0 0\nv 6 0 0\nv 6 5 0\nv 0 5 0\nv 0 0 2\nv 6 0 2\nv 6 5 2\nv 0 5 2\n"
+      "v 2 1 2\nv 4 1 2\nv 4 4 2\nv 2 4 2\nv 2 1 4\nv 4 1 4\nv 4 4 4\nv 2 4 4\n"
+      "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+      "f 12 11 10 9\nf 13 14 15 16\nf 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\n";
+  const mesh::Model model = mesh::read(mesh::ModelFile{text, "boxes.obj", "boxes", {}}, {}, {});
+  job::Options options;
+  options.bodies = prepare::Bodies::keep;
+  const job::Paper paper = job::paper(model, options, {});
+  REQUIRE_FALSE(paper.drawn.contacts.empty());
+  options.board.thickness_mm = 1.0;
+  const job::Paper board = job::paper(model, options, {});
+  const auto glue_of = [](const std::string& fold) {
+    const std::size_t begin = fold.find("\"ridgecraft:glue\"");
+    REQUIRE(begin != std::string::npos);
+    return fold.substr(begin, fold.find("\"ridgecraft:", begin + 1) - begin);
+  };
+  CHECK(glue_of(board.fold) == glue_of(paper.fold));
+}
+
 TEST_CASE("edges are named by points of the file", "[job]") {
   mesh::Model model = sample("packaging_box.obj", true);
   job::Options options;
