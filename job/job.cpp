@@ -86,6 +86,14 @@ const unfold::Nets& nets_on_pages(const Paper& made) {
   return made.nets_of_board ? *made.nets_of_board : made.nets;
 }
 
+/// The nets on pages, each of one label where that is wanted.
+paper::Pages laid_out(const Paper& made, const unfold::Nets& nets, const Context& context) {
+  const PageLabels labels = page_labels(made.prepared.model, made.options.page_by);
+  paper::Pages pages = paper::layout(nets, *made.options.paper, context, labels_of_pieces(labels, made.nets));
+  pages.names = names_of_pages(labels, made.nets, pages);
+  return pages;
+}
+
 void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
   made.nets_of_board.reset();
   made.thickened = {};
@@ -94,13 +102,7 @@ void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
       return paper::thick_nets(made.prepared, made.nets, made.options.board, &made.thickened);
     });
   }
-  made.pages = clock("lay out", context, [&] {
-    const PageLabels labels = page_labels(made.prepared.model, made.options.page_by);
-    paper::Pages pages =
-        paper::layout(nets_on_pages(made), *made.options.paper, context, labels_of_pieces(labels, made.nets));
-    pages.names = names_of_pages(labels, made.nets, pages);
-    return pages;
-  });
+  made.pages = clock("lay out", context, [&] { return laid_out(made, nets_on_pages(made), context); });
 }
 
 void draw_pages(Paper& made, StageClock& clock, const Context& context) {
@@ -125,17 +127,15 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
 /// The FOLD file, and its check.
 void finish(Paper& made, StageClock& clock, const Context& context) {
   const mesh::Model& model = made.prepared.model;
+  // Files keep the nets of the surface, which are larger or smaller than those of board: they get pages of
+  // their own.
+  std::optional<paper::Pages> own;
+  if (made.nets_of_board) {
+    own = clock("lay out", context, [&] { return laid_out(made, made.nets, context); });
+  }
   made.fold = clock("write", context, [&] {
     made.mark = {program_and_version(), model.name, model.digest,
                  with_searched(settings_of(made.options, made.seed), made.searched_with)};
-    // Files keep the nets of the surface, which are larger or smaller than those of board: they get pages of
-    // their own.
-    std::optional<paper::Pages> own;
-    if (made.nets_of_board) {
-      const PageLabels labels = page_labels(made.prepared.model, made.options.page_by);
-      own = paper::layout(made.nets, *made.options.paper, context, labels_of_pieces(labels, made.nets));
-      own->names = names_of_pages(labels, made.nets, *own);
-    }
     const paper::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
     return paper::write_fold(made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
                              own ? paper::find_contacts(model.surface, made.nets) : made.drawn.contacts);
