@@ -58,8 +58,10 @@ class Calibration {
 
 Drawing calibrated(Drawing page, Vec2 measured) {
   const Calibration calibration(page.size, measured);
-  for (Group& group : page.groups) {
-    calibration.move(group);
+  for (std::vector<Group>* const side : {&page.groups, &page.back}) {
+    for (Group& group : *side) {
+      calibration.move(group);
+    }
   }
   return page;
 }

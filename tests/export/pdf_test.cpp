@@ -203,6 +203,26 @@ TEST_CASE("a calibrated page is smaller where the printer prints larger, and is 
   }
 }
 
+TEST_CASE("the back of a sheet is calibrated as its front is") {
+  const mesh::Surface surface = test::sphere(12, 7);
+  const test::SamplePages sample = test::sample_pages(surface, 60.0, 5.0, test::all_edges(surface), "Ball");
+  paper::Style style;
+  style.numbers = paper::Numbers::back;
+  const paper::Drawing meant = paper::draw(sample.model, sample.nets, sample.pages, style)[0];
+  const Vec2 measured{104.0, 97.0};
+  const paper::Drawing drawn = paper::calibrated(meant, measured);
+  REQUIRE_FALSE(meant.back.empty());
+  REQUIRE(drawn.back.size() == meant.back.size());
+  for (std::size_t g = 0; g < meant.back.size(); ++g) {
+    for (std::size_t i = 0; i < meant.back[g].texts.size(); ++i) {
+      const Vec2 at = drawn.back[g].texts[i].centre - 0.5 * meant.size;
+      const Vec2 wanted = meant.back[g].texts[i].centre - 0.5 * meant.size;
+      CHECK(at.x * measured.x / 100.0 == Approx(wanted.x).margin(1e-9));
+      CHECK(at.y * measured.y / 100.0 == Approx(wanted.y).margin(1e-9));
+    }
+  }
+}
+
 /// A picture as pdftoppm and a PNG reader of the test's own would see it: rows of grey values.
 struct Picture {
   std::size_t width = 0;
