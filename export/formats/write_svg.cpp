@@ -124,7 +124,7 @@ class SvgWriter {
            "  <g inkscape:groupmode=\"layer\" inkscape:label=\"Back\" id=\"back\" display=\"none\"{}>\n",
            layer_attributes(Layer::label));
     for (const Group& group : page_.back) {
-      for (const Layer layer : {Layer::mark, Layer::label, Layer::piece_name}) {
+      for (const Layer layer : layer_order) {
         write_group(group, layer);
       }
     }

@@ -150,6 +150,35 @@ TEST_CASE("layers and cuts stand in the order of work, and the settings are told
   CHECK(hole_seen);
 }
 
+TEST_CASE(
+    "the back of a page has all that was taken there: numbers, shadows of tabs, names of what is glued on") {
+  const test::SamplePages sample = samples()[1];
+  paper::Style style;
+  style.numbers = paper::Numbers::back;
+  style.tab_shadows = true;
+  paper::Drawing page = paper::draw(sample.model, sample.nets, sample.pages, style)[0];
+  REQUIRE_FALSE(page.back.empty());
+  paper::Text name = page.back[0].texts.at(0);
+  name.layer = paper::Layer::glue;
+  page.back[0].texts.push_back(name);
+  std::size_t drawn = 0;
+  std::set<paper::Layer> layers;
+  for (const paper::Group& group : page.back) {
+    drawn += group.lines.size() + group.texts.size();
+    for (const paper::Line& line : group.lines) {
+      layers.insert(line.layer);
+    }
+  }
+  CHECK(layers.contains(paper::Layer::shadow));
+  pugi::xml_document document;
+  REQUIRE(document.load_string(paper::write_svg(page, mark).c_str()));
+  CHECK(document.select_nodes("//g[@id='back']//path").size() == drawn);
+  std::set<std::string> ids;
+  for (const auto& found : document.select_nodes("//*[@id]")) {
+    CHECK(ids.insert(found.node().attribute("id").value()).second);
+  }
+}
+
 TEST_CASE("each join's number can be found on both of its edges") {
   for (const auto& sample : samples()) {
     std::map<std::string, int> found;
