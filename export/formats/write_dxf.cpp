@@ -57,7 +57,12 @@ enum Handle : unsigned {
 class DxfWriter {
  public:
   DxfWriter(const Drawing& page, const Mark& mark, DxfKind kind, const PathRules& rules)
-      : page_(page), mark_(mark), kind_(kind), paths_(machine_paths(page, rules)) {}
+      : page_(page), mark_(mark), kind_(kind), paths_(machine_paths(page, rules)) {
+    if (kind == DxfKind::plain) {
+      // Nothing tells there that marks aren't cut.
+      std::erase_if(paths_, [](const Path& path) { return path.operation == Operation::registration; });
+    }
+  }
 
   std::string write() {
     // The handle after the last one stands in the header, before any of them.

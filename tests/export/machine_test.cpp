@@ -345,6 +345,15 @@ TEST_CASE("a plain DXF file has lines on layer 0 alone, as many as there are sid
   CHECK(lines == sides);
 }
 
+TEST_CASE("a plain DXF file leaves registration marks out, as it can't tell them from cuts") {
+  const paper::Drawing page = frame_with_crumbs();
+  paper::Drawing marked = page;
+  marked.groups.push_back(paper::registration_marks(page.size));
+  CHECK(paper::write_dxf(marked, mark, DxfKind::plain) == paper::write_dxf(page, mark, DxfKind::plain));
+  const std::string told = paper::write_dxf(marked, mark, DxfKind::r12);
+  CHECK(closed_polylines(told)["REGMARKS"].size() > 0);
+}
+
 TEST_CASE("no two things in a DXF file have one handle") {
   for (const paper::Drawing& page : pages()) {
     std::set<std::string> handles;
