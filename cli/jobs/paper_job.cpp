@@ -39,25 +39,32 @@ struct Printed {
   paper::Mark mark;
 };
 
-Printed printed_pages(const job::Paper& made, const PaperJob& job) {
-  Printed printed{made.drawings, made.mark};
+void calibrate(std::vector<paper::Drawing>& pages, const PaperJob& job) {
   if (job.calibration) {
-    std::ranges::transform(printed.drawings, printed.drawings.begin(), [&](paper::Drawing& page) {
+    std::ranges::transform(pages, pages.begin(), [&](paper::Drawing& page) {
       return paper::calibrated(std::move(page), *job.calibration);
     });
+  }
+}
+
+Printed printed_pages(const job::Paper& made, const PaperJob& job) {
+  Printed printed{made.drawings, made.mark};
+  calibrate(printed.drawings, job);
+  if (job.calibration) {
     printed.mark.settings["calibrate"] = fmt::format("[{},{}]", job.calibration->x, job.calibration->y);
   }
   return printed;
 }
 
 /// Lists of numbers at the end have pages of their own, which no machine needs.
-std::vector<paper::Drawing> machine_pages(const job::Paper& made, const Printed& printed,
-                                          const PaperJob& job) {
-  std::vector<paper::Drawing> pages(printed.drawings.begin(),
-                                    printed.drawings.begin() + static_cast<std::ptrdiff_t>(made.pages.count));
+std::vector<paper::Drawing> machine_pages(const job::Paper& made, const PaperJob& job) {
+  std::vector<paper::Drawing> pages(made.drawings.begin(),
+                                    made.drawings.begin() + static_cast<std::ptrdiff_t>(made.pages.count));
   if (job.kerf_test) {
     paper::add_kerf_test(pages, made.pages.paper);
   }
+  // Kerfs are measured on what comes out of the machine, like everything else.
+  calibrate(pages, job);
   if (job.print_and_cut) {
     for (paper::Drawing& page : pages) {
       page.groups.push_back(paper::registration_marks(page.size));
@@ -284,7 +291,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   clock("write", context, [&] {
     Sheets sheets{result.made, printed_pages(result.made, job), {}};
     if (std::ranges::any_of(targets, [&](const Target& target) { return for_machine(target, job); })) {
-      sheets.for_machine = machine_pages(result.made, sheets.printed, job);
+      sheets.for_machine = machine_pages(result.made, job);
     }
     std::vector<std::vector<fs::path>> files;
     for (const Target& target : targets) {

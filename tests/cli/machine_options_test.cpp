@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Options for machines: what they change in files, and what is refused.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -109,6 +111,34 @@ TEST_CASE("files for machines are written, each with its mark, and may be writte
   // Nobody takes pages of board for those of the nets in the file.
   const auto told = run_program({"verify", "thick.fold", "--pages", "thick.pdf"}, in(folder));
   CHECK(told.exit_code == 6);
+}
+
+TEST_CASE("the kerf test is calibrated like the pieces beside it", "[machine_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "h.dxf", "--kerf-test", "--calibrate", "98x104"},
+                      in(folder))
+              .exit_code == 0);
+  // Widths and heights of closed polylines.
+  std::vector<Vec2> sizes;
+  std::istringstream lines(read_bytes(folder / "h.dxf"));
+  Box2 box;
+  double x = 0.0;
+  for (std::string code, value; std::getline(lines, code) && std::getline(lines, value);) {
+    if (std::stoi(code) == 0) {
+      if (!box.empty()) {
+        sizes.push_back(box.size());
+      }
+      box = {};
+    } else if (std::stoi(code) == 10) {
+      x = std::stod(value);
+    } else if (std::stoi(code) == 20) {
+      box.add({x, std::stod(value)});
+    }
+  }
+  CHECK(std::ranges::any_of(sizes, [](Vec2 size) {
+    return length(size - Vec2{20.0 / 0.98, 20.0 / 1.04}) < 0.001;
+  }));
 }
 
 TEST_CASE("a cube of board has faces as wide as it leaves them", "[machine_options]") {
