@@ -166,7 +166,8 @@ class Builder {
         return;
       }
       const PieceId next = best_of(open, [&](PieceId piece) { return standing_mm_[piece]; });
-      standing_mm_[next] > seam_rounding_mm ? go_on(next, open) : begin(open);
+      // A piece whose seam with what stands has no length goes on all the same, where its group has begun.
+      standing_mm_[next] > seam_rounding_mm || has_begun(next) ? go_on(next, open) : begin(open);
     }
   }
 

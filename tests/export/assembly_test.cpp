@@ -105,6 +105,23 @@ TEST_CASE("each piece stands once, each join is glued once, on what stands", "[a
   }
 }
 
+TEST_CASE("pieces whose seams have hardly a length stand once, too", "[assembly]") {
+  // No seam of the second cube is longer than rounding.
+  const Surface surface = copies(test::cube(), {{50.0, {}}, {1e-8, {100.0, 0.0, 0.0}}});
+  std::vector<EdgeId> cuts;
+  for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
+    cuts.push_back(edge);
+  }
+  const unfold::Nets nets = test::simple_nets(surface, cuts);
+  std::vector<PieceId> placed;
+  for (const AssemblyStep& step : paper::assembly_order(surface, nets).steps) {
+    placed.insert(placed.end(), step.pieces.begin(), step.pieces.end());
+  }
+  std::ranges::sort(placed);
+  CHECK(placed.size() == nets.pieces.size());
+  CHECK(std::ranges::adjacent_find(placed) == placed.end());
+}
+
 TEST_CASE("a closed body ends with a piece without which the others hang together", "[assembly]") {
   const Surface cube = test::cube();
   const unfold::Nets nets = test::simple_nets(copies(cube, {{50.0, {}}}), folded_edges(cube));
