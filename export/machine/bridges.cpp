@@ -14,8 +14,6 @@ namespace {
 constexpr double from_corners_mm = 3.0;
 /// Places on one side, mm from each other.
 constexpr double bridge_step_mm = 8.0;
-/// A side lies on an area's border where both its ends do within this, mm: more than half of any kerf.
-constexpr double on_border_mm = 0.5;
 
 /// Where a bridge can be: its middle, as a distance along the outline.
 struct Place {
@@ -23,13 +21,14 @@ struct Place {
   bool favoured = false;
 };
 
-/// The first side of an area is where it hangs on the rest.
-bool on_area(Vec2 a, Vec2 b, const std::vector<std::vector<Vec2>>& areas) {
+/// Whether both ends of a side are within the distance of one side of an area, but for the area's first one:
+/// there it hangs on the rest.
+bool on_area(Vec2 a, Vec2 b, const std::vector<std::vector<Vec2>>& areas, double within_mm) {
   return std::ranges::any_of(areas, [&](const std::vector<Vec2>& area) {
     for (std::size_t i = 1; i < area.size(); ++i) {
       const Vec2 c = area[i];
       const Vec2 d = area[(i + 1) % area.size()];
-      if (distance_to_side(a, c, d) < on_border_mm && distance_to_side(b, c, d) < on_border_mm) {
+      if (distance_to_side(a, c, d) < within_mm && distance_to_side(b, c, d) < within_mm) {
         return true;
       }
     }
@@ -38,7 +37,7 @@ bool on_area(Vec2 a, Vec2 b, const std::vector<std::vector<Vec2>>& areas) {
 }
 
 std::vector<Place> places_on(const std::vector<Vec2>& outline, const std::vector<std::vector<Vec2>>& areas,
-                             double width) {
+                             double within_mm, double width) {
   std::vector<Place> places;
   double passed = 0.0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -48,7 +47,7 @@ std::vector<Place> places_on(const std::vector<Vec2>& outline, const std::vector
     const double room = side - width - 2.0 * from_corners_mm;
     if (room >= 0.0) {
       const double count = std::floor(room / bridge_step_mm) + 1.0;
-      const bool favoured = on_area(a, b, areas);
+      const bool favoured = on_area(a, b, areas, within_mm);
       for (double k = 0.0; k < count; k += 1.0) {
         const double share = count > 1.0 ? k / (count - 1.0) : 0.5;
         places.push_back({passed + 0.5 * (side - room) + share * room, favoured});
@@ -62,9 +61,9 @@ std::vector<Place> places_on(const std::vector<Vec2>& outline, const std::vector
 }  // namespace
 
 std::vector<std::vector<Vec2>> with_bridges(const std::vector<Vec2>& outline,
-                                            const std::vector<std::vector<Vec2>>& areas,
+                                            const std::vector<std::vector<Vec2>>& areas, double within_mm,
                                             const BridgeRules& rules) {
-  std::vector<Place> places = places_on(outline, areas, rules.width_mm);
+  std::vector<Place> places = places_on(outline, areas, within_mm, rules.width_mm);
   if (rules.count <= 0 || places.empty()) {
     return {};
   }

@@ -15,10 +15,11 @@ struct BridgeRules {
 
 /// A closed outline with bridges left uncut, as open lines in its direction; empty where it has no room for
 /// any, as then it stays closed. Bridges lie on straight stretches, 3 mm or more from a corner, spread evenly
-/// around the outline, and on the areas given (tabs, where no trace of them is seen on the model) before
-/// other places. At most `count`. O(n (areas + count)).
+/// around the outline, and before other places on the areas given (tabs, where no trace of them is seen on
+/// the model): on sides whose ends are within `within_mm` of an area's border, as a kerf moves outlines. At
+/// most `count`. O(n (areas + count)).
 [[nodiscard]] std::vector<std::vector<Vec2>> with_bridges(const std::vector<Vec2>& outline,
                                                           const std::vector<std::vector<Vec2>>& areas,
-                                                          const BridgeRules& rules);
+                                                          double within_mm, const BridgeRules& rules);
 
 }  // namespace ridgecraft::paper

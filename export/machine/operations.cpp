@@ -168,7 +168,8 @@ class Plan {
         tabs.push_back(area.outline);
       }
     }
-    return with_bridges(loop, tabs, rules_.bridges);
+    // Mitres reach a whole kerf out of a corner.
+    return with_bridges(loop, tabs, rules_.kerf_mm + nearest_points_mm, rules_.bridges);
   }
 
   void add_fold(Operation operation, const std::vector<Vec2>& points) {

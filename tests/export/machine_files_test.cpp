@@ -96,6 +96,24 @@ TEST_CASE("an outline with bridges is cut but for them, on tabs before other pla
   }
 }
 
+TEST_CASE("the widest kerf hides no tab from bridges") {
+  // A piece of 40 x 20 with a tab of 10 at its right.
+  paper::Group group;
+  group.id = "piece-A";
+  group.lines.push_back({paper::Layer::cut, {{20, 20}, {70, 20}, {70, 40}, {20, 40}}, true});
+  group.areas.push_back({paper::Layer::tab_fill, {{60, 40}, {60, 20}, {70, 20}, {70, 40}}});
+  paper::Drawing page;
+  page.groups = {group};
+  for (const double kerf : {0.0, 0.1, 0.8, 2.0}) {
+    CAPTURE(kerf);
+    const auto paths = paper::machine_paths(page, {.kerf_mm = kerf, .bridges = {1, 0.4}});
+    REQUIRE(paths.size() == 1);
+    REQUIRE_FALSE(paths[0].closed);
+    CHECK(paths[0].points.front().x == Approx(70.0 + 0.5 * kerf));
+    CHECK(paths[0].points.back().x == Approx(70.0 + 0.5 * kerf));
+  }
+}
+
 TEST_CASE("dashes begin and end with a bridge, whatever the length of the fold") {
   for (const paper::ScorePattern pattern :
        {paper::pattern_of(Scores::dashes, false), paper::pattern_of(Scores::dashes, true),
