@@ -133,15 +133,16 @@ void MachineTexts::add_to(Verb& verb) {
 }
 
 std::string MachineTexts::first_given() const {
-  const std::array<std::pair<const char*, bool>, 9> given{{{"--kerf", !kerf.empty()},
-                                                           {"--spot", !spots.empty()},
-                                                           {"--kerf-test", kerf_test},
-                                                           {"--score", !score.empty()},
-                                                           {"--bridges", !bridges.empty()},
-                                                           {"--engrave", !engrave.empty()},
-                                                           {"--colour", !colours.empty()},
-                                                           {"--hairline", hairline},
-                                                           {"--svg-px", !svg_px.empty()}}};
+  const std::array<std::pair<const char*, bool>, 10> given{{{"--kerf", !kerf.empty()},
+                                                            {"--bed", !bed.empty()},
+                                                            {"--spot", !spots.empty()},
+                                                            {"--kerf-test", kerf_test},
+                                                            {"--score", !score.empty()},
+                                                            {"--bridges", !bridges.empty()},
+                                                            {"--engrave", !engrave.empty()},
+                                                            {"--colour", !colours.empty()},
+                                                            {"--hairline", hairline},
+                                                            {"--svg-px", !svg_px.empty()}}};
   const auto first = std::ranges::find_if(given, [](const auto& g) { return g.second; });
   return first == given.end() ? "" : first->first;
 }
@@ -238,8 +239,9 @@ void MachineTexts::check_into(PaperJob& job) const {
       !given.empty() && !made.is_machine() && !names_machine_file(job.outputs)) {
     refuse(given + " is about files for machines: --preset names one, or -o such a file (NAME.dxf)");
   }
-  if (made.simulates && !first_given().empty()) {
-    refuse(first_given() + " is about what is cut; a simulator of folding cuts nothing");
+  if (const std::string given = thickness.empty() ? first_given() : "--thickness";
+      made.simulates && !given.empty()) {
+    refuse(given + " is about what is cut; a simulator of folding cuts nothing");
   }
   if (!dxf.empty()) {
     made.dxf_kind = choice_or_refuse<paper::DxfKind>("--dxf", dxf, dxf_kinds);
@@ -292,7 +294,7 @@ void MachineTexts::fit_paper(const PaperJob& job, bool paper_given, bool margin_
   if (!paper_given && !margin_given && !job.print_and_cut && (!bed.empty() || job.preset.sheet.x > 0.0)) {
     paper.margin = bed.empty() ? job.preset.margin : 0.0;
   }
-  if (job.preset.is_machine()) {
+  if (job.preset.is_machine() || !bed.empty()) {
     paper.foot = 0.0;
     paper.furniture = false;
   }

@@ -43,6 +43,9 @@ TEST_CASE("a preset sets its sheet, and every option goes before it", "[machine_
   CHECK(bed.options.paper->margin == Approx(0.2));
   CHECK(job_of({"--preset", "laser", "--kerf", "2mm"}).options.paper->gap == Approx(4.5));
   CHECK(bed.preset.paths.kerf_mm == Approx(0.2));
+  const PaperJob bed_alone = job_of({"--bed", "400x300mm", "-o", "a.dxf"});
+  CHECK(bed_alone.options.paper->foot == 0.0);
+  CHECK_FALSE(bed_alone.options.paper->furniture);
   const PaperJob changed =
       job_of({"--preset", "laser", "--score", "solid", "--bridges", "3", "--engrave", "off", "--colour",
               "cut=#010203", "--colour", "numbers=#0a0b0c", "--svg-px", "72", "--thickness", "3mm"});
@@ -67,7 +70,10 @@ TEST_CASE("options that only machines heed are refused without one", "[machine_o
   };
   refused({"--kerf", "0.1mm"}, "--kerf is about files for machines");
   refused({"--bridges", "2"}, "--bridges is about files for machines");
+  refused({"--bed", "400x300mm", "-o", "a.pdf"}, "--bed is about files for machines");
   refused({"--preset", "origami-simulator", "--kerf", "0.1"}, "--kerf");
+  refused({"--preset", "origami-simulator", "--bed", "400x300mm"}, "--bed is about what is cut");
+  refused({"--preset", "origami-simulator", "--thickness", "1mm"}, "--thickness is about what is cut");
   refused({"--preset", "laser", "--kerf", "3mm"}, "0 to 2mm");
   refused({"--preset", "laser", "--bridges", "51"}, "0 to 50");
   refused({"--preset", "laser", "--score", "half"}, "perforate");
