@@ -150,7 +150,7 @@ struct SideView {
 
 constexpr std::size_t anchor_pixels = 220;
 
-SideView look_at_pieces(const GuideModel& guide, const Side& side) {
+SideView look_at_pieces(const GuideModel& guide, const Viewpoint& side) {
   SideView view;
   view.camera = look_from(guide.stance, side.azimuth, side.elevation);
   const CoarseView coarse = look_coarsely(guide.scene, view.camera, anchor_pixels);
@@ -208,7 +208,7 @@ Group cover(const GuideModel& guide, const Context& context) {
   constexpr double gap = 8.0;
   const Box2 frame{{room.low.x + gap, facts_top + gap},
                    {room.high.x - gap, room.high.y - title_height_mm - gap}};
-  const Side& side = guide_sides().front();
+  const Viewpoint& side = guide_sides().front();
   const Camera camera = look_from(guide.stance, side.azimuth, side.elevation);
   const Fit fit = fit_into(seen_box(guide.scene, camera), frame);
   if (guide.in_colour) {
@@ -237,7 +237,7 @@ Group overview(const GuideModel& guide) {
                                    heading_height_mm, Weight::bold));
   room.high.y -= heading_height_mm + gap;
   std::vector<SideView> views;
-  for (const Side& side : guide_sides()) {
+  for (const Viewpoint& side : guide_sides()) {
     views.push_back(look_at_pieces(guide, side));
   }
   const std::size_t pieces = guide.nets->pieces.size();

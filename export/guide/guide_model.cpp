@@ -5,9 +5,9 @@
 
 namespace ridgecraft::paper {
 
-const std::array<Side, 8>& guide_sides() {
+const std::array<Viewpoint, 8>& guide_sides() {
   constexpr double degree = std::numbers::pi / 180.0;
-  static constexpr std::array<Side, 8> sides{
+  static constexpr std::array<Viewpoint, 8> sides{
       {{35.0 * degree, 22.0 * degree, "as on the first page"},
        {125.0 * degree, 22.0 * degree, "a quarter turn on"},
        {215.0 * degree, 22.0 * degree, "half a turn on"},

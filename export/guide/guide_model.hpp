@@ -40,13 +40,13 @@ struct GuideModel {
 };
 
 /// A side that the model is looked at from, a little from above or below.
-struct Side {
+struct Viewpoint {
   double azimuth = 0.0;    ///< radians
   double elevation = 0.0;  ///< radians
   std::string_view words;
 };
 /// Four sides from above, one after the other round the model, then the same from below. Their words don't
 /// say what is its front: files don't, either.
-[[nodiscard]] const std::array<Side, 8>& guide_sides();
+[[nodiscard]] const std::array<Viewpoint, 8>& guide_sides();
 
 }  // namespace ridgecraft::paper

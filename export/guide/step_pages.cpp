@@ -153,7 +153,7 @@ class StepPages {
   /// The side that shows most of the pieces that are added.
   [[nodiscard]] std::size_t best_side(std::size_t index, const Scene& scene, std::size_t before) const {
     std::vector<double> shows;
-    for (const Side& side : guide_sides()) {
+    for (const Viewpoint& side : guide_sides()) {
       const CoarseView view =
           look_coarsely(scene, look_from(guide_.stance, side.azimuth, side.elevation), side_pixels);
       const std::vector<double> areas = seen_areas(view, guide_.nets->pieces.size(),

@@ -95,17 +95,17 @@ class Thickener {
   /// Faces lie on the left of their sides.
   [[nodiscard]] Vec2 outward(CornerId c) const { return -perpendicular(along(c)); }
 
-  [[nodiscard]] Side kind_of(CornerId c) const {
+  [[nodiscard]] BoardSide kind_of(CornerId c) const {
     const EdgeId edge = surface_.edge(c);
     if (nets_.use[edge] == EdgeUse::fold) {
-      return Side::fold;
+      return BoardSide::fold;
     }
     if (nets_.use[edge] == EdgeUse::border) {
-      return Side::border;
+      return BoardSide::border;
     }
-    return tab_at_.contains(c)                  ? Side::tab_base
-           : tab_at_.contains(surface_.twin(c)) ? Side::tab_target
-                                                : Side::mitre;
+    return tab_at_.contains(c)                  ? BoardSide::tab_base
+           : tab_at_.contains(surface_.twin(c)) ? BoardSide::tab_target
+                                                : BoardSide::mitre;
   }
 
   void thicken(PieceId piece) {
@@ -440,28 +440,28 @@ std::string_view word(Hinge hinge) {
   return hinge == Hinge::back ? "back" : hinge == Hinge::middle ? "middle" : "front";
 }
 
-double side_change(Side side, double angle, const Board& board) {
+double side_change(BoardSide side, double angle, const Board& board) {
   const double t = board.thickness_mm;
   const double h = board.hinge == Hinge::back ? t : board.hinge == Hinge::middle ? 0.5 * t : 0.0;
   const double s = angle < 0.0 ? 1.0 : -1.0;
   const double fold = std::abs(angle);
   const double most = most_thicknesses * t;
   const double half = elementary::tan(0.5 * std::min(fold, 0.99 * std::numbers::pi));
-  if (t < thinnest_board_mm && side != Side::tab_base) {
+  if (t < thinnest_board_mm && side != BoardSide::tab_base) {
     return 0.0;
   }
   switch (side) {
-    case Side::fold:
+    case BoardSide::fold:
       return -s * std::min(h * half, most);
-    case Side::tab_base:
+    case BoardSide::tab_base:
       return fold < slight_angle ? -s * t * half : -s * (thickness_along(t, fold) + std::min(h * half, most));
-    case Side::tab_target: {
+    case BoardSide::tab_target: {
       const double behind = fold < slight_angle ? 0.0 : std::clamp(t / elementary::tan(fold), -most, most);
       return s > 0.0 ? -std::max(0.0, -behind) : -std::max(0.0, behind);
     }
-    case Side::mitre:
+    case BoardSide::mitre:
       return s > 0.0 ? -std::min(t * half, most) : 0.0;
-    case Side::border:
+    case BoardSide::border:
       break;
   }
   return 0.0;

@@ -39,7 +39,7 @@ struct ThickReport {
                                       const Board& board, ThickReport* report = nullptr);
 
 /// What a side of a flat part is.
-enum class Side {
+enum class BoardSide {
   fold,        ///< of the same piece on either side
   tab_base,    ///< a tab grows from it
   tab_target,  ///< a tab is glued behind it
@@ -49,6 +49,6 @@ enum class Side {
 
 /// How far such a side moves outwards, mm, for a signed fold angle (radians, mountain folds negative): see
 /// docs/machines.md for the sections that these formulas are taken from.
-[[nodiscard]] double side_change(Side side, double angle, const Board& board);
+[[nodiscard]] double side_change(BoardSide side, double angle, const Board& board);
 
 }  // namespace ridgecraft::paper

@@ -20,8 +20,8 @@ namespace ridgecraft {
 namespace {
 
 using paper::Board;
+using paper::BoardSide;
 using paper::Hinge;
-using paper::Side;
 
 constexpr double right_angle = 0.5 * std::numbers::pi;
 
@@ -39,31 +39,32 @@ TEST_CASE("sides change by the formulas of their sections") {
   const Board scored{2.0, Hinge::back};
   const Board creased{2.0, Hinge::middle};
   const Board grooved{2.0, Hinge::front};
-  CHECK(side_change(Side::fold, -right_angle, scored) == Approx(-2.0));
-  CHECK(side_change(Side::fold, -right_angle, creased) == Approx(-1.0));
-  CHECK(side_change(Side::fold, -right_angle, grooved) == Approx(0.0));
-  CHECK(side_change(Side::fold, right_angle, scored) == Approx(2.0));
-  CHECK(side_change(Side::tab_base, -right_angle, creased) == Approx(-3.0));
-  CHECK(side_change(Side::tab_base, -right_angle, scored) == Approx(-4.0));
-  CHECK(side_change(Side::tab_target, -right_angle, scored) == Approx(0.0).margin(1e-12));
-  CHECK(side_change(Side::mitre, -right_angle, scored) == Approx(-2.0));
-  CHECK(side_change(Side::mitre, right_angle, scored) == 0.0);
-  CHECK(side_change(Side::border, -right_angle, scored) == 0.0);
+  CHECK(side_change(BoardSide::fold, -right_angle, scored) == Approx(-2.0));
+  CHECK(side_change(BoardSide::fold, -right_angle, creased) == Approx(-1.0));
+  CHECK(side_change(BoardSide::fold, -right_angle, grooved) == Approx(0.0));
+  CHECK(side_change(BoardSide::fold, right_angle, scored) == Approx(2.0));
+  CHECK(side_change(BoardSide::tab_base, -right_angle, creased) == Approx(-3.0));
+  CHECK(side_change(BoardSide::tab_base, -right_angle, scored) == Approx(-4.0));
+  CHECK(side_change(BoardSide::tab_target, -right_angle, scored) == Approx(0.0).margin(1e-12));
+  CHECK(side_change(BoardSide::mitre, -right_angle, scored) == Approx(-2.0));
+  CHECK(side_change(BoardSide::mitre, right_angle, scored) == 0.0);
+  CHECK(side_change(BoardSide::border, -right_angle, scored) == 0.0);
   // Sharper than a right angle, the neighbour reaches less far; flatter than 30 degrees the step stays.
-  CHECK(side_change(Side::tab_target, -0.75 * std::numbers::pi, scored) == Approx(-2.0));
-  CHECK(side_change(Side::tab_base, -0.1, scored) == Approx(-2.0 * std::tan(0.05)));
+  CHECK(side_change(BoardSide::tab_target, -0.75 * std::numbers::pi, scored) == Approx(-2.0));
+  CHECK(side_change(BoardSide::tab_base, -0.1, scored) == Approx(-2.0 * std::tan(0.05)));
   // Bounded at both ends.
   for (const double angle : {1e-6, 0.01, 1.0, 2.0, 3.0, 3.14159}) {
     for (const double sign : {-1.0, 1.0}) {
-      for (const Side side : {Side::fold, Side::tab_base, Side::tab_target, Side::mitre}) {
+      for (const BoardSide side :
+           {BoardSide::fold, BoardSide::tab_base, BoardSide::tab_target, BoardSide::mitre}) {
         CHECK(std::abs(side_change(side, sign * angle, scored)) <= 8.0 + 1e-9);
       }
     }
   }
   // Paper yields but for the bases of tabs.
   const Board paper_sheet{0.22, Hinge::middle};
-  CHECK(side_change(Side::fold, -right_angle, paper_sheet) == 0.0);
-  CHECK(side_change(Side::tab_base, -right_angle, paper_sheet) == Approx(-0.33));
+  CHECK(side_change(BoardSide::fold, -right_angle, paper_sheet) == 0.0);
+  CHECK(side_change(BoardSide::tab_base, -right_angle, paper_sheet) == Approx(-0.33));
 }
 
 TEST_CASE("faces of board meet along their folds, without a gap or an overlap") {
@@ -120,7 +121,7 @@ TEST_CASE("faces in a valley grow, those on a ridge shrink, and paper stays as i
   CHECK(paper::thick_nets(sample.model, sample.nets, {}).flat == sample.nets.flat);
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     if (thick.use[e] == unfold::EdgeUse::fold && surface.fold_angle(e) > 1e-6) {
-      CHECK(side_change(Side::fold, surface.fold_angle(e), board) == Approx(2.0));
+      CHECK(side_change(BoardSide::fold, surface.fold_angle(e), board) == Approx(2.0));
     }
   }
 }
