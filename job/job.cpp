@@ -118,8 +118,8 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
   made.guide = {};
   if (made.options.guide) {
     made.guide = clock("guide", context, [&] {
-      return paper::draw_guide(made.prepared, made.nets, made.pages, made.assembly, made.drawings.size(),
-                               made.drawn.bodies, made.options.style, context);
+      return paper::draw_guide(made.prepared, nets_on_pages(made), made.pages, made.assembly,
+                               made.drawings.size(), made.drawn.bodies, made.options.style, context);
     });
   }
 }

@@ -86,6 +86,17 @@ bool names_machine_file(const std::vector<std::string>& outputs) {
   });
 }
 
+/// A page for browsers links the nets of the surface to the sheets, and on those of board lie other nets.
+void leave_page_out(PaperJob& job) {
+  for (const std::string& output : job.outputs) {
+    if (paper_format(suffix_of(output)) == Format::html) {
+      refuse("-o " + output +
+             " names a page, which shows nets of paper; with --thickness other nets lie on the sheets");
+    }
+  }
+  job.page = false;
+}
+
 }  // namespace
 
 void MachineTexts::add_to(Verb& verb) {
@@ -109,7 +120,7 @@ void MachineTexts::add_to(Verb& verb) {
               "Leave each outline uncut at N places, so that pieces stay in the sheet (0).");
   verb.option("Machines", "--thickness", thickness, "LENGTH",
               "Of the sheet: pieces become smaller or larger at their folds and seams, so that the model's "
-              "outside is as large as asked when it is built of board (0).");
+              "outside is as large as asked when it is built of board; there is no NAME.html then (0).");
   verb.option(
       "Machines", "--hinge", hinge, "back|middle|front",
       "Where a fold of board turns: at its back where it is scored from the printed side, in the middle "
@@ -201,6 +212,9 @@ void MachineTexts::set_board(PaperJob& job, paper::Preset& made) const {
   paper::Board& board = job.options.board;
   board.thickness_mm = length_or_refuse("--thickness", thickness, true);
   require_range("--thickness", thickness, board.thickness_mm, 0.0, thickest_mm, "0 to 20mm");
+  if (board.thickness_mm > 0.0) {
+    leave_page_out(job);
+  }
   if (board.thickness_mm > board_mm) {
     made.paths.board = true;
     made.paths.bridges.width_mm = bridge_of_board_mm;

@@ -58,6 +58,8 @@ TEST_CASE("a preset sets its sheet, and every option goes before it", "[machine_
   CHECK(changed.options.board.hinge == paper::Hinge::back);
   CHECK(changed.options.tabs.height_mm == Approx(8.0));
   CHECK(job_of({"--thickness", "1mm", "--preset", "packaging"}).options.board.hinge == paper::Hinge::middle);
+  CHECK_FALSE(job_of({"--thickness", "1mm"}).page);
+  CHECK(job_of({"--thickness", "0"}).page);
   CHECK(job_of({}).options.paper->size == Vec2{210.0, 297.0});
 }
 
@@ -85,6 +87,7 @@ TEST_CASE("options that only machines heed are refused without one", "[machine_o
   refused({"--preset", "packaging", "--spot", "cut=a b"}, "letters");
   refused({"--hinge", "back"}, "--thickness");
   refused({"--thickness", "25mm"}, "20mm");
+  refused({"--thickness", "1mm", "-o", "a.html"}, "-o a.html names a page");
   refused({"--print-and-cut"}, "--preset silhouette");
   refused({"--preset", "cricut", "--print-and-cut"}, "cricut");
   refused({"--preset", "laser", "--print-and-cut", "--bed", "300x200"}, "--paper");
