@@ -11,8 +11,11 @@
 
 #include <fmt/format.h>
 
+#include "base/boxes.hpp"
+#include "base/segment.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
+#include "verify/geometry/box_finder.hpp"
 #include "verify/geometry/surface_tree.hpp"
 
 namespace ridgecraft::verify {
@@ -39,11 +42,9 @@ double distance_to(const std::array<Vec2, 3>& t, Vec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
   bool inside = true;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2 d = t[(k + 1) % 3] - t[k];
-    const double size = dot(d, d);
-    const double at = size > 0.0 ? std::clamp(dot(p - t[k], d) / size, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, length(p - t[k] - at * d));
-    inside = inside && cross(d, p - t[k]) >= 0.0;
+    const Vec2 end = t[(k + 1) % 3];
+    nearest = std::min(nearest, distance_to_segment(p, t[k], end));
+    inside = inside && cross(end - t[k], p - t[k]) >= 0.0;
   }
   return inside ? 0.0 : nearest;
 }
@@ -60,7 +61,6 @@ class GlueCheck {
     lay_out_bodies();
     std::set<std::pair<Index, Index>> told;
     for (Index i = 0; i < file_.glue.size(); ++i) {
-      given_.context.check();
       const GlueSpot& spot = file_.glue[i];
       if (body_of_piece_[spot.piece] == none || body_of_piece_[spot.other] == none ||
           body_of_piece_[spot.piece] == body_of_piece_[spot.other]) {
@@ -132,16 +132,37 @@ class GlueCheck {
     }
   }
 
-  /// The place in space of a point of a piece; nothing where the piece has no paper there.
-  [[nodiscard]] std::optional<Vec3> in_space(Index piece, Vec2 p) const {
-    const FoldedTriangle* nearest = nullptr;
-    double distance = glue_place_mm;
+  /// Finds the triangles of a piece by their places in the plane.
+  const BoxFinder& finder_of(Index piece) {
+    const auto found = finders_.find(piece);
+    if (found != finders_.end()) {
+      return found->second;
+    }
+    std::vector<Box2> boxes;
     for (const FoldedTriangle& pair : pairs_[piece]) {
-      if (const double d = distance_to(pair.flat, p); d <= distance) {
-        nearest = &pair;
-        distance = d;
+      Box2& box = boxes.emplace_back();
+      for (const Vec2 p : pair.flat) {
+        box.add(p);
       }
     }
+    return finders_.emplace(piece, BoxFinder(boxes)).first->second;
+  }
+
+  /// The place in space of a point of a piece; nothing where the piece has no paper there.
+  [[nodiscard]] std::optional<Vec3> in_space(Index piece, Vec2 p) {
+    if (pairs_[piece].empty()) {
+      return std::nullopt;
+    }
+    // The last of the nearest triangles, in whatever order they are found.
+    std::pair<double, Index> best{glue_place_mm, 0};
+    const FoldedTriangle* nearest = nullptr;
+    finder_of(piece).for_each_overlapping(grown(Box2{p, p}, 2.0 * glue_place_mm), [&](std::uint32_t i) {
+      const double d = distance_to(pairs_[piece][i].flat, p);
+      if (d < best.first || (d <= best.first && i >= best.second)) {
+        best = {d, i};
+        nearest = &pairs_[piece][i];
+      }
+    });
     const auto shares = nearest == nullptr ? std::nullopt : shares_at(nearest->flat, p);
     return shares ? std::optional((*shares)[0] * nearest->solid[0] + (*shares)[1] * nearest->solid[1] +
                                   (*shares)[2] * nearest->solid[2])
@@ -159,6 +180,7 @@ class GlueCheck {
     const Index body = body_of_piece_[spot.other];
     for (const std::vector<Vec2>& outline : spot.outlines) {
       for (std::size_t i = 0; i < outline.size(); ++i) {
+        given_.context.check();
         for (const double share : {0.0, 0.5}) {
           const Vec2 p = outline[i] + share * (outline[(i + 1) % outline.size()] - outline[i]);
           const std::optional<Vec3> place = in_space(spot.piece, p);
@@ -246,6 +268,7 @@ class GlueCheck {
   DisjointSets bodies_;                             ///< model faces
   std::vector<Index> body_of_piece_;                ///< or none
   std::vector<std::vector<FoldedTriangle>> pairs_;  ///< per piece
+  std::map<Index, BoxFinder> finders_;              ///< of the pairs of pieces that spots are on
   std::map<Index, Box3> boxes_;                     ///< per body
   std::map<Index, SurfaceTree> trees_;              ///< per body
 };
