@@ -390,6 +390,17 @@ class GapLines {
     return points;
   }
 
+  /// Whether a point of an edge of the diagram lies in the paper. That is on the left of sides, and what is
+  /// nearest to a point within a side lies beside it.
+  [[nodiscard]] bool in_paper(const Diagram::edge_type& edge, Vec2 p) const {
+    for (const auto* cell : {edge.cell(), edge.twin()->cell()}) {
+      if (const Source side = source_of(*cell); !side.point) {
+        return cross(side.b - side.a, p - side.a) > 0.0;
+      }
+    }
+    return inside(loops_, p);
+  }
+
   void add_edge(const Diagram::edge_type& edge) {
     if (std::max(edge.cell()->source_index(), edge.twin()->cell()->source_index()) >= piece_sides_) {
       return;  // beside the frame
@@ -400,8 +411,8 @@ class GapLines {
     for (const Vec2 p : points) {
       room.push_back(distance_to_side(p, source.a, source.b));
     }
-    if (*std::ranges::min_element(room) >= distance_ ||
-        inside(loops_, 0.5 * (points[points.size() / 2 - 1] + points[points.size() / 2]))) {
+    const Vec2 middle = 0.5 * (points[points.size() / 2 - 1] + points[points.size() / 2]);
+    if (*std::ranges::min_element(room) >= distance_ || in_paper(edge, middle)) {
       return;
     }
     Stretch stretch;
