@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/files/edge_files.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -12,6 +11,7 @@
 
 #include "base/digest.hpp"
 #include "base/error.hpp"
+#include "cli/files/text_lines.hpp"
 #include "mesh/model/file_format.hpp"
 #include "mesh/reading/read_file.hpp"
 
@@ -22,40 +22,26 @@ namespace {
   throw Error(ErrorKind::unreadable_input, fmt::format("{}, line {}: {}", file, line, reason), file);
 }
 
-/// The two numbers of a line; none where it is empty or a comment.
-std::vector<std::uint32_t> numbers_of(std::string_view text, const std::string& file, std::size_t line) {
-  constexpr std::string_view space = " \t\r,";
-  std::vector<std::uint32_t> numbers;
-  text = text.substr(0, text.find('#'));
-  for (std::size_t begin = text.find_first_not_of(space); begin != std::string_view::npos;
-       begin = text.find_first_not_of(space)) {
-    text.remove_prefix(begin);
-    const std::string_view word = text.substr(0, text.find_first_of(space));
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) {
-      refuse_line(file, line, fmt::format("'{}' is no number of a point", word));
-    }
-    numbers.push_back(value);
-    text.remove_prefix(word.size());
+std::uint32_t number_of(std::string_view word, const std::string& file, std::size_t line) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) {
+    refuse_line(file, line, fmt::format("'{}' is no number of a point", word));
   }
-  if (!numbers.empty() && numbers.size() != 2) {
-    refuse_line(file, line, "two numbers of points are needed");
-  }
-  return numbers;
+  return value;
 }
 
 /// Pairs of points, one pair a line.
 job::EdgeList pairs_in(const EdgeFile& edges, const mesh::Model& model) {
   const std::uint32_t first = mesh::first_point_number(model.format);
   job::EdgeList list{{}, digest(edges.bytes)};
-  std::size_t line = 0;
-  for (std::string_view rest = edges.bytes; !rest.empty();) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::vector<std::uint32_t> pair = numbers_of(rest.substr(0, end), edges.name, ++line);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (pair.empty()) {
-      continue;
+  for_each_line(edges.bytes, [&](const std::vector<std::string_view>& words, std::size_t line) {
+    std::vector<std::uint32_t> pair;
+    for (const std::string_view word : words) {
+      pair.push_back(number_of(word, edges.name, line));
+    }
+    if (pair.size() != 2) {
+      refuse_line(edges.name, line, "two numbers of points are needed");
     }
     for (const std::uint32_t number : pair) {
       if (number < first || number - first >= model.file_points.size()) {
@@ -65,7 +51,7 @@ job::EdgeList pairs_in(const EdgeFile& edges, const mesh::Model& model) {
       }
     }
     list.edges.push_back({pair[0] - first, pair[1] - first});
-  }
+  });
   return list;
 }
 

@@ -1,37 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/files/tab_file.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <numbers>
-#include <optional>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "base/length_text.hpp"
+#include "cli/files/text_lines.hpp"
 
 namespace ridgecraft::cli {
 namespace {
 
 class TabLine {
  public:
-  TabLine(std::string_view text, std::string where) : where_(std::move(where)) {
-    constexpr std::string_view space = " \t\r,";
-    text = text.substr(0, text.find('#'));
-    for (std::size_t begin = text.find_first_not_of(space); begin != std::string_view::npos;
-         begin = text.find_first_not_of(space)) {
-      text.remove_prefix(begin);
-      words_.push_back(text.substr(0, text.find_first_of(space)));
-      text.remove_prefix(words_.back().size());
-    }
-  }
+  TabLine(const std::vector<std::string_view>& words, std::string where)
+      : where_(std::move(where)), words_(words) {}
 
-  [[nodiscard]] std::optional<unfold::EdgeTab> read() const {
-    if (words_.empty()) {
-      return std::nullopt;
-    }
+  [[nodiscard]] unfold::EdgeTab read() const {
     unfold::EdgeTab tab;
     tab.where = where_;
     tab.number = number(words_.front());
@@ -100,21 +89,16 @@ class TabLine {
   }
 
   std::string where_;
-  std::vector<std::string_view> words_;
+  const std::vector<std::string_view>& words_;
 };
 
 }  // namespace
 
 std::vector<unfold::EdgeTab> read_tab_file(const std::string& name, std::string_view bytes) {
   std::vector<unfold::EdgeTab> tabs;
-  std::size_t line = 0;
-  while (!bytes.empty()) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    if (auto tab = TabLine(bytes.substr(0, end), fmt::format("{}, line {}", name, ++line)).read()) {
-      tabs.push_back(std::move(*tab));
-    }
-    bytes.remove_prefix(std::min(end + 1, bytes.size()));
-  }
+  for_each_line(bytes, [&](const std::vector<std::string_view>& words, std::size_t line) {
+    tabs.push_back(TabLine(words, fmt::format("{}, line {}", name, line)).read());
+  });
   return tabs;
 }
 

@@ -180,11 +180,18 @@ std::vector<fs::path> find_leftovers(const std::vector<Target>& targets,
   return found;
 }
 
+/// What is read beside the model, so that no result replaces it.
+std::vector<InputFile> inputs_of(const PaperJob& job) {
+  std::vector<InputFile> inputs = input_files(job.edges);
+  inputs.push_back({"--tab-file", job.tab_file});
+  return inputs;
+}
+
 void require_all_replaceable(const PaperJob& job, const std::vector<std::vector<fs::path>>& of_targets,
                              const std::string& digest) {
   for (const std::vector<fs::path>& of_target : of_targets) {
     for (const fs::path& file : of_target) {
-      require_no_input(file, input_files(job.edges), job.overwrite);
+      require_no_input(file, inputs_of(job), job.overwrite);
       require_replaceable(file, digest, job.overwrite);
     }
   }
@@ -211,7 +218,7 @@ std::vector<Target> checked_targets(const PaperJob& job) {
     add_guides(targets);
   }
   for (const Target& target : targets) {
-    require_no_input(files_of(target, 1).front(), input_files(job.edges), job.overwrite);
+    require_no_input(files_of(target, 1).front(), inputs_of(job), job.overwrite);
   }
   return targets;
 }

@@ -186,6 +186,9 @@ TEST_CASE("exit code 7: the result can't be written", "[exit_codes]") {
                   "--cuts");
     check_refusal(run_program({"house.obj", "--keep", "edges.fold", "-o", "edges.fold"}, in(folder)), 7,
                   "--keep");
+    write_bytes(folder / "tabs.fold", "1 none\n");
+    check_refusal(run_program({"house.obj", "--tab-file", "tabs.fold", "-o", "tabs.fold"}, in(folder)), 7,
+                  "tabs.fold is read by --tab-file");
     CHECK(read_bytes(folder / "house.fold") == nets);
     CHECK(run_program({"house.obj", "--from", "house.fold", "-o", "new"}, in(folder)).exit_code == 0);
     CHECK(run_program({"house.obj", "--from", "link.fold", "-o", "link.fold", "--overwrite"}, in(folder))
