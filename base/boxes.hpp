@@ -2,9 +2,30 @@
 // Axis-parallel boxes, in the plane and in space: where they are, and whether they meet.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "base/vector.hpp"
 
 namespace ridgecraft {
+
+/// The smallest box around the points; empty where there are none.
+[[nodiscard]] inline Box2 box_of(std::span<const Vec2> points) {
+  Box2 box;
+  for (const Vec2 p : points) {
+    box.add(p);
+  }
+  return box;
+}
+[[nodiscard]] inline Box2 box_of(std::span<const std::vector<Vec2>> lines) {
+  Box2 box;
+  for (const std::vector<Vec2>& line : lines) {
+    for (const Vec2 p : line) {
+      box.add(p);
+    }
+  }
+  return box;
+}
 
 /// The box grown by `margin` on all sides.
 [[nodiscard]] inline Box2 grown(const Box2& box, double margin) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures and parts of polygons.
+// Measures and parts of polygons and of lines of several stretches.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +16,31 @@ namespace ridgecraft {
   double sum = 0.0;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     sum += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+  }
+  return sum;
+}
+
+/// Whether a point lies in what closed polygons bound, by the even-odd rule: holes are outside. Points on a
+/// side are on either side of it. O(n).
+[[nodiscard]] inline bool inside(std::span<const std::vector<Vec2>> loops, Vec2 p) {
+  bool odd = false;
+  for (const std::vector<Vec2>& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2 a = loop[i];
+      const Vec2 b = loop[(i + 1) % loop.size()];
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+        odd = !odd;
+      }
+    }
+  }
+  return odd;
+}
+
+/// Of an open line through these points.
+[[nodiscard]] inline double length_of(std::span<const Vec2> line) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    sum += length(line[i] - line[i - 1]);
   }
   return sum;
 }

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "export/machine/distance.hpp"
+#include "base/polygon.hpp"
+#include "base/segment.hpp"
 #include "export/machine/scores.hpp"
 
 namespace ridgecraft::paper {
@@ -28,7 +29,7 @@ bool on_area(Vec2 a, Vec2 b, const std::vector<std::vector<Vec2>>& areas, double
     for (std::size_t i = 1; i < area.size(); ++i) {
       const Vec2 c = area[i];
       const Vec2 d = area[(i + 1) % area.size()];
-      if (distance_to_side(a, c, d) < within_mm && distance_to_side(b, c, d) < within_mm) {
+      if (distance_to_segment(a, c, d) < within_mm && distance_to_segment(b, c, d) < within_mm) {
         return true;
       }
     }

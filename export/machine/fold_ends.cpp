@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "export/machine/distance.hpp"
+#include "base/polygon.hpp"
+#include "base/segment.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -24,7 +25,10 @@ FoldEnds::FoldEnds(const Drawing& page) {
       if (line.layer == Layer::cut) {
         const std::size_t count = line.points.size() - (line.closed ? 0 : 1);
         for (std::size_t i = 0; i < count; ++i) {
-          sides_.push_back({line.points[i], line.points[(i + 1) % line.points.size()], line.closed});
+          sides_.push_back({line.points[i], line.points[(i + 1) % line.points.size()]});
+        }
+        if (line.closed) {
+          loops_.push_back(line.points);
         }
       }
     }
@@ -35,8 +39,8 @@ std::optional<std::vector<Vec2>> FoldEnds::beyond(Vec2 end, Vec2 from, double ke
   const Vec2 away = (end - from) / length(end - from);
   double room = end_mm + clear_mm;
   bool at_outline = false;
-  for (const auto& [a, b, bounds] : sides_) {
-    at_outline = at_outline || distance_to_side(end, a, b) < on_outline_mm;
+  for (const auto& [a, b] : sides_) {
+    at_outline = at_outline || distance_to_segment(end, a, b) < on_outline_mm;
     const double turn = cross(away, b - a);
     if (std::abs(turn) > 0.0) {
       const double at = cross(a - end, b - a) / turn;
@@ -48,22 +52,11 @@ std::optional<std::vector<Vec2>> FoldEnds::beyond(Vec2 end, Vec2 from, double ke
   }
   const Vec2 first = end + (0.5 * kerf_mm) * away;
   const Vec2 last = end + (room - clear_mm) * away;
-  if (!at_outline || dot(last - first, away) < shortest_mm || in_paper(end + probe_mm * away) ||
-      in_paper(0.5 * (first + last))) {
+  if (!at_outline || dot(last - first, away) < shortest_mm || inside(loops_, end + probe_mm * away) ||
+      inside(loops_, 0.5 * (first + last))) {
     return std::nullopt;
   }
   return std::vector<Vec2>{first, last};
-}
-
-/// An odd number of sides of loops lies to the right of it.
-bool FoldEnds::in_paper(Vec2 p) const {
-  bool odd = false;
-  for (const auto& [a, b, bounds] : sides_) {
-    if (bounds && (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
-      odd = !odd;
-    }
-  }
-  return odd;
 }
 
 }  // namespace ridgecraft::paper

@@ -23,12 +23,10 @@ class FoldEnds {
   struct Side {
     Vec2 a;
     Vec2 b;
-    bool bounds = true;  ///< paper on one side alone; false: a slit
   };
 
-  [[nodiscard]] bool in_paper(Vec2 p) const;
-
-  std::vector<Side> sides_;
+  std::vector<Side> sides_;               ///< of all that is cut
+  std::vector<std::vector<Vec2>> loops_;  ///< outlines and holes
 };
 
 }  // namespace ridgecraft::paper

@@ -14,7 +14,7 @@
 #include "base/boxes.hpp"
 #include "base/near_boxes.hpp"
 #include "base/polygon.hpp"
-#include "export/machine/distance.hpp"
+#include "base/segment.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -53,12 +53,7 @@ struct Grid {
 };
 
 Grid grid_for(const std::vector<std::vector<Vec2>>& loops) {
-  Box2 box;
-  for (const std::vector<Vec2>& loop : loops) {
-    for (const Vec2 p : loop) {
-      box.add(p);
-    }
-  }
+  const Box2 box = box_of(loops);
   if (box.empty()) {
     return {};
   }
@@ -183,16 +178,12 @@ class Mover {
 
 /// What lies around a piece, up to a frame: the loops the other way round, and the frame first.
 std::vector<std::vector<Vec2>> surroundings(const std::vector<std::vector<Vec2>>& loops, double width) {
-  Box2 box;
   std::vector<std::vector<Vec2>> result(1);
   for (std::vector<Vec2> loop : loops) {
-    for (const Vec2 p : loop) {
-      box.add(p);
-    }
     std::ranges::reverse(loop);
     result.push_back(std::move(loop));
   }
-  const Box2 frame = grown(box, width);
+  const Box2 frame = grown(box_of(loops), width);
   result[0] = {frame.low, {frame.high.x, frame.low.y}, frame.high, {frame.low.x, frame.high.y}};
   return result;
 }
@@ -221,21 +212,6 @@ std::vector<std::vector<Vec2>> moved_without_slivers(const std::vector<std::vect
   std::ranges::stable_partition(result,
                                 [](const std::vector<Vec2>& loop) { return doubled_area(loop) > 0.0; });
   return result;
-}
-
-/// Whether a point lies in what loops bound (odd number of crossings).
-bool inside(const std::vector<std::vector<Vec2>>& loops, Vec2 p) {
-  bool odd = false;
-  for (const std::vector<Vec2>& loop : loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec2 a = loop[i];
-      const Vec2 b = loop[(i + 1) % loop.size()];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
-        odd = !odd;
-      }
-    }
-  }
-  return odd;
 }
 
 /// Lines in the middle of gaps that are narrower than twice the distance.
@@ -283,12 +259,7 @@ class GapLines {
 
   /// Around all, so that no edge near the piece goes on without end.
   void add_frame() {
-    Box2 box;
-    for (const std::vector<Vec2>& loop : loops_) {
-      for (const Vec2 p : loop) {
-        box.add(p);
-      }
-    }
+    const Box2 box = box_of(loops_);
     const Vec2 away{10.0 + 10.0 * distance_, 10.0 + 10.0 * distance_};
     const PlanarPoint low = grid_(box.low - away);
     const PlanarPoint high = grid_(box.high + away);
@@ -409,7 +380,7 @@ class GapLines {
     const std::vector<Vec2> points = points_of(edge);
     std::vector<double> room;
     for (const Vec2 p : points) {
-      room.push_back(distance_to_side(p, source.a, source.b));
+      room.push_back(distance_to_segment(p, source.a, source.b));
     }
     const Vec2 middle = 0.5 * (points[points.size() / 2 - 1] + points[points.size() / 2]);
     if (*std::ranges::min_element(room) >= distance_ || in_paper(edge, middle)) {
@@ -522,9 +493,7 @@ class GapLines {
         }
         seen[i] = true;
         together.push_back(i);
-        for (std::size_t k = 1; k < stretches_[i].points.size(); ++k) {
-          sum += length(stretches_[i].points[k] - stretches_[i].points[k - 1]);
-        }
+        sum += length_of(stretches_[i].points);
         for (const Node node : {stretches_[i].from, stretches_[i].to}) {
           open.insert(open.end(), at[node].begin(), at[node].end());
         }
@@ -540,11 +509,7 @@ class GapLines {
 
   /// A line that is too short for a machine begins farther out in its gap.
   static void lengthen(std::vector<Vec2>& line, bool exit_first, bool exit_last) {
-    double size = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      size += length(line[i] - line[i - 1]);
-    }
-    const double missing = shortest_line_mm - size;
+    const double missing = shortest_line_mm - length_of(line);
     if (missing <= 0.0 || exit_first == exit_last) {
       return;
     }

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "base/polygon.hpp"
+
 namespace ridgecraft::paper {
 namespace {
 
@@ -31,11 +33,10 @@ Group test_piece(Vec2 centre) {
   return group;
 }
 
-/// Whether nothing of the page's pieces lies in the box. A piece that encloses it has a corner's ray crossed
-/// an odd number of times.
+/// Whether nothing of the page's pieces lies in the box, and no piece encloses it.
 bool is_free(const Drawing& page, const Box2& box) {
   const Vec2 middle = 0.5 * (box.low + box.high);
-  bool within = false;
+  std::vector<std::vector<Vec2>> loops;
   for (const Group& group : page.groups) {
     for (const Line& line : group.lines) {
       if (line.layer == Layer::mark && line.like == Layer::mark) {
@@ -50,10 +51,9 @@ bool is_free(const Drawing& page, const Box2& box) {
             std::max(a.y, b.y) > box.low.y && std::min(a.y, b.y) < box.high.y) {
           return false;
         }
-        if (line.layer == Layer::cut && line.closed && (a.y > middle.y) != (b.y > middle.y) &&
-            middle.x < a.x + (middle.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
-          within = !within;
-        }
+      }
+      if (line.layer == Layer::cut && line.closed) {
+        loops.push_back(line.points);
       }
     }
     for (const Text& text : group.texts) {
@@ -62,7 +62,7 @@ bool is_free(const Drawing& page, const Box2& box) {
       }
     }
   }
-  return !within;
+  return !inside(loops, middle);
 }
 
 std::optional<Vec2> free_place(const Drawing& page, const Paper& paper) {

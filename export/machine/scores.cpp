@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/polygon.hpp"
+
 namespace ridgecraft::paper {
 namespace {
 
@@ -20,14 +22,6 @@ constexpr ScorePattern perforation{3.0, 0.8};
 
 ScorePattern pattern_of(Scores scores, bool board) {
   return scores == Scores::perforate ? perforation : board ? dashes_of_board : dashes_of_card;
-}
-
-double length_of(const std::vector<Vec2>& line) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    sum += length(line[i] - line[i - 1]);
-  }
-  return sum;
 }
 
 std::vector<Vec2> stretch_of(const std::vector<Vec2>& line, double from, double to) {

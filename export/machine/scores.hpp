@@ -35,7 +35,5 @@ struct ScorePattern {
 
 /// What lies between two distances along a line.
 [[nodiscard]] std::vector<Vec2> stretch_of(const std::vector<Vec2>& line, double from, double to);
-/// Of an open line, mm.
-[[nodiscard]] double length_of(const std::vector<Vec2>& line);
 
 }  // namespace ridgecraft::paper

@@ -14,6 +14,7 @@
 
 #include <boost/polygon/polygon.hpp>
 
+#include "base/boxes.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/elementary.hpp"
 #include "base/polygon.hpp"
@@ -282,7 +283,7 @@ class Thickener {
     const auto is_free = [&](const std::vector<Vec2>& polygon, const unfold::Tab* but) {
       const Box2 box = box_of(polygon);
       const auto clear_of = [&](const auto& other) {
-        return !boxes_touch(box, box_of(other)) || !polygons_overlap(polygon, other);
+        return !meet(box, box_of(other)) || !polygons_overlap(polygon, other);
       };
       return std::ranges::all_of(nets_.pieces[piece].faces,
                                  [&](FaceId face) { return clear_of(result_.flat[face]); }) &&
@@ -366,16 +367,6 @@ class Thickener {
   }
 
   static double area_of(const std::vector<Vec2>& polygon) { return 0.5 * std::abs(doubled_area(polygon)); }
-  static Box2 box_of(std::span<const Vec2> polygon) {
-    Box2 box;
-    for (const Vec2 p : polygon) {
-      box.add(p);
-    }
-    return box;
-  }
-  static bool boxes_touch(const Box2& a, const Box2& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-  }
   /// Convex polygons, by separating lines along their sides; what only touches doesn't overlap.
   static bool polygons_overlap(std::span<const Vec2> a, std::span<const Vec2> b) {
     constexpr double touch_mm = 0.005;

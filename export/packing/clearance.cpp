@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/boxes.hpp"
 #include "base/segment.hpp"
 
 namespace ridgecraft::paper {
@@ -32,14 +33,6 @@ bool side_separates(std::span<const Vec2> a, std::span<const Vec2> b) {
     }
   }
   return false;
-}
-
-Box2 box_of(std::span<const Vec2> polygon) {
-  Box2 box;
-  for (const Vec2 p : polygon) {
-    box.add(p);
-  }
-  return box;
 }
 
 }  // namespace

@@ -2,23 +2,11 @@
 #include "export/page/crumbs.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
-#include "export/page/segment2.hpp"
+#include "base/segment.hpp"
 
 namespace ridgecraft::paper {
-namespace {
-
-double distance_to(const Segment2& line, Vec2 p) {
-  const Vec2 d = line.b - line.a;
-  const double size = dot(d, d);
-  const double at = size > 0.0 ? std::clamp(dot(p - line.a, d) / size, 0.0, 1.0) : 0.0;
-  return length(p - line.a - at * d);
-}
-
-}  // namespace
-
 std::vector<Vec2> without_crumbs(const std::vector<Vec2>& points, bool closed) {
   const std::size_t least = closed ? 3 : 2;
   std::vector<Vec2> kept;
@@ -31,9 +19,8 @@ std::vector<Vec2> without_crumbs(const std::vector<Vec2>& points, bool closed) {
     bool drop = !end && !kept.empty() && left > least &&
                 std::min(length(p - kept.back()), length(next - p)) < near_corners_mm;
     if (drop) {
-      const Segment2 line{kept.back(), next};
-      drop = distance_to(line, p) < same_line_mm &&
-             std::ranges::all_of(gone, [&](Vec2 q) { return distance_to(line, q) < same_line_mm; });
+      const auto on_line = [&](Vec2 q) { return distance_to_segment(q, kept.back(), next) < same_line_mm; };
+      drop = on_line(p) && std::ranges::all_of(gone, on_line);
     }
     if (drop) {
       gone.push_back(p);

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/boxes.hpp"
+#include "base/polygon.hpp"
 #include "export/page/fold_lines.hpp"
 #include "export/page/leader.hpp"
 
@@ -18,29 +20,9 @@ constexpr double leader_text_height = 2.5;  ///< of a name beside its outline, m
 constexpr double spot_clearance = 0.5;      ///< from lines, mm
 constexpr int steps = 14;                   ///< of the grid of places in an outline's box, each way
 
-/// By the even-odd rule: holes are outside.
-bool inside(const std::vector<std::vector<Vec2>>& outlines, Vec2 p) {
-  bool in = false;
-  for (const std::vector<Vec2>& outline : outlines) {
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vec2 a = outline[i];
-      const Vec2 b = outline[(i + 1) % outline.size()];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
-        in = !in;
-      }
-    }
-  }
-  return in;
-}
-
 /// Places inside the outlines, those near their middle first.
 std::vector<Vec2> places_in(const std::vector<std::vector<Vec2>>& outlines) {
-  Box2 box;
-  for (const std::vector<Vec2>& outline : outlines) {
-    for (const Vec2 p : outline) {
-      box.add(p);
-    }
-  }
+  const Box2 box = box_of(outlines);
   const Vec2 middle = 0.5 * (box.low + box.high);
   std::vector<Vec2> places;
   for (int i = 0; i <= steps; ++i) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "base/polygon.hpp"
 #include "export/page/crumbs.hpp"
 #include "export/page/fold_lines.hpp"
 #include "unfold/net/outline.hpp"
@@ -24,14 +25,6 @@ constexpr double tick_length = 1.5;
 constexpr double near_mm = 0.05;
 /// Ends of the two sides of a fold that are one point but for rounding, mm.
 constexpr double same_fold_end_mm = 1e-4;
-
-double length_of(const std::vector<Vec2>& line) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    sum += length(line[i] - line[i - 1]);
-  }
-  return sum;
-}
 
 class PieceDrawer {
  public:

@@ -2,12 +2,14 @@
 #include "export/paint/cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "base/boxes.hpp"
 #include "base/elementary.hpp"
 #include "base/polygon.hpp"
 #include "base/segment.hpp"
@@ -22,12 +24,6 @@ constexpr double same_point_mm = 0.03;
 constexpr double narrowest_bleed_mm = 0.05;
 /// Outlines that run back beside an edge bound no rim, radians.
 constexpr double smallest_gap = 0.02;
-
-Box2 box_of(const std::vector<Vec2>& polygon) {
-  Box2 box;
-  std::for_each(polygon.begin(), polygon.end(), [&](Vec2 p) { box.add(p); });
-  return box;
-}
 
 double distance(const Segment2& s, Vec2 p) {
   return distance_to_segment(p, s.a, s.b);
@@ -96,7 +92,7 @@ class RimMaker {
   /// Half the way to the nearest outline in front.
   [[nodiscard]] double reach_of(const Segment2& edge, Vec2 out) const {
     const double far = 2.0 * bleed_mm;
-    const Box2 box = box_of({edge.a, edge.b});
+    const Box2 box = box_of(std::array{edge.a, edge.b});
     double reach = bleed_mm;
     for (const Segment2& other : all_) {
       if (std::max(other.a.x, other.b.x) < box.low.x - far ||

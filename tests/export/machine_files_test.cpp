@@ -33,7 +33,7 @@ using paper::Scores;
 const paper::Mark mark{"ridgecraft test", "Cube", "0123456789abcdef"};
 
 double length_of(const Path& path) {
-  return paper::length_of(path.points) +
+  return ridgecraft::length_of(path.points) +
          (path.closed ? length(path.points.front() - path.points.back()) : 0.0);
 }
 
