@@ -74,7 +74,6 @@ SeamGraph seam_graph(const mesh::Surface& surface, const unfold::Nets& nets) {
       SeamGraph::Seam& seam = seams[{from, to}];
       seam.other = to;
       seam.length_mm += length;
-      ++seam.joins;
       graph.nodes[from].seam_mm += length;
       ++graph.nodes[from].joins;
     }

@@ -14,7 +14,6 @@ struct SeamGraph {
   struct Seam {
     PieceId other;
     double length_mm = 0.0;
-    std::size_t joins = 0;
   };
   struct Node {
     std::vector<Seam> seams;  ///< with other pieces, ascending

@@ -102,7 +102,7 @@ Operation with_fold(Operation operation, Fold fold) {
 class Plan {
  public:
   Plan(const Drawing& page, const PathRules& rules)
-      : rules_(rules), ends_(rules.scores == Scores::ends ? page : Drawing{}) {}
+      : rules_(rules), ends_(rules.scores == Scores::ends ? std::optional<FoldEnds>(page) : std::nullopt) {}
 
   void add_piece(const Group& group) {
     add_loops(group);
@@ -186,7 +186,7 @@ class Plan {
       case Scores::ends:
         for (const auto& [end, from] :
              {std::pair(points.front(), points[1]), std::pair(points.back(), points[points.size() - 2])}) {
-          if (const auto line = ends_.beyond(end, from, rules_.kerf_mm)) {
+          if (const auto line = ends_->beyond(end, from, rules_.kerf_mm)) {
             add(operation, *line, false);
           }
         }
@@ -208,7 +208,7 @@ class Plan {
   }
 
   PathRules rules_;
-  FoldEnds ends_;
+  std::optional<FoldEnds> ends_;  ///< for Scores::ends
   std::vector<Path> paths_;
 };
 

@@ -205,18 +205,13 @@ class Looker {
     return false;
   }
 
-  [[nodiscard]] FaceId face_number(FaceId face) const { return face; }
-  [[nodiscard]] FaceId face_number(std::uint32_t i) const { return faces_[i].face; }
-
   /// The outline of faces of one region, where it is one loop that meets no vertex twice.
   [[nodiscard]] std::optional<std::vector<Vec2>> simple_border(
       const std::vector<std::uint32_t>& members) const {
     const mesh::Surface& surface = *scene_.surface;
     // Ascending, as the faces of `members` are.
     const auto is_member = [&](FaceId face) {
-      return std::binary_search(members.begin(), members.end(), face, [&](const auto& a, const auto& b) {
-        return face_number(a) < face_number(b);
-      });
+      return std::ranges::binary_search(members, face, {}, [&](std::uint32_t i) { return faces_[i].face; });
     };
     std::map<VertexId, VertexId> next_of;
     for (const std::uint32_t i : members) {

@@ -54,7 +54,6 @@ struct PrintedFile {
   std::vector<PrintedPage> pages;  ///< in the file's order
   bool whole = false;              ///< holds all pages of a model, as PDF does
   std::string defect;              ///< why it can't be checked, a sentence; then there are no pages
-  bool guide = false;              ///< tells how a model is built: it has no nets, and its pages aren't read
 };
 
 /// Whether the bytes claim to be PDF or SVG at all. Any bytes.
@@ -66,7 +65,8 @@ struct PrintedFile {
 /// what it doesn't understand is a defect, since a line that is overlooked can't be checked. O(size).
 [[nodiscard]] PrintedFile read_svg(const std::string& name, std::string_view bytes);
 
-/// The same for PDF, whose layers are optional content and whose lines may be transformed.
+/// The same for PDF, whose layers are optional content and whose lines may be transformed. A guide has no
+/// nets, so none of its pages are read, and it isn't whole.
 [[nodiscard]] PrintedFile read_pdf(const std::string& name, std::string_view bytes);
 
 }  // namespace ridgecraft::verify

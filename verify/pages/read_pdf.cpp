@@ -238,7 +238,6 @@ void read_document(QPDF& pdf, PrintedFile& file) {
   file.digest = keywords.isString() ? digest_in(keywords.getUTF8Value()) : std::string();
   QPDFObjectHandle subject = info.isDictionary() ? info.getKey("/Subject") : info;
   if (subject.isString() && subject.getUTF8Value() == guide_subject) {
-    file.guide = true;
     return;
   }
   file.whole = true;
