@@ -2,7 +2,6 @@
 // Promise 8: the order of assembly names each piece once, each join where both its pieces stand, and goes on
 // from what stands.
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
@@ -80,19 +79,12 @@ class AssemblyCheck {
 
   /// A piece that isn't glued to anything that stands begins a body, and nothing of it may stand by then.
   void check_footing() {
-    std::vector<Index> body(file_.pieces.size());
-    std::iota(body.begin(), body.end(), Index{0});
-    const auto root = [&](Index piece) {
-      while (body[piece] != piece) {
-        piece = body[piece] = body[body[piece]];
-      }
-      return piece;
-    };
+    DisjointSets bodies(file_.pieces.size());
     std::vector<bool> has_footing(file_.pieces.size(), false);
     for (const Join& join : file_.joins) {
       const Index a = piece_at(join.edges[0]);
       const Index b = piece_at(join.edges[1]);
-      body[root(a)] = root(b);
+      bodies.join(a, b);
       if (step_of_[a] != step_of_[b]) {
         has_footing[step_of_[a] > step_of_[b] ? a : b] = true;
       }
@@ -100,11 +92,11 @@ class AssemblyCheck {
     std::vector<Index> begun(file_.pieces.size(), none);
     for (std::size_t s = 0; s < steps().size(); ++s) {
       for (const Index piece : steps()[s].pieces) {
-        const Index first = begun[root(piece)];
+        const Index first = begun[bodies.find(piece)];
         if (first != none && !has_footing[piece]) {
           add(s, fmt::format("has {}, which isn't glued to anything that stands", piece_name(file_, piece)));
         }
-        begun[root(piece)] = first == none ? static_cast<Index>(s) : first;
+        begun[bodies.find(piece)] = first == none ? static_cast<Index>(s) : first;
       }
     }
   }
