@@ -30,6 +30,7 @@ Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const
   guide.scene = scene_of(model, nets, style.hidden_fold_angle);
   guide.in_colour = model.look != nullptr && style.ink != Ink::lines;
   guide.pale = pale_look();
+  guide.contents = piece_contents(model.model.surface, nets);
   for (const Color hue : piece_hues(model.model.surface, nets)) {
     guide.looks.push_back(coloured_look(hue));
   }

@@ -12,6 +12,7 @@
 #include "export/guide/effort.hpp"
 #include "export/guide/guide_page.hpp"
 #include "export/guide/picture.hpp"
+#include "export/page/piece_drawing.hpp"
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/pages.hpp"
 
@@ -34,6 +35,7 @@ struct GuideModel {
   Scene scene;                         ///< all pieces
   IdVector<PieceId, PieceLook> looks;  ///< in their hues
   PieceLook pale;
+  IdVector<PieceId, PieceContents> contents;
   IdVector<FaceId, std::uint32_t> piece_of_face;
 
   [[nodiscard]] const mesh::Surface& surface() const { return model->model.surface; }

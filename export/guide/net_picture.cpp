@@ -18,9 +18,11 @@ constexpr double net_fold_width = 0.06;
 
 }  // namespace
 
-void add_net_picture(const mesh::Surface& surface, const unfold::Nets& nets, PieceId piece,
-                     const Placement& placement, double hidden_fold_angle, Color hue, const Box2& frame,
-                     Group& group) {
+void add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, Group& group) {
+  const mesh::Surface& surface = guide.surface();
+  const unfold::Nets& nets = *guide.nets;
+  const Placement& placement = guide.pages->placements[piece];
+  const Color hue = guide.looks[piece].face;
   const unfold::CutLines cuts = unfold::cut_lines(surface, nets, piece);
   Box2 box;
   for (const std::vector<Vec2>& loop : cuts.loops) {
@@ -34,12 +36,10 @@ void add_net_picture(const mesh::Surface& surface, const unfold::Nets& nets, Pie
   const Fit fit = fit_into(box, frame);
   const auto at = [&](Vec2 p) { return fit(placement.turn(p)); };
   // Tabs are lighter than faces.
-  for (const unfold::Tab& tab : nets.tabs) {
-    if (nets.piece[mesh::face_of(tab.side)] == piece) {
-      Area& area = group.areas.emplace_back(Area{Layer::picture, {}, mixed(hue, paper_white, 0.65)});
-      for (const Vec2 p : tab.polygon) {
-        area.outline.push_back(at(p));
-      }
+  for (const TabId tab : guide.contents[piece].tabs) {
+    Area& area = group.areas.emplace_back(Area{Layer::picture, {}, mixed(hue, paper_white, 0.65)});
+    for (const Vec2 p : nets.tabs[tab].polygon) {
+      area.outline.push_back(at(p));
     }
   }
   const auto line = [&](std::vector<Vec2> points, bool closed, Pen pen) {
@@ -57,7 +57,7 @@ void add_net_picture(const mesh::Surface& surface, const unfold::Nets& nets, Pie
       const CornerId side = mesh::corner(face, k);
       const EdgeId edge = surface.edge(side);
       if (nets.use[edge] == unfold::EdgeUse::fold && side < surface.twin(side) &&
-          std::abs(surface.fold_angle(edge)) >= hidden_fold_angle) {
+          std::abs(surface.fold_angle(edge)) >= guide.hidden_fold_angle) {
         line({flat[k], flat[(k + 1) % 3]}, false, {net_fold_width, net_ink});
       }
     }

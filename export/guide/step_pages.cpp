@@ -224,14 +224,12 @@ class StepPages {
 
   void add_net(std::size_t index, const Box2& picture, Group& group) const {
     const PieceId piece = steps_[index].pieces.front();
-    const Placement& placement = guide_.pages->placements[piece];
     const double height = std::min(1.2 * grid_.net_width, 0.5 * picture.size().y);
     const double caption = 0.8 * grid_.words_height;
     // The net begins as high as the step's number.
     const double top = picture.high.y + grid_.number_height + 1.0;
     const Box2 frame{{picture.high.x - grid_.net_width, top - height}, {picture.high.x, top}};
-    add_net_picture(guide_.surface(), *guide_.nets, piece, placement, guide_.hidden_fold_angle,
-                    guide_.looks[piece].face, frame, group);
+    add_net_picture(guide_, piece, frame, group);
     std::vector<std::size_t> sheets;
     for (const PieceId other : steps_[index].pieces) {
       sheets.push_back(guide_.pages->placements[other].page.value() + 1);

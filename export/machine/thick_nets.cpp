@@ -58,7 +58,8 @@ class Thickener {
         nets_(nets),
         board_(board),
         result_(nets),
-        plates_(surface_.face_count()) {
+        plates_(surface_.face_count()),
+        tabs_of_(nets.pieces.size()) {
     const auto& panel = model.panels.panel;
     for (const EdgeId edge : ids<EdgeId>(surface_.edge_count())) {
       if (nets_.use[edge] == EdgeUse::fold) {
@@ -70,8 +71,10 @@ class Thickener {
         }
       }
     }
-    for (const unfold::Tab& tab : nets_.tabs) {
+    for (const TabId id : ids<TabId>(nets_.tabs.size())) {
+      const unfold::Tab& tab = nets_.tabs[id];
       tab_at_[tab.side] = &tab;
+      tabs_of_[nets_.piece[mesh::face_of(tab.side)]].push_back(id);
     }
   }
 
@@ -139,10 +142,8 @@ class Thickener {
     for (const FaceId face : nets_.pieces[piece].faces) {
       result_.flat[face] = nets_.flat[face];
     }
-    for (const TabId tab : ids<TabId>(nets_.tabs.size())) {
-      if (nets_.piece[mesh::face_of(nets_.tabs[tab].side)] == piece) {
-        result_.tabs[tab] = nets_.tabs[tab];
-      }
+    for (const TabId tab : tabs_of_[piece]) {
+      result_.tabs[tab] = nets_.tabs[tab];
     }
   }
 
@@ -174,9 +175,9 @@ class Thickener {
   /// Where a corner of a plate comes to lie, before the plate moves: on both of the moved sides there.
   [[nodiscard]] Vec2 corner_of_plate(CornerId corner) {
     CornerId after = corner;
-    for (int turns = 0; is_within_plate(after); ++turns) {
+    while (is_within_plate(after)) {
       after = mesh::next(surface_.twin(after));
-      if (after == corner || turns > 1000) {
+      if (after == corner) {
         return start(corner);  // within the plate
       }
     }
@@ -245,10 +246,8 @@ class Thickener {
   }
 
   void move_tabs(PieceId piece) {
-    for (unfold::Tab& tab : result_.tabs) {
-      if (nets_.piece[mesh::face_of(tab.side)] != piece) {
-        continue;
-      }
+    for (const TabId id : tabs_of_[piece]) {
+      unfold::Tab& tab = result_.tabs[id];
       const FaceId face = mesh::face_of(tab.side);
       const Vec2 from = start(tab.side);
       const Vec2 u = along(tab.side);
@@ -275,10 +274,8 @@ class Thickener {
   /// Tabs that others lie on now are made smaller, as large as they can be without.
   void trim_tabs(PieceId piece) {
     std::vector<unfold::Tab*> tabs;
-    for (unfold::Tab& tab : result_.tabs) {
-      if (nets_.piece[mesh::face_of(tab.side)] == piece) {
-        tabs.push_back(&tab);
-      }
+    for (const TabId tab : tabs_of_[piece]) {
+      tabs.push_back(&result_.tabs[tab]);
     }
     const auto is_free = [&](const std::vector<Vec2>& polygon, const unfold::Tab* but) {
       const Box2 box = box_of(polygon);
@@ -407,10 +404,8 @@ class Thickener {
       turned = std::min(turned, cross(f[1] - f[0], f[2] - f[0]));
       add(f);
     }
-    for (const unfold::Tab& tab : result_.tabs) {
-      if (nets_.piece[mesh::face_of(tab.side)] == piece) {
-        add(tab.polygon);
-      }
+    for (const TabId tab : tabs_of_[piece]) {
+      add(result_.tabs[tab].polygon);
     }
     const double covered = static_cast<double>(planar::area(set));
     return turned < -overlap_mm2 || sum - covered > overlap_mm2 * cells_per_mm * cells_per_mm;
@@ -422,6 +417,7 @@ class Thickener {
   Nets result_;
   DisjointSets plates_;  ///< of faces
   std::map<CornerId, const unfold::Tab*> tab_at_;
+  IdVector<PieceId, std::vector<TabId>> tabs_of_;
   std::map<CornerId, double> changes_;  ///< of the sides of the plates of one piece
 };
 
