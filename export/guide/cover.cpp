@@ -226,7 +226,7 @@ Group cover(const GuideModel& guide, const Context& context) {
   return group;
 }
 
-Group overview(const GuideModel& guide) {
+Group overview(const GuideModel& guide, const Context& context) {
   constexpr double name_height = 2.2;
   constexpr double caption_height = 2.0;
   constexpr double gap = 6.0;
@@ -238,6 +238,7 @@ Group overview(const GuideModel& guide) {
   room.high.y -= heading_height_mm + gap;
   std::vector<SideView> views;
   for (const Viewpoint& side : guide_sides()) {
+    context.check();
     views.push_back(look_at_pieces(guide, side));
   }
   const std::size_t pieces = guide.nets->pieces.size();
@@ -267,6 +268,7 @@ Group overview(const GuideModel& guide) {
     scale = std::min(scale, fit_into(seen_box(guide.scene, views[side].camera), place_in(box).picture).scale);
   }
   for (std::size_t i = 0; i < drawn.size(); ++i) {
+    context.check();
     const SideView& view = views[drawn[i]];
     const Vec2 low{room.low.x + static_cast<double>(i % 2) * (cell.x + gap),
                    room.high.y - static_cast<double>(i / 2 + 1) * cell.y - static_cast<double>(i / 2) * gap};

@@ -13,7 +13,7 @@ namespace ridgecraft::paper {
 [[nodiscard]] Group cover(const GuideModel& guide, const Context& context);
 
 /// The model from four sides, and from below where only that shows some piece, each piece in its hue and
-/// named where it is seen best at least. O(8 coarse views + 4 to 6 views).
-[[nodiscard]] Group overview(const GuideModel& guide);
+/// named where it is seen best at least. Throws Error(interrupted). O(8 coarse views + 4 to 6 views).
+[[nodiscard]] Group overview(const GuideModel& guide, const Context& context);
 
 }  // namespace ridgecraft::paper

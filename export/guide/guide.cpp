@@ -38,8 +38,7 @@ Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const
     guide.piece_of_face.push_back(piece.value());
   }
   std::vector<Group> groups{cover(guide, context)};
-  context.check();
-  groups.push_back(overview(guide));
+  groups.push_back(overview(guide, context));
   for (Group& page : step_pages(guide, context)) {
     groups.push_back(std::move(page));
   }
