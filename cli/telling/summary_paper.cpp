@@ -188,12 +188,12 @@ void add_guide(Summary& summary, const job::Paper& made) {
               Value::Object{{"steps", guide.steps},
                             {"pages", guide.pages.size()},
                             {"minutes", std::round(effort.minutes)},
-                            {"hardness", effort.hardness},
+                            {"difficulty", effort.difficulty},
                             {"smallest_tab_mm", rounded(effort.smallest_tab_mm)}},
               Line::guide, "guide",
               fmt::format("{} on {}; {} of work, {}", counted(guide.steps, "step"),
                           counted(guide.pages.size(), "page"), paper::duration_words(effort.minutes),
-                          paper::hardness_words(effort.hardness)));
+                          paper::difficulty_words(effort.difficulty)));
 }
 
 /// "pages 1 and 2: stone; page 3: wood", with --page-by.

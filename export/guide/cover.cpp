@@ -79,14 +79,14 @@ std::string sheet_words(const GuideModel& guide) {
 }
 
 /// Five squares, as many of them full as it is hard.
-void add_hardness(int hardness, Vec2 at, Group& group) {
+void add_difficulty(int difficulty, Vec2 at, Group& group) {
   constexpr double side = 2.4;
   constexpr double step = 3.4;
   for (int i = 0; i < 5; ++i) {
     const Vec2 low = at + Vec2{step * i, 0.0};
     const std::vector<Vec2> square{low, low + Vec2{side, 0.0}, low + Vec2{side, side}, low + Vec2{0.0, side}};
     group.areas.push_back(
-        {Layer::picture, square, i < hardness ? Color{0x44, 0x44, 0x48} : Color{0xe2, 0xe2, 0xe2}});
+        {Layer::picture, square, i < difficulty ? Color{0x44, 0x44, 0x48} : Color{0xe2, 0xe2, 0xe2}});
   }
 }
 
@@ -106,10 +106,11 @@ void add_facts(const GuideModel& guide, const Box2& box, Group& group) {
   }
   rows.fact("paper", paper_weight(guide.surface().bounds().largest_extent(), effort.median_join_mm));
   rows.fact("time", duration_words(effort.minutes));
-  const std::string words = hardness_words(effort.hardness);
+  const std::string words = difficulty_words(effort.difficulty);
   const double y = rows.fact("how hard", words);
   constexpr double name_width = 28.0;
-  add_hardness(effort.hardness, {box.low.x + name_width + text_width(words, text_height_mm) + 4.0, y}, group);
+  add_difficulty(effort.difficulty, {box.low.x + name_width + text_width(words, text_height_mm) + 4.0, y},
+                 group);
 }
 
 void add_advice(const GuideModel& guide, const Box2& box, Group& group) {

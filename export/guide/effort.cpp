@@ -68,8 +68,8 @@ Effort effort_of(const mesh::Surface& surface, const unfold::Nets& nets, double 
     points += effort.smallest_tab_mm > 0.0 ? points_below(effort.smallest_tab_mm, small_tabs_mm) : 0;
   }
   // 0 points are 1, 1 and 2 are 2, 3 and 4 are 3, 5 is 4, more are 5.
-  constexpr std::array<int, 8> hardness{1, 2, 2, 3, 3, 4, 5, 5};
-  effort.hardness = hardness[static_cast<std::size_t>(points)];
+  constexpr std::array<int, 8> difficulty{1, 2, 2, 3, 3, 4, 5, 5};
+  effort.difficulty = difficulty[static_cast<std::size_t>(points)];
   return effort;
 }
 
@@ -82,9 +82,9 @@ std::string duration_words(double minutes) {
   return fmt::format("about {:g} {}", rounded, rounded == 1.0 ? "hour" : "hours");
 }
 
-std::string hardness_words(int hardness) {
+std::string difficulty_words(int difficulty) {
   constexpr std::array<std::string_view, 5> words{"very easy", "easy", "moderate", "hard", "very hard"};
-  return std::string(words[static_cast<std::size_t>(hardness - 1)]);
+  return std::string(words[static_cast<std::size_t>(difficulty - 1)]);
 }
 
 std::string paper_weight(double extent_mm, double median_join_mm) {

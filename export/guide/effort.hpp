@@ -17,7 +17,7 @@ struct Effort {
   double median_join_mm = 0.0;   ///< length of the joins: half are shorter
   double smallest_tab_mm = 0.0;  ///< length of the shortest edge with a tab; 0 where there is none
   double minutes = 0.0;          ///< of somebody who has done it before
-  int hardness = 1;              ///< 1 to 5
+  int difficulty = 1;            ///< 1 to 5
 };
 
 /// O(edges log edges).
@@ -27,7 +27,7 @@ struct Effort {
 /// "about 40 minutes", "about 3.5 hours", "about 12 hours".
 [[nodiscard]] std::string duration_words(double minutes);
 /// "very easy", "easy", "moderate", "hard", "very hard".
-[[nodiscard]] std::string hardness_words(int hardness);
+[[nodiscard]] std::string difficulty_words(int difficulty);
 
 /// "120 to 160 g/m²": what paper suits a model of this largest extent, mm, and of joins of this length.
 [[nodiscard]] std::string paper_weight(double extent_mm, double median_join_mm);

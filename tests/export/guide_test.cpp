@@ -189,7 +189,7 @@ TEST_CASE("a model of one piece has a guide of one step", "[guide]") {
   CHECK(drawn.guide.pages.size() == 3);
 }
 
-TEST_CASE("time and hardness are those of the formula", "[guide]") {
+TEST_CASE("time and difficulty are those of the formula", "[guide]") {
   const Surface cube = test::cube();
   const auto sample = test::sample_pages(cube, 30.0, 5.0, test::all_edges(cube));
   const paper::Effort effort = paper::effort_of(sample.model.model.surface, sample.nets, 0.05);
@@ -199,10 +199,10 @@ TEST_CASE("time and hardness are those of the formula", "[guide]") {
   CHECK(effort.seam_mm == Approx(360.0));
   CHECK(effort.median_join_mm == Approx(30.0));
   CHECK(effort.minutes == Approx(2.0 * 360.0 / 100.0 + 360.0 / 60.0 + 0.4 * 12.0 + 6.0));
-  CHECK(effort.hardness == 1);
+  CHECK(effort.difficulty == 1);
   const auto tiny = test::sample_pages(cube, 2.5, 1.0);
   const paper::Effort fine = paper::effort_of(tiny.model.model.surface, tiny.nets, 0.05);
-  CHECK(fine.hardness == (fine.smallest_tab_mm > 0.0 ? 3 : 2));
+  CHECK(fine.difficulty == (fine.smallest_tab_mm > 0.0 ? 3 : 2));
 }
 
 TEST_CASE("durations and weights of paper in words", "[guide]") {
