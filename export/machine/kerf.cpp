@@ -15,6 +15,7 @@
 #include "base/near_boxes.hpp"
 #include "base/polygon.hpp"
 #include "base/segment.hpp"
+#include "export/machine/path_limits.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -35,8 +36,8 @@ constexpr double straight_mm = 3e-5;
 constexpr double sliver_mm = 0.025;
 /// How far beyond half of the kerf paper may lie that isn't cut, mm.
 constexpr double reach_mm = 0.05;
-/// No path of a machine is shorter, mm (operations.cpp); where a line in a gap is, it begins farther out.
-constexpr double shortest_line_mm = 0.21;
+/// A line in a gap that is shorter begins farther out, mm: a path as short would be left out.
+constexpr double shortest_line_mm = shortest_path_mm + 0.01;
 
 struct Grid {
   Vec2 origin;

@@ -10,13 +10,11 @@
 #include "base/polygon.hpp"
 #include "export/machine/fold_ends.hpp"
 #include "export/machine/kerf.hpp"
+#include "export/machine/path_limits.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {
 namespace {
-
-constexpr double shortest_path_mm = 0.2;
-constexpr double nearest_points_mm = 0.05;
 
 double length_of_path(const std::vector<Vec2>& points, bool closed) {
   return length_of(points) + (closed ? length(points.front() - points.back()) : 0.0);
