@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
+#include "base/elementary.hpp"
+
 namespace ridgecraft::paper {
 namespace {
-
-/// A direction that runs along no side of a model drawn with axes in mind.
-constexpr Vec3 ray_direction{0.2672612419124244, 0.5345224838248488, 0.8017837257372732};
 
 struct GroupBody {
   Box3 box;
@@ -23,31 +23,22 @@ bool holds_box(const Box3& outer, const Box3& inner) {
          inner.high.x < outer.high.x && inner.high.y < outer.high.y && inner.high.z < outer.high.z;
 }
 
-/// Moeller and Trumbore: Fast, minimum storage ray/triangle intersection, 1997.
-bool ray_meets(Vec3 start, Vec3 a, Vec3 b, Vec3 c) {
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const Vec3 p = cross(ray_direction, ac);
-  const double det = dot(ab, p);
-  if (det == 0.0) {
-    return false;
-  }
-  const Vec3 s = start - a;
-  const double u = dot(s, p) / det;
-  const Vec3 q = cross(s, ab);
-  const double v = dot(ray_direction, q) / det;
-  return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && dot(ac, q) / det > 0.0;
-}
-
+/// By how often the body winds around the point, either way round (van Oosterom, Strackee: The solid angle of
+/// a plane triangle, 1983): no edge or corner has to be missed, as with a ray.
 bool is_inside(const mesh::Surface& surface, Vec3 point, const GroupBody& body) {
-  bool inside = false;
+  double angle = 0.0;
   for (const FaceId face : body.faces) {
-    const auto [a, b, c] = surface.vertices(face);
-    if (ray_meets(point, surface.point(a), surface.point(b), surface.point(c))) {
-      inside = !inside;
-    }
+    const auto [u, v, w] = surface.vertices(face);
+    const Vec3 a = surface.point(u) - point;
+    const Vec3 b = surface.point(v) - point;
+    const Vec3 c = surface.point(w) - point;
+    const double la = length(a);
+    const double lb = length(b);
+    const double lc = length(c);
+    angle += 2.0 * elementary::atan2(dot(a, cross(b, c)),
+                                     la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
   }
-  return inside;
+  return std::abs(angle) > 2.0 * std::numbers::pi;  // half of once around
 }
 
 }  // namespace

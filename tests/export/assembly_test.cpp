@@ -173,6 +173,23 @@ TEST_CASE("inner bodies come before those around them", "[assembly]") {
   CHECK(paper::assembly_order(nested, nets).steps.front().pieces == std::vector<PieceId>{PieceId(3)});
 }
 
+TEST_CASE("a body is found inside another wherever it stands on a grid", "[assembly]") {
+  // Simple directions from a corner of it meet edges and corners of what is around it.
+  const Surface cube = test::cube();
+  for (double x = 2.0; x <= 48.0; x += 2.0) {
+    for (double y = 2.0; y <= 48.0; y += 2.0) {
+      for (double z = 2.0; z <= 48.0; z += 2.0) {
+        const Surface nested = copies(cube, {{60.0, {}}, {10.0, {x, y, z}}});
+        const unfold::Nets nets = test::simple_nets(nested);
+        if (paper::inner_groups_first(nested, nets, paper::seam_graph(nested, nets)) !=
+            std::vector<std::size_t>{1, 0}) {
+          FAIL("at " << x << ", " << y << ", " << z);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("equal bodies are built side by side", "[assembly]") {
   const Surface cube = test::cube();
   const Surface wheels = copies(cube, {{10.0, {}}, {10.0, {50.0, 0.0, 0.0}}, {10.0, {0.0, 50.0, 0.0}}});
