@@ -53,6 +53,14 @@ std::optional<std::size_t> number_in(const std::string& name, const NumberedFile
   return std::stoul(middle.substr(1));
 }
 
+Shows shown_in(Format format, const paper::Preset& preset) {
+  if (for_machines_alone(format) || (format == Format::svg && preset.is_machine()) ||
+      (format == Format::pdf && preset.pdf)) {
+    return Shows::cut;
+  }
+  return format == Format::html ? Shows::page : Shows::sheets;
+}
+
 }  // namespace
 
 void require_no_dash(const std::string& option, const std::string& output) {
@@ -72,7 +80,8 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
       // Release 12 can't tell the unit, so its files' names do.
       const bool tells_unit = format == Format::dxf && preset.dxf_kind != paper::DxfKind::r2000;
       if (page || format != Format::html) {
-        targets.push_back({format, folder, stem, (tells_unit ? "-mm" : "") + std::string(suffix(format))});
+        targets.push_back({format, folder, stem, (tells_unit ? "-mm" : "") + std::string(suffix(format)),
+                           shown_in(format, preset)});
       }
     }
   };
@@ -92,7 +101,7 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
         throw Error(ErrorKind::usage, "-o " + output + " names a page, and --no-page wants none");
       }
       targets.push_back({*format, path.has_parent_path() ? path.parent_path() : fs::path("."),
-                         path.stem().string(), path.extension().string()});
+                         path.stem().string(), path.extension().string(), shown_in(*format, preset)});
     } else {
       throw Error(ErrorKind::usage, "-o " + output + ": '" + path.extension().string() +
                                         "' is no format that can be written; " + paper_suffixes() + " are");
@@ -118,12 +127,12 @@ std::vector<Target> plan_print_and_cut(const std::vector<std::string>& outputs, 
   for (Target& target : targets) {
     if (target.stem == stem) {
       target.stem += "-cut";
-      Target print{Format::pdf, target.folder, stem + "-print", suffix(Format::pdf), false, true};
+      Target print{Format::pdf, target.folder, stem + "-print", suffix(Format::pdf), Shows::print};
       if (std::ranges::find(prints, print) == prints.end()) {
         prints.push_back(std::move(print));
       }
     } else if (target.format == Format::pdf) {
-      target.print = true;
+      target.shows = Shows::print;
     }
   }
   targets.insert(targets.begin(), prints.begin(), prints.end());
@@ -133,7 +142,7 @@ std::vector<Target> plan_print_and_cut(const std::vector<std::string>& outputs, 
 Target guide_beside(const Target& pdf) {
   Target guide = pdf;
   guide.stem += "-guide";
-  guide.guide = true;
+  guide.shows = Shows::guide;
   return guide;
 }
 

@@ -12,6 +12,15 @@
 
 namespace ridgecraft::cli {
 
+/// What somebody finds in a file.
+enum class Shows {
+  sheets,  ///< nets, as they are printed or as programs read them
+  cut,     ///< what a machine does
+  print,   ///< what is printed on sheets that a machine cuts afterwards
+  guide,   ///< how the model is built, on pages that have no nets
+  page,    ///< all of it, in a browser
+};
+
 /// One format of one result. Formats with a file per page (SVG, PNG) number the files when there are several
 /// pages.
 struct Target {
@@ -19,8 +28,7 @@ struct Target {
   std::filesystem::path folder;  ///< lexically normal
   std::string stem;
   std::string ending;  ///< ".pdf" or as the user wrote it, ".PDF"
-  bool guide = false;  ///< of pages that tell how the model is built, and not of nets
-  bool print = false;  ///< of what is printed on sheets that a machine cuts afterwards
+  Shows shows = Shows::sheets;
 
   friend bool operator==(const Target&, const Target&) = default;
 };

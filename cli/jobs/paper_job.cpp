@@ -28,11 +28,6 @@ std::string printed(const fs::path& file) {
   return file.lexically_normal().string();
 }
 
-bool for_machine(const Target& target, const PaperJob& job) {
-  return for_machines_alone(target.format) || (target.format == Format::svg && job.preset.is_machine()) ||
-         (target.format == Format::pdf && job.preset.pdf && !target.print);
-}
-
 /// Pages as they are drawn for the user's machine.
 struct Printed {
   std::vector<paper::Drawing> drawings;
@@ -80,9 +75,9 @@ struct Sheets {
   std::vector<paper::Drawing> for_machine;  ///< empty where no file is for one
 };
 
-std::vector<fs::path> pages_of(const Target& target, const PaperJob& job, const Sheets& sheets) {
+std::vector<fs::path> pages_of(const Target& target, const Sheets& sheets) {
   return files_of(target,
-                  for_machine(target, job) ? sheets.for_machine.size() : sheets.printed.drawings.size());
+                  target.shows == Shows::cut ? sheets.for_machine.size() : sheets.printed.drawings.size());
 }
 
 std::string svg_of(const Sheets& sheets, std::size_t page, const PaperJob& job) {
@@ -97,13 +92,13 @@ std::string svg_of(const Sheets& sheets, std::size_t page, const PaperJob& job) 
 
 std::string pdf_of(const Target& target, const Sheets& sheets, const PaperJob& job) {
   const paper::Mark& mark = sheets.printed.mark;
-  if (target.guide) {
+  if (target.shows == Shows::guide) {
     return paper::write_guide_pdf(sheets.made.guide.pages, sheets.made.mark);
   }
-  if (for_machine(target, job)) {
+  if (target.shows == Shows::cut) {
     return paper::write_packaging_pdf(sheets.for_machine, mark, job.preset, job.spots);
   }
-  if (!target.print) {
+  if (target.shows != Shows::print) {
     return paper::write_pdf(sheets.printed.drawings, mark);
   }
   std::vector<paper::Drawing> pages;
@@ -113,7 +108,7 @@ std::string pdf_of(const Target& target, const Sheets& sheets, const PaperJob& j
 
 /// Writes one target's files under their temporary names.
 void add_target(const Target& target, const std::vector<fs::path>& files, const Sheets& sheets,
-                const PaperJob& job, PendingFiles& pending, std::vector<std::string>& written) {
+                const PaperJob& job, PendingFiles& pending, PaperResult& result) {
   const paper::Mark& mark = sheets.printed.mark;
   for (std::size_t i = 0; i < files.size(); ++i) {
     switch (target.format) {
@@ -146,7 +141,8 @@ void add_target(const Target& target, const std::vector<fs::path>& files, const 
         pending.add(files[i], paper::write_html(sheets.made.fold, sheets.made.drawings, sheets.made.mark));
         break;
     }
-    written.push_back(printed(files[i]));
+    result.files.push_back(printed(files[i]));
+    result.shows.push_back(target.shows);
   }
 }
 
@@ -168,7 +164,7 @@ std::vector<fs::path> find_leftovers(const std::vector<Target>& targets,
       const std::vector<fs::path> leftovers =
           leftovers_of({target.folder, target.stem, target.ending}, written, digests);
       found.insert(found.end(), leftovers.begin(), leftovers.end());
-    } else if (target.format == Format::pdf && !target.guide) {
+    } else if (target.format == Format::pdf && target.shows != Shows::guide) {
       // A guide to other nets than those that stand beside it now.
       const fs::path guide = files_of(guide_beside(target), 1).front();
       const std::set<std::string> its = digests_of({guide});
@@ -203,7 +199,8 @@ bool wants_guide(const PaperJob& job) {
 }
 
 bool has_guide(const std::vector<Target>& targets) {
-  return std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.guide; });
+  return std::any_of(targets.begin(), targets.end(),
+                     [](const Target& target) { return target.shows == Shows::guide; });
 }
 
 /// What is known of the outputs is checked before the long work.
@@ -297,16 +294,16 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   clock.add(result.made.seconds);
   clock("write", context, [&] {
     Sheets sheets{result.made, printed_pages(result.made, job), {}};
-    if (std::ranges::any_of(targets, [&](const Target& target) { return for_machine(target, job); })) {
+    if (std::ranges::any_of(targets, [](const Target& target) { return target.shows == Shows::cut; })) {
       sheets.for_machine = machine_pages(result.made, job);
     }
     std::vector<std::vector<fs::path>> files;
     for (const Target& target : targets) {
-      files.push_back(pages_of(target, job, sheets));
+      files.push_back(pages_of(target, sheets));
     }
     require_all_replaceable(job, files, digest);
     for (std::size_t i = 0; i < targets.size(); ++i) {
-      add_target(targets[i], files[i], sheets, job, pending, result.files);
+      add_target(targets[i], files[i], sheets, job, pending, result);
     }
     context.check();
     result.file_notes = pending.commit([&] {
@@ -343,6 +340,7 @@ PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles
     clock("write", context, [&] {
       pending.add(job.output, result.made.fold);
       result.files.push_back(job.output);
+      result.shows.push_back(Shows::sheets);
       context.check();
       result.file_notes = pending.commit([&]() -> std::vector<fs::path> {
         require_replaceable(job.output, result.made.prepared.model.digest, job.overwrite);

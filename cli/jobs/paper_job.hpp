@@ -7,6 +7,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/files/set/pending_files.hpp"
+#include "cli/files/targets.hpp"
 #include "job/job.hpp"
 
 namespace ridgecraft::cli {
@@ -14,6 +15,7 @@ namespace ridgecraft::cli {
 struct PaperResult {
   job::Paper made;
   std::vector<std::string> files;       ///< that were written
+  std::vector<Shows> shows;             ///< of each of these
   std::vector<std::string> file_notes;  ///< PendingFiles::commit
   job::StageSeconds seconds;            ///< reading and writing included
 };

@@ -126,15 +126,15 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
 std::string next_line(const PaperResult& result) {
   const job::Paper& made = result.made;
   Clauses clauses;
-  const auto pdf = std::find_if(result.files.begin(), result.files.end(),
-                                [](const std::string& file) { return file.ends_with(".pdf"); });
-  if (pdf != result.files.end()) {
-    clauses.push_back("print " + std::filesystem::path(*pdf).filename().string() + " at 100 %");
-  }
   std::vector<std::string> guides;
-  for (const std::string& file : result.files) {
-    if ((file.ends_with("-guide.pdf") && !made.guide.pages.empty()) || file.ends_with(".html")) {
-      guides.push_back(std::filesystem::path(file).filename().string());
+  for (std::size_t i = 0; i < result.files.size(); ++i) {
+    const std::string name = std::filesystem::path(result.files[i]).filename().string();
+    const Shows shows = result.shows[i];
+    if (clauses.empty() && suffix_of(name) == ".pdf" && (shows == Shows::sheets || shows == Shows::print)) {
+      clauses.push_back("print " + name + " at 100 %");
+    }
+    if ((shows == Shows::guide && !made.guide.pages.empty()) || shows == Shows::page) {
+      guides.push_back(name);
     }
   }
   if (!guides.empty()) {

@@ -150,6 +150,23 @@ TEST_CASE("the kerf test is calibrated like the pieces beside it", "[machine_opt
   }));
 }
 
+TEST_CASE("the summary tells to print what is printed, not what a machine cuts", "[machine_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const auto told = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"house.obj", "--size", "8cm"});
+    const Outcome outcome = run_program(words, in(folder));
+    REQUIRE(outcome.exit_code == 0);
+    return outcome.out;
+  };
+  CHECK(told({"--preset", "packaging"}).find("print ") == std::string::npos);
+  CHECK(told({"--preset", "silhouette", "--print-and-cut"}).find("print house-silhouette-print.pdf at") !=
+        std::string::npos);
+  const std::string own = told({"-o", "by-guide.pdf", "--no-guide"});
+  CHECK(own.find("print by-guide.pdf at") != std::string::npos);
+  CHECK(own.find("build it by") == std::string::npos);
+}
+
 TEST_CASE("a cube of board has faces as wide as it leaves them", "[machine_options]") {
   const TemporaryFolder folder;
   write_bytes(folder / "cube.obj",
