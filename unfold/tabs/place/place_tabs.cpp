@@ -138,15 +138,15 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
     give_up(nets);
     return;
   }
-  std::vector<TabSite> sites =
-      find_tab_sites(surface, panels, nets, with_greatest_height(options, wishes), context);
+  const TabOptions highest = with_greatest_height(options, wishes);
+  std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, highest, context);
   if (context.out_of_grace()) {
     give_up(nets);
     return;
   }
   for (TabSite& site : sites) {
     if (site.piece.value() < rooms.size() && rooms[site.piece.value()]) {
-      add_walls(*rooms[site.piece.value()], with_greatest_height(options, wishes), site);
+      add_walls(*rooms[site.piece.value()], highest, site);
     }
   }
   auto chosen = assign_tabs(sites, preferred_sides(sites), options, context, wishes);
