@@ -34,7 +34,7 @@ void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, cons
   if (choice.any()) {
     const std::vector<TabWish> wishes = tab_wishes(surface, nets, options.tabs, choice);
     give_tabs_once(surface, panels, options, nets, context, wishes);
-    add_more_tabs(surface, panels, options, wishes, choice.borders, nets, context);
+    add_more_tabs(surface, panels, options, wishes, choice, nets, context);
   }
 }
 

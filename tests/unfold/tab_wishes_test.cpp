@@ -156,6 +156,39 @@ TEST_CASE("second tabs stand on the other side, clear of all others", "[tab_wish
   }
 }
 
+TEST_CASE("second tabs that are higher than others overlap nothing", "[tab_wishes]") {
+  const Sample sample = box();
+  TabChoice choice = with_sides(TabSides::both);
+  choice.heights_mm = {{0.0, 3.0}, {14.0, 8.0}};
+  unfold::Options options;
+  options.tabs.height_mm = 3.0;
+  Nets nets = sample.nets;
+  unfold::replace_tabs(sample.surface, sample.panels, options, nets, {}, choice);
+  std::size_t high = 0;
+  for (const TabId t : ids<TabId>(nets.tabs.size())) {
+    high += unfold::is_additional(nets, t) && height_of(nets.tabs[t]) > 3.1 ? 1U : 0U;
+    const unfold::ConvexShape tab(std::span<const Vec2>(nets.tabs[t].polygon));
+    for (const FaceId f : nets.pieces[nets.piece[mesh::face_of(nets.tabs[t].side)]].faces) {
+      CHECK(unfold::separation(tab, unfold::ConvexShape(std::span<const Vec2>(nets.flat[f]))) > -1e-6);
+    }
+  }
+  CHECK(high > 0);
+}
+
+TEST_CASE("tabs at borders follow the length of the edge, too", "[tab_wishes]") {
+  Sample sample{test::scaled(test::revolve({{1.0, 0.0}, {1.0, 1.0}}, 6), 30.0), {}, {}};
+  sample.panels = test::flat_panels(sample.surface);
+  sample.nets = test::lay_out(sample.surface, test::shuffled(sample.surface, 1));
+  TabChoice choice = with_borders();
+  choice.heights_mm = {{0.0, 3.0}, {14.0, 8.0}};
+  const Nets nets = chosen(sample, choice);
+  std::size_t full = 0;
+  for (const unfold::Tab& tab : nets.tabs) {
+    full += !tab.join.valid() && std::abs(height_of(tab) - 8.0) < 1e-6 ? 1U : 0U;
+  }
+  CHECK(full >= 6);
+}
+
 TEST_CASE("borders get tabs where they are wanted", "[tab_wishes]") {
   Sample sample{test::scaled(test::revolve({{1.0, 0.0}, {1.0, 1.0}}, 6), 30.0), {}, {}};
   sample.panels = test::flat_panels(sample.surface);

@@ -24,12 +24,12 @@ struct Standing {
 
 class MoreTabs {
  public:
-  MoreTabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options, Nets& nets,
-           const Context& context)
-      : surface_(surface), nets_(nets), options_(options), standing_(nets.pieces.size()) {
+  MoreTabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
+           std::span<const TabWish> wishes, Nets& nets, const Context& context)
+      : surface_(surface), nets_(nets), options_(options), wishes_(wishes), standing_(nets.pieces.size()) {
     // What is glued to another tab may be larger than the face behind it.
     options_.inside_target = false;
-    sites_ = find_tab_sites(surface, panels, nets, options_, context);
+    sites_ = find_tab_sites(surface, panels, nets, with_greatest_height(options_, wishes), context);
     for (std::size_t s = 0; s < sites_.size(); ++s) {
       const Join& join = nets.joins[JoinId(static_cast<std::uint32_t>(s / 2))];
       if (join.tab.valid() && nets.tabs[join.tab].side == sites_[s].side) {
@@ -40,10 +40,10 @@ class MoreTabs {
     }
   }
 
-  void add_seconds(std::span<const TabWish> wishes) {
+  void add_seconds() {
     for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
       const Join& join = nets_.joins[j];
-      if (!wishes[j.value()].second || !join.tab.valid()) {
+      if (!wishes_[j.value()].second || !join.tab.valid()) {
         continue;
       }
       const std::size_t even = std::size_t{2} * j.value();
@@ -51,14 +51,19 @@ class MoreTabs {
       const TabSite& own = sites_[first];
       const TabSite& other = sites_[first ^ 1U];
       const ConvexShape shape = own.own.in(ConvexShape(std::span<const Vec2>(nets_.tabs[join.tab].polygon)));
-      add(other, turned_over(shape, other.length), wishes[j.value()].options, j);
+      add(other, turned_over(shape, other.length), wishes_[j.value()].options, j);
     }
   }
 
-  void add_borders(const Context& context) {
-    for (const TabSite& site : find_border_sites(surface_, nets_, options_, context)) {
-      add(site, largest_tab({0.0, site.length, site.length}, site.obstacles, options_, TabNeed::usable),
-          options_, JoinId());
+  void add_borders(const TabChoice& choice, const Context& context) {
+    TabOptions highest = options_;
+    for (const FromLength& step : choice.heights_mm) {
+      highest.height_mm = std::max(highest.height_mm, step.value);
+    }
+    for (const TabSite& site : find_border_sites(surface_, nets_, highest, context)) {
+      const TabOptions own = options_for(options_, choice, surface_.length(surface_.edge(site.side)));
+      add(site, largest_tab({0.0, site.length, site.length}, site.obstacles, own, TabNeed::usable), own,
+          JoinId());
     }
   }
 
@@ -89,6 +94,7 @@ class MoreTabs {
   const mesh::Surface& surface_;
   Nets& nets_;
   TabOptions options_;
+  std::span<const TabWish> wishes_;  // of each join
   std::vector<TabSite> sites_;
   IdVector<PieceId, std::vector<Standing>> standing_;
 };
@@ -120,12 +126,13 @@ bool is_additional(const Nets& nets, TabId tab) {
 }
 
 void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                   std::span<const TabWish> wishes, bool borders, Nets& nets, const Context& context) {
+                   std::span<const TabWish> wishes, const TabChoice& choice, Nets& nets,
+                   const Context& context) {
   const std::size_t first = nets.tabs.size();
-  MoreTabs more(surface, panels, options.tabs, nets, context);
-  more.add_seconds(wishes);
-  if (borders) {
-    more.add_borders(context);
+  MoreTabs more(surface, panels, options.tabs, wishes, nets, context);
+  more.add_seconds();
+  if (choice.borders) {
+    more.add_borders(choice, context);
   }
   if (options.sheet && nets.tabs.size() > first) {
     drop_beyond(surface, *options.sheet, first, nets);

@@ -9,6 +9,7 @@
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
+#include "unfold/net/tab_choice.hpp"
 #include "unfold/tabs/place/tab_wishes.hpp"
 
 namespace ridgecraft::unfold {
@@ -17,10 +18,11 @@ namespace ridgecraft::unfold {
 [[nodiscard]] bool is_additional(const Nets& nets, TabId tab);
 
 /// Gives joins whose wish asks for it a second tab, the mirror image of the first one or what room leaves of
-/// it: the two are glued to each other. With `borders` tabs at borders, too, which have no join. They come
-/// after all others, keep clear of them, and are left out on pieces that don't fit the sheet with them. O(n
-/// log n) for pieces of bounded size. Throws Error(interrupted).
+/// it: the two are glued to each other. Where the choice wants them, tabs at borders, too, which have no
+/// join. They come after all others, keep clear of them, and are left out on pieces that don't fit the sheet
+/// with them. O(n log n) for pieces of bounded size. Throws Error(interrupted).
 void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                   std::span<const TabWish> wishes, bool borders, Nets& nets, const Context& context);
+                   std::span<const TabWish> wishes, const TabChoice& choice, Nets& nets,
+                   const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -100,14 +100,6 @@ NoTab reason_for_none(const TabSite& a, const TabSite& b, const TabOptions& opti
   return NoTab::target_too_small;
 }
 
-/// For what may lie in the way of any tab.
-TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wishes) {
-  for (const TabWish& wish : wishes) {
-    options.height_mm = std::max(options.height_mm, wish.options.height_mm);
-  }
-  return options;
-}
-
 /// No tabs: there is no time to find places for them.
 void give_up(Nets& nets) {
   for (Join& join : nets.joins) {

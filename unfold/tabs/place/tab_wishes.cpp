@@ -22,18 +22,20 @@ double value_for(const std::vector<FromLength>& steps, double length_mm, double 
   return otherwise;
 }
 
+void set_angle(double angle, TabOptions& options) {
+  options.angle = angle;
+  options.steepest_angle = std::max(options.steepest_angle, angle);
+}
+
 class WishMaker {
  public:
   WishMaker(const mesh::Surface& surface, const Nets& nets) : surface_(surface), nets_(nets) {}
 
   std::vector<TabWish> make(const TabOptions& options, const TabChoice& choice) {
     for (const Join& join : nets_.joins) {
-      const double length = surface_.length(join.edge);
       TabWish wish;
       wish.second = choice.sides == TabSides::both;
-      wish.options = options;
-      wish.options.height_mm = value_for(choice.heights_mm, length, options.height_mm);
-      set_angle(value_for(choice.angles, length, options.angle), wish);
+      wish.options = options_for(options, choice, surface_.length(join.edge));
       wishes_.push_back(wish);
     }
     if (choice.sides == TabSides::one_side) {
@@ -48,10 +50,6 @@ class WishMaker {
   }
 
  private:
-  static void set_angle(double angle, TabWish& wish) {
-    wish.options.angle = angle;
-    wish.options.steepest_angle = std::max(wish.options.steepest_angle, angle);
-  }
   [[nodiscard]] PieceId piece_at(const Join& join, std::uint8_t side) const {
     return nets_.piece[mesh::face_of(surface_.sides(join.edge)[side])];
   }
@@ -120,7 +118,7 @@ class WishMaker {
       wish.no_other_side = first != second;
     }
     wish.options.height_mm = asked.height_mm.value_or(wish.options.height_mm);
-    set_angle(asked.angle.value_or(wish.options.angle), wish);
+    set_angle(asked.angle.value_or(wish.options.angle), wish.options);
   }
 
   const mesh::Surface& surface_;
@@ -129,6 +127,20 @@ class WishMaker {
 };
 
 }  // namespace
+
+TabOptions options_for(const TabOptions& options, const TabChoice& choice, double length_mm) {
+  TabOptions own = options;
+  own.height_mm = value_for(choice.heights_mm, length_mm, options.height_mm);
+  set_angle(value_for(choice.angles, length_mm, options.angle), own);
+  return own;
+}
+
+TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wishes) {
+  for (const TabWish& wish : wishes) {
+    options.height_mm = std::max(options.height_mm, wish.options.height_mm);
+  }
+  return options;
+}
 
 std::vector<TabWish> tab_wishes(const mesh::Surface& surface, const Nets& nets, const TabOptions& options,
                                 const TabChoice& choice) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mesh/model/surface.hpp"
@@ -21,6 +22,12 @@ struct TabWish {
   bool no_other_side = false;        ///< rather no tab than one on the other side
   TabOptions options;                ///< its height and angle
 };
+
+/// Height and angle of tabs on edges of this length.
+[[nodiscard]] TabOptions options_for(const TabOptions& options, const TabChoice& choice, double length_mm);
+
+/// As high as the highest tab that is asked for: for what may lie in the way of any of them.
+[[nodiscard]] TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wishes);
 
 /// One for each join of nets that have tabs already: along a seam of two pieces, those tell which of them
 /// gives more of it. Throws Error(unreadable_input) where a number belongs to no join, or a piece to none of
