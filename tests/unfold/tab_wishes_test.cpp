@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tabs by choice: on which side of a cut, how high, second ones and such at borders.
+#include "unfold/tabs/place/tab_wishes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -127,6 +129,32 @@ TEST_CASE("what is asked of an edge by its number is done", "[tab_wishes]") {
   asked.wanted = true;
   asked.piece = "ZZZ";
   CHECK_THROWS_AS(chosen(sample, with_edge(asked)), Error);
+}
+
+TEST_CASE("what is asked of an edge is kept where pieces are equal", "[tab_wishes]") {
+  // Six squares: their tabs are made alike where nobody asks for another.
+  Sample sample{test::scaled(test::cube(), 40.0), {}, {}};
+  sample.panels = test::flat_panels(sample.surface);
+  std::vector<EdgeId> cuts;
+  for (const EdgeId edge : ids<EdgeId>(sample.surface.edge_count())) {
+    if (std::abs(sample.surface.fold_angle(edge)) > 0.1) {
+      cuts.push_back(edge);
+    }
+  }
+  sample.nets = test::lay_out(sample.surface, test::panels_first(sample.surface), cuts);
+  REQUIRE(sample.nets.pieces.size() == 6);
+  REQUIRE(chosen(sample, {}).tabs.size() == 12);
+  for (std::uint32_t number = 1; number <= 12; ++number) {
+    unfold::EdgeTab asked;
+    asked.number = number;
+    asked.where = "tabs.txt, line 1";
+    asked.height_mm = 2.0;
+    const Nets nets = chosen(sample, with_edge(asked));
+    REQUIRE(nets.tabs.size() == 12);
+    for (const unfold::Tab& tab : nets.tabs) {
+      CHECK(height_of(tab) == Approx(nets.joins[tab.join].number == number ? 2.0 : 5.0));
+    }
+  }
 }
 
 TEST_CASE("second tabs stand on the other side, clear of all others", "[tab_wishes]") {

@@ -76,11 +76,11 @@ ConvexShape fitted(const ConvexShape& shape, double before, double length) {
 
 class TabCopier {
  public:
-  TabCopier(const std::vector<TabSite>& sites, const TabOptions& options)
-      : sites_(sites), options_(options) {}
+  TabCopier(const std::vector<TabSite>& sites, const TabOptions& options, std::span<const TabWish> wishes)
+      : sites_(sites), options_(options), wishes_(wishes) {}
 
-  /// The tabs of one piece on another; nothing where a join would lose its tab, or a tab would be in
-  /// something's way. `from`, `to`: sites of either that belong together.
+  /// The tabs of one piece on another; nothing where a join would lose its tab, a tab would be in something's
+  /// way, or one would be another than is wished. `from`, `to`: sites of either that belong together.
   [[nodiscard]] std::optional<Chosen> copied(const Chosen& chosen, const Images& from, const Images& to,
                                              bool mirrored) const {
     Chosen result = chosen;
@@ -93,7 +93,7 @@ class TabCopier {
         if (mirrored) {
           copy.shape.outline = turned_over(copy.shape.outline, sites_[to[i]].length);
         }
-        if (!is_clear(sites_[to[i]], copy.shape.outline)) {
+        if (!is_wished(from[i], to[i], own) || !is_clear(sites_[to[i]], copy.shape.outline)) {
           return std::nullopt;
         }
         own = copy;
@@ -138,6 +138,18 @@ class TabCopier {
   [[nodiscard]] bool gets_another(const Chosen& chosen, std::uint32_t site) const {
     return chosen[site / 2] && sites_[site].piece == sites_[site].target_piece;
   }
+  /// Whether what is wished of one site is wished of the other, too, where now `own` is the tab of the join.
+  [[nodiscard]] bool is_wished(std::uint32_t from, std::uint32_t to,
+                               const std::optional<ChosenTab>& own) const {
+    if (wishes_.empty()) {
+      return true;
+    }
+    const TabWish& there = wishes_[from / 2];
+    const TabWish& wish = wishes_[to / 2];
+    const bool at_its_side = !wish.side || *wish.side == to % 2 || (own && own->site == to);
+    return wish.wanted && at_its_side && wish.options.height_mm == there.options.height_mm &&
+           wish.options.angle == there.options.angle;
+  }
   [[nodiscard]] bool is_clear(const TabSite& site, const ConvexShape& shape) const {
     return std::all_of(site.obstacles.begin(), site.obstacles.end(), [&](const Obstacle& obstacle) {
       return clear_of(shape, obstacle, options_.clearance_mm - equal_clearance_mm);
@@ -146,6 +158,7 @@ class TabCopier {
 
   const std::vector<TabSite>& sites_;
   const TabOptions& options_;
+  std::span<const TabWish> wishes_;  // of each join, or none
 };
 
 }  // namespace
@@ -161,7 +174,8 @@ ConvexShape turned_over(const ConvexShape& shape, double length) {
 }
 
 void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector<TabSite>& sites,
-               const TabOptions& options, std::vector<std::optional<ChosenTab>>& chosen) {
+               const TabOptions& options, std::span<const TabWish> wishes,
+               std::vector<std::optional<ChosenTab>>& chosen) {
   std::size_t faces = 0;
   for (const Piece& piece : nets.pieces) {
     faces += piece.faces.size();
@@ -177,7 +191,7 @@ void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector
   for (std::uint32_t s = 0; s < sites.size(); ++s) {
     of_piece[sites[s].piece].push_back(s);
   }
-  const TabCopier copier(sites, options);
+  const TabCopier copier(sites, options, wishes);
   for (const std::vector<EqualPiece>& kind : kinds) {
     std::vector<std::pair<Images, bool>> members;  // in the order of the first one's sites, mirrored
     for (const EqualPiece& equal : kind) {

@@ -142,10 +142,7 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
     }
   }
   auto chosen = assign_tabs(sites, preferred_sides(sites), options, context, wishes);
-  const auto asks_for_a_side = [](const TabWish& wish) { return !wish.wanted || wish.no_other_side; };
-  if (std::none_of(wishes.begin(), wishes.end(), asks_for_a_side)) {
-    even_tabs(surface, nets, sites, options, chosen);
-  }
+  even_tabs(surface, nets, sites, options, wishes, chosen);
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];
     const auto& tab = chosen[j.value()];
