@@ -131,6 +131,26 @@ TEST_CASE("what is asked of an edge by its number is done", "[tab_wishes]") {
   CHECK_THROWS_AS(chosen(sample, with_edge(asked)), Error);
 }
 
+TEST_CASE("of what is asked of an edge several times the last counts alone", "[tab_wishes]") {
+  const Sample sample = box();
+  const Nets plain = chosen(sample, {});
+  unfold::EdgeTab first;
+  first.number = plain.joins[JoinId(0)].number;
+  first.where = "tabs.txt, line 1";
+  first.both = true;
+  first.height_mm = 2.0;
+  unfold::EdgeTab last;
+  last.number = first.number;
+  last.where = "tabs.txt, line 2";
+  last.angle = 1.0;
+  TabChoice choice;
+  choice.edges = {first, last};
+  const std::vector<unfold::TabWish> wishes = unfold::tab_wishes(sample.surface, plain, {}, choice);
+  CHECK_FALSE(wishes[0].second);
+  CHECK(wishes[0].options.height_mm == 5.0);
+  CHECK(wishes[0].options.angle == 1.0);
+}
+
 TEST_CASE("what is asked of an edge is kept where pieces are equal", "[tab_wishes]") {
   // Six squares: their tabs are made alike where nobody asks for another.
   Sample sample{test::scaled(test::cube(), 40.0), {}, {}};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,9 +44,7 @@ class WishMaker {
     } else if (choice.sides == TabSides::alternate) {
       alternate();
     }
-    for (const EdgeTab& edge : choice.edges) {
-      heed(edge);
-    }
+    heed(choice.edges);
     return std::move(wishes_);
   }
 
@@ -89,17 +88,25 @@ class WishMaker {
     }
   }
 
-  void heed(const EdgeTab& asked) {
-    bool found = false;
+  /// Of what is asked for one number the last counts.
+  void heed(const std::vector<EdgeTab>& asked) {
+    std::map<std::uint32_t, const EdgeTab*> last;
+    for (const EdgeTab& edge : asked) {
+      last[edge.number] = &edge;
+    }
+    std::set<std::uint32_t> met;
     for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
-      if (nets_.joins[j].number == asked.number) {
-        heed(asked, nets_.joins[j], wishes_[j.value()]);
-        found = true;
+      const Join& join = nets_.joins[j];
+      if (const auto found = last.find(join.number); found != last.end()) {
+        heed(*found->second, join, wishes_[j.value()]);
+        met.insert(join.number);
       }
     }
-    if (!found) {
-      throw Error(ErrorKind::unreadable_input,
-                  fmt::format("{}: no edge that is glued has the number {}", asked.where, asked.number));
+    for (const EdgeTab& edge : asked) {
+      if (!met.contains(edge.number)) {
+        throw Error(ErrorKind::unreadable_input,
+                    fmt::format("{}: no edge that is glued has the number {}", edge.where, edge.number));
+      }
     }
   }
 
