@@ -60,7 +60,9 @@ class Process {
     sigset_t none;
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+    // Ctrl-C is for us alone: we end it, and nobody reads that it broke down.
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
     std::array<std::string, 2> words{program, format};
     std::array<char*, 3> arguments{words[0].data(), words[1].data(), nullptr};
     // Nothing of the environment concerns it.
