@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/patch/forest.hpp"
 
+#include "base/error.hpp"
+
 namespace ridgecraft::unfold {
 
 RootedTree rooted_tree(const Patch& patch, const Folds& folds, std::uint32_t root,
@@ -17,6 +19,9 @@ RootedTree rooted_tree(const Patch& patch, const Folds& folds, std::uint32_t roo
         continue;
       }
       const std::uint32_t twin = patch.twin[side];
+      if (const std::uint32_t at = place[twin / 3]; at < tree.order.size() && tree.order[at] == twin / 3) {
+        throw Error(ErrorKind::internal, "the folds of a piece close a circle");
+      }
       place[twin / 3] = static_cast<std::uint32_t>(tree.order.size());
       tree.order.push_back(twin / 3);
       tree.up.push_back(twin);

@@ -16,7 +16,8 @@ struct RootedTree {
 };
 
 /// The tree of folds that holds `root`. O(its size). `place` must have a slot for each face of the patch;
-/// afterwards it has the place in order of each face of the tree, other slots are left alone.
+/// afterwards it has the place in order of each face of the tree, other slots are left alone. Throws
+/// Error(internal) where the folds close a circle, which no tree does.
 [[nodiscard]] RootedTree rooted_tree(const Patch& patch, const Folds& folds, std::uint32_t root,
                                      std::vector<std::uint32_t>& place);
 
