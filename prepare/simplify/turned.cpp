@@ -116,8 +116,9 @@ class Recogniser {
     }
     const auto sort = [&](std::size_t from, std::size_t to, std::size_t key) {
       std::sort(order.begin() + static_cast<std::ptrdiff_t>(from),
-                order.begin() + static_cast<std::ptrdiff_t>(to),
-                [&](std::uint32_t a, std::uint32_t b) { return at[a][key] < at[b][key]; });
+                order.begin() + static_cast<std::ptrdiff_t>(to), [&](std::uint32_t a, std::uint32_t b) {
+                  return std::pair(at[a][key], a) < std::pair(at[b][key], b);
+                });
     };
     // The end of what lies within the tolerance of its first one.
     const auto level_end = [&](std::size_t from, std::size_t limit, std::size_t key) {
