@@ -315,9 +315,14 @@ void ObjReader::read_usemtl() {
   material_from_.emplace_back(soup_.polygon_count(), number);
 }
 
-/// Most of a text that is cut off is points that its faces are lacking to.
+/// Most of a text that is cut off is points that its faces are lacking to. Nothing is known where elements
+/// were ignored, which may use points, or where a remark of the program that wrote it comes last.
 void ObjReader::require_whole_text() {
-  if (soup_.polygon_count() == 0 || is_line_end(source_.bytes.back())) {
+  if (soup_.polygon_count() == 0 || is_line_end(source_.bytes.back()) || ignored_.count > 0) {
+    return;
+  }
+  const auto last_line = std::find_if(source_.bytes.rbegin(), source_.bytes.rend(), is_line_end).base();
+  if (last_line != source_.bytes.end() && *last_line == '#') {
     return;
   }
   std::vector<bool> used(soup_.points.size(), false);

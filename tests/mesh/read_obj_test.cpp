@@ -218,5 +218,10 @@ TEST_CASE("OBJ: a text that ends early is refused, wherever within its lines") {
   CHECK(refusal(text.substr(0, text.size() - 1), "obj").empty());
   CHECK(refusal("v 7 7 7\nv 8 8 8\n" + std::string(three_points) + "f -3 -2 -1", "obj").empty());
   // Points that only marked edges use are used.
-  CHECK(refusal(std::string(three_points) + "v 0 0 1\nv 0 1 1\nv 1 1 1\nf 1 2 3\nl 4 5 6", "obj").empty());
+  const std::string six_points = std::string(three_points) + "v 0 0 1\nv 0 1 1\nv 1 1 1\n";
+  CHECK(refusal(six_points + "f 1 2 3\nl 4 5 6", "obj").empty());
+  // So are those of elements that are ignored, and who ends with a remark has written all.
+  CHECK(refusal(six_points + "p 4 5 6\nf 1 2 3", "obj").empty());
+  CHECK(refusal(six_points + "f 1 2 3\n# 1 face", "obj").empty());
+  CHECK_FALSE(refusal(six_points + "# 1 face\nf 1 2 3", "obj").empty());
 }
