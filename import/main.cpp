@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft-import FORMAT: reads a model of that format from standard input by Assimp, and writes what is in
 // it to standard output (mesh/reading/imported/stream.hpp). Not to be called by people: ridgecraft does,
-// where it lets others read for it. Nothing here trusts Assimp: the process can open no files, write none,
-// and has little time and memory.
+// where it lets others read for it. Nothing here trusts Assimp: the system lets the process open no file,
+// write to none, start no other and gain no rights, and it has little time and memory.
 #include <array>
 #include <csignal>
 #include <cstdlib>
@@ -113,8 +113,11 @@ int main(int argc, char** argv) {
   limit(RLIMIT_FSIZE, 0);
   limit(RLIMIT_CPU, most_seconds);
 #if !defined(RIDGECRAFT_SANITIZED)
-  limit(RLIMIT_AS, most_memory);  // a sanitizer's bookkeeping alone takes more
+  limit(RLIMIT_AS, most_memory);  // a sanitizer's bookkeeping alone takes more, and it opens files
+  limit(RLIMIT_NOFILE, 0);        // standard input and output are open already
+  limit(RLIMIT_NPROC, 0);
 #endif
+  (void)prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (argc != 2) {
     return 2;

@@ -2,6 +2,7 @@
 // Formats that a program beside ours reads: what comes through the pipe, and what happens where it breaks
 // down.
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <set>
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include "base/random.hpp"
 #include "imported_seeds.hpp"
@@ -193,6 +195,39 @@ TEST_CASE("A reader that breaks down costs one sentence", "[imported]") {
   context.stop = stop.get_token();
   stop.request_stop();
   CHECK_THROWS_AS(mesh::parse_soup(bytes, "a.fbx", {}, context, script(folder, "sleep 100")), Error);
+}
+
+TEST_CASE("A terminal's signals reach the reader through us alone", "[imported]") {
+  const TemporaryFolder folder;
+  const std::string told = (folder / "group").string();
+  (void)import_refusal(
+      fbx_tower(), "a.fbx",
+      script(folder, "read -r id name state parent group rest </proc/self/stat; echo $group >" + told));
+  int group = 0;
+  REQUIRE(std::ifstream(told) >> group);
+  CHECK(group != ::getpgrp());
+}
+
+TEST_CASE("The reader can open nothing and start nothing", "[imported]") {
+#if defined(RIDGECRAFT_SANITIZED)
+  WARN("sanitizers open files of their own: skipped");
+#else
+  if (!is_built()) {
+    return;
+  }
+  // It waits for its input for as long as the shell holds the other end.
+  const TemporaryFolder folder;
+  const auto file = script(folder, "cd " + folder.path().string() + "\nmkfifo hold\n" + importer.string() +
+                                       " FBX <hold >/dev/null &\nexec 3>hold\n"
+                                       "for i in $(seq 500); do\n"
+                                       "  sleep 0.02\n"
+                                       "  grep -q '^Max open files  *0 ' /proc/$!/limits &&\n"
+                                       "    grep -q '^Max processes  *0 ' /proc/$!/limits &&\n"
+                                       "    grep -q '^NoNewPrivs:.*1' /proc/$!/status && exit 0\n"
+                                       "done\n"
+                                       "exit 1");
+  CHECK(std::system(file.c_str()) == 0);
+#endif
 }
 
 TEST_CASE("What comes through the pipe is checked as a file is", "[imported]") {
