@@ -61,7 +61,6 @@ export const texts = {
   notes_label: ["What to look at", "Was zu beachten ist"],
   notes_1: ["{n} note", "{n} Hinweis"],
   notes_n: ["{n} notes", "{n} Hinweise"],
-  step: ["Step {n}", "Schritt {n}"],
   guide_title: ["How to build it: {title}", "So wird gebaut: {title}"],
   on_page: ["{page}: {names}", "{page}: {names}"],
   close: ["Close", "Schließen"],
