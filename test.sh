@@ -7,6 +7,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 preset=test
 target=all
+only=
 while [ $# -gt 0 ]; do
   case "$1" in
     --asan) preset=asan ;;
@@ -43,4 +44,7 @@ export LSAN_OPTIONS="suppressions=$here/tests/leaks.supp:print_suppressions=0"
 
 cd "$here/build/$preset"
 # shellcheck disable=SC2086 # two words on purpose
-exec ctest --output-on-failure -j "$jobs" ${only:-} "$@"
+ctest --output-on-failure -j "$jobs" $only "$@" && outcome=0 || outcome=$?
+# What a test couldn't do here, which ctest keeps to itself.
+sed -n 's/^ *skipped: /skipped: /p' Testing/Temporary/LastTest.log 2>/dev/null | sort | uniq -c >&2 || true
+exit "$outcome"

@@ -4,4 +4,10 @@
 # mends it.
 set -eu
 cd "$(dirname "$0")/.."
-git ls-files '*.cpp' '*.hpp' | xargs -P "$(nproc)" -n 50 clang-format --dry-run -Werror
+# Apart, for a pipe tells nothing of git's failure: then nothing would be looked at.
+files=$(git ls-files '*.cpp' '*.hpp')
+[ -n "$files" ] || {
+  echo "format: git names no files" >&2
+  exit 1
+}
+printf '%s\n' "$files" | xargs -P "$(nproc)" -n 50 clang-format --dry-run -Werror

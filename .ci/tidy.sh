@@ -70,5 +70,5 @@ print(f"tidy: {len(files) - len(late)} of {len(files)} changed files looked at, 
       file=sys.stderr)
 if late:
     print("tidy: no time left for " + " ".join(late), file=sys.stderr)
-sys.exit(1 if bad else 0)
+sys.exit(1 if bad or late else 0)
 END
