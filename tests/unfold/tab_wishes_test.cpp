@@ -3,8 +3,10 @@
 #include "unfold/tabs/place/tab_wishes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -63,6 +65,19 @@ TabChoice with_borders() {
   TabChoice choice;
   choice.borders = true;
   return choice;
+}
+
+Surface stretched(const Surface& surface, Vec3 factors) {
+  std::vector<Vec3> points;
+  for (const VertexId v : ids<VertexId>(surface.vertex_count())) {
+    const Vec3 p = surface.point(v);
+    points.push_back({factors.x * p.x, factors.y * p.y, factors.z * p.z});
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    faces.push_back(surface.vertices(f));
+  }
+  return Surface(points, faces);
 }
 
 double height_of(const unfold::Tab& tab) {
@@ -205,13 +220,29 @@ TEST_CASE("second tabs stand on the other side, clear of all others", "[tab_wish
 }
 
 TEST_CASE("second tabs that are higher than others overlap nothing", "[tab_wishes]") {
-  const Sample sample = box();
+  // A U with arms of 9 mm and 4.5 mm between them: within its front there is no room for a high tab.
+  std::vector<std::array<int, 3>> cubes;
+  for (int x = 0; x < 5; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      if (x != 2 || y == 0) {
+        cubes.push_back({x, y, 0});
+      }
+    }
+  }
+  const Surface letter = stretched(test::voxels(cubes), {4.5, 18.0, 18.0});
+  std::vector<EdgeId> cuts;
+  for (const EdgeId edge : ids<EdgeId>(letter.edge_count())) {
+    if (std::abs(letter.fold_angle(edge)) > 0.1) {
+      cuts.push_back(edge);
+    }
+  }
+  Nets nets = test::lay_out(letter, test::panels_first(letter), cuts);
   TabChoice choice = with_sides(TabSides::both);
   choice.heights_mm = {{0.0, 3.0}, {14.0, 8.0}};
+  choice.angles = {{0.0, std::numbers::pi / 2}};
   unfold::Options options;
   options.tabs.height_mm = 3.0;
-  Nets nets = sample.nets;
-  unfold::replace_tabs(sample.surface, sample.panels, options, nets, {}, choice);
+  unfold::replace_tabs(letter, test::flat_panels(letter), options, nets, {}, choice);
   std::size_t high = 0;
   for (const TabId t : ids<TabId>(nets.tabs.size())) {
     high += unfold::is_additional(nets, t) && height_of(nets.tabs[t]) > 3.1 ? 1U : 0U;
