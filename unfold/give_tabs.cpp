@@ -30,7 +30,10 @@ void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, cons
   if (!options.tabs.wanted) {
     return;
   }
-  give_tabs_once(surface, panels, options, nets, context, {});
+  // Who gives more of a seam is told by tabs that nobody has chosen.
+  if (!choice.any() || choice.sides == TabSides::one_side) {
+    give_tabs_once(surface, panels, options, nets, context, {});
+  }
   if (choice.any()) {
     const std::vector<TabWish> wishes = tab_wishes(surface, nets, options.tabs, choice);
     give_tabs_once(surface, panels, options, nets, context, wishes);

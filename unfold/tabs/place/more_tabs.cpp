@@ -128,6 +128,9 @@ bool is_additional(const Nets& nets, TabId tab) {
 void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
                    std::span<const TabWish> wishes, const TabChoice& choice, Nets& nets,
                    const Context& context) {
+  if (!choice.borders && std::ranges::none_of(wishes, &TabWish::second)) {
+    return;
+  }
   const std::size_t first = nets.tabs.size();
   MoreTabs more(surface, panels, options.tabs, wishes, nets, context);
   more.add_seconds();
