@@ -52,9 +52,9 @@ export class App {
     this.freeView = false;
     /** @type {((now: number) => boolean)[]} */
     this.motions = [];
-    this.stage = /** @type {HTMLCanvasElement} */ (byId("stage"));
     byId("app").hidden = false;
-    this.scene = new Scene(this.stage, this.folding);
+    this.scene = new Scene(/** @type {HTMLCanvasElement} */ (byId("stage")), this.folding, () => this.#renew());
+    this.stage = this.scene.canvas;
     const sheets = JSON.parse(state.sheets || '{"pages":[]}');
     this.drawer = new PageDrawer(this.nets, this.folding, sheets);
     this.plan = new Plan(/** @type {any} */ (byId("plan")), this.drawer, {
@@ -111,6 +111,14 @@ export class App {
     byId("app").replaceWith(blank.cloneNode(true));
   }
 
+  /** The graphics card has forgotten what it had. */
+  #renew() {
+    this.request();
+    if (this.drawer.painted) {
+      this.#paint();
+    }
+  }
+
   async #paint() {
     byId("colours").hidden = false;
     const [width, height] = this.drawer.size(0);
@@ -120,6 +128,7 @@ export class App {
       pictures.push(await this.drawer.picture(p, scale));
     }
     this.scene.setPaint(pictures);
+    this.scene.painted = byId("colours").getAttribute("aria-pressed") === "true";
     this.request();
   }
 

@@ -65,10 +65,11 @@ function spotsOf(nets, triangles) {
 
 export class Scene {
   /**
-   * @param {HTMLCanvasElement} canvas
+   * @param {HTMLCanvasElement} canvas which another one stands in for where WebGL 2 fails on it: use the scene's
    * @param {Folding} folding
+   * @param {() => void} renewed the graphics card had lost everything: draw again, and set the paint
    */
-  constructor(canvas, folding) {
+  constructor(canvas, folding, renewed) {
     this.canvas = canvas;
     this.folding = folding;
     this.nets = folding.nets;
@@ -76,8 +77,17 @@ export class Scene {
     this.simple = false;
     try {
       this.view = new WebglView(canvas);
+      canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+      canvas.addEventListener("webglcontextrestored", () => {
+        this.view = new WebglView(canvas);
+        this.view.setSpots(spotsOf(this.nets, this.triangles));
+        renewed();
+      });
     } catch {
-      this.view = new PainterView(canvas);
+      // A canvas that WebGL was begun on gives nothing else.
+      this.canvas = /** @type {HTMLCanvasElement} */ (canvas.cloneNode());
+      canvas.replaceWith(this.canvas);
+      this.view = new PainterView(this.canvas);
       this.simple = true;
     }
     this.painted = false;

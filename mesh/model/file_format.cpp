@@ -43,11 +43,6 @@ std::vector<std::string> format_names() {
   return names;
 }
 
-bool is_imported(FileFormat format) {
-  return format == FileFormat::dae || format == FileFormat::fbx || format == FileFormat::max3ds ||
-         format == FileFormat::blend;
-}
-
 std::uint32_t first_point_number(FileFormat format) {
   return row(format).first_point;
 }

@@ -20,7 +20,7 @@ enum class FileFormat {
   glb,
   threemf,
   pdo,
-  // by a program beside this one (is_imported)
+  // by a program beside this one (import/, mesh/reading/imported)
   dae,
   fbx,
   max3ds,
@@ -33,9 +33,6 @@ enum class FileFormat {
 /// "OBJ", "STL" and so on: each name once. They are the suffixes of their files, too, in letters of either
 /// case.
 [[nodiscard]] std::vector<std::string> format_names();
-
-/// True where a program of its own reads the format (mesh/reading/imported).
-[[nodiscard]] bool is_imported(FileFormat format);
 
 /// The number that the format itself gives to the first point of a file: OBJ counts from 1, others from 0.
 [[nodiscard]] std::uint32_t first_point_number(FileFormat format);

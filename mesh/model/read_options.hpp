@@ -11,7 +11,7 @@ struct ReadOptions {
   /// closed surfaces.
   bool collapse_flat_faces = true;
   bool keep_points = false;  ///< fill Model::file_points
-  /// The program that reads formats by Assimp (import/, is_imported()); empty: they are refused.
+  /// The program that reads formats by Assimp (import/); empty: they are refused.
   std::filesystem::path importer = {};
 };
 

@@ -17,8 +17,8 @@ namespace ridgecraft::mesh {
 /// The same by the suffix alone (without its dot), for content that tells nothing.
 [[nodiscard]] std::optional<std::string> foreign_suffix(std::string_view suffix);
 
-/// The format of is_imported() that such content is in; nothing for all other content. The suffix helps in
-/// the same way.
+/// The format that such content is in, of those that Assimp reads; nothing for all other content. The suffix
+/// helps in the same way.
 [[nodiscard]] std::optional<FileFormat> imported_format(std::string_view bytes, std::string_view suffix);
 [[nodiscard]] std::optional<FileFormat> imported_format(std::string_view suffix);
 

@@ -16,7 +16,7 @@ namespace ridgecraft::mesh {
 [[nodiscard]] Soup read_glb(const Source& source);
 [[nodiscard]] Soup read_3mf(const Source& source);
 [[nodiscard]] Soup read_pdo(const Source& source);
-/// Formats of is_imported(): by Source::importer.
+/// Formats that Assimp reads: by Source::importer.
 [[nodiscard]] Soup read_imported(FileFormat format, const Source& source);
 
 }  // namespace ridgecraft::mesh

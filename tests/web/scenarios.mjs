@@ -11,8 +11,8 @@ const wide = {width: 1200, height: 760};
 /** Fold angles below 0.0001 degrees are written as flat: over a large model that is so much, mm. */
 const flatFoldsMiss = 1e-4;
 
-/** A page of its own, offline, that takes notes of what it says and asks for. */
-async function open({browser, browserName}, file, options = {}) {
+/** A page of its own, offline, that takes notes of what it says and asks for. `before` is run in it first. */
+async function open({browser, browserName}, file, options = {}, before = () => {}) {
   const context = await browser.newContext({viewport: wide, reducedMotion: "reduce", locale: "en-GB", ...options});
   if (browserName === "chromium") {
     await context.setOffline(true);
@@ -27,6 +27,7 @@ async function open({browser, browserName}, file, options = {}) {
   });
   page.on("pageerror", (error) => heard.messages.push(error.message));
   page.on("request", (request) => heard.requests.push(request.url()));
+  await page.addInitScript(before);
   await page.goto(pathToFileURL(file).href);
   await page.waitForFunction(() => globalThis.ridgecraft?.inspect().firstPicture > 0);
   const inspect = (about) => page.evaluate((a) => globalThis.ridgecraft.inspect(a), about);
@@ -75,6 +76,53 @@ async function opens(given) {
     await page.screenshot({path: `${given.out}/${given.here}-${name}.png`});
     await context.close();
   }
+}
+
+/** Kinds of graphics cards that fail: the model is seen all the same. */
+async function graphics(given) {
+  /** Pixels of the model's view that aren't bare. */
+  const seen = (page) => page.evaluate(() => {
+    globalThis.ridgecraft.inspect({red: true});  // draws
+    const stage = document.getElementById("stage");
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [stage.width, stage.height];
+    const context = copy.getContext("2d");
+    context.drawImage(stage, 0, 0);
+    return context.getImageData(0, 0, copy.width, copy.height).data.filter((value, i) => i % 4 === 3 && value > 200).length;
+  });
+  const painter = await open(given, given.files.whale, {}, () => {
+    WebGL2RenderingContext.prototype.linkProgram = () => {};
+  });
+  given.check((await painter.inspect()).simple, "shaders that don't link are drawn with");
+  given.check(await seen(painter.page) > 1000, "nothing is seen where shaders don't link");
+  await painter.page.keyboard.press("Tab");
+  given.check(await painter.page.evaluate(() => document.querySelectorAll("#stage").length) === 1, "the stage isn't there once");
+  await painter.page.screenshot({path: `${given.out}/${given.here}-no-shaders.png`});
+  await painter.context.close();
+
+  const {context, page, heard, frame, inspect} = await open(given, given.files.lighthouse);
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().painted || document.getElementById("colours").hidden);
+  const before = await seen(page);
+  given.check(before > 1000, "nothing is seen of the lighthouse");
+  await page.evaluate(async () => {
+    const stage = document.getElementById("stage");
+    const told = (name) => new Promise((done) => stage.addEventListener(name, done, {once: true}));
+    const extension = stage.getContext("webgl2").getExtension("WEBGL_lose_context");
+    const lost = told("webglcontextlost");
+    extension.loseContext();
+    await lost;
+    await new Promise((done) => setTimeout(done));
+    const restored = told("webglcontextrestored");
+    extension.restoreContext();
+    await restored;
+  });
+  await frame();
+  const after = await seen(page);
+  given.check(after > 0.9 * before && after < 1.1 * before, `${before} pixels of the model became ${after} when the graphics card came back`);
+  given.check(!(await inspect()).simple, "the simple view is shown when the graphics card came back");
+  given.check(heard.messages.every((text) => text.includes("WebGL")), `the console says ${heard.messages}`);
+  await page.screenshot({path: `${given.out}/${given.here}-restored.png`});
+  await context.close();
 }
 
 async function links(given) {
@@ -317,6 +365,7 @@ async function accessible(given) {
 
 export const scenarios = [
   {name: "open", where: everywhere, run: opens},
+  {name: "graphics", where: ["chromium"], run: graphics},
   {name: "links", where: everywhere, run: links},
   {name: "fold", where: everywhere, run: folds},
   {name: "steps", where: ["chromium"], run: steps},
