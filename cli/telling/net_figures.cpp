@@ -235,8 +235,10 @@ void add_equal_pieces(Summary& summary, const unfold::Nets& nets,
 
 TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,
                        const unfold::TabOptions& options) {
-  const std::size_t of_joins = count_joins(nets, [](const unfold::Join& join) { return join.tab.valid(); });
-  return {of_joins, nets.tabs.size() - of_joins, unfold::tabs_usable(surface, nets, options),
+  const auto all = ids<TabId>(nets.tabs.size());
+  const auto additional = static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [&](TabId t) { return unfold::is_additional(nets, t); }));
+  return {nets.tabs.size() - additional, additional, unfold::tabs_usable(surface, nets, options),
           count_joins(nets, [](const unfold::Join& join) { return !join.tab.valid(); }),
           count_joins(nets, [](const unfold::Join& join) { return join.too_narrow; })};
 }

@@ -40,8 +40,7 @@ Gluing gluing(const Surface& surface, const Nets& nets, const NetFrame& frame) {
     }
   }
   for (const TabId t : ids<TabId>(nets.tabs.size())) {
-    const JoinId join = nets.tabs[t].join;
-    if (!join.valid() || nets.joins[join].tab != t) {
+    if (is_additional(nets, t)) {
       result.more.push_back(t);
     } else if (!frame.is_slit(surface, surface.edge(nets.tabs[t].side))) {
       result.tab_number[t] = static_cast<std::uint32_t>(result.tabs.size());

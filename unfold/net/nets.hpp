@@ -112,4 +112,11 @@ struct Nets {
   std::vector<std::string> notes;
 };
 
+/// Whether a tab is one beyond that of its join: a second one on the other side, or one at an edge that is
+/// glued to nothing (tabs/place/more_tabs.hpp).
+[[nodiscard]] inline bool is_additional(const Nets& nets, TabId tab) {
+  const JoinId join = nets.tabs[tab].join;
+  return !join.valid() || nets.joins[join].tab != tab;
+}
+
 }  // namespace ridgecraft::unfold

@@ -120,11 +120,6 @@ void drop_beyond(const mesh::Surface& surface, const Sheet& sheet, std::size_t f
 
 }  // namespace
 
-bool is_additional(const Nets& nets, TabId tab) {
-  const JoinId join = nets.tabs[tab].join;
-  return !join.valid() || nets.joins[join].tab != tab;
-}
-
 void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
                    std::span<const TabWish> wishes, const TabChoice& choice, Nets& nets,
                    const Context& context) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tabs beyond the one that each join has: on its other side, and at edges that are glued to nothing.
+// Tabs beyond the one that each join has (is_additional): on its other side, and at edges that are glued to
+// nothing.
 #pragma once
 
 #include <span>
@@ -13,9 +14,6 @@
 #include "unfold/tabs/place/tab_wishes.hpp"
 
 namespace ridgecraft::unfold {
-
-/// Whether a tab is one of these: its join, if it has any, names another one.
-[[nodiscard]] bool is_additional(const Nets& nets, TabId tab);
 
 /// Gives joins whose wish asks for it a second tab, the mirror image of the first one or what room leaves of
 /// it: the two are glued to each other. Where the choice wants them, tabs at borders, too, which have no
