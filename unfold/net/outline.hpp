@@ -21,16 +21,18 @@ inline constexpr double touch_tolerance_mm = 0.0105;
 /// clockwise. The chain is the exact one of the net's boundary edges: it goes on from a corner to the corner
 /// that a fan of folds connects with it, so a slit that lies closed is run there and back, and a loop may
 /// touch itself. Whoever fills or measures areas can use it as it is; whoever draws lines uses cut_lines().
-/// O(n) in the faces of the piece.
+/// O(n log n) in the faces of the piece, and O(t) in the tabs of all pieces.
 [[nodiscard]] std::vector<std::vector<Vec2>> outline(const mesh::Surface& surface, const Nets& nets,
                                                      PieceId piece);
 
 /// The outline as lines: corners closer than touch_tolerance_mm become one, stretches that lie on each other
 /// become a slit, and where the outline touches itself it is taken apart into simple loops, each around one
-/// region outside the piece (the piece is connected, so there is always such a way). O(n log n).
+/// region outside the piece (the piece is connected, so there is always such a way). O(n log n), and O(t) in
+/// the tabs of all pieces.
 [[nodiscard]] CutLines cut_lines(const mesh::Surface& surface, const Nets& nets, PieceId piece);
 
-/// Smallest rectangle parallel to the axes around a piece with its tabs, mm. O(n).
+/// Smallest rectangle parallel to the axes around a piece with its tabs, mm. O(n) in the faces of the piece,
+/// and O(t) in the tabs of all pieces.
 [[nodiscard]] Box2 extent(const mesh::Surface& surface, const Nets& nets, PieceId piece);
 
 }  // namespace ridgecraft::unfold

@@ -23,7 +23,51 @@ double area(const std::vector<Vec2>& polygon) {
   return 0.5 * doubled;
 }
 
-/// Keeps the tabs marked so, with new numbers.
+/// Rounds of placing tabs: a tab that moves to another piece may be too much for that one.
+constexpr int most_rounds = 8;
+
+/// Takes tabs away, largest first, from each piece that fits the sheet without them but not with them.
+void drop_tabs_beyond_sheet(const Sheet& sheet, Nets& nets) {
+  TabsOfPiece tabs = tabs_of_pieces(nets);
+  IdVector<TabId, std::uint8_t> keep(nets.tabs.size(), 1);
+  bool dropped = false;
+  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+    std::vector<TabId>& here = tabs[p];
+    std::stable_sort(here.begin(), here.end(), [&](TabId a, TabId b) {
+      return area(nets.tabs[a].polygon) < area(nets.tabs[b].polygon);
+    });
+    while (!here.empty() && !fits_with(nets, p, here, sheet)) {
+      keep[here.back()] = 0;
+      here.pop_back();
+      dropped = true;
+    }
+  }
+  if (dropped) {
+    keep_only(keep, nets);
+  }
+}
+
+}  // namespace
+
+TabsOfPiece tabs_of_pieces(const Nets& nets) {
+  TabsOfPiece tabs(nets.pieces.size());
+  for (const TabId t : ids<TabId>(nets.tabs.size())) {
+    tabs[nets.piece[mesh::face_of(nets.tabs[t].side)]].push_back(t);
+  }
+  return tabs;
+}
+
+bool fits_with(const Nets& nets, PieceId piece, std::span<const TabId> tabs, const Sheet& sheet) {
+  std::vector<Vec2> points;
+  for (const FaceId f : nets.pieces[piece].faces) {
+    points.insert(points.end(), nets.flat[f].begin(), nets.flat[f].end());
+  }
+  for (const TabId t : tabs) {
+    points.insert(points.end(), nets.tabs[t].polygon.begin(), nets.tabs[t].polygon.end());
+  }
+  return angle_to_fit(convex_hull(points), sheet).has_value();
+}
+
 void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets) {
   IdVector<TabId, TabId> number(nets.tabs.size());
   IdVector<TabId, Tab> kept;
@@ -41,60 +85,11 @@ void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets) {
   }
 }
 
-/// Rounds of placing tabs: a tab that moves to another piece may be too much for that one.
-constexpr int most_rounds = 8;
-
-using TabsOfPiece = IdVector<PieceId, std::vector<TabId>>;
-
-TabsOfPiece tabs_of_pieces(const Nets& nets) {
-  TabsOfPiece tabs(nets.pieces.size());
-  for (const TabId t : ids<TabId>(nets.tabs.size())) {
-    tabs[nets.piece[mesh::face_of(nets.tabs[t].side)]].push_back(t);
-  }
-  return tabs;
-}
-
-std::vector<Vec2> outline_points(const Nets& nets, PieceId piece, const std::vector<TabId>& tabs) {
-  std::vector<Vec2> points;
-  for (const FaceId f : nets.pieces[piece].faces) {
-    points.insert(points.end(), nets.flat[f].begin(), nets.flat[f].end());
-  }
-  for (const TabId t : tabs) {
-    points.insert(points.end(), nets.tabs[t].polygon.begin(), nets.tabs[t].polygon.end());
-  }
-  return points;
-}
-
-/// Takes tabs away, largest first, from each piece that fits the sheet without them but not with them.
-void drop_tabs_beyond_sheet(const Sheet& sheet, Nets& nets) {
-  TabsOfPiece tabs = tabs_of_pieces(nets);
-  IdVector<TabId, std::uint8_t> keep(nets.tabs.size(), 1);
-  bool dropped = false;
-  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
-    std::vector<TabId>& here = tabs[p];
-    std::stable_sort(here.begin(), here.end(), [&](TabId a, TabId b) {
-      return area(nets.tabs[a].polygon) < area(nets.tabs[b].polygon);
-    });
-    while (!here.empty() && !angle_to_fit(convex_hull(outline_points(nets, p, here)), sheet)) {
-      keep[here.back()] = 0;
-      here.pop_back();
-      dropped = true;
-    }
-  }
-  if (dropped) {
-    keep_only(keep, nets);
-  }
-}
-
-}  // namespace
-
 void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
                        const Sheet& sheet, Nets& nets, const Context& context,
                        std::span<const TabWish> wishes) {
   const TabsOfPiece tabs = tabs_of_pieces(nets);
-  const auto fits = [&](PieceId p) {
-    return angle_to_fit(convex_hull(outline_points(nets, p, tabs[p])), sheet).has_value();
-  };
+  const auto fits = [&](PieceId p) { return fits_with(nets, p, tabs[p], sheet); };
   const auto pieces = ids<PieceId>(nets.pieces.size());
   if (std::all_of(pieces.begin(), pieces.end(), fits)) {
     return;

@@ -2,9 +2,12 @@
 // Tabs that make a piece too large for the sheet.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "base/context.hpp"
+#include "base/id.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
@@ -12,6 +15,18 @@
 #include "unfold/tabs/place/tab_wishes.hpp"
 
 namespace ridgecraft::unfold {
+
+/// The tabs that grow from each piece, ascending.
+using TabsOfPiece = IdVector<PieceId, std::vector<TabId>>;
+[[nodiscard]] TabsOfPiece tabs_of_pieces(const Nets& nets);
+
+/// Whether a piece with these of its tabs fits the sheet. O(n log n) in its faces and these tabs.
+[[nodiscard]] bool fits_with(const Nets& nets, PieceId piece, std::span<const TabId> tabs,
+                             const Sheet& sheet);
+
+/// Keeps the tabs marked by other than 0, with new numbers; a join that loses its own says that it would be
+/// beyond the sheet. O(n).
+void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets);
 
 /// Brings the tabs of each piece that fits the sheet without them, but not with them, onto the sheet: it is
 /// laid so that most of its tabs are on it or have paper on the other side (tab_rooms.hpp), and all tabs are

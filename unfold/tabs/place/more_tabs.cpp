@@ -2,15 +2,12 @@
 #include "unfold/tabs/place/more_tabs.hpp"
 
 #include <algorithm>
-#include <map>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
-#include "base/convex_hull.hpp"
-#include "base/rectangle.hpp"
-#include "unfold/net/outline.hpp"
 #include "unfold/tabs/place/assignment.hpp"
 #include "unfold/tabs/place/even_tabs.hpp"
+#include "unfold/tabs/place/fit.hpp"
 #include "unfold/tabs/place/sites.hpp"
 
 namespace ridgecraft::unfold {
@@ -99,23 +96,18 @@ class MoreTabs {
   IdVector<PieceId, std::vector<Standing>> standing_;
 };
 
-/// Additional tabs go from each piece that fits the sheet without them alone.
-void drop_beyond(const mesh::Surface& surface, const Sheet& sheet, std::size_t first, Nets& nets) {
-  IdVector<PieceId, bool> fits(nets.pieces.size());
+/// Tabs from `first` on go from each piece that doesn't fit the sheet with them.
+void drop_beyond(const Sheet& sheet, std::size_t first, Nets& nets) {
+  IdVector<TabId, std::uint8_t> keep(nets.tabs.size(), 1);
+  const TabsOfPiece tabs = tabs_of_pieces(nets);
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
-    std::vector<Vec2> points;
-    for (const std::vector<Vec2>& loop : outline(surface, nets, piece)) {
-      points.insert(points.end(), loop.begin(), loop.end());
-    }
-    fits[piece] = angle_to_fit(convex_hull(points), sheet).has_value();
-  }
-  IdVector<TabId, Tab> kept;
-  for (const TabId t : ids<TabId>(nets.tabs.size())) {
-    if (t.value() < first || fits[nets.piece[mesh::face_of(nets.tabs[t].side)]]) {
-      kept.push_back(std::move(nets.tabs[t]));
+    if (!fits_with(nets, piece, tabs[piece], sheet)) {
+      for (const TabId t : tabs[piece]) {
+        keep[t] = t.value() < first ? 1 : 0;
+      }
     }
   }
-  nets.tabs = std::move(kept);
+  keep_only(keep, nets);
 }
 
 }  // namespace
@@ -133,7 +125,7 @@ void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, 
     more.add_borders(choice, context);
   }
   if (options.sheet && nets.tabs.size() > first) {
-    drop_beyond(surface, *options.sheet, first, nets);
+    drop_beyond(*options.sheet, first, nets);
   }
 }
 
