@@ -15,8 +15,9 @@ class FoldEnds {
   explicit FoldEnds(const Drawing& page);
 
   /// The line of 4 mm that goes on beyond the end of a fold that comes from `from`, away from the piece;
-  /// shorter where something else is cut there. None where the fold ends inside the piece or nothing has
-  /// room. It begins where the beam's cut ends. O(sides of the page).
+  /// shorter where something else is cut there or the sheet ends. None where the fold ends inside the piece,
+  /// where nothing has room, or where a cut runs along it. It begins where the beam's cut ends. O(sides of
+  /// the page).
   [[nodiscard]] std::optional<std::vector<Vec2>> beyond(Vec2 end, Vec2 from, double kerf_mm) const;
 
  private:
@@ -25,6 +26,11 @@ class FoldEnds {
     Vec2 b;
   };
 
+  /// From `end` to where the sheet ends, mm.
+  [[nodiscard]] double room_on_sheet(Vec2 end, Vec2 away) const;
+  [[nodiscard]] bool is_beside_cut(Vec2 p, Vec2 end, double kerf_mm) const;
+
+  Vec2 sheet_;
   std::vector<Side> sides_;               ///< of all that is cut
   std::vector<std::vector<Vec2>> loops_;  ///< outlines and holes
 };

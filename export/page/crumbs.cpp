@@ -5,8 +5,10 @@
 #include <cstddef>
 
 #include "base/segment.hpp"
+#include "export/page/segment2.hpp"
 
 namespace ridgecraft::paper {
+
 std::vector<Vec2> without_crumbs(const std::vector<Vec2>& points, bool closed) {
   const std::size_t least = closed ? 3 : 2;
   std::vector<Vec2> kept;

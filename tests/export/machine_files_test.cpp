@@ -17,6 +17,7 @@
 #include <pugixml.hpp>
 
 #include "base/polygon.hpp"
+#include "base/segment.hpp"
 #include "export/formats/write.hpp"
 #include "export/machine/hatching.hpp"
 #include "export/machine/registration.hpp"
@@ -168,6 +169,15 @@ TEST_CASE("scores at ends lie beside the piece, and none are none") {
         }
       }
       CHECK_FALSE(odd);
+      // Nothing is cut along it, and it is on the sheet.
+      const Vec2 last = path.points.back();
+      CHECK(std::min(last.x, last.y) > -1e-9);
+      CHECK(std::min(page.size.x - last.x, page.size.y - last.y) > -1e-9);
+      for (const auto& outline : outlines) {
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+          CHECK(distance_to_segment(p, outline[i], outline[(i + 1) % outline.size()]) > 0.08);
+        }
+      }
     }
     CHECK(count > 0);
   }

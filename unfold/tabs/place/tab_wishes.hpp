@@ -30,8 +30,8 @@ struct TabWish {
 [[nodiscard]] TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wishes);
 
 /// One for each join. With TabSides::one_side the nets have tabs already: along a seam of two pieces, those
-/// tell which of them gives more of it. Throws Error(unreadable_input) where a number belongs to no join, or a piece to none of
-/// its sides; the message says who asked. O(n log n).
+/// tell which of them gives more of it. Throws Error(unreadable_input) where a number belongs to no join, or
+/// a piece to none of its sides; the message says who asked. O(n log n).
 [[nodiscard]] std::vector<TabWish> tab_wishes(const mesh::Surface& surface, const Nets& nets,
                                               const TabOptions& options, const TabChoice& choice);
 
