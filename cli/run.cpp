@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "base/printable.hpp"
@@ -224,7 +225,8 @@ ExitCode do_job(const PrintJob& job) {
 
 /// Said before anything is read: what the options alone make questionable.
 void warn_of(const AskedSize& asked, const job::Options& options, Session& session) {
-  if (options.paper) {
+  // A machine reaches the edges of its sheet, as its preset knows.
+  if (options.paper && options.paper->furniture) {
     if (const auto warning = narrow_margin_warning(*options.paper)) {
       session.warn(*warning);
     }
@@ -238,8 +240,12 @@ ExitCode do_job(const PaperJob& job) {
   Session session(job.common);
   warn_of(job.size_asked, job.options, session);
   const PaperResult result = about(job.model, [&] {
-    return make_paper(job, session.context(), session.pending(),
-                      [&](const job::Remark& remark) { session.warn(sentence(remark)); });
+    return make_paper(job, session.context(), session.pending(), [&](const job::Remark& remark) {
+      if (const auto refusal = too_many_pages(remark, job.most_pages)) {
+        throw Error(ErrorKind::usage, shown_name(job.model) + ": " + *refusal);
+      }
+      session.warn(sentence(remark));
+    });
   });
   session.warn(result.file_notes);
   session.report(result.made.prepared.model.repairs);
@@ -317,6 +323,26 @@ void require_json(const std::string& file, std::string_view bytes) {
   }
 }
 
+/// What is cut by machines, or out of board, has other lines than the nets.
+void require_comparable(const verify::PrintedFile& file) {
+  if (!file.preset.empty()) {
+    throw Error(
+        ErrorKind::unreadable_input,
+        fmt::format("{} was made with --preset {}: files for machines can't be held against nets, pages "
+                    "to print can (PDF and SVG of a run without --preset)",
+                    file.name, file.preset),
+        file.name);
+  }
+  if (file.thickness_mm > 0.0) {
+    throw Error(
+        ErrorKind::unreadable_input,
+        fmt::format("{} was made with --thickness {:g}mm: pages for board can't be held against nets, "
+                    "which are those of the surface; pages of a run without --thickness can",
+                    file.name, file.thickness_mm),
+        file.name);
+  }
+}
+
 std::vector<verify::PrintedFile> read_pages(const std::vector<std::string>& files, const Context& context) {
   std::vector<verify::PrintedFile> pages;
   for (const std::string& file : files) {
@@ -327,6 +353,7 @@ std::vector<verify::PrintedFile> read_pages(const std::vector<std::string>& file
                   file + " is in no format of pages that can be checked: PDF and SVG can");
     }
     pages.push_back(verify::is_pdf(bytes) ? verify::read_pdf(file, bytes) : verify::read_svg(file, bytes));
+    require_comparable(pages.back());
   }
   return pages;
 }

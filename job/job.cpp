@@ -63,11 +63,13 @@ void note_divided_panels(const prepare::Prepared& prepared, std::vector<std::str
   }
 }
 
+/// Whether there is anything to tell.
 template <class Value>
-void tell(const Listener& listener, const std::optional<Value>& remark) {
+bool tell(const Listener& listener, const std::optional<Value>& remark) {
   if (listener && remark) {
     listener(*remark);
   }
+  return remark.has_value();
 }
 
 /// Nothing that fails its own check leaves the program.
@@ -267,6 +269,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     unite(model, made, clock, context);
   }
   const Vec2 area = room_for_pieces(options);
+  bool told_of_pages = options.paper && tell(listener, many_pages(model, made.options.size, area));
   made.prepared = clock("prepare", context, [&] {
     Faces faces = faces_to_unfold(std::move(model), made.options, notes, context);
     return prepare::prepare(std::move(faces.model), faces.size, faces.simplify, panel_room(options),
@@ -289,11 +292,11 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     throw Error(ErrorKind::unbuildable, why);
   }
   made.slivers = prepare::count_narrow_faces(surface, made.prepared.panels, sliver_mm);
-  double expected = 0.0;
   if (options.paper) {
     tell(listener, short_folds(made.prepared, options.style.hidden_fold_angle));
-    expected = prepare::expected_pages(made.prepared, area);
-    tell(listener, many_pages(surface, area, expected, false));
+    told_of_pages =
+        told_of_pages ||
+        tell(listener, many_pages(surface, area, prepare::expected_pages(made.prepared, area), false));
   }
   unfold::EdgeWishes wishes =
       clock("prepare", context, [&] { return wishes_of(options.edges, made.prepared, context, notes); });
@@ -320,7 +323,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   made.assembly = clock("unfold", context, [&] { return paper::assembly_order(surface, made.nets); });
   if (options.paper) {
     lay_out_pages(made, clock, context);
-    if (!many_pages(surface, area, expected, false)) {
+    if (!told_of_pages) {
       tell(listener, many_pages(surface, area, static_cast<double>(made.pages.count), true));
     }
     draw_pages(made, clock, context);

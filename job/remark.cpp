@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prepare/prepared/expected_pages.hpp"
+#include "prepare/prepared/largest_size.hpp"
 
 namespace ridgecraft::job {
 namespace {
@@ -15,13 +16,18 @@ constexpr double shortest_fold_mm = 3.0;
 constexpr double easy_fold_mm = 6.0;
 /// From here on a user is warned.
 constexpr double warned_pages = 100.0;
+/// From here on that is certain before the model is brought to its size, which takes a while then.
+constexpr double certain_pages = 1000.0;
 /// As many pages as a maker finishes.
 constexpr double few_pages = 10.0;
-/// Paper grows with the square of the size. A model on few pages has hardly a flat region that takes one for
-/// itself, so those of this size don't count more than their area.
-double size_on_few_pages(const mesh::Surface& surface, Vec2 printable, double pages) {
-  const double paper = std::max(pages, prepare::pages_filled(mesh::total_area(surface), printable));
-  return surface.bounds().largest_extent() * std::sqrt(few_pages / paper);
+/// A model of this extent and area, in mm. Paper grows with the square of the size. A model on few pages has
+/// hardly a flat region that takes one for itself, so those of this size don't count more than their area.
+std::optional<ManyPages> many_pages(double extent, double area, Vec2 printable, double pages, bool counted) {
+  if (pages < warned_pages) {
+    return std::nullopt;
+  }
+  const double paper = std::max(pages, prepare::pages_filled(area, printable));
+  return ManyPages{pages, counted, extent, few_pages, extent * std::sqrt(few_pages / paper)};
 }
 
 std::vector<double> fold_lengths(const prepare::Prepared& prepared, double hidden_fold_angle) {
@@ -42,10 +48,24 @@ std::vector<double> fold_lengths(const prepare::Prepared& prepared, double hidde
 
 std::optional<ManyPages> many_pages(const mesh::Surface& surface, Vec2 printable, double pages,
                                     bool counted) {
-  if (pages < warned_pages) {
+  return many_pages(surface.bounds().largest_extent(), mesh::total_area(surface), printable, pages, counted);
+}
+
+std::optional<ManyPages> many_pages(const mesh::Model& model, const prepare::SizeOptions& size,
+                                    Vec2 printable) {
+  const double extent = model.surface.bounds().largest_extent();
+  if (size.adapts || !(extent > 0.0)) {
     return std::nullopt;
   }
-  return ManyPages{pages, counted, few_pages, size_on_few_pages(surface, printable, pages)};
+  const double factor =
+      size.mm_per_unit ? *size.mm_per_unit * model.file_scale : size.largest_extent_mm / extent;
+  const double area = factor * factor * mesh::total_area(model.surface);
+  const double pages = prepare::pages_filled(area, printable);
+  // What is larger than paper models can be is refused when it is brought to its size.
+  if (pages < certain_pages || factor * extent > prepare::largest_size_mm) {
+    return std::nullopt;
+  }
+  return many_pages(factor * extent, area, printable, pages, false);
 }
 
 std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared, double hidden_fold_angle) {

@@ -7,7 +7,9 @@
 #include <variant>
 
 #include "base/vector.hpp"
+#include "mesh/model/model.hpp"
 #include "mesh/model/surface.hpp"
+#include "prepare/prepared/options.hpp"
 #include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::job {
@@ -16,6 +18,7 @@ namespace ridgecraft::job {
 struct ManyPages {
   double pages = 0.0;
   bool counted = false;         ///< else the figure is an estimate
+  double size_mm = 0.0;         ///< the model's largest extent
   double fewer_pages = 0.0;     ///< as many as a maker finishes, ...
   double size_for_fewer = 0.0;  ///< ... and about the largest extent that takes no more, mm
 };
@@ -34,6 +37,9 @@ using Listener = std::function<void(const Remark&)>;
 /// Where that is so many that a user may want to stop; `counted`: the pages are laid out.
 [[nodiscard]] std::optional<ManyPages> many_pages(const mesh::Surface& surface, Vec2 printable, double pages,
                                                   bool counted);
+/// The same before the model is brought to its size, by its area alone; nothing where that isn't certain.
+[[nodiscard]] std::optional<ManyPages> many_pages(const mesh::Model& model, const prepare::SizeOptions& size,
+                                                  Vec2 printable);
 
 /// Where half of the folds of at least `hidden_fold_angle` (radians) are too short. O(edges).
 [[nodiscard]] std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared,

@@ -6,12 +6,11 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "prepare/prepared/largest_size.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
-/// A hundred metres of paper model; beyond that a slip of the unit is certain.
-constexpr double largest_size_mm = 1e5;
 /// A speck; nothing of it could be cut.
 constexpr double smallest_size_mm = 0.1;
 

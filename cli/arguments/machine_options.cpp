@@ -86,6 +86,15 @@ bool names_machine_file(const std::vector<std::string>& outputs) {
   });
 }
 
+/// Whether a run with these outputs, of which folders get what the preset names, writes a DXF.
+bool writes_dxf(const std::vector<std::string>& outputs, const paper::Preset& preset) {
+  const auto names_it = [&](const std::string& output) {
+    const auto format = paper_format(suffix_of(output));
+    return format ? *format == Format::dxf : preset.dxf;
+  };
+  return outputs.empty() ? preset.dxf : std::ranges::any_of(outputs, names_it);
+}
+
 /// A page for browsers links the nets of the surface to the sheets, and on those of board lie other nets.
 void leave_page_out(PaperJob& job) {
   for (const std::string& output : job.outputs) {
@@ -259,6 +268,11 @@ void MachineTexts::check_into(PaperJob& job) const {
   }
   if (!dxf.empty()) {
     made.dxf_kind = choice_or_refuse<paper::DxfKind>("--dxf", dxf, dxf_kinds);
+    if (!writes_dxf(job.outputs, made)) {
+      refuse(
+          "--dxf tells which DXF, and none is written: name one (-o NAME.dxf) or a preset with DXF (--preset "
+          "laser)");
+    }
   }
   if (!kerf.empty()) {
     made.paths.kerf_mm = length_or_refuse("--kerf", kerf, true);
@@ -293,6 +307,21 @@ void MachineTexts::check_into(PaperJob& job) const {
   job.kerf_test = kerf_test;
   job.preset = made;
   set_spots(job);
+}
+
+void MachineTexts::require_back(const PaperJob& job) const {
+  if (job.print_and_cut) {
+    return;
+  }
+  if (job.preset.is_machine()) {
+    refuse("--numbers back prints on the other side of the sheet, which files of --preset " +
+           std::string(job.preset.name) + " don't have; without it numbers stand on the pieces");
+  }
+  if (names_machine_file(job.outputs)) {
+    refuse(
+        "--numbers back prints on the other side of the sheet, which DXF and other files for machines don't "
+        "have");
+  }
 }
 
 void MachineTexts::fit_paper(const PaperJob& job, bool paper_given, bool margin_given,

@@ -22,6 +22,8 @@ struct MachineTexts {
   void add_to(Verb& verb);
   /// Throws Error(usage).
   void check_into(PaperJob& job) const;
+  /// Numbers on the back need files that have one. Throws Error(usage).
+  void require_back(const PaperJob& job) const;
   /// The sheet and margin where none were asked for by --paper and --margin: those of the machine. `paper`
   /// has these already. Room for the beam, and none for furniture. Throws Error(usage).
   void fit_paper(const PaperJob& job, bool paper_given, bool margin_given, paper::Paper& paper) const;

@@ -42,6 +42,7 @@ struct PaperJob {
   bool page = true;  ///< a page for browsers is among the default formats
   AskedSize size_asked;
   std::string paper_name = "A4";
+  std::uint64_t most_pages = 300;  ///< a model that is expected to take more is refused
   /// What comes out on the user's machine where 100 mm are drawn, across and up the sheet.
   std::optional<Vec2> calibration;
   paper::Preset preset = {};  ///< of a machine, or none: a printer; with what options changed of it

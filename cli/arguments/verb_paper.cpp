@@ -51,7 +51,7 @@ ManualSection exit_section() {
 /// What is typed after the options that this verb alone has.
 struct PaperTexts {
   std::string paper;
-  std::string margin, calibrate, concavity;
+  std::string margin, calibrate, concavity, most_pages;
   TabTexts tabs;
   std::string hide = "3";
   std::string numbers, duplex;
@@ -70,6 +70,9 @@ struct PaperTexts {
         "Paper", "--calibrate", calibrate, "WxH",
         "What comes out where 100 mm were printed, across the sheet and up it, such as 100.4x99.6: twice "
         "the length of the bar of 50 mm. Pages are drawn so that the next ones have the right size.");
+    verb.option("Paper", "--most-pages", most_pages, "N",
+                "A model that would take more pages is refused before the long work, with a size that takes "
+                "few (300).");
     verb.option(
         "Paper", "--page-by", page_by, "material|object",
         "Only pieces of one material, or of one object, on a page, for paper in several colours: cuts "
@@ -106,6 +109,9 @@ struct PaperTexts {
   void check_into(PaperJob& job, const MachineTexts& machines) const {
     check_paper(job, machines);
     check_calibration(job);
+    if (!most_pages.empty()) {
+      job.most_pages = whole_number_or_refuse("--most-pages", most_pages, 1);
+    }
     job.options.bodies = keep_bodies ? prepare::Bodies::keep : prepare::Bodies::unite;
     const Choices<prepare::Skins> skin_choices{
         {"outer", prepare::Skins::outer}, {"middle", prepare::Skins::middle}, {"both", prepare::Skins::both}};
@@ -121,6 +127,9 @@ struct PaperTexts {
     }
     job.options.style.hidden_fold_angle = number_or_refuse("--hide-folds", hide, 0.0, 180.0) * degree;
     check_numbers(job);
+    if (job.options.style.numbers == paper::Numbers::back) {
+      machines.require_back(job);
+    }
     check_ink(job);
   }
 

@@ -88,12 +88,16 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
   if (outputs.empty()) {
     add_folder(".");
   }
+  std::set<fs::path> named;
   for (const std::string& output : outputs) {
     require_no_dash("-o", output);
     if (output.empty()) {
       throw Error(ErrorKind::usage, "-o needs a folder or a file");
     }
     const fs::path path(output);
+    if (!named.insert(place_of(path.has_filename() ? path : path.parent_path())).second) {
+      throw Error(ErrorKind::usage, "-o " + output + " names what another -o names: give each once");
+    }
     if (is_folder(output)) {
       add_folder(path);
     } else if (const auto format = paper_format(suffix_of(path))) {

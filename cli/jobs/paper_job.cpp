@@ -44,6 +44,7 @@ void calibrate(std::vector<paper::Drawing>& pages, const PaperJob& job) {
 
 Printed printed_pages(const job::Paper& made, const PaperJob& job) {
   Printed printed{made.drawings, made.mark};
+  printed.mark.preset = job.preset.name;
   calibrate(printed.drawings, job);
   if (job.calibration) {
     printed.mark.settings["calibrate"] = fmt::format("[{},{}]", job.calibration->x, job.calibration->y);

@@ -16,6 +16,14 @@ constexpr double printer_margin_mm = 3.0;
 /// Hardly anybody folds smaller models, mm.
 constexpr double tiny_mm = 30.0;
 
+/// Estimates may be so much too small.
+constexpr double most_pages_factor = 1.5;
+
+std::string size_words(double mm) {
+  constexpr double metre = 1000.0;
+  return mm >= metre ? fmt::format("{:.3g} m", mm / metre) : fmt::format("{:.0f} mm", mm);
+}
+
 double two_digits(double value) {
   const double unit = elementary::pow(10.0, std::max(0.0, std::floor(elementary::log10(value)) - 1.0));
   return std::round(value / unit) * unit;
@@ -38,6 +46,19 @@ std::string text_of(const job::ShortFolds& folds) {
 
 std::string sentence(const job::Remark& remark) {
   return std::visit([](const auto& told) { return text_of(told); }, remark);
+}
+
+std::optional<std::string> too_many_pages(const job::Remark& remark, std::uint64_t most_pages) {
+  const auto* many = std::get_if<job::ManyPages>(&remark);
+  if (many == nullptr || many->counted || many->pages <= static_cast<double>(most_pages)) {
+    return std::nullopt;
+  }
+  const double pages = two_digits(many->pages);
+  return fmt::format(
+      "at {} the model takes about {:.0f} pages, and more than {} aren't made unasked: --size {:.0f}mm takes "
+      "about {:.0f}, --most-pages {:.0f} goes on",
+      size_words(many->size_mm), pages, most_pages, two_digits(many->size_for_fewer), many->fewer_pages,
+      two_digits(most_pages_factor * many->pages));
 }
 
 std::optional<std::string> assumed_unit_warning(const AskedSize& asked, const prepare::SizeOptions& size) {

@@ -2,6 +2,7 @@
 // What a user may want to stop for, as sentences.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,9 @@ namespace ridgecraft::cli {
 /// "this takes about 1200 pages; --size 14mm would take about 10". Expected pages are told in two digits,
 /// counted ones all.
 [[nodiscard]] std::string sentence(const job::Remark& remark);
+
+/// What a model that is expected to take more pages than these is refused with; nothing for others.
+[[nodiscard]] std::optional<std::string> too_many_pages(const job::Remark& remark, std::uint64_t most_pages);
 
 /// Where a size without a unit makes a tiny model: whoever wrote it may have meant centimetres.
 [[nodiscard]] std::optional<std::string> assumed_unit_warning(const AskedSize& asked,

@@ -72,6 +72,9 @@ void add_information(QPDF& pdf, const Mark& mark) {
   info.replaceKey("/Creator", QPDFObjectHandle::newUnicodeString(printable_utf8(mark.producer)));
   info.replaceKey("/Producer", QPDFObjectHandle::newUnicodeString(printable_utf8(mark.producer)));
   info.replaceKey("/Keywords", QPDFObjectHandle::newString(mark_word(mark)));
+  if (!mark.preset.empty()) {
+    info.replaceKey("/Subject", QPDFObjectHandle::newString("preset:" + mark.preset));
+  }
   // Fixed, so that two runs give the same bytes.
   info.replaceKey("/CreationDate", QPDFObjectHandle::newString("D:20000101000000Z"));
   pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(info));

@@ -16,10 +16,11 @@ using Settings = std::map<std::string, std::string>;
 
 /// What every file says about itself.
 struct Mark {
-  std::string producer;    ///< program and version
-  std::string title;       ///< the model's name
-  std::string digest;      ///< mesh::Model::digest
-  Settings settings = {};  ///< FOLD, PDF and the SVG of a printed page tell them
+  std::string producer;     ///< program and version
+  std::string title;        ///< the model's name
+  std::string digest;       ///< mesh::Model::digest
+  Settings settings = {};   ///< FOLD, PDF and the SVG of a printed page tell them
+  std::string preset = {};  ///< of the machine that the file is for; PDF tells it as its subject
 };
 
 /// JSON (FOLD and others) has the digest as the value of this top-level key.

@@ -306,6 +306,13 @@ TEST_CASE("exit code 2: two results in one file", "[exit_codes]") {
   check_refusal(
       run_program({"segment", "house.obj", "--hierarchy", "new/a", "--labels", "new/../new/a"}, in(folder)),
       2, "new/a");
+  for (const std::string second : {"p.pdf", "./p.pdf"}) {
+    check_refusal(run_program({"house.obj", "-o", "p.pdf", "-o", second}, in(folder)), 2,
+                  "-o " + second + " names what another -o names");
+  }
+  check_refusal(run_program({"house.obj", "-o", "real/p.pdf", "-o", "link/p.pdf"}, in(folder)), 2,
+                "-o link/p.pdf");
+  check_refusal(run_program({"house.obj", "-o", "real", "-o", "real/"}, in(folder)), 2, "-o real/");
   CHECK(folder.names() == std::set<std::string>{"house.obj", "real", "link"});
 }
 

@@ -85,6 +85,13 @@ TEST_CASE("options that only machines heed are refused without one", "[machine_o
   refused({"--preset", "laser", "--spot", "cut=Die"}, "packaging");
   refused({"--preset", "packaging", "--spot", "fold=Die"}, "crease");
   refused({"--preset", "packaging", "--spot", "cut=a b"}, "letters");
+  refused({"--preset", "laser", "--numbers", "back"}, "files of --preset laser don't have");
+  refused({"-o", "a.dxf", "--numbers", "back"}, "DXF and other files for machines");
+  refused({"--dxf", "r12"}, "none is written");
+  refused({"--dxf", "r12", "-o", "a.svg"}, "none is written");
+  refused({"--preset", "lightburn", "--dxf", "r12", "-o", "out"}, "none is written");
+  CHECK(job_of({"--preset", "laser", "--dxf", "r12", "-o", "out"}).preset.dxf_kind == paper::DxfKind::r12);
+  CHECK(job_of({"-o", "a.svg", "-o", "b.dxf", "--dxf", "plain"}).preset.dxf_kind == paper::DxfKind::plain);
   refused({"--hinge", "back"}, "--thickness");
   refused({"--thickness", "25mm"}, "20mm");
   refused({"--thickness", "1mm", "-o", "a.html"}, "-o a.html names a page");
@@ -118,8 +125,8 @@ TEST_CASE("files for machines are written, each with its mark, and may be writte
   CHECK(read_bytes(folder / "house-silhouette-cut.svg").find("Regmarks") != std::string::npos);
   CHECK(run_program({"verify", "thick.fold"}, in(folder)).exit_code == 0);
   // Nobody takes pages of board for those of the nets in the file.
-  const auto told = run_program({"verify", "thick.fold", "--pages", "thick.pdf"}, in(folder));
-  CHECK(told.exit_code == 6);
+  check_refusal(run_program({"verify", "thick.fold", "--pages", "thick.pdf"}, in(folder)), 3,
+                "thick.pdf was made with --thickness");
 }
 
 TEST_CASE("the kerf test is calibrated like the pieces beside it", "[machine_options]") {

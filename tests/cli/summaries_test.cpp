@@ -103,6 +103,20 @@ TEST_CASE("hundreds of pages are announced, with a size that needs few", "[summa
   CHECK(pages(small) >= 4.0);
 }
 
+TEST_CASE("more pages than a person would print are refused before the long work", "[summaries]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const Outcome outcome = run_program({"house.obj", "--size", "10m"}, in(folder));
+  check_refusal(outcome, 2, "house.obj: at 10 m the model takes about ");
+  CHECK(outcome.err.find("--most-pages") != std::string::npos);
+  CHECK(folder.names() == std::set<std::string>{"house.obj"});
+  check_refusal(run_program({"house.obj", "--size", "40cm", "--most-pages", "0"}, in(folder)), 2,
+                "--most-pages");
+  // The limit is the user's.
+  CHECK(run_program({"house.obj", "--size", "1500mm", "--most-pages", "100", "-o", "h.fold"}, in(folder))
+            .exit_code == 2);
+}
+
 TEST_CASE("faces too thin for a knife are counted, loose bodies listed", "[summaries]") {
   const TemporaryFolder folder;
   // A bar of 100 x 0.5 x 20 with closed ends, and a triangle that stands beside it.

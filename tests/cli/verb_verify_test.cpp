@@ -24,6 +24,11 @@ struct House {
     arguments.insert(arguments.begin(), {"verify", "house.fold"});
     return run_program(arguments, in(folder));
   }
+  /// Other files of the same model.
+  [[nodiscard]] Outcome run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"house.obj", "--size", "25cm"});
+    return run_program(arguments, in(folder));
+  }
   TemporaryFolder folder;
 };
 
@@ -114,4 +119,23 @@ TEST_CASE("verify refuses what are no pages and no model, in one sentence", "[ve
   check_refusal(house.verify({"--pages", "missing.svg"}), 3, "missing.svg");
   check_refusal(house.verify({"--model", "missing.obj"}), 3, "missing.obj");
   check_refusal(house.verify({"--pages"}), 2, "--pages");
+}
+
+TEST_CASE("verify refuses pages of machines and board, and finds it wrong where none show nets", "[verify]") {
+  const House house;
+  REQUIRE(house.run({"--preset", "laser", "-o", "laser.svg"}).exit_code == 0);
+  REQUIRE(house.run({"--preset", "packaging", "-o", "shop.pdf"}).exit_code == 0);
+  REQUIRE(house.run({"--preset", "origami-simulator", "-o", "fold.svg"}).exit_code == 0);
+  REQUIRE(house.run({"--thickness", "1mm", "-o", "board.pdf", "-o", "board.svg"}).exit_code == 0);
+  check_refusal(house.verify({"--pages", "laser-1.svg"}), 3, "laser-1.svg was made with --preset laser");
+  check_refusal(house.verify({"--pages", "shop.pdf"}), 3, "shop.pdf was made with --preset packaging");
+  check_refusal(house.verify({"--pages", "fold-1.svg"}), 3, "made with --preset origami-simulator");
+  check_refusal(house.verify({"--pages", "board.pdf"}), 3, "board.pdf was made with --thickness 1mm");
+  check_refusal(house.verify({"--pages", "house-1.svg", "board-1.svg"}), 3, "board-1.svg was made with");
+
+  const Outcome guide = house.verify({"--pages", "house-guide.pdf"});
+  CHECK(guide.exit_code == 6);
+  CHECK(guide.out.find("house-guide.pdf is a guide, which shows no page of the nets") != std::string::npos);
+  CHECK(guide.out.find("no faults") == std::string::npos);
+  CHECK(house.verify({"--pages", "house.pdf", "house-guide.pdf"}).exit_code == 0);
 }

@@ -217,6 +217,19 @@ TEST_CASE("a listener is told of hundreds of pages and of folds too short for fi
   options.size.largest_extent_mm = 150.0;
   static_cast<void>(job::paper(sample("gem.stl"), options, {}, listener));
   CHECK(told.empty());
+  // Whoever is told may end the job, before the long work.
+  options.size.largest_extent_mm = 10000.0;
+  const job::Listener ends = [&](const job::Remark& remark) {
+    told.push_back(remark);
+    throw Error(ErrorKind::usage, "enough");
+  };
+  CHECK_THROWS_AS(job::paper(sample("whale.obj"), options, {}, ends), Error);
+  REQUIRE(told.size() == 1);
+  REQUIRE(std::holds_alternative<job::ManyPages>(told.front()));
+  const auto& many = std::get<job::ManyPages>(told.front());
+  CHECK(many.pages > 2000.0);
+  CHECK(many.size_mm == Approx(10000.0));
+  CHECK_FALSE(many.counted);
 }
 
 TEST_CASE("a job without time says so, and one that is stopped, too", "[job]") {

@@ -387,7 +387,9 @@ TEST_CASE("the file of another program can be checked against pages, too", "[pag
     sheet.lines.push_back(
         {PrintedLayer::mark, Pattern::solid, {{20.0 + 10.0 * i, 11}, {20.0 + 10.0 * i, 13}}});
   }
-  verify::PrintedFile file{"cube.svg", "", {sheet}, false, ""};
+  verify::PrintedFile file;
+  file.name = "cube.svg";
+  file.pages = {sheet};
   const verify::Report sound = test::verify_pages(json.dump(), {file});
   INFO(test::first_fault(sound));
   CHECK(sound.sound());

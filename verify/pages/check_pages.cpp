@@ -351,6 +351,17 @@ class PageList {
     }
   }
 
+  /// Files that are sound, but of which nothing could be compared, would pass unseen.
+  void require_any(std::span<const PrintedFile> files) {
+    if (!pages_.empty() || findings_.printed().faulty > 0) {
+      return;
+    }
+    for (const PrintedFile& file : files) {
+      fault(file.name +
+            (file.guide ? " is a guide, which shows no page of the nets" : " shows no page of the nets"));
+    }
+  }
+
   [[nodiscard]] const std::vector<std::pair<Index, const PrintedPage*>>& pages() const { return pages_; }
 
  private:
@@ -413,8 +424,7 @@ void check_pages(const Case& given, std::span<const PrintedFile> printed, Findin
     findings.add(Promise::printed, {}, [&] {
       return fmt::format(
           "pages for board of {:g} mm have other nets than the file, whose are those of the surface: they "
-          "can't "
-          "be held against each other",
+          "can't be held against each other",
           mm);
     });
     return;
@@ -423,6 +433,7 @@ void check_pages(const Case& given, std::span<const PrintedFile> printed, Findin
   for (const PrintedFile& file : printed) {
     list.add(file);
   }
+  list.require_any(printed);
   std::vector<NetPage> nets;
   for (WantedPage& page : wanted_lines(given)) {
     nets.emplace_back(std::move(page));

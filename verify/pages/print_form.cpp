@@ -83,6 +83,27 @@ Pattern pattern_of(std::span<const double> dashes) {
   return dashes.size() == 4 && dashes[0] > dashes[2] ? Pattern::dash_dot : Pattern::strange;
 }
 
+std::string preset_in(std::string_view text) {
+  constexpr std::string_view start = "preset:";
+  const std::size_t at = text.find(start);
+  if (at == std::string_view::npos) {
+    return {};
+  }
+  text.remove_prefix(at + start.size());
+  return std::string(text.substr(0, text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-")));
+}
+
+double thickness_in(std::string_view settings) {
+  constexpr std::string_view key = "\"thickness_mm\": ";
+  const std::size_t at = settings.find(key);
+  double mm = 0.0;
+  if (at != std::string_view::npos) {
+    const char* const begin = settings.data() + at + key.size();
+    std::from_chars(begin, settings.data() + settings.size(), mm);
+  }
+  return mm;
+}
+
 std::string digest_in(std::string_view text) {
   constexpr std::string_view start = "ridgecraft-model:";
   const std::size_t at = text.find(start);

@@ -36,6 +36,12 @@ template <typename... Args>
 /// The hexadecimal digits behind "ridgecraft-model:", or nothing.
 [[nodiscard]] std::string digest_in(std::string_view text);
 
+/// The name behind "preset:" among the words that a file bears, or nothing.
+[[nodiscard]] std::string preset_in(std::string_view text);
+
+/// What the text that a file tells its settings in says of the board that it was made for; 0 for paper.
+[[nodiscard]] double thickness_in(std::string_view settings);
+
 /// Takes back what pages were drawn larger or smaller for a printer (--calibrate): `settings` is the text
 /// that the file tells its settings in; nothing changes where it says nothing of it.
 void undo_calibration(std::string_view settings, PrintedFile& file);

@@ -53,7 +53,14 @@ struct PrintedFile {
   std::string digest;              ///< hash of the model's bytes that the file bears, or empty
   std::vector<PrintedPage> pages;  ///< in the file's order
   bool whole = false;              ///< holds all pages of a model, as PDF does
+  bool guide = false;              ///< tells how the model is built, and shows no page of nets
+  std::string preset;              ///< of the machine that it was made for, or empty
+  double thickness_mm = 0.0;       ///< of the board that it was made for; 0 for paper
   std::string defect;              ///< why it can't be checked, a sentence; then there are no pages
+
+  /// Whether its lines should be those of nets: what is cut by machines and what board is cut into isn't, so
+  /// none of its pages are read.
+  [[nodiscard]] bool shows_nets() const { return !guide && preset.empty() && thickness_mm == 0.0; }
 };
 
 /// Whether the bytes claim to be PDF or SVG at all. Any bytes.
@@ -66,7 +73,7 @@ struct PrintedFile {
 [[nodiscard]] PrintedFile read_svg(const std::string& name, std::string_view bytes);
 
 /// The same for PDF, whose layers are optional content and whose lines may be transformed. A guide has no
-/// nets, so none of its pages are read, and it isn't whole.
+/// nets, so none of its pages are read, and it isn't whole. Of a file for a machine none are either.
 [[nodiscard]] PrintedFile read_pdf(const std::string& name, std::string_view bytes);
 
 }  // namespace ridgecraft::verify

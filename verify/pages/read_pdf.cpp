@@ -237,12 +237,17 @@ void read_document(QPDF& pdf, PrintedFile& file) {
   QPDFObjectHandle keywords = info.isDictionary() ? info.getKey("/Keywords") : info;
   file.digest = keywords.isString() ? digest_in(keywords.getUTF8Value()) : std::string();
   QPDFObjectHandle subject = info.isDictionary() ? info.getKey("/Subject") : info;
-  if (subject.isString() && subject.getUTF8Value() == guide_subject) {
+  const std::string about = subject.isString() ? subject.getUTF8Value() : std::string();
+  std::size_t bytes_left = max_content_bytes;
+  const std::string settings = settings_of(pdf, bytes_left);
+  file.guide = about == guide_subject;
+  file.preset = preset_in(about);
+  file.thickness_mm = file.guide ? 0.0 : thickness_in(settings);
+  if (!file.shows_nets()) {
     return;
   }
   file.whole = true;
   const std::vector<std::string> off = layers_off(pdf);
-  std::size_t bytes_left = max_content_bytes;
   std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(pdf).getAllPages();
   QPDFPageLabelDocumentHelper labels(pdf);
   for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -258,7 +263,7 @@ void read_document(QPDF& pdf, PrintedFile& file) {
   for (PrintedPage& page : file.pages) {
     page.count = file.pages.size();
   }
-  undo_calibration(settings_of(pdf, bytes_left), file);
+  undo_calibration(settings, file);
 }
 
 }  // namespace

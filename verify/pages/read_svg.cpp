@@ -91,7 +91,14 @@ class SvgReader {
     page.name = file_.name;
     read_size(root, page);
     read_page_words(std::string_view(root.child_value("title")), page);
-    file_.digest = digest_in(root.child_value("metadata"));
+    const std::string_view words = root.child_value("metadata");
+    file_.digest = digest_in(words);
+    // Words of ours stand before the settings.
+    file_.preset = preset_in(words.substr(0, words.find('{')));
+    file_.thickness_mm = thickness_in(words);
+    if (!file_.shows_nets()) {
+      return;
+    }
     page_ = &page;
     for (const pugi::xml_node node : root.children()) {
       if (node.type() == pugi::node_element) {
