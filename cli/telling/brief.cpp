@@ -89,10 +89,10 @@ std::string model_line(const job::Paper& made) {
 
 void add_glue(const GlueFigures& glue, Clauses& clauses) {
   if (glue.without_tab_mm > 0.0) {
-    clauses.push_back(fmt::format("{} to glue has no tab", metres(glue.without_tab_mm)));
+    clauses.push_back(fmt::format("{} of seams have no tab", metres(glue.without_tab_mm)));
   }
   if (glue.weak_mm > 0.0) {
-    clauses.push_back(fmt::format("{} has a tab too small to hold well", metres(glue.weak_mm)));
+    clauses.push_back(fmt::format("{} of seams have tabs too small to hold well", metres(glue.weak_mm)));
   }
 }
 
@@ -102,23 +102,25 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
     clauses.push_back(std::move(why));
   }
   if (made.slivers > 0) {
-    clauses.push_back(fmt::format("{} thinner than {:g} mm ({})", counted(made.slivers, "face"),
-                                  job::sliver_mm, piece_names(made.nets, pieces_with_slivers(made))));
+    clauses.push_back(fmt::format("{} thinner than {:g} mm, on {}", counted(made.slivers, "face"),
+                                  job::sliver_mm, pieces_text(made.nets, pieces_with_slivers(made))));
   }
   add_glue(glue, clauses);
   const std::vector<PieceId> bent = pieces_with_care(made.nets);
   if (!bent.empty()) {
-    clauses.push_back(piece_names(made.nets, bent) +
+    clauses.push_back(pieces_text(made.nets, bent) +
                       (bent.size() == 1 ? " has to be bent to be folded" : " have to be bent to be folded"));
   }
   if (const std::size_t listed = made.drawn.labels_listed.size(); listed > 0) {
-    clauses.push_back(counted(listed, "number") + (listed == 1 ? " stands in a list" : " stand in lists"));
+    clauses.push_back(counted(listed, "number") + (listed == 1
+                                                       ? " had no room at its edge and stands in a list"
+                                                       : " had no room at their edges and stand in a list"));
   }
   if (made.skin.left_crossing > 0) {
     clauses.push_back(counted_bodies(made.skin.left_crossing) + " run into each other");
   }
   if (!made.drawn.bodies.empty()) {
-    clauses.push_back(fmt::format("{} bodies that nothing joins", made.drawn.bodies.size()));
+    clauses.push_back(fmt::format("it comes in {} bodies, which no tab joins", made.drawn.bodies.size()));
   }
   return joined(clauses, "nothing that is known");
 }

@@ -49,7 +49,8 @@ std::string written_text(const std::vector<std::string>& files) {
   return text;
 }
 
-/// "wrote out/whale.pdf, whale-1.svg to whale-12.svg and whale.fold", where all lie in one folder.
+/// "wrote whale.pdf, whale-1.svg to whale-12.svg and whale.fold", "wrote into out: whale.pdf and whale.fold",
+/// where all lie in one folder.
 std::string written_in_brief(const std::vector<std::string>& files) {
   namespace fs = std::filesystem;
   const bool together =
@@ -65,12 +66,13 @@ std::string written_in_brief(const std::vector<std::string>& files) {
     while (end < files.size() && fs::path(files[end]).extension() == fs::path(files[i]).extension()) {
       ++end;
     }
-    const std::string first = i == 0 ? files[i] : fs::path(files[i]).filename().string();
+    const std::string first = fs::path(files[i]).filename().string();
     const std::string last = fs::path(files[end - 1]).filename().string();
     words.push_back(end - i > 2 ? first + " to " + last : end - i == 2 ? first + ", " + last : first);
     i = end;
   }
-  return "wrote " + listed(words, "and") + "\n";
+  const std::string folder = fs::path(files.front()).parent_path().string();
+  return (folder.empty() ? "wrote " : "wrote into " + folder + ": ") + listed(words, "and") + "\n";
 }
 
 }  // namespace

@@ -169,6 +169,13 @@ std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pi
   return pieces.size() <= most ? text : text + " and " + std::to_string(pieces.size() - most) + " more";
 }
 
+std::string pieces_text(const unfold::Nets& nets, const std::vector<PieceId>& pieces) {
+  if (pieces.size() == 2) {
+    return "pieces " + nets.pieces[pieces[0]].name + " and " + nets.pieces[pieces[1]].name;
+  }
+  return (pieces.size() == 1 ? "piece " : "pieces ") + piece_names(nets, pieces);
+}
+
 std::string reasons_text(const unfold::Nets& nets) {
   std::map<std::string, std::size_t> reasons;
   for (const unfold::Piece& piece : nets.pieces) {

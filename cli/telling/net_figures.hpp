@@ -16,6 +16,8 @@ namespace ridgecraft::cli {
 
 /// "A to D", "A, C", "A, C and 7 more": names in the order of the pieces, of which there is one.
 [[nodiscard]] std::string piece_names(const unfold::Nets& nets, const std::vector<PieceId>& pieces);
+/// The same within a sentence: "piece A", "pieces A and C", "pieces A to D".
+[[nodiscard]] std::string pieces_text(const unfold::Nets& nets, const std::vector<PieceId>& pieces);
 
 /// " (2 because of overlap)"; empty where every piece is a part.
 [[nodiscard]] std::string reasons_text(const unfold::Nets& nets);

@@ -153,7 +153,7 @@ void add_slivers(Summary& summary, const job::Paper& made) {
                   : fmt::format("{} thinner than {:g} mm, too thin to cut or fold, on {}; a larger --size or "
                                 "--faces N helps",
                                 counted(made.slivers, "face"), job::sliver_mm,
-                                piece_names(made.nets, pieces_with_slivers(made))));
+                                pieces_text(made.nets, pieces_with_slivers(made))));
 }
 
 /// With the option where a limit that the user set is the cause.

@@ -45,19 +45,25 @@ std::size_t count_of(const Shown& wanted, const PieceDrawing& piece) {
   return count;
 }
 
-/// "after 12", or "after 11, 12" where 12 stands on the piece twice: as many of the numbers before a run as
-/// there have to be for one place to be meant. `before`: those on the run's outline, up to the run.
-std::string words_of_place(const PieceDrawing& piece, const Shown& before) {
-  for (std::size_t size = 1; size <= before.size(); ++size) {
-    const Shown last(before.end() - static_cast<std::ptrdiff_t>(size), before.end());
-    if (size == before.size() || count_of(last, piece) == 1) {
-      return fmt::format("after {}:", fmt::join(last, ", "));
+/// "between 12 and 21", or "between 11, 12 and 21" where 12 and 21 follow each other on the piece twice: as
+/// many of the numbers before a run as there have to be for one place to be meant. `around`: those on the
+/// run's outline, from the first behind the run to the last before it.
+std::string words_of_place(const PieceDrawing& piece, const Shown& around) {
+  if (around.size() == 1) {
+    return fmt::format("after {}:", around.front());
+  }
+  for (std::size_t size = 1; size <= around.size(); ++size) {
+    const Shown last(around.end() - static_cast<std::ptrdiff_t>(size), around.end());
+    Shown place = last;
+    place.push_back(around.front());
+    if (size == around.size() || count_of(place, piece) == 1) {
+      return fmt::format("between {} and {}:", fmt::join(last, ", "), around.front());
     }
   }
   return {};
 }
 
-/// "after 12: 13, 14"
+/// "between 12 and 21: 13, 14"
 std::string words_of_run(const PieceDrawing& piece, const std::vector<std::size_t>& run,
                          const std::string& where) {
   std::string text = where;
@@ -89,17 +95,17 @@ std::vector<std::string> words_of_rim(const PieceDrawing& piece, const std::vect
   }
   std::vector<std::string> words;
   // Those that come before the first one clockwise are the last ones.
-  Shown before = shown_on(piece, around);
-  std::ranges::rotate(before, before.begin() + 1);
+  Shown shown = shown_on(piece, around);
+  std::ranges::rotate(shown, shown.begin() + 1);
   for (std::size_t i = 0; i < around.size();) {
     std::vector<std::size_t> run;
     for (++i; i < around.size() && is_lost(around[i]); ++i) {
       run.push_back(around[i]);
     }
     if (!run.empty()) {
-      words.push_back(words_of_run(piece, run, words_of_place(piece, before)));
+      words.push_back(words_of_run(piece, run, words_of_place(piece, shown)));
     }
-    std::ranges::rotate(before, before.begin() + 1);
+    std::ranges::rotate(shown, shown.begin() + 1);
   }
   return words;
 }

@@ -13,9 +13,9 @@ namespace ridgecraft::paper {
 
 /// What stands above the rows of number_row().
 inline constexpr std::string_view number_list_heading =
-    "numbers without room, clockwise round their piece, after the number before them";
+    "numbers without room at their edges, and between which others on their piece they belong, clockwise";
 
-/// "E: after 12: 13, 14; after 21: 22": the piece's numbers that weren't placed, in the order in which their
+/// "E: between 12 and 21: 13, 14": the piece's numbers that weren't placed, in the order in which their
 /// edges follow each other clockwise on the printed side. Where a whole outline has no number: "all round
 /// from the longest edge: 13, 14, 15". Empty where all numbers were placed. O(seams).
 [[nodiscard]] std::string number_row(const PieceDrawing& piece);

@@ -21,6 +21,11 @@ constexpr double pale_share = 0.35;
 constexpr mesh::Rgb white_ground{255, 255, 255};
 /// The relative luminance (WCAG 2) on which black and the light tone are seen equally well: 4.2 : 1.
 constexpr double middle_light = 0.16;
+/// The thin strokes of numbers take more than the 4.5 : 1 of WCAG 2 for body text. Where neither black nor
+/// the light tone stands out by as much, they are black with a halo of the light tone: 17 : 1.
+constexpr double text_contrast = 6.0;
+/// Of the light tone that lines and texts have on dark ground.
+constexpr double light_of_tone = 0.84;
 /// On both sides of a line its ground is looked at so far away, mm, ...
 constexpr double beside_mm = 0.3;
 /// ... and at places so far from each other, at most so many.
@@ -48,6 +53,16 @@ struct Ground {
   bool light = false;
 
   void add(double luminance) { (luminance < middle_light ? dark : light) = true; }
+  /// For texts: ground in the middle counts as both.
+  void add_for_text(double luminance) {
+    constexpr double flare = 0.05;  // WCAG's share of light that every screen and sheet reflects
+    add(luminance);
+    const bool black_is_seen = luminance + flare >= text_contrast * flare;
+    const bool light_is_seen = light_of_tone + flare >= text_contrast * (luminance + flare);
+    if (!black_is_seen && !light_is_seen) {
+      dark = light = true;
+    }
+  }
   [[nodiscard]] Tone tone() const { return dark && !light ? Tone::light : Tone::dark; }
   [[nodiscard]] bool needs_halo() const { return dark && light; }
 };
@@ -197,7 +212,8 @@ class PiecePainter {
       const Vec2 up = perpendicular(box.along);
       for (const double x : {-1.0, -0.33, 0.33, 1.0}) {
         for (const double y : {-1.0, 0.0, 1.0}) {
-          ground.add(light_at(box.centre + x * box.half_width * box.along + y * box.half_height * up));
+          ground.add_for_text(
+              light_at(box.centre + x * box.half_width * box.along + y * box.half_height * up));
         }
       }
       text.tone = ground.tone();

@@ -314,8 +314,68 @@ class Skin {
     for (std::size_t f = stayed; f < model_.surface.face_count(); ++f) {
       area_after_ += fresh_cap_[f - stayed] ? 0.0 : model_.surface.area(FaceId(f));
     }
+    name_caps(stayed);
     report_.united_into = made.size() + unchanged_;
     report_.hidden_share = std::max(0.0, 1.0 - area_after_ / area_before_);
+  }
+
+  /// What closes an opening is of no face of the file: it is called as the faces that it has most of its
+  /// outline in common with. `first`: of the new faces.
+  void name_caps(std::size_t first) {
+    const Surface& surface = model_.surface;
+    std::vector<bool> nameless(surface.face_count(), false);
+    std::copy(fresh_cap_.begin(), fresh_cap_.end(), nameless.begin() + static_cast<std::ptrdiff_t>(first));
+    for (const FaceId f : ids<FaceId>(surface.face_count())) {
+      if (nameless[f.value()]) {
+        name_cap(f, nameless);
+      }
+    }
+  }
+
+  /// The faces of caps that hang together with one.
+  void name_cap(FaceId start, std::vector<bool>& nameless) {
+    const Surface& surface = model_.surface;
+    struct Beside {
+      double length = 0.0;
+      FaceId face;
+    };
+    std::map<std::array<std::uint32_t, 2>, Beside> beside;  // by object and material
+    std::vector<FaceId> cap{start};
+    nameless[start.value()] = false;
+    std::set<FaceId> of_cap{start};
+    for (std::size_t i = 0; i < cap.size(); ++i) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const CornerId corner = mesh::corner(cap[i], k);
+        const CornerId twin = surface.twin(corner);
+        const FaceId other = twin.valid() ? mesh::face_of(twin) : FaceId();
+        if (!other.valid() || of_cap.contains(other)) {
+          continue;
+        }
+        if (nameless[other.value()]) {
+          nameless[other.value()] = false;
+          of_cap.insert(other);
+          cap.push_back(other);
+          continue;
+        }
+        Beside& found = beside[{model_.object.empty() ? 0 : model_.object[other],
+                                model_.material.empty() ? 0 : model_.material[other]}];
+        found.length +=
+            length(surface.point(surface.vertex(mesh::next(corner))) - surface.point(surface.vertex(corner)));
+        found.face = other;
+      }
+    }
+    const auto most = std::max_element(beside.begin(), beside.end(), [](const auto& a, const auto& b) {
+      return a.second.length < b.second.length;
+    });
+    for (const FaceId f : cap) {
+      if (most != beside.end() && !model_.object.empty()) {
+        model_.object[f] = model_.object[most->second.face];
+      }
+      // A picture has no place for a cap, so where there are pictures it bears none.
+      if (most != beside.end() && !model_.material.empty() && model_.texture.empty()) {
+        model_.material[f] = model_.material[most->second.face];
+      }
+    }
   }
 
   mesh::Model& model_;

@@ -41,7 +41,12 @@ std::multiset<std::string> listed(const paper::Drawing& page) {
     for (const paper::Text& text : group.texts) {
       in_list = in_list || text.text.find("numbers without room") != std::string::npos;
       std::istringstream words(in_list && group.id == "page" ? text.text : "");
+      bool between = false;  // numbers that tell the place
       for (std::string word; words >> word;) {
+        between = (between || word == "between" || word == "after") && word.back() != ':';
+        if (between) {
+          continue;
+        }
         if (word.back() == ',' || word.back() == ';') {
           word.pop_back();
         }
@@ -58,14 +63,19 @@ std::multiset<std::string> listed(const paper::Drawing& page) {
 
 TEST_CASE("a row names the number before those that have no room", "[number_list]") {
   CHECK(paper::number_row(rim({12, 13, 14})).empty());
-  CHECK(paper::number_row(rim({12, -13, -14, 21, -22})) == "E: after 12: 13, 14; after 21: 22");
+  CHECK(paper::number_row(rim({12, -13, -14, 21, -22})) ==
+        "E: between 12 and 21: 13, 14; between 21 and 12: 22");
   // The run goes over the end of the outline.
-  CHECK(paper::number_row(rim({-5, 12, 13, -4})) == "E: after 13: 4, 5");
+  CHECK(paper::number_row(rim({-5, 12, 13, -4})) == "E: between 13 and 12: 4, 5");
   CHECK(paper::number_row(rim({-5, -6, -7}, {1.0, 3.0, 2.0})) ==
         "E: all round from the longest edge: 6, 7, 5");
   // 12 stands there twice: the number before it tells which one is meant.
-  CHECK(paper::number_row(rim({11, 12, -13, 14, 12, -15})) == "E: after 11, 12: 13; after 14, 12: 15");
-  CHECK(paper::number_row(rim({72, 11, 72, -72})) == "E: after 11, 72: 72");
+  CHECK(paper::number_row(rim({11, 12, -13, 14, 12, -15})) ==
+        "E: between 12 and 14: 13; between 12 and 11: 15");
+  // 12 and 14 follow each other twice: so does the number before them.
+  CHECK(paper::number_row(rim({11, 12, -13, 14, 10, 12, -15, 14})) ==
+        "E: between 11, 12 and 14: 13; between 10, 12 and 14: 15");
+  CHECK(paper::number_row(rim({72, 11, 72, -72})) == "E: between 72 and 72: 72");
   paper::PieceDrawing two = rim({1, -2});
   two.rims.push_back({2});
   two.seams.push_back(two.seams[1]);

@@ -185,6 +185,30 @@ TEST_CASE(
   CHECK(both[2] > 0);
 }
 
+TEST_CASE("Numbers have a halo wherever neither black nor light strokes stand out from their ground") {
+  SamplePages sample = sample_pages(cube(), 50.0, 5.0);
+  const auto halos = [&](mesh::Rgb colour) {
+    sample.model.look = look_of(sample, {colour});
+    std::size_t found = 0;
+    std::size_t inside = 0;
+    for (const Drawing& page : drawn(sample)) {
+      for (const paper::Group& group : page.groups) {
+        for (const paper::Text& text : group.texts) {
+          found += text.layer == Layer::paint ? 1U : 0U;
+          inside += text.layer == Layer::piece_name ? 1U : 0U;
+        }
+      }
+    }
+    REQUIRE(inside > 0);
+    return found;
+  };
+  // Black on it 5.3 : 1, light grey 3.4 : 1.
+  CHECK(halos({64, 133, 189}) > 0);
+  // Numbers that reach over an edge have one on every dark ground; on these colours no others do.
+  CHECK(halos({250, 240, 200}) == 0);
+  CHECK(halos({64, 133, 189}) > halos({30, 10, 60}));
+}
+
 TEST_CASE("Pages in lines alone are those of a model without colours, and threads change nothing") {
   SamplePages sample = sample_pages(sphere(7, 5), 40.0, 5.0);
   const std::vector<Drawing> plain = drawn(sample);

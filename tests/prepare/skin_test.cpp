@@ -523,3 +523,24 @@ TEST_CASE("faces of one skin know what they were called") {
   }
   CHECK(names.size() == 2);
 }
+
+TEST_CASE("what closes an opening is called as the faces around it", "[skin]") {
+  auto no_floor = box_faces;
+  no_floor.erase(no_floor.begin());
+  // The second box reaches over the edge of the first, so it gets a floor there.
+  mesh::Soup named = soup(both(box_points({0, 0, 0}, {2, 2, 2}), box_points({1, 0.5, 1.5}, {3, 1.5, 2.5})),
+                          both(no_floor, shifted(no_floor, 8)));
+  named.objects = {{0, "house"}, {5, "balcony"}};
+  Model model = mesh::repair(std::move(named), {}, Context());
+  const prepare::SkinReport report = prepare::unite_bodies(model, Context());
+  REQUIRE(report.rims_closed == 1);
+  double floor = 0.0;
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    CHECK_FALSE(model.object_name(f).empty());
+    if (model.surface.normal(f).z < -0.9) {
+      CHECK(model.object_name(f) == "balcony");
+      floor += model.surface.area(f);
+    }
+  }
+  CHECK(floor == Approx(1.0));
+}
