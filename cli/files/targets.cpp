@@ -26,14 +26,32 @@ bool is_folder(const std::string& text) {
 /// Larger than anything that this program writes.
 constexpr std::uintmax_t largest_own_file = std::uintmax_t{1} << 31U;
 
-std::string mark_digest_of(const fs::path& file) {
+/// Nothing where it can't be read or is none of ours by its size.
+std::string bytes_of(const fs::path& file) {
   std::error_code error;
   if (const auto size = fs::file_size(file, error); error || size > largest_own_file) {
     return {};
   }
   std::ifstream in(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  return in.bad() ? std::string() : paper::read_mark_digest(bytes);
+  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  return in.bad() ? std::string() : bytes;
+}
+
+std::string mark_digest_of(const fs::path& file) {
+  return paper::read_mark_digest(bytes_of(file));
+}
+
+/// As XML has it.
+std::string with_quotes_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '"') {
+      escaped += "&quot;";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
 }
 
 /// n of "stem-n.svg", 0 for "stem.svg", nothing for another name.
@@ -218,6 +236,16 @@ std::vector<fs::path> leftovers_of(const NumberedFiles& names, const std::set<fs
   }
   std::sort(leftovers.begin(), leftovers.end());
   return leftovers;
+}
+
+bool tells_other_settings(const fs::path& file, const paper::Settings& settings) {
+  const std::string bytes = bytes_of(file);
+  const std::string json = paper::settings_json(settings);
+  const auto holds = [&](std::string_view text) {
+    return bytes.find(text) != std::string::npos ||
+           bytes.find(with_quotes_escaped(text)) != std::string::npos;
+  };
+  return holds("\"concavity\": ") && !holds(json);
 }
 
 void require_replaceable(const fs::path& file, const std::string& digest, bool overwrite) {

@@ -79,6 +79,10 @@ struct NumberedFiles {
                                                               const std::set<std::filesystem::path>& written,
                                                               const std::set<std::string>& digests);
 
+/// Whether a file of ours says that it was made by other options than these; not where it says nothing of
+/// them.
+[[nodiscard]] bool tells_other_settings(const std::filesystem::path& file, const paper::Settings& settings);
+
 /// Throws Error(cant_write) unless the file doesn't exist, or this program made it for the same model, or
 /// `overwrite` is set and it is a regular file. A link is as the file that it leads to; one that leads to
 /// none needs `overwrite`.

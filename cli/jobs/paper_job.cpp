@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -11,6 +12,7 @@
 
 #include "base/digest.hpp"
 #include "base/error.hpp"
+#include "base/sentence.hpp"
 #include "cli/files/edge_files.hpp"
 #include "cli/files/model_input.hpp"
 #include "cli/files/tab_file.hpp"
@@ -147,20 +149,29 @@ void add_target(const Target& target, const std::vector<fs::path>& files, const 
   }
 }
 
-/// Pages, and the guide, of an earlier set of these names that this run doesn't write again: of this model,
-/// and of one that another file of the set, which is replaced now, was made from.
+std::set<fs::path> all_of(const std::vector<std::vector<fs::path>>& of_targets) {
+  std::set<fs::path> files;
+  for (const std::vector<fs::path>& of_target : of_targets) {
+    files.insert(of_target.begin(), of_target.end());
+  }
+  return files;
+}
+
+/// Pages, and the guide and the page for browsers that nobody wants, of an earlier set of these names that
+/// this run doesn't write again: of this model, and of one that another file of the set, which is replaced
+/// now, was made from.
 std::vector<fs::path> find_leftovers(const std::vector<Target>& targets,
                                      const std::vector<std::vector<fs::path>>& of_targets,
-                                     const std::string& digest) {
-  std::vector<fs::path> files;
-  for (const std::vector<fs::path>& of_target : of_targets) {
-    files.insert(files.end(), of_target.begin(), of_target.end());
-  }
-  std::set<std::string> digests = digests_of(files);
+                                     const std::string& digest, bool page) {
+  const std::set<fs::path> written = all_of(of_targets);
+  std::set<std::string> digests = digests_of({written.begin(), written.end()});
   digests.insert(digest);
-  const std::set<fs::path> written(files.begin(), files.end());
   std::vector<fs::path> found;
+  std::set<fs::path> pages;
   for (const Target& target : targets) {
+    if (!page && target.shows == Shows::sheets) {
+      pages.insert(target.folder / (target.stem + std::string(suffix(Format::html))));
+    }
     if (one_file_per_page(target.format)) {
       const std::vector<fs::path> leftovers =
           leftovers_of({target.folder, target.stem, target.ending}, written, digests);
@@ -174,7 +185,39 @@ std::vector<fs::path> find_leftovers(const std::vector<Target>& targets,
       }
     }
   }
+  for (const fs::path& file : pages) {
+    const std::set<std::string> its = digests_of({file});
+    if (!its.empty() && digests.contains(*its.begin())) {
+      found.push_back(file);
+    }
+  }
   return found;
+}
+
+/// What other runs left of this model under the names of this one's results, in formats that this one didn't
+/// write, and by other options: whoever prints the new pages shouldn't cut by the old ones.
+std::optional<std::string> note_of_others(const std::vector<Target>& targets,
+                                          const std::vector<std::vector<fs::path>>& of_targets,
+                                          const paper::Mark& mark) {
+  const std::set<fs::path> written = all_of(of_targets);
+  std::set<fs::path> others;
+  for (const Target& target : targets) {
+    for (const Format format : {Format::pdf, Format::svg, Format::fold, Format::html}) {
+      if (target.shows == Shows::sheets) {
+        const std::vector<fs::path> found =
+            leftovers_of({target.folder, target.stem, std::string(suffix(format))}, written, {mark.digest});
+        others.insert(found.begin(), found.end());
+      }
+    }
+  }
+  std::erase_if(others, [&](const fs::path& file) { return !tells_other_settings(file, mark.settings); });
+  if (others.empty()) {
+    return std::nullopt;
+  }
+  std::vector<std::string> names;
+  std::ranges::transform(others, std::back_inserter(names), printed);
+  return listed(names, "and") + (names.size() == 1 ? " is of an earlier run with other options"
+                                                   : " are of an earlier run with other options");
 }
 
 /// What is read beside the model, so that no result replaces it.
@@ -310,8 +353,11 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
     result.file_notes = pending.commit([&] {
       // Another run may have put files there since.
       require_all_replaceable(job, files, digest);
-      return find_leftovers(targets, files, digest);
+      return find_leftovers(targets, files, digest, job.page);
     });
+    if (auto note = note_of_others(targets, files, sheets.printed.mark)) {
+      result.file_notes.push_back(std::move(*note));
+    }
     return true;
   });
   result.seconds = clock.seconds();

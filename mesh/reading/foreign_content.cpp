@@ -236,6 +236,12 @@ std::optional<Signature> by_suffix(std::string_view suffix) {
 
 std::string sentence_of(const Signature& known) {
   const std::string_view way = words(known.way);
+  if (known.imported) {
+    return fmt::format(
+        "is {}, and ridgecraft-import, which reads those, is missing beside this program: it is built where "
+        "libassimp-dev is installed; without it {}",
+        known.what, way);
+  }
   return way.empty() ? "is no mesh but " + std::string(known.what)
                      : fmt::format("is {}, which isn't read: {}", known.what, way);
 }

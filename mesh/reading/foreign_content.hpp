@@ -10,8 +10,9 @@
 
 namespace ridgecraft::mesh {
 
-/// As "is no mesh but a PNG picture", or "is a STEP model, which isn't read: open it in ..."; nothing where
-/// that can't be seen. The suffix helps with what many formats are packed in.
+/// As "is no mesh but a PNG picture", or "is a STEP model, which isn't read: open it in ..."; of formats
+/// that Assimp reads, that what reads them is missing; nothing where that can't be seen. The suffix helps
+/// with what many formats are packed in.
 [[nodiscard]] std::optional<std::string> foreign_content(std::string_view bytes, std::string_view suffix);
 
 /// The same by the suffix alone (without its dot), for content that tells nothing.

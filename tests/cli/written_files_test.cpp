@@ -61,10 +61,34 @@ TEST_CASE("a page for browsers stands beside the other files, unless nobody want
   CHECK_FALSE(fs::exists(folder / "out/house.html"));
   CHECK(fs::exists(folder / "out/house.fold"));
   check_refusal(run_program({"house.obj", "--no-page", "-o", "a.html"}, in(folder)), 2, "--no-page");
+  // One of an earlier run goes with the files that it belongs to; somebody's own stays.
+  REQUIRE(run_program({"house.obj", "--size", "8cm", "-o", "out"}, in(folder)).exit_code == 0);
+  REQUIRE(fs::exists(folder / "out/house.html"));
+  REQUIRE(run_program({"house.obj", "--size", "9cm", "--no-page", "-o", "out"}, in(folder)).exit_code == 0);
+  CHECK_FALSE(fs::exists(folder / "out/house.html"));
+  write_bytes(folder / "out/house.html", "mine");
+  REQUIRE(run_program({"house.obj", "--size", "9cm", "--no-page", "-o", "out"}, in(folder)).exit_code == 0);
+  CHECK(read_bytes(folder / "out/house.html") == "mine");
   // It is a result like others: replaced by those of the same model alone.
   REQUIRE(run_program({"house.obj", "--size", "9cm", "-o", "page.html"}, in(folder)).exit_code == 0);
   write_bytes(folder / "house.obj", std::string(house) + "# edited\n");
   check_refusal(run_program({"house.obj", "--size", "9cm", "-o", "page.html"}, in(folder)), 7, "page.html");
+}
+
+TEST_CASE("files of an earlier run with other options are told, and stay", "[written_files]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "--size", "8cm"}, in(folder)).exit_code == 0);
+  write_bytes(folder / "house-2.svg", "mine");
+  const std::string fold = read_bytes(folder / "house.fold");
+  // They are the same nets.
+  CHECK(run_program({"house.obj", "--size", "8cm", "-o", "house.pdf"}, in(folder)).err.empty());
+  const Outcome larger = run_program({"house.obj", "--size", "9cm", "-o", "house.pdf"}, in(folder));
+  REQUIRE(larger.exit_code == 0);
+  CHECK(larger.err ==
+        "note: house.fold, house.html and house.svg are of an earlier run with other options\n");
+  CHECK(read_bytes(folder / "house.fold") == fold);
+  CHECK(run_program({"house.obj", "--size", "9cm"}, in(folder)).err.empty());
 }
 
 TEST_CASE("a preset's files bear its name and stand beside those for the printer", "[written_files]") {

@@ -162,8 +162,12 @@ TEST_CASE("FBX, COLLADA and 3DS: shape, polygons, unit, up, colours and names co
 
 TEST_CASE("The content decides, and without the importer such files are refused with a way out",
           "[imported]") {
-  CHECK(import_refusal(fbx_tower(), "a.obj", {}) ==
-        "a.obj is an FBX model, which isn't read: open it in Blender and export it as glTF (.glb) or OBJ");
+  CHECK(
+      import_refusal(fbx_tower(), "a.obj", {}) ==
+      "a.obj is an FBX model, and ridgecraft-import, which reads those, is missing beside this program: it "
+      "is "
+      "built where libassimp-dev is installed; without it open it in Blender and export it as glTF (.glb) or "
+      "OBJ");
   // What is OBJ stays so, whatever it is called.
   CHECK(imported("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.fbx").format == mesh::FileFormat::obj);
   if (is_built()) {
