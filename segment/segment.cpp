@@ -18,6 +18,7 @@
 #include "segment/surface/component_ties.hpp"
 #include "segment/surface/divided_valleys.hpp"
 #include "segment/surface/scaled_surface.hpp"
+#include "segment/surface/undivided.hpp"
 #include "segment/surface/virtual_facets.hpp"
 
 namespace ridgecraft::segment {
@@ -254,6 +255,39 @@ Segmentation segment_surface(const mesh::Surface& surface, std::span<const std::
   return segmentation_of(std::move(parts), ground);
 }
 
+/// Parts of a surface that another one stands for, with the numbers of that one: `to_given_numbers` changes a
+/// part's.
+template <class ToGivenNumbers>
+Segmentation renumbered(Segmentation s, std::size_t face_count, const ToGivenNumbers& to_given_numbers) {
+  s.part = {};
+  s.part.resize(face_count);
+  for (const PartId p : ids<PartId>(s.parts.size())) {
+    to_given_numbers(s.parts[p]);
+    for (const FaceId f : s.parts[p].faces) {
+      s.part[f] = p;
+    }
+  }
+  return s;
+}
+
+/// With points in the middle of lonely valleys.
+Segmentation segment_with_valleys(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                                  const Options& options, std::span<const std::uint32_t> label,
+                                  const Context& context) {
+  const DividedValleys divided = divide_valleys(surface, polygon, shortest_valley_share * options.concavity);
+  if (!divided.any()) {
+    return segment_surface(surface, polygon, options, label, context);
+  }
+  std::vector<std::uint32_t> divided_label;
+  if (!label.empty()) {
+    for (const FaceId f : divided.face_of) {
+      divided_label.push_back(label[f.value()]);
+    }
+  }
+  return renumbered(segment_surface(divided.surface, divided.polygon, options, divided_label, context),
+                    surface.face_count(), [&](Part& part) { divided.to_given_numbers(part); });
+}
+
 }  // namespace
 
 Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
@@ -264,29 +298,18 @@ Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t
     return {};
   }
   // Where depth isn't capped by the hull, the ends of a valley tell it.
-  const DividedValleys divided =
-      rules_of(options.reading).cap
-          ? divide_valleys(surface, polygon, shortest_valley_share * options.concavity)
-          : DividedValleys();
-  if (!divided.any()) {
+  if (!rules_of(options.reading).cap) {
     return segment_surface(surface, polygon, options, label, context);
   }
-  std::vector<std::uint32_t> divided_label;
-  if (!label.empty()) {
-    for (const FaceId f : divided.face_of) {
-      divided_label.push_back(label[f.value()]);
-    }
+  // Between components, and over holes, distances between points count: there all points stay.
+  const bool points_count = options.components == Options::Components::tied || closes_holes(surface, options);
+  const Undivided undivided = points_count ? Undivided() : undivide(surface, polygon, label);
+  if (!undivided.any()) {
+    return segment_with_valleys(surface, polygon, options, label, context);
   }
-  Segmentation s = segment_surface(divided.surface, divided.polygon, options, divided_label, context);
-  s.part = {};
-  s.part.resize(surface.face_count());
-  for (const PartId p : ids<PartId>(s.parts.size())) {
-    divided.to_given_numbers(s.parts[p]);
-    for (const FaceId f : s.parts[p].faces) {
-      s.part[f] = p;
-    }
-  }
-  return s;
+  return renumbered(
+      segment_with_valleys(undivided.surface, undivided.polygon, options, undivided.label, context),
+      surface.face_count(), [&](Part& part) { undivided.to_given_numbers(part); });
 }
 
 }  // namespace ridgecraft::segment
