@@ -215,7 +215,7 @@ class Builder {
       const SeamGraph::Node& node = graph_.nodes[piece];
       step_[piece] = assembly_.steps.size();
       --left_[node.group];
-      step.closes = step.closes || (left_[node.group] == 0 && graph_.border_of(node.group) == 0.0);
+      step.closes = step.closes || (left_[node.group] == 0 && graph_.border_of(node.group) < hand_hole_mm);
       for (const SeamGraph::Seam& seam : node.seams) {
         standing_mm_[seam.other] += seam.length_mm;
       }

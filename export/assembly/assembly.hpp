@@ -16,7 +16,7 @@ struct AssemblyStep {
   std::vector<JoinId> own;      ///< that close one of the pieces by itself: these are glued first; ascending
   std::vector<JoinId> joins;    ///< with what stands, and between pieces of this step; ascending
   bool starts = false;          ///< what stands has no seam with these pieces: a body begins
-  bool closes = false;          ///< the body is closed after it: no finger reaches inside any more
+  bool closes = false;          ///< the body is closed after it: no hand reaches inside any more
 };
 
 struct Assembly {

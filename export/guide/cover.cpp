@@ -156,7 +156,7 @@ SideView look_at_pieces(const GuideModel& guide, const Viewpoint& side) {
   view.camera = look_from(guide.stance, side.azimuth, side.elevation);
   const CoarseView coarse = look_coarsely(guide.scene, view.camera, anchor_pixels);
   const std::size_t count = guide.nets->pieces.size();
-  view.anchors = find_anchors(coarse, guide.piece_of_face, count);
+  view.anchors = find_anchors_on_faces(coarse, guide.scene, guide.piece_of_face, count);
   view.area = seen_areas(coarse, count, [&](FaceId face) { return guide.piece_of_face[face]; });
   return view;
 }
@@ -281,7 +281,9 @@ Group overview(const GuideModel& guide, const Context& context) {
         [&](PieceId piece) -> const PieceLook& { return guide.looks[piece]; }, group);
     std::vector<std::size_t> order;
     for (std::size_t p = 0; p < pieces; ++p) {
-      if (view.anchors[p].seen) {
+      // Nobody can see at what a line points that ends on less.
+      constexpr double least_room = 0.6;  // mm
+      if (view.anchors[p].seen && (best_side(p) == drawn[i] || scale * view.anchors[p].room >= least_room)) {
         order.push_back(p);
       }
     }

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/parallel.hpp"
+#include "base/sentence.hpp"
 #include "export/guide/callouts.hpp"
 #include "export/guide/net_picture.hpp"
 #include "export/guide/step_words.hpp"
@@ -33,11 +34,12 @@ struct StepGrid {
   double column_width;    ///< for names beside the picture
   std::size_t most_rows;  ///< of sentences
 };
-constexpr std::array<StepGrid, 3> grids{{{36, 2, 3, 5.0, 2.1, 24.0, 9.0, 7},
+constexpr std::array<StepGrid, 3> grids{{{36, 2, 3, 5.0, 2.1, 21.0, 9.0, 7},
                                          {120, 3, 4, 4.0, 1.8, 15.0, 7.0, 6},
                                          {static_cast<std::size_t>(-1), 4, 5, 3.2, 1.6, 10.0, 5.5, 5}}};
 constexpr double cell_gap = 7.0;
 constexpr double row_step_share = 1.65;  ///< of the words' height
+constexpr double name_share = 1.1;       ///< height of names beside the picture, of the words'
 
 constexpr std::size_t side_pixels = 96;
 constexpr std::size_t name_pixels = 200;
@@ -173,12 +175,42 @@ class StepPages {
     Group group;
     const Box2 box = box_of_step(index);
     const double top = add_head(index, box, step.turned, group);
-    const double bottom = add_sentences(index, box, group);
+    const std::vector<PieceId> behind = partners_behind(index, step);
+    const double bottom = add_sentences(index, box, behind, group);
     Box2 picture{{box.low.x, bottom}, {box.high.x, top}};
     add_net(index, picture, group);
     picture.high.x -= grid_.net_width + 2.0;
-    add_step_picture(index, step, picture, group);
+    add_step_picture(index, step, picture, behind, group);
     return group;
+  }
+
+  /// Of what is glued to in this step, the pieces that nothing is seen of.
+  [[nodiscard]] std::vector<PieceId> partners_behind(std::size_t index, const StepScene& step) const {
+    const CoarseView coarse = look_coarsely(step.scene, step.camera, name_pixels);
+    const std::vector<double> areas = seen_areas(coarse, guide_.nets->pieces.size(),
+                                                 [&](FaceId face) { return guide_.piece_of_face[face]; });
+    std::vector<PieceId> behind = glued_before(guide_.surface(), *guide_.nets, steps_[index]);
+    std::erase_if(behind, [&](PieceId piece) { return areas[piece.value()] > 0.0; });
+    return behind;
+  }
+
+  /// Where the longest seam that is glued in this step at a piece is seen, or would be.
+  [[nodiscard]] Vec2 longest_seam_at(std::size_t index, PieceId piece, const Camera& camera) const {
+    const mesh::Surface& surface = guide_.surface();
+    double longest = -1.0;
+    Vec2 middle;
+    for (const JoinId join : steps_[index].joins) {
+      const EdgeId edge = guide_.nets->joins[join].edge;
+      const auto [c, d] = surface.sides(edge);
+      const bool there =
+          guide_.nets->piece[mesh::face_of(c)] == piece || guide_.nets->piece[mesh::face_of(d)] == piece;
+      if (there && surface.length(edge) > longest) {
+        longest = surface.length(edge);
+        middle = 0.5 * (camera(surface.point(surface.vertex(c))) +
+                        camera(surface.point(surface.vertex(mesh::next(c)))));
+      }
+    }
+    return middle;
   }
 
   /// The number, the names and how the model is turned; returns where they end.
@@ -201,11 +233,21 @@ class StepPages {
   }
 
   /// At the foot of the cell; returns where they begin.
-  double add_sentences(std::size_t index, const Box2& box, Group& group) const {
+  double add_sentences(std::size_t index, const Box2& box, const std::vector<PieceId>& behind,
+                       Group& group) const {
     const double height = grid_.words_height;
     std::vector<std::string> rows;
-    for (const std::string& sentence :
-         step_sentences(guide_.surface(), *guide_.nets, *guide_.assembly, index, guide_.bodies)) {
+    std::vector<std::string> sentences =
+        step_sentences(guide_.surface(), *guide_.nets, *guide_.assembly, index, guide_.bodies);
+    if (!behind.empty()) {
+      std::vector<std::string> names;
+      for (const PieceId piece : behind) {
+        names.push_back(guide_.nets->pieces[piece].name);
+      }
+      sentences.push_back(listed(names, "and") + (names.size() == 1 ? " is" : " are") +
+                          " behind what is seen here.");
+    }
+    for (const std::string& sentence : sentences) {
       const auto own = wrapped(sentence, box.size().x, height);
       rows.insert(rows.end(), own.begin(), own.end());
     }
@@ -244,9 +286,10 @@ class StepPages {
     group.texts.push_back(in_grey(words_to(words, {frame.high.x, frame.low.y - caption - 1.2}, caption)));
   }
 
-  void add_step_picture(std::size_t index, const StepScene& step, const Box2& box, Group& group) const {
-    const Box2 frame{{box.low.x + grid_.column_width, box.low.y},
-                     {box.high.x - grid_.column_width, box.high.y}};
+  void add_step_picture(std::size_t index, const StepScene& step, const Box2& box,
+                        const std::vector<PieceId>& behind, Group& group) const {
+    const double column = column_beside(index);
+    const Box2 frame{{box.low.x + column, box.low.y}, {box.high.x - column, box.high.y}};
     const Box2 all = seen_box(step.scene, step.camera);
     const std::optional<Box2> part = surroundings_of_new(index, step, all, frame);
     const Fit fit = fit_into(part ? *part : all, frame);
@@ -265,7 +308,24 @@ class StepPages {
           return is_new(index, piece) ? guide_.looks[piece] : guide_.pale;
         },
         group);
-    add_names(index, step, fit, crop, frame, box, group);
+    add_names(index, step, fit, crop, frame, box, behind, group);
+  }
+
+  /// As wide as the names are that may stand beside the picture, and their lines.
+  [[nodiscard]] double column_beside(std::size_t index) const {
+    constexpr double line = 4.0;
+    double width = 0.0;
+    const auto heed = [&](PieceId piece, std::string_view around) {
+      width = std::max(width, text_width(guide_.nets->pieces[piece].name + std::string(around),
+                                         name_share * grid_.words_height));
+    };
+    for (const PieceId piece : steps_[index].pieces) {
+      heed(piece, "");
+    }
+    for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[index])) {
+      heed(piece, "()");
+    }
+    return std::min(width + line, grid_.column_width);
   }
 
   /// What is drawn of the scene where what is added is small in it: a box of the frame's shape.
@@ -296,36 +356,45 @@ class StepPages {
     return Box2{middle - 0.5 * size, middle + 0.5 * size};
   }
 
-  /// Those of what is added beside the picture, those of what it is glued to on their pieces.
+  /// Those of what is added beside the picture, those of what it is glued to on their pieces, or beside it in
+  /// brackets.
   void add_names(std::size_t index, const StepScene& step, const Fit& fit, const std::optional<Box2>& crop,
-                 const Box2& frame, const Box2& box, Group& group) const {
+                 const Box2& frame, const Box2& box, const std::vector<PieceId>& behind, Group& group) const {
     const CoarseView coarse = look_coarsely(step.scene, step.camera, name_pixels);
     const std::vector<Anchor> anchors =
         find_anchors(coarse, guide_.piece_of_face, guide_.nets->pieces.size());
     const auto is_in_picture = [&](Vec2 p) {
       return !crop || (p.x > crop->low.x && p.x < crop->high.x && p.y > crop->low.y && p.y < crop->high.y);
     };
+    const std::vector<Anchor> on_faces =
+        find_anchors_on_faces(coarse, step.scene, guide_.piece_of_face, guide_.nets->pieces.size());
     std::vector<Callout> callouts;
     for (const PieceId piece : steps_[index].pieces) {
-      const Anchor& anchor = anchors[piece.value()];
+      const Anchor& anchor = on_faces[piece.value()];
       if (anchor.seen && is_in_picture(fit(anchor.at))) {
         callouts.push_back({guide_.nets->pieces[piece].name, fit(anchor.at)});
       }
     }
-    CalloutColumns columns{box, frame.low.x - 1.5, frame.high.x + 1.5, 1.1 * grid_.words_height};
-    columns.box.high.y -= 1.0;
-    add_callouts(callouts, columns, group);
     const double height = 0.9 * grid_.words_height;
     for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[index])) {
       const Anchor& anchor = anchors[piece.value()];
       const std::string& name = guide_.nets->pieces[piece].name;
       const double needed = 0.5 * (height + text_width(name, height));
-      if (anchor.seen && is_in_picture(fit(anchor.at)) && fit.scale * anchor.room > needed) {
-        const Vec2 at = fit(anchor.at);
+      const bool is_behind = std::binary_search(behind.begin(), behind.end(), piece);
+      const Vec2 at = fit(is_behind ? longest_seam_at(index, piece, step.camera) : anchor.at);
+      if (!is_in_picture(at) || (!is_behind && !anchor.seen)) {
+        continue;
+      }
+      if (!is_behind && fit.scale * anchor.room > needed) {
         group.texts.push_back(
             in_grey(words_from(name, at - 0.5 * Vec2{text_width(name, height), height}, height)));
+      } else {
+        callouts.push_back({"(" + name + ")", at});
       }
     }
+    CalloutColumns columns{box, frame.low.x - 1.5, frame.high.x + 1.5, name_share * grid_.words_height};
+    columns.box.high.y -= 1.0;
+    add_callouts(callouts, columns, group);
   }
 
   const GuideModel& guide_;

@@ -102,4 +102,22 @@ std::vector<Anchor> find_anchors(const CoarseView& view, const IdVector<FaceId, 
   return anchors;
 }
 
+std::vector<Anchor> find_anchors_on_faces(const CoarseView& view, const Scene& scene,
+                                          const IdVector<FaceId, std::uint32_t>& thing, std::size_t count) {
+  std::size_t regions = 0;
+  for (const FaceId face : view.face) {
+    regions = std::max(regions, face.valid() ? std::size_t{scene.region[face]} + 1 : 0);
+  }
+  const std::vector<Anchor> of_region = find_anchors(view, scene.region, regions);
+  std::vector<Anchor> anchors(count);
+  for (const FaceId face : view.face) {
+    if (face.valid()) {
+      const Anchor& own = of_region[scene.region[face]];
+      Anchor& best = anchors[thing[face]];
+      best = !best.seen || own.room > best.room ? own : best;
+    }
+  }
+  return anchors;
+}
+
 }  // namespace ridgecraft::paper

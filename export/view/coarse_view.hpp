@@ -51,4 +51,10 @@ struct Anchor {
                                                const IdVector<FaceId, std::uint32_t>& thing,
                                                std::size_t count);
 
+/// The same for a word that points at a thing: on the flat region (of Scene::region) of the thing that has
+/// the most room, so that it doesn't point at an edge between two.
+[[nodiscard]] std::vector<Anchor> find_anchors_on_faces(const CoarseView& view, const Scene& scene,
+                                                        const IdVector<FaceId, std::uint32_t>& thing,
+                                                        std::size_t count);
+
 }  // namespace ridgecraft::paper

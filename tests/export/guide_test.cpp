@@ -81,6 +81,31 @@ TEST_CASE("the guide names every piece where it is seen, and has every step", "[
   }
 }
 
+TEST_CASE("a step names all that it glues to, also what lies behind what is seen", "[guide]") {
+  // Each wall of a cube is a piece, so that the floor and the far walls are seen from no side that is shown.
+  const Drawn drawn = draw(test::cube(), 60.0);
+  REQUIRE(drawn.guide.steps == 6);
+  REQUIRE(drawn.guide.pages.size() == 3);
+  std::size_t wanted = 0;
+  for (const paper::AssemblyStep& step : drawn.assembly.steps) {
+    wanted += paper::glued_before(drawn.sample.model.model.surface, drawn.sample.nets, step).size();
+  }
+  std::size_t named = 0;
+  bool any_behind = false;
+  for (const std::string& word : words_on(drawn.guide.pages[2])) {
+    const bool in_brackets = word.starts_with('(') && word.ends_with(')');
+    const std::string name = in_brackets ? word.substr(1, word.size() - 2) : word;
+    named += std::ranges::any_of(drawn.sample.nets.pieces,
+                                 [&](const unfold::Piece& piece) { return piece.name == name; })
+                 ? 1U
+                 : 0U;
+    any_behind = any_behind || word.find("behind what is seen here") != std::string::npos;
+  }
+  // Besides, each step has the name of its own piece as its title and beside the picture.
+  CHECK(named == wanted + 2 * 6);
+  CHECK(any_behind);
+}
+
 TEST_CASE("no page of the guide has one row of steps alone where the others have room for it", "[guide]") {
   // 1 to 36 pieces; six steps a page, or eight.
   const auto pages_of = [](std::size_t steps) {

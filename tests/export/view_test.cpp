@@ -246,6 +246,13 @@ TEST_CASE("a coarse view shows the same faces, and places well inside them", "[v
     CHECK(areas[region] == Approx(exact[region]).margin(0.03));
     CHECK(anchors[region].seen == (areas[region] > 0.0));
   }
+  // Of a thing of several regions it is the place on the one with the most room.
+  const IdVector<FaceId, std::uint32_t> one(shape.face_count(), 0);
+  const paper::Anchor best = paper::find_anchors_on_faces(coarse, scene, one, 1).front();
+  REQUIRE(best.seen);
+  for (const paper::Anchor& anchor : anchors) {
+    CHECK(anchor.room <= best.room);
+  }
 }
 
 }  // namespace
