@@ -103,6 +103,11 @@ void add_figures(const std::optional<verify::Figures>& figures, Summary& summary
                                 : fmt::format("{} narrower than 1 mm, which no knife cuts out",
                                               counted(f.narrow_pieces, "piece"));
   });
+  add("thin_necks", &F::thin_necks, Line::nets, "necks", [](const F& f) {
+    return f.thin_necks == 0
+               ? std::string()
+               : fmt::format("{} held together by less than 1 mm of paper", counted(f.thin_necks, "piece"));
+  });
 }
 
 void add_folding(const verify::FoldingFigures& folding, Summary& summary) {

@@ -7,7 +7,10 @@
 
 #include "base/random.hpp"
 #include "support/shapes.hpp"
+#include "unfold/energy/piece_shape.hpp"
 #include "unfold/nets_checks.hpp"
+#include "unfold/patch/necks.hpp"
+#include "unfold/patch/objective.hpp"
 #include "unfold/pieces/needles.hpp"
 #include "unfold/tabs/place/paper_behind.hpp"
 
@@ -103,6 +106,63 @@ TEST_CASE("nothing hangs on a thread of paper", "[unfold]") {
       if (!two.is_border(e) && std::abs(two.length(e) - 11.0) < 1e-9) {
         CHECK(apart[e] == EdgeWish::needle);
       }
+    }
+  }
+}
+
+TEST_CASE("what lies beside a needle is cut off it, though its neighbour keeps it", "[unfold]") {
+  // Two needles along each other, and a flap at the end of the second.
+  const std::vector<Vec3> points{{0, 0, 0},     {60, 0, 0},     {60, 0.3, 0},    {0, 0.3, 0},
+                                 {0, 0.3, 0.3}, {60, 0.3, 0.3}, {74, 14.3, -15}, {74, 14.3, 15.3}};
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const auto& [a, b, c] : std::vector<std::array<std::uint32_t, 3>>{
+           {0, 1, 2}, {0, 2, 3}, {3, 2, 5}, {3, 5, 4}, {5, 2, 6}, {5, 6, 7}}) {
+    faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  }
+  const mesh::Surface surface(points, faces);
+  const EdgeWishes wishes = unfold::with_needles_kept(surface, test::flat_panels(surface), {});
+  REQUIRE_FALSE(wishes.empty());
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    const double mm = surface.length(e);
+    if (!surface.is_border(e) && std::abs(mm - 60.0) < 1e-9) {
+      CHECK(wishes[e] == EdgeWish::needle);
+    }
+    if (!surface.is_border(e) && std::abs(mm - 0.3) < 1e-9) {
+      CHECK(wishes[e] == EdgeWish::cut);
+    }
+  }
+}
+
+TEST_CASE("a branch that hangs by a thread is dear in every search", "[energy]") {
+  CHECK(unfold::neck_cost(0.9, 30.0) > unfold::thread_cost);
+  CHECK(unfold::neck_cost(0.9, 20.0) < unfold::thread_cost);
+  CHECK(unfold::neck_cost(1.1, 30.0) < unfold::thread_cost);
+  CHECK(unfold::neck_cost(10.0, 30.0) == 0.0);
+  unfold::Weights thin;
+  for (const std::string_view term : unfold::term_names()) {
+    *unfold::weight_named(thin, term) = term == "thin" ? 1.0 : 0.0;
+  }
+  // A face between two others whose outer side comes near the corner where all three meet.
+  for (const double width : {0.5, 1.5}) {
+    const std::vector<Vec3> points{{0, 0, 0}, {15, width, 0}, {-15, width, 0}, {10, -15, 0}, {-10, -15, 0}};
+    const std::vector<std::array<VertexId, 3>> faces{{VertexId(0), VertexId(1), VertexId(2)},
+                                                     {VertexId(1), VertexId(0), VertexId(3)},
+                                                     {VertexId(0), VertexId(2), VertexId(4)}};
+    const mesh::Surface surface(points, faces);
+    const unfold::Patch patch = unfold::make_patch(surface, test::no_panels(surface),
+                                                   std::vector<FaceId>{FaceId(0), FaceId(1), FaceId(2)});
+    unfold::Folds folds(patch.twin.size());
+    for (std::uint32_t side = 0; side < folds.size(); ++side) {
+      folds[side] = patch.twin[side] != unfold::nothing ? 1 : 0;
+    }
+    const double dear = width < unfold::thread_mm ? unfold::thread_cost : 0.0;
+    CHECK(unfold::cost_of_piece(patch, folds, unfold::one_part, thin) == Approx(dear));
+    unfold::RootedNet net(patch);
+    net.set_tree(folds);
+    const unfold::Room room{};
+    unfold::PieceShape shape(patch, room, thin);
+    for (std::uint32_t root = 0; root < 3; ++root) {
+      CHECK(shape.measure(net, folds, root, nullptr, {}).cost == Approx(dear));
     }
   }
 }

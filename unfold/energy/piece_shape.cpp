@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "unfold/patch/necks.hpp"
+
 namespace ridgecraft::unfold {
 namespace {
 
@@ -13,8 +15,6 @@ constexpr std::array<float, 8> cosines{1.0F, 0.92387953F,  0.70710678F,  0.38268
                                        0.0F, -0.38268343F, -0.70710678F, -0.92387953F};
 constexpr std::array<float, 8> sines{0.0F, 0.38268343F, 0.70710678F, 0.92387953F,
                                      1.0F, 0.92387953F, 0.70710678F, 0.38268343F};
-/// A neck is thin when the branch behind it is this many times wider than it.
-constexpr double thin_ratio = 3.0;
 /// Unit of a piece's hollows, mm2.
 constexpr double hollow_unit_mm2 = 100.0;
 /// Unit of the square of a piece's outline, mm.
@@ -69,7 +69,7 @@ Turn along_axes(const std::vector<Vec2>& points) {
 }  // namespace
 
 PieceShape::PieceShape(const Patch& patch, const Room& room, const Weights& weights)
-    : patch_(patch), room_(room), weights_(weights), members_(patch.size()) {
+    : patch_(patch), room_(room), weights_(weights), narrow_(narrow_sides(patch)), members_(patch.size()) {
   area_.reserve(patch.size());
   for (const Triangle& t : patch.shape) {
     area_.push_back(area_of(t));
@@ -100,14 +100,21 @@ void PieceShape::collect(const Folds& folds, std::uint32_t root) {
   }
 }
 
-double PieceShape::necks() const {
+double PieceShape::necks(const Folds& folds) const {
   double sum = 0.0;
   for (std::size_t i = 1; i < count_; ++i) {
     const Member& member = members_[i];
-    const double area = std::min(member.behind, members_[0].behind - member.behind);
-    const double thin = thin_ratio * patch_.length[member.up];
-    if (area > thin * thin && patch_.frozen[member.up] == 0) {
-      sum += std::sqrt(area) - thin;
+    if (patch_.frozen[member.up] == 0) {
+      sum += neck_cost(patch_.length[member.up], std::min(member.behind, members_[0].behind - member.behind));
+    }
+  }
+  for (std::size_t i = 0; i < count_ && !narrow_.empty(); ++i) {
+    const Member& member = members_[i];
+    const std::uint32_t cut = only_cut(folds, member.face);
+    if (cut != nothing && narrow_[cut] != 0) {
+      const double area = area_[member.face];
+      const double behind = i > 0 ? member.behind - area : members_[1].behind;
+      sum += thread_cost_between(behind, members_[0].behind - area - behind);
     }
   }
   return sum;
@@ -170,7 +177,7 @@ PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds
   result.panels = panels_;
   const double paper = members_[0].behind;
   result.cost = weights_.compact * std::max(0.0, area_within(reach) - paper) / hollow_unit_mm2 +
-                weights_.outline * outline_ * outline_ / outline_unit_mm + weights_.thin * necks();
+                weights_.outline * outline_ * outline_ / outline_unit_mm + weights_.thin * necks(folds);
   if (room_.sheet) {
     const double over = overhang(reach);
     result.surely_fits = over <= 0.0;

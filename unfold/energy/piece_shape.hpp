@@ -57,13 +57,14 @@ class PieceShape {
   static constexpr std::size_t directions = 8;
 
   void collect(const Folds& folds, std::uint32_t root);
-  [[nodiscard]] double necks() const;
+  [[nodiscard]] double necks(const Folds& folds) const;
   [[nodiscard]] double overhang(const std::array<float, 2 * directions>& reach) const;
 
   const Patch& patch_;
   const Room& room_;
   Weights weights_;
-  std::vector<double> area_;  ///< per face
+  std::vector<double> area_;          ///< per face
+  std::vector<std::uint8_t> narrow_;  ///< per side (narrow_sides)
   // The piece that was measured last.
   std::vector<Member> members_;  ///< the first `count_`
   std::uint32_t count_ = 0;

@@ -9,6 +9,7 @@
 #include "base/convex_hull.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
+#include "unfold/patch/necks.hpp"
 #include "unfold/patch/room.hpp"
 
 namespace ridgecraft::unfold {
@@ -16,14 +17,12 @@ namespace {
 
 /// A piece this wide is held without trouble, mm.
 constexpr double handy_mm = 30.0;
-/// A neck is thin when the branch behind it is this many times wider than it.
-constexpr double thin_ratio = 3.0;
 /// A piece of so many panels is an evening's work by itself.
 constexpr double many_panels = 80.0;
 
-/// How thin the necks of a tree are: for each fold the width of the smaller side (the root of its area) over
-/// the fold's length, beyond what is harmless.
-double thinness(const Patch& piece, const RootedTree& tree, const std::vector<double>& areas) {
+/// How thin the necks of a tree are.
+double thinness(const Patch& piece, const Folds& folds, const RootedTree& tree,
+                const std::vector<double>& areas, const std::vector<std::uint8_t>& narrow) {
   std::vector<double> area(tree.order.size());
   for (std::size_t i = 0; i < area.size(); ++i) {
     area[i] = areas[tree.order[i]];
@@ -34,8 +33,15 @@ double thinness(const Patch& piece, const RootedTree& tree, const std::vector<do
   double thin = 0.0;
   for (std::size_t i = 1; i < area.size(); ++i) {
     if (piece.frozen[tree.up[i]] == 0) {
-      const double width = std::sqrt(std::min(area[i], area[0] - area[i]));
-      thin += std::max(0.0, width - thin_ratio * piece.length[tree.up[i]]);
+      thin += neck_cost(piece.length[tree.up[i]], std::min(area[i], area[0] - area[i]));
+    }
+  }
+  for (std::size_t i = 0; i < area.size() && !narrow.empty(); ++i) {
+    const std::uint32_t face = tree.order[i];
+    const std::uint32_t cut = only_cut(folds, face);
+    if (cut != nothing && narrow[cut] != 0) {
+      const double behind = i > 0 ? area[i] - areas[face] : area[1];
+      thin += thread_cost_between(behind, area[0] - areas[face] - behind);
     }
   }
   return thin;
@@ -67,6 +73,7 @@ PieceCost::PieceCost(const Patch& piece, std::size_t parts, const Weights& weigh
     : piece_(piece),
       weights_(weights),
       least_(least_cost_of_piece(piece, parts, weights)),
+      narrow_(narrow_sides(piece)),
       place_(piece.size(), nothing) {
   for (std::size_t side = 0; side < piece.twin.size(); ++side) {
     border_ += piece.twin[side] == nothing ? piece.length[side] : 0.0;
@@ -89,7 +96,7 @@ double PieceCost::of(const Folds& tree, std::span<const Vec2> hull) {
   const double hollow = std::max(0.0, hull_area - whole_area_) / 100.0;
   const double outline = outline_cost(border_ + 2.0 * cut, weights_) - outline_cost(border_, weights_);
   return least_ + outline + weights_.seam * cut + weights_.compact * hollow +
-         weights_.thin * thinness(piece_, rooted_tree(piece_, tree, 0, place_), area_);
+         weights_.thin * thinness(piece_, tree, rooted_tree(piece_, tree, 0, place_), area_, narrow_);
 }
 
 double cost_of_piece(const Patch& piece, const Folds& tree, std::size_t parts, const Weights& weights) {

@@ -34,6 +34,7 @@ class PieceCost {
   double border_ = 0.0;               ///< outline that belongs to other pieces or to none, mm
   std::vector<double> area_;          ///< of each face, mm2
   double whole_area_ = 0.0;           ///< of all
+  std::vector<std::uint8_t> narrow_;  ///< per side (narrow_sides)
   std::vector<std::uint32_t> place_;  ///< space to work in
 };
 

@@ -42,6 +42,9 @@ void check_glue(const Case& given, Findings& findings);
 void check_model(const Case& given, const ModelSurface& surface, Findings& findings);
 /// Pieces that no knife cuts out, those left out that meet no other piece.
 void count_narrow_pieces(const Case& given, Findings& findings);
+/// Pieces that hang together by a thread. O(n log n), and for each corner of the outlines with the square of
+/// the sides that come near it.
+void count_thin_necks(const Case& given, Findings& findings);
 /// What the knife cuts and what is folded.
 void measure_cuts(const Case& given, Findings& findings);
 

@@ -34,6 +34,10 @@ constexpr double seam_tolerance_mm = 1e-2;
 constexpr double least_paper_mm = 1.99;
 /// Narrower pieces can't be cut out, mm.
 constexpr double least_piece_mm = 1.0;
+/// Paper narrower than this doesn't hold what hangs on it, mm, where that is larger than this on either side,
+/// mm2.
+constexpr double least_neck_mm = 1.0;
+constexpr double held_by_neck_mm2 = 25.0;
 /// Folded corners beside the model's vertices, as a share of the model's size: 1e-3 mm per 100 mm (promise
 /// 6).
 constexpr double position_tolerance_share = 1e-5;

@@ -44,6 +44,7 @@ struct Figures {
   double cut_mm = 0.0, fold_mm = 0.0;
   std::size_t tabs = 0;
   std::size_t narrow_pieces = 0;  ///< narrower than a knife cuts, and not alone
+  std::size_t thin_necks = 0;     ///< pieces that hang together by less than a knife leaves
 };
 
 /// Of the way in which the pieces are folded; there with Options::folding.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What it costs that much paper hangs on little: on a short fold, or on a face that is narrow between two
+// folds.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "base/segment.hpp"
+#include "unfold/patch/patch.hpp"
+
+namespace ridgecraft::unfold {
+
+/// A neck is thin when the branch behind it is this many times wider than it.
+inline constexpr double thin_ratio = 3.0;
+/// Narrower ones tear, mm, where more paper than this hangs on either side, mm2; what such a one counts more,
+/// mm: to hang the branch elsewhere, or to cut it off, is worth that.
+inline constexpr double thread_mm = 1.0;
+inline constexpr double held_by_thread_mm2 = 25.0;
+inline constexpr double thread_cost = 200.0;
+
+/// By how much the smaller side of a fold (the root of its area, mm2) is wider than is harmless, mm; more
+/// where the fold is but a thread.
+[[nodiscard]] inline double neck_cost(double fold_mm, double held_mm2) {
+  const double harmless = thin_ratio * fold_mm;
+  if (held_mm2 <= harmless * harmless) {
+    return 0.0;
+  }
+  const bool tears = fold_mm < thread_mm && held_mm2 > held_by_thread_mm2;
+  return std::sqrt(held_mm2) - harmless + (tears ? thread_cost : 0.0);
+}
+
+/// The same for a face between two folds whose third side, an outline, comes near the corner where they meet:
+/// what hangs on either of the two, mm2.
+[[nodiscard]] inline double thread_cost_between(double one_mm2, double other_mm2) {
+  return std::min(one_mm2, other_mm2) > held_by_thread_mm2 ? thread_cost : 0.0;
+}
+
+/// Per side: 1 where the corner across comes that near. Empty where there is none.
+[[nodiscard]] inline std::vector<std::uint8_t> narrow_sides(const Patch& patch) {
+  std::vector<std::uint8_t> narrow(patch.twin.size(), 0);
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    const Triangle& t = patch.shape[side / 3];
+    const std::uint32_t k = side % 3;
+    narrow[side] = distance_to_segment(t[(k + 2) % 3], t[k], t[(k + 1) % 3]) < thread_mm ? 1 : 0;
+  }
+  if (std::none_of(narrow.begin(), narrow.end(), [](std::uint8_t n) { return n != 0; })) {
+    narrow.clear();
+  }
+  return narrow;
+}
+
+/// The only side of a face that is no fold, or nothing.
+[[nodiscard]] inline std::uint32_t only_cut(const Folds& folds, std::uint32_t face) {
+  std::uint32_t cut = nothing;
+  for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
+    if (folds[side] == 0) {
+      if (cut != nothing) {
+        return nothing;
+      }
+      cut = side;
+    }
+  }
+  return cut;
+}
+
+}  // namespace ridgecraft::unfold
