@@ -110,29 +110,6 @@ TEST_CASE("nothing hangs on a thread of paper", "[unfold]") {
   }
 }
 
-TEST_CASE("what lies beside a needle is cut off it, though its neighbour keeps it", "[unfold]") {
-  // Two needles along each other, and a flap at the end of the second.
-  const std::vector<Vec3> points{{0, 0, 0},     {60, 0, 0},     {60, 0.3, 0},    {0, 0.3, 0},
-                                 {0, 0.3, 0.3}, {60, 0.3, 0.3}, {74, 14.3, -15}, {74, 14.3, 15.3}};
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const auto& [a, b, c] : std::vector<std::array<std::uint32_t, 3>>{
-           {0, 1, 2}, {0, 2, 3}, {3, 2, 5}, {3, 5, 4}, {5, 2, 6}, {5, 6, 7}}) {
-    faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
-  }
-  const mesh::Surface surface(points, faces);
-  const EdgeWishes wishes = unfold::with_needles_kept(surface, test::flat_panels(surface), {});
-  REQUIRE_FALSE(wishes.empty());
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    const double mm = surface.length(e);
-    if (!surface.is_border(e) && std::abs(mm - 60.0) < 1e-9) {
-      CHECK(wishes[e] == EdgeWish::needle);
-    }
-    if (!surface.is_border(e) && std::abs(mm - 0.3) < 1e-9) {
-      CHECK(wishes[e] == EdgeWish::cut);
-    }
-  }
-}
-
 TEST_CASE("a branch that hangs by a thread is dear in every search", "[energy]") {
   CHECK(unfold::neck_cost(0.9, 30.0) > unfold::thread_cost);
   CHECK(unfold::neck_cost(0.9, 20.0) < unfold::thread_cost);

@@ -33,15 +33,11 @@ class Needles {
         asked_(wishes),
         result_(wishes),
         sets_(panels.count()),
-        together_(panels.count(), 1),
-        narrow_(panels.count(), 0) {}
+        together_(panels.count(), 1) {}
 
   EdgeWishes run() {
     for (const PanelId p : ids<PanelId>(panels_.count())) {
-      narrow_[p.value()] = prepare::is_narrow(surface_, panels_, p, needle_mm) ? 1 : 0;
-    }
-    for (const PanelId p : ids<PanelId>(panels_.count())) {
-      if (narrow_[p.value()] != 0) {
+      if (prepare::is_narrow(surface_, panels_, p, needle_mm)) {
         keep(p);
       }
     }
@@ -50,42 +46,25 @@ class Needles {
 
  private:
   void keep(PanelId p) {
-    std::vector<BorderSide> sides = free_sides(p);
-    if (sides.empty()) {
+    const std::vector<BorderSide> sides = free_sides(p);
+    const auto longest = std::max_element(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+      return surface_.length(a.edge) < surface_.length(b.edge);
+    });
+    if (longest == sides.end()) {
       return;
     }
-    std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
-      return surface_.length(a.edge) > surface_.length(b.edge);
-    });
-    const BorderSide with = kept_with(p, sides);
+    const std::uint32_t both = together_[sets_.find(p.value())] + together_[sets_.find(longest->neighbour)];
+    if (both > most_together || !sets_.join(p.value(), longest->neighbour)) {
+      return;
+    }
+    together_[sets_.find(p.value())] = both;
+    wish(longest->edge, EdgeWish::needle);
     for (const BorderSide& side : sides) {
-      const bool free = result_.empty() || result_[side.edge] == EdgeWish::none;
-      if (free && side.neighbour != with.neighbour && narrow_[side.neighbour] == 0 &&
-          !lies_across(side.edge, with.edge)) {
+      if (side.neighbour != longest->neighbour && result_[side.edge] == EdgeWish::none &&
+          !lies_across(side.edge, longest->edge)) {
         wish(side.edge, EdgeWish::cut);
       }
     }
-  }
-
-  /// Of the sides of a needle, long ones first, the one where it stays with its neighbour: where that already
-  /// keeps it, or the longest where it may. Where it may nowhere, it hangs on the longest or on nothing.
-  BorderSide kept_with(PanelId p, const std::vector<BorderSide>& sides) {
-    if (!result_.empty()) {
-      for (const BorderSide& side : sides) {
-        if (result_[side.edge] == EdgeWish::needle) {
-          return side;
-        }
-      }
-    }
-    for (const BorderSide& side : sides) {
-      const std::uint32_t both = together_[sets_.find(p.value())] + together_[sets_.find(side.neighbour)];
-      if (both <= most_together && sets_.join(p.value(), side.neighbour)) {
-        together_[sets_.find(p.value())] = both;
-        wish(side.edge, EdgeWish::needle);
-        return side;
-      }
-    }
-    return sides.front();
   }
 
   /// Sides of a panel that nobody has a wish for.
@@ -134,7 +113,6 @@ class Needles {
   EdgeWishes result_;
   DisjointSets sets_;
   std::vector<std::uint32_t> together_;  ///< of each set, at its first
-  std::vector<std::uint8_t> narrow_;     ///< per panel
 };
 
 }  // namespace
