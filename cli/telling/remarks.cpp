@@ -19,7 +19,7 @@ constexpr double tiny_mm = 30.0;
 /// Estimates may be so much too small.
 constexpr double most_pages_factor = 1.5;
 
-std::string size_words(double mm) {
+std::string handy_size(double mm) {
   constexpr double metre = 1000.0;
   return mm >= metre ? fmt::format("{:.3g} m", mm / metre) : fmt::format("{:.0f} mm", mm);
 }
@@ -57,7 +57,7 @@ std::optional<std::string> too_many_pages(const job::Remark& remark, std::uint64
   return fmt::format(
       "at {} the model takes about {:.0f} pages, and more than {} aren't made unasked: --size {:.0f}mm takes "
       "about {:.0f}, --most-pages {:.0f} goes on",
-      size_words(many->size_mm), pages, most_pages, two_digits(many->size_for_fewer), many->fewer_pages,
+      handy_size(many->size_mm), pages, most_pages, two_digits(many->size_for_fewer), many->fewer_pages,
       two_digits(most_pages_factor * many->pages));
 }
 
