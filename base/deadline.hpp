@@ -7,6 +7,7 @@
 
 namespace ridgecraft {
 
+/// A moment until which work may go on; `in` makes one.
 class Deadline {
  public:
   /// So many seconds from now; 0 or less: has passed.

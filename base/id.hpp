@@ -78,6 +78,7 @@ class IdVector {
 template <class I>
 class IdRange {
  public:
+  /// Counts up; an index has no address, so it gives values.
   class Iterator {
    public:
     using value_type = I;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ridgecraft {
 
+/// A point or vector of the plane.
 struct Vec2 {
   double x = 0.0;
   double y = 0.0;
@@ -53,6 +55,7 @@ inline double length(Vec2 a) {
   return std::sqrt(dot(a, a));
 }
 
+/// A point or vector of space.
 struct Vec3 {
   double x = 0.0;
   double y = 0.0;
@@ -102,8 +105,9 @@ inline Vec3 normalized(Vec3 a) {
 
 /// Axis-parallel box; empty until the first point is added.
 struct Box3 {
-  Vec3 low{INFINITY, INFINITY, INFINITY};
-  Vec3 high{-INFINITY, -INFINITY, -INFINITY};
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec3 low{infinity, infinity, infinity};
+  Vec3 high{-infinity, -infinity, -infinity};
 
   void add(Vec3 p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};

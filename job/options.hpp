@@ -47,6 +47,8 @@ struct EdgeRequests {
 /// Extents of a model that stands as its guide shows it: from its left to its right, from its back to its
 /// front, from its foot to its top.
 enum class ExtentKind { width, depth, height };
+
+/// How large the model is to be in one direction.
 struct Extent {
   ExtentKind kind = ExtentKind::height;
   double mm = 150.0;
@@ -61,6 +63,7 @@ enum class PartsFrom {
 /// What the pieces of a page have in common, for paper in several colours.
 enum class PageBy { any, material, object };
 
+/// All that a whole job can be told; members that stages share are theirs.
 struct Options {
   prepare::Selection selection;
   /// Bodies that touch or run into each other become one skin. Not where a model's file holds nets that are

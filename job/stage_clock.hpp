@@ -15,6 +15,7 @@ namespace ridgecraft::job {
 /// Wall seconds per stage, in the order in which they began; a stage that is entered again adds to its own.
 using StageSeconds = std::vector<std::pair<std::string, double>>;
 
+/// Runs the stages of a job, and tells how long each took.
 class StageClock {
  public:
   /// Runs a stage, reports it as progress, and takes its time. Throws Error(interrupted) where the user has

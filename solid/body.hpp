@@ -11,6 +11,7 @@
 
 namespace ridgecraft::solid {
 
+/// A closed triangle mesh, counterclockwise seen from outside.
 struct Body {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -18,6 +18,7 @@
 
 namespace ridgecraft::solid {
 
+/// How large a hull may be.
 struct HullOptions {
   /// No hull has more vertices (physics engines have limits); at least 8. 0: as many as it takes.
   std::size_t max_vertices = 0;
@@ -31,6 +32,7 @@ struct HullOptions {
 [[nodiscard]] std::vector<Body> part_hulls(const mesh::Surface& surface, const segment::Segmentation& parts,
                                            const HullOptions& options, const Context& context);
 
+/// How coarse a cage is.
 struct CageOptions {
   /// At most this many faces, where the shape allows it; at least 20.
   std::size_t faces = 500;
@@ -42,6 +44,7 @@ struct CageOptions {
 /// just below the one asked for.
 [[nodiscard]] Body cage(const std::vector<Body>& bodies, const CageOptions& options, const Context& context);
 
+/// How closely a shell follows.
 struct ShellOptions {
   /// Openings and gaps narrower than this are closed, as a share of the bounding box's diagonal; in (0, 1].
   double opening = 0.05;

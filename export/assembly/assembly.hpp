@@ -19,6 +19,7 @@ struct AssemblyStep {
   bool closes = false;          ///< the body is closed after it: no hand reaches inside any more
 };
 
+/// How a model is built, one step after the other.
 struct Assembly {
   std::vector<AssemblyStep> steps;
 };

@@ -10,6 +10,7 @@
 
 namespace ridgecraft::paper {
 
+/// How long a model takes to build, how hard it is, and the figures that tell.
 struct Effort {
   double seam_mm = 0.0;  ///< of all joins, each once
   std::size_t joins = 0;

@@ -8,6 +8,7 @@
 
 namespace ridgecraft::paper {
 
+/// Where outlines stay uncut, so that pieces don't fall out of the sheet.
 struct BridgeRules {
   int count = 0;          ///< of one outline; 0: it is cut all round
   double width_mm = 0.4;  ///< of each

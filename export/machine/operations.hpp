@@ -24,12 +24,14 @@ enum class Operation {
 };
 inline constexpr int operation_count = 7;
 
+/// One way of a tool, mm, on the page.
 struct Path {
   Operation operation = Operation::cut_outer;
   std::vector<Vec2> points;  ///< two or more; of a closed path three or more, the first one once
   bool closed = false;       ///< outlines, counterclockwise, and holes, clockwise
 };
 
+/// What a machine can do, and wants to be told.
 struct PathRules {
   bool engraves = true;           ///< numbers and names are there
   Scores scores = Scores::solid;  ///< what is done at folds

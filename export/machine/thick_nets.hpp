@@ -21,11 +21,13 @@ enum class Hinge {
 /// "back", "middle", "front"
 [[nodiscard]] std::string_view word(Hinge hinge);
 
+/// What the sheets are that pieces are cut from, and how they are folded.
 struct Board {
   double thickness_mm = 0.0;  ///< 0: paper, whose nets stay as they are
   Hinge hinge = Hinge::middle;
 };
 
+/// What couldn't be done as asked.
 struct ThickReport {
   std::size_t clamped = 0;  ///< sides whose change would have taken more than a third of their face
   std::size_t kept = 0;     ///< pieces that stay as thin ones, as they would have lain on themselves

@@ -10,6 +10,7 @@
 
 namespace ridgecraft::paper {
 
+/// A component of the surface, by its pieces.
 struct Body {
   std::vector<PieceId> pieces;  ///< ascending
   PieceId beside;               ///< the nearest piece of another body; none where there are too many bodies

@@ -14,6 +14,7 @@ namespace ridgecraft::paper {
 /// Faces of two bodies touch where they are no farther apart, mm: what is printed is true within this.
 inline constexpr double contact_mm = 0.1;
 
+/// Where the face of one body is glued onto that of another.
 struct Contact {
   PieceId piece;  ///< of the larger body: on its face the other one is glued
   PieceId other;  ///< of the smaller body: the piece whose face lies there

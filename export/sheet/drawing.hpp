@@ -14,6 +14,7 @@
 
 namespace ridgecraft::paper {
 
+/// sRGB, 0 to 255 each.
 struct Color {
   std::uint8_t red = 0;
   std::uint8_t green = 0;
@@ -67,6 +68,7 @@ enum class Tone {
   light,
 };
 
+/// A chain of straight strokes, as its layer looks.
 struct Line {
   Layer layer = Layer::cut;
   std::vector<Vec2> points;  ///< at least two
@@ -79,12 +81,14 @@ struct Line {
   std::optional<Pen> pen = {};  ///< instead of the layer's look
 };
 
+/// A filled polygon, as its layer looks.
 struct Area {
   Layer layer = Layer::tab_fill;
   std::vector<Vec2> outline;        ///< closed, simple
   std::optional<Color> color = {};  ///< instead of the layer's
 };
 
+/// One line of words around a point.
 struct Text {
   Layer layer = Layer::label;
   std::string text;                 ///< UTF-8

@@ -24,6 +24,7 @@ struct Placement : Rigid {
   PageId page;
 };
 
+/// Where each piece lies.
 struct Pages {
   Paper paper;
   std::size_t count = 0;
@@ -49,6 +50,7 @@ enum class Numbers {
 /// Over which edge a printer turns a sheet to print its back.
 enum class TurnedOver { long_edge, short_edge };
 
+/// How pages look, as far as users have a say.
 struct Style {
   double hidden_fold_angle = prepare::hidden_fold_angle;  ///< smaller folds get no line, radians
   double label_height = 2.5;                              ///< mm
@@ -62,6 +64,7 @@ struct Style {
 
 /// What is drawn, beside the pages themselves.
 struct DrawReport {
+  /// The number of a join, on a piece that has it at one of its edges.
   struct Number {
     std::string piece;
     std::uint32_t number = 0;

@@ -10,6 +10,7 @@
 
 namespace ridgecraft::paper {
 
+/// Pieces that are alike: whoever builds the model makes the same thing several times.
 struct PieceKind {
   std::vector<PieceId> pieces;    ///< ascending, mirrored ones left out
   std::vector<PieceId> mirrored;  ///< mirror images of these, ascending

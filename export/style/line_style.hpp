@@ -10,6 +10,7 @@
 
 namespace ridgecraft::paper {
 
+/// What a line looks like in every format that prints.
 struct LineStyle {
   double width = 0.2;  ///< mm
   Color color;

@@ -23,6 +23,7 @@ struct CornerColours {
   std::vector<std::uint32_t> colour;        ///< as Soup::corner_colour
 };
 
+/// A model as it was read and repaired: its surface, and what its file says besides.
 struct Model {
   std::string name;    ///< the file's name without folder and suffix, valid UTF-8
   std::string digest;  ///< 16 hexadecimal digits, hash of the file's bytes; marks what is made from it

@@ -51,6 +51,7 @@ enum class RepairKind {
 /// For example "24 points at equal places were joined".
 [[nodiscard]] std::string sentence(RepairKind kind, std::size_t count);
 
+/// How often one kind of repair was made.
 struct Repair {
   RepairKind kind;
   std::size_t count;

@@ -29,16 +29,21 @@ namespace ridgecraft::mesh {
 
 /// An oriented manifold triangle surface, with or without border, of one or several components.
 ///
-/// Invariants, checked on construction: an edge has one or two faces; two faces run along their edge in
+/// Invariants: an edge has one or two faces; two faces run along their edge in
 /// opposite directions; no face repeats a vertex; every vertex has at least one face and its faces form one
 /// fan. Faces are counterclockwise seen from outside where the surface has an outside. Faces without area are
 /// allowed; their normal is the zero vector.
 class Surface {
  public:
   Surface() = default;
-  /// Takes points and the vertices of each face. O(n log n). The invariants are the caller's duty
-  /// (mesh/repair/repair.hpp makes them true of anything) and asserted.
+  /// Takes points and the vertices of each face. O(n log n). The invariants are the caller's duty: check()
+  /// tells whether they hold, repair() of mesh/mesh.hpp makes them true of anything. Those about edges are
+  /// asserted.
   Surface(std::vector<Vec3> points, std::vector<std::array<VertexId, 3>> faces);
+  /// Throws Error(unusable_mesh) with one sentence about the first thing found that keeps these from being a
+  /// surface: an invariant that doesn't hold, an index beyond the points, a coordinate that isn't finite.
+  /// O(n log n).
+  static void check(std::span<const Vec3> points, std::span<const std::array<VertexId, 3>> faces);
 
   [[nodiscard]] std::size_t vertex_count() const { return points_.size(); }
   [[nodiscard]] std::size_t face_count() const { return corners_.size() / 3; }

@@ -36,6 +36,7 @@ enum class Simplification { automatic, keep, count };
 /// stay.
 enum class Skins { outer, middle, both };
 
+/// When a model has too many faces to be folded, and what becomes of it then.
 struct SimplifyOptions {
   Simplification mode = Simplification::automatic;
   std::size_t faces = 0;  ///< for Simplification::count

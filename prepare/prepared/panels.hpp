@@ -18,6 +18,7 @@ struct PanelTolerance {
   double distance = 1e-5;
 };
 
+/// A division of the faces into flat, connected regions.
 struct Panels {
   IdVector<FaceId, PanelId> panel;               ///< of each face
   IdVector<PanelId, std::vector<FaceId>> faces;  ///< of each panel, ascending

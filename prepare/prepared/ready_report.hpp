@@ -29,6 +29,7 @@ struct SheetsReport {
   double thickness_mm = 0.0;  ///< of the thickest one, on paper as far as its size is known
 };
 
+/// What was done to bodies before they had their size.
 struct ReadyReport {
   SheetsReport sheets;
   Details left_out;

@@ -14,6 +14,7 @@ enum class Reading {
   b         ///< and a vertex is no deeper than the hull is far from it; parts that can be one are joined
 };
 
+/// How nearly convex parts are to be, and how they are found.
 struct Options {
   /// Largest concavity of a part, as a length in the scale where the model's smallest enclosing ball has
   /// radius 1. Finite and above 0, else Error(usage).
@@ -32,6 +33,7 @@ struct Options {
   /// No part's hull has a pocket: a point outside the solid that lies deeper under it than `concavity`. Takes
   /// a surface without border edges, else Error(unusable_mesh). Cups become sectors.
   bool pockets = false;
+  /// What holes in the surface are taken for.
   enum class Holes {
     automatic,  ///< `close` where the surface looks damaged (docs/segmentation.md, "Damaged models"), else
                 ///< `keep`
@@ -39,6 +41,7 @@ struct Options {
     close       ///< small holes are closed while segmenting, and crumbs join the part that they touch
   };
   Holes holes = Holes::automatic;
+  /// Whether a part may be made of several components.
   enum class Components {
     apart,  ///< each component for itself
     tied    ///< all together as one object: parts may hold faces of several components

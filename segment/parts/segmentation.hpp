@@ -20,6 +20,7 @@ enum class PartReason {
 /// One word for machines: "component", "ridge", ...
 [[nodiscard]] std::string_view name(PartReason reason);
 
+/// One nearly convex part, and its figures.
 struct Part {
   std::vector<FaceId> faces;  ///< ascending
   /// Largest concavity over the part's bridges, measured from scratch, in the scale of Options::concavity. It
@@ -30,6 +31,7 @@ struct Part {
   PartReason reason = PartReason::component;
 };
 
+/// A division of all faces into parts.
 struct Segmentation {
   IdVector<FaceId, PartId> part;  ///< of each face; numbered by their smallest face
   IdVector<PartId, Part> parts;

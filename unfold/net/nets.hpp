@@ -38,6 +38,7 @@ enum class FoldWay : std::uint8_t {
   in_order,      ///< one after the other, in an order of its own
   with_care,     ///< no order was found: some face has to be bent out of the way
 };
+/// How a net is folded up without one face running through another.
 struct FoldOrder {
   FoldWay way = FoldWay::together;
   /// Folds in the order in which they are made, those of one list together: a side of each folded edge.
@@ -99,6 +100,7 @@ struct EqualPiece {
   Rigid motion = {};
 };
 
+/// The result: all pieces of a surface, how they are joined, and their tabs.
 struct Nets {
   IdVector<EdgeId, EdgeUse> use;               ///< of each edge of the surface
   IdVector<FaceId, PieceId> piece;             ///< of each face

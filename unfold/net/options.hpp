@@ -14,6 +14,7 @@ namespace ridgecraft::unfold {
 /// What every piece must fit with its tabs after some rotation, mm.
 using Sheet = Rectangle;
 
+/// Measures of glue tabs.
 struct TabOptions {
   bool wanted = true;
   double height_mm = 5.0;
@@ -35,6 +36,7 @@ enum class PanelCuts {
   before_pieces,      ///< a panel is cut before a piece is added: the fewest pieces
 };
 
+/// What nets are wanted.
 struct Options {
   std::optional<Sheet> sheet;  ///< none: a piece may be as large as it likes
   TabOptions tabs;

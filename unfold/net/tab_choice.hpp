@@ -25,7 +25,7 @@ enum class TabSides {
 /// A value for edges from a length on.
 struct FromLength {
   double length_mm = 0.0;
-  double value = 0.0;
+  double value = 0.0;  ///< mm for heights, radians for angles
 };
 
 /// What is asked for the edges with one number.
@@ -39,6 +39,7 @@ struct EdgeTab {
   std::optional<double> angle;  ///< radians
 };
 
+/// Which tabs are asked for, in all and edge by edge.
 struct TabChoice {
   TabSides sides = TabSides::best;
   bool borders = false;                ///< tabs at edges that are glued to nothing

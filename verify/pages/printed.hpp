@@ -40,6 +40,7 @@ struct PrintedLine {
                              ///< ends where it begins
 };
 
+/// One page, as its file draws it.
 struct PrintedPage {
   std::string name;                   ///< for messages: "whale-2.svg", "page 2 of whale.pdf"
   Vec2 size;                          ///< of the sheet, mm
@@ -48,6 +49,7 @@ struct PrintedPage {
   std::vector<PrintedLine> lines;
 };
 
+/// All pages of one file.
 struct PrintedFile {
   std::string name;
   std::string digest;              ///< hash of the model's bytes that the file bears, or empty

@@ -26,6 +26,7 @@ enum class Promise {
 };
 inline constexpr std::size_t promise_count = 11;
 
+/// One promise broken at one place.
 struct Fault {
   Promise promise = Promise::form;
   std::string message;
@@ -69,6 +70,7 @@ struct PrintedFigures {
   double max_error_mm = 0.0;  ///< how far the end of a line is from its place, as far as it counts as there
 };
 
+/// All that a check found out.
 struct Report {
   std::optional<Figures> figures;
   std::optional<FoldingFigures> folding;
@@ -80,6 +82,7 @@ struct Report {
   [[nodiscard]] bool sound() const { return faults.empty(); }
 };
 
+/// How much a check does and lists.
 struct Options {
   std::size_t max_faults = 1000;  ///< listed per promise; the figures count all
   bool folding = false;           ///< move every piece through its fold order: takes as long as all the rest
