@@ -17,8 +17,8 @@
 #include "cli/files/model_input.hpp"
 #include "cli/files/tab_file.hpp"
 #include "cli/files/targets.hpp"
+#include "cli/jobs/paper_files.hpp"
 #include "cli/jobs/time_limit.hpp"
-#include "export/sheet/calibration.hpp"
 #include "mesh/reading/read_file.hpp"
 
 namespace ridgecraft::cli {
@@ -30,120 +30,11 @@ std::string printed(const fs::path& file) {
   return file.lexically_normal().string();
 }
 
-/// Pages as they are drawn for the user's machine.
-struct Printed {
-  std::vector<paper::Drawing> drawings;
-  paper::Mark mark;
-};
-
-void calibrate(std::vector<paper::Drawing>& pages, const PaperJob& job) {
-  if (job.calibration) {
-    std::ranges::transform(pages, pages.begin(), [&](paper::Drawing& page) {
-      return paper::calibrated(std::move(page), *job.calibration);
-    });
-  }
-}
-
-Printed printed_pages(const job::Paper& made, const PaperJob& job) {
-  Printed printed{made.drawings, made.mark};
-  printed.mark.preset = job.preset.name;
-  calibrate(printed.drawings, job);
-  if (job.calibration) {
-    printed.mark.settings["calibrate"] = fmt::format("[{},{}]", job.calibration->x, job.calibration->y);
-  }
-  return printed;
-}
-
-/// Lists of numbers at the end have pages of their own, which no machine needs.
-std::vector<paper::Drawing> machine_pages(const job::Paper& made, const PaperJob& job) {
-  std::vector<paper::Drawing> pages(made.drawings.begin(),
-                                    made.drawings.begin() + static_cast<std::ptrdiff_t>(made.pages.count));
-  if (job.kerf_test) {
-    paper::add_kerf_test(pages, made.pages.paper);
-  }
-  // Kerfs are measured on what comes out of the machine, like everything else.
-  calibrate(pages, job);
-  if (job.print_and_cut) {
-    for (paper::Drawing& page : pages) {
-      page.groups.push_back(paper::registration_marks(page.size));
-    }
-  }
-  return pages;
-}
-
-/// What files are made of.
-struct Sheets {
-  const job::Paper& made;
-  Printed printed;
-  std::vector<paper::Drawing> for_machine;  ///< empty where no file is for one
-};
-
-std::vector<fs::path> pages_of(const Target& target, const Sheets& sheets) {
-  return files_of(target,
-                  target.shows == Shows::cut ? sheets.for_machine.size() : sheets.printed.drawings.size());
-}
-
-std::string svg_of(const Sheets& sheets, std::size_t page, const PaperJob& job) {
-  const job::Paper& made = sheets.made;
-  if (!job.preset.is_machine()) {
-    return paper::write_svg(sheets.printed.drawings[page], sheets.printed.mark);
-  }
-  return job.preset.simulates
-             ? paper::write_simulator_svg(made.prepared, made.nets, made.pages, PageId(page), made.mark)
-             : paper::write_machine_svg(sheets.for_machine[page], sheets.printed.mark, job.preset);
-}
-
-std::string pdf_of(const Target& target, const Sheets& sheets, const PaperJob& job) {
-  const paper::Mark& mark = sheets.printed.mark;
-  if (target.shows == Shows::guide) {
-    return paper::write_guide_pdf(sheets.made.guide.pages, sheets.made.mark);
-  }
-  if (target.shows == Shows::cut) {
-    return paper::write_packaging_pdf(sheets.for_machine, mark, job.preset, job.spots);
-  }
-  if (target.shows != Shows::print) {
-    return paper::write_pdf(sheets.printed.drawings, mark);
-  }
-  std::vector<paper::Drawing> pages;
-  std::ranges::transform(sheets.printed.drawings, std::back_inserter(pages), paper::printed_page);
-  return paper::write_pdf(pages, mark);
-}
-
 /// Writes one target's files under their temporary names.
 void add_target(const Target& target, const std::vector<fs::path>& files, const Sheets& sheets,
                 const PaperJob& job, PendingFiles& pending, PaperResult& result) {
-  const paper::Mark& mark = sheets.printed.mark;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    switch (target.format) {
-      case Format::pdf:
-        pending.add(files[i], pdf_of(target, sheets, job));
-        break;
-      case Format::svg:
-        pending.add(files[i], svg_of(sheets, i, job));
-        break;
-      case Format::png:
-        pending.add(files[i], paper::write_png(sheets.printed.drawings[i], mark));
-        break;
-      case Format::dxf:
-        pending.add(files[i],
-                    paper::write_dxf(sheets.for_machine[i], mark, job.preset.dxf_kind, job.preset.paths));
-        break;
-      case Format::lbrn:
-        pending.add(files[i], paper::write_lbrn(sheets.for_machine[i], mark, job.preset.paths));
-        break;
-      case Format::eps:
-        pending.add(files[i], paper::write_eps(sheets.for_machine[i], mark, job.preset));
-        break;
-      case Format::plt:
-        pending.add(files[i], paper::write_plt(sheets.for_machine[i], mark, job.preset.paths));
-        break;
-      case Format::fold:
-        pending.add(files[i], sheets.made.fold);
-        break;
-      case Format::html:
-        pending.add(files[i], paper::write_html(sheets.made.fold, sheets.made.drawings, sheets.made.mark));
-        break;
-    }
+    pending.add(files[i], file_bytes(target, i, sheets, job));
     result.files.push_back(printed(files[i]));
     result.shows.push_back(target.shows);
   }
@@ -310,14 +201,34 @@ mesh::Model read_for(const Job& job, job::StageClock& clock, const Context& cont
   });
 }
 
+/// What a job reads besides the model.
+struct FilesBeside {
+  EdgeFiles edges;
+  std::vector<unfold::EdgeTab> edge_tabs;
+  std::string tab_file_digest;
+};
+
+FilesBeside read_beside(const PaperJob& job) {
+  const std::string tab_file = job.tab_file.empty() ? std::string() : mesh::read_file(job.tab_file);
+  return {read_edge_files(job.edges), read_tab_file(job.tab_file, tab_file), digest(tab_file)};
+}
+
+job::Options options_with(const FilesBeside& beside, const PaperJob& job, bool guide) {
+  job::Options options = job.options;
+  options.guide = guide;
+  if (!beside.edge_tabs.empty()) {
+    options.tab_choice.edges = beside.edge_tabs;
+    options.tab_file_digest = beside.tab_file_digest;
+  }
+  return options;
+}
+
 }  // namespace
 
 PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending,
                        const job::Listener& listener) {
   const std::vector<Target> targets = checked_targets(job);
-  const EdgeFiles edge_files = read_edge_files(job.edges);
-  const std::string tab_file = job.tab_file.empty() ? std::string() : mesh::read_file(job.tab_file);
-  const std::vector<unfold::EdgeTab> edge_tabs = read_tab_file(job.tab_file, tab_file);
+  const FilesBeside beside = read_beside(job);
   PaperResult result;
   job::StageClock clock;
   mesh::Model model = read_for(job, clock, context);
@@ -328,22 +239,14 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
       require_replaceable(files_of(target, 1).front(), digest, job.overwrite);
     }
   }
-  job::Options options = job.options;
-  options.guide = has_guide(targets);
-  if (!edge_tabs.empty()) {
-    options.tab_choice.edges = edge_tabs;
-    options.tab_file_digest = ridgecraft::digest(tab_file);
-  }
-  result.made = make(job, std::move(options), edge_files, std::move(model), context, listener);
+  result.made = make(job, options_with(beside, job, has_guide(targets)), beside.edges, std::move(model),
+                     context, listener);
   clock.add(result.made.seconds);
   clock("write", context, [&] {
-    Sheets sheets{result.made, printed_pages(result.made, job), {}};
-    if (std::ranges::any_of(targets, [](const Target& target) { return target.shows == Shows::cut; })) {
-      sheets.for_machine = machine_pages(result.made, job);
-    }
+    const Sheets sheets = sheets_for(targets, result.made, job);
     std::vector<std::vector<fs::path>> files;
     for (const Target& target : targets) {
-      files.push_back(pages_of(target, sheets));
+      files.push_back(files_of(target, page_count(target, sheets)));
     }
     require_all_replaceable(job, files, digest);
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -355,11 +258,23 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
       require_all_replaceable(job, files, digest);
       return find_leftovers(targets, files, digest, job.page);
     });
-    if (auto note = note_of_others(targets, files, sheets.printed.mark)) {
+    if (auto note = note_of_others(targets, files, sheets.mark)) {
       result.file_notes.push_back(std::move(*note));
     }
     return true;
   });
+  result.seconds = clock.seconds();
+  return result;
+}
+
+PaperResult make_pages(const PaperJob& job, const Context& context, const job::Listener& listener) {
+  const FilesBeside beside = read_beside(job);
+  PaperResult result;
+  job::StageClock clock;
+  mesh::Model model = read_for(job, clock, context);
+  result.made = make(job, options_with(beside, job, wants_guide(job)), beside.edges, std::move(model),
+                     context, listener);
+  clock.add(result.made.seconds);
   result.seconds = clock.seconds();
   return result;
 }

@@ -25,6 +25,11 @@ struct PaperResult {
 [[nodiscard]] PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending,
                                      const job::Listener& listener);
 
+/// The same, but nothing is written (paper_files.hpp tells what the files would hold); with the guide unless
+/// the job wants none.
+[[nodiscard]] PaperResult make_pages(const PaperJob& job, const Context& context,
+                                     const job::Listener& listener);
+
 /// The same without pages: one file of nets, or none.
 [[nodiscard]] PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending);
 

@@ -62,10 +62,12 @@ void check_pdf_size(Vec2 page_mm);
                                      const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
                                      const Mark& mark, const std::vector<Contact>& contacts = {});
 
+/// Of drawings what a page for browsers can't tell from the nets: texts, leaders, the foot of each page,
+/// colours and pictures. The second document of docs/page.md. O(size).
+[[nodiscard]] std::string write_sheets(std::span<const Drawing> pages);
 /// Bytes of a page for browsers that shows a finished result (docs/page.md): the program of web/, `fold`,
-/// which are bytes of write_fold() with pages, and of the drawings what can't be told from these: texts,
-/// leaders, the foot of each page, colours and pictures. It loads nothing from elsewhere. Same input, same
-/// bytes. O(size).
+/// which are bytes of write_fold() with pages, and write_sheets() of the drawings. It loads nothing from
+/// elsewhere. Same input, same bytes. O(size).
 [[nodiscard]] std::string write_html(std::string_view fold, std::span<const Drawing> pages, const Mark& mark);
 
 }  // namespace ridgecraft::paper

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <utility>
 
+#include "base/base64.hpp"
 #include "base/error.hpp"
 #include "base/json_text.hpp"
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
-#include "export/formats/base64.hpp"
 #include "export/formats/page_template.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
@@ -186,13 +186,17 @@ class SheetsWriter {
 
 }  // namespace
 
+std::string write_sheets(std::span<const Drawing> pages) {
+  return SheetsWriter().write(pages);
+}
+
 std::string write_html(std::string_view fold, std::span<const Drawing> pages, const Mark& mark) {
   const std::array<std::pair<std::string_view, std::string>, 5> places{{
       {"@MARK@", xml_escaped(printable_utf8(mark_word(mark)))},
       {"@PRODUCER@", xml_escaped(printable_utf8(mark.producer))},
       {"@TITLE@", xml_escaped(printable_utf8(mark.title))},
       {"@FOLD@", for_script(fold)},
-      {"@SHEETS@", for_script(SheetsWriter().write(pages))},
+      {"@SHEETS@", for_script(write_sheets(pages))},
   }};
   std::string html;
   std::string_view rest = page_template;

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "base/base64.hpp"
 #include "base/elementary.hpp"
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
-#include "export/formats/base64.hpp"
 #include "export/formats/layer_order.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/text_between.hpp"
 #include "mesh/reading/ply_header.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
@@ -37,7 +38,7 @@ class PlyValues {
   /// True where the bytes that are left are too few for this many elements.
   [[nodiscard]] bool too_few_for(const PlyElement& element) const;
   [[nodiscard]] std::string_view rest() const {
-    return encoding_ == PlyEncoding::ascii ? text_.rest() : std::string_view(at_, end_);
+    return encoding_ == PlyEncoding::ascii ? text_.rest() : text_between(at_, end_);
   }
   /// Refuses the file because of the current element.
   [[noreturn]] void refuse(ErrorKind kind, std::string_view reason) const;

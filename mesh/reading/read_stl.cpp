@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
+#include "base/text_between.hpp"
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/stl_layout.hpp"
 #include "mesh/reading/text_scanner.hpp"
@@ -86,7 +87,7 @@ class AsciiReader {
     while (first != source_.bytes.data() && is_blank(first[-1])) {
       --first;
     }
-    return {first, place};
+    return text_between(first, place);
   }
   /// Whether another facet has begun with nothing but its indentation.
   [[nodiscard]] bool ends_in_indentation() const {

@@ -130,7 +130,7 @@ std::string_view TextScanner::rest_of_line() {
   while (last != first && is_blank(last[-1])) {
     --last;
   }
-  return {first, last};
+  return text_between(first, last);
 }
 
 std::string_view TextScanner::peek_word() const {
@@ -138,7 +138,7 @@ std::string_view TextScanner::peek_word() const {
   while (last != end_ && !is_blank(*last) && !is_line_end(*last)) {
     ++last;
   }
-  return {at_, last};
+  return text_between(at_, last);
 }
 
 std::string_view TextScanner::word() {
@@ -162,7 +162,7 @@ bool TextScanner::number(double& value) {
     return false;
   }
   if (error == std::errc::result_out_of_range) {
-    value = beyond_range({first, last});
+    value = beyond_range(text_between(first, last));
   }
   const char* const start = at_;
   at_ = last;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/text_between.hpp"
+
 namespace ridgecraft::mesh {
 
 [[nodiscard]] constexpr bool is_blank(char c) {
@@ -24,7 +26,7 @@ class TextScanner {
 
   [[nodiscard]] const char* place() const { return at_; }
   [[nodiscard]] bool done() const { return at_ == end_; }
-  [[nodiscard]] std::string_view rest() const { return {at_, end_}; }
+  [[nodiscard]] std::string_view rest() const { return text_between(at_, end_); }
   /// The next character, 0 at the end.
   [[nodiscard]] char peek() const { return at_ == end_ ? '\0' : *at_; }
   void advance() { ++at_; }

@@ -82,22 +82,23 @@ std::vector<Region> regions_of(const mesh::Surface& surface, const Panels& panel
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
     const std::uint32_t a = panels.panel[mesh::face_of(c)].value();
-    const std::uint32_t b = d.valid() ? panels.panel[mesh::face_of(d)].value() : a;
-    if (d.valid() && a == b) {
+    const bool inner = d.valid();
+    const std::uint32_t b = inner ? panels.panel[mesh::face_of(d)].value() : a;
+    if (inner && a == b) {
       continue;
     }
     const double length = surface.length(e);
     const double fold = surface.fold_angle(e);
     const auto add = [&](Region& region, std::uint32_t other) {
       region.perimeter += length;
-      region.sharp += !d.valid() || std::abs(fold) >= sharp ? length : 0.0;
-      if (d.valid()) {
+      region.sharp += !inner || std::abs(fold) >= sharp ? length : 0.0;
+      if (inner) {
         region.beside[other][0] += length;
         region.beside[other][1] += length * fold;
       }
     };
     add(regions[a], b);
-    if (d.valid()) {
+    if (inner) {
       add(regions[b], a);
     }
   }

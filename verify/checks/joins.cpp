@@ -3,6 +3,9 @@
 // cut that is in exactly one join; nothing else is a fold or a join.
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -92,7 +95,8 @@ class JoinCheck {
     while (end != joins_.end() && end->first == edge) {
       ++end;
     }
-    return {begin, end};
+    return std::span(joins_).subspan(static_cast<std::size_t>(begin - joins_.begin()),
+                                     static_cast<std::size_t>(end - begin));
   }
 
   [[nodiscard]] std::pair<Index, Index> edges_of(Index join) const {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/formats/base64.hpp"
+#include "base/base64.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
-namespace ridgecraft::paper {
+namespace ridgecraft {
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -22,4 +22,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft
