@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -21,8 +22,10 @@
 #include "cli/files/set/pending_files.hpp"
 #include "cli/files/value.hpp"
 #include "cli/interruption.hpp"
+#include "cli/jobs/about.hpp"
 #include "cli/jobs/paper_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
+#include "cli/jobs/studio_job.hpp"
 #include "cli/jobs/time_limit.hpp"
 #include "cli/telling/progress.hpp"
 #include "cli/telling/remarks.hpp"
@@ -199,25 +202,6 @@ class Session {
   Context context_;
 };
 
-/// Stages after reading don't know the model's file; where they refuse what comes from it and name no other,
-/// the sentence that the user gets names it all the same.
-template <class Work>
-auto about(const std::string& model, const Work& work) {
-  const std::string name = shown_name(model);
-  try {
-    return work();
-  } catch (const Error& error) {
-    const bool about_model = error.kind() == ErrorKind::unusable_mesh || error.kind() == ErrorKind::no_nets ||
-                             error.kind() == ErrorKind::unbuildable || error.kind() == ErrorKind::internal;
-    if (!about_model || !error.about().empty()) {
-      throw;
-    }
-    throw Error(error.kind(), name + ": " + error.what(), name);
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::unusable_mesh, name + " needs more memory than this machine has", name);
-  }
-}
-
 ExitCode do_job(const PrintJob& job) {
   print_result(job.text);
   return ExitCode::ok;
@@ -391,6 +375,16 @@ ExitCode do_job(const VerifyJob& job) {
   // Scripts ask for the exit code alone.
   const ExitCode told = session.finish({}, summary(job.file, report), Quiet::yes);
   return report.sound() ? told : ExitCode::faults_found;
+}
+
+/// The page's path is the result: whoever has no desktop opens it elsewhere.
+ExitCode do_job(const StudioJob& job) {
+  const std::filesystem::path page = write_private_page(studio_page(mesh::read_file(find_studio()), job));
+  print_result(page.string() + "\n");
+  if (!job.no_browser && !open_in_browser(page)) {
+    remark("no browser could be started (xdg-open): open this file in one");
+  }
+  return ExitCode::ok;
 }
 
 ExitCode do_job(const FormatsJob& job) {

@@ -103,6 +103,13 @@ set(ridgecraft_cgal_options
   $<$<AND:$<CXX_COMPILER_ID:Clang>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,20>>:-fdelayed-template-parsing>
   $<$<AND:$<CXX_COMPILER_ID:Clang>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,20>>:-Wno-delayed-template-parsing-in-cxx20>)
 
+# Libraries may become a part of somebody's shared object. A module of WebAssembly has none, and reaches its own variables
+# by detours then.
+set(ridgecraft_position_independent ON)
+if(EMSCRIPTEN)
+  set(ridgecraft_position_independent OFF)
+endif()
+
 # ridgecraft_library(NAME SOURCES... [PUBLIC_HEADERS...] [CGAL_SOURCES...] [CGAL_PRIVATE libs...] [PUBLIC libs...]
 # [PRIVATE libs...] [READS libs...]): one folder, one static library. All may use fmt. PUBLIC_HEADERS are those that
 # others may include (cmake/headers.cmake). READS are libraries of headers that nobody needs who links the archive. What
@@ -112,7 +119,8 @@ function(ridgecraft_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC_HEADERS;CGAL_SOURCES;CGAL_PRIVATE;PUBLIC;PRIVATE;READS" ${ARGN})
   add_library(ridgecraft_${name} STATIC ${arg_SOURCES})
   add_library(Ridgecraft::${name} ALIAS ridgecraft_${name})
-  set_target_properties(ridgecraft_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(ridgecraft_${name} PROPERTIES EXPORT_NAME ${name}
+    POSITION_INDEPENDENT_CODE ${ridgecraft_position_independent})
   target_compile_features(ridgecraft_${name} PUBLIC cxx_std_20)
   target_include_directories(ridgecraft_${name} INTERFACE
     $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
@@ -128,7 +136,8 @@ function(ridgecraft_library name)
   endif()
   if(arg_CGAL_SOURCES)
     add_library(ridgecraft_${name}_cgal OBJECT ${arg_CGAL_SOURCES})
-    set_target_properties(ridgecraft_${name}_cgal PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    set_target_properties(ridgecraft_${name}_cgal PROPERTIES
+      POSITION_INDEPENDENT_CODE ${ridgecraft_position_independent})
     target_compile_options(ridgecraft_${name}_cgal PRIVATE ${ridgecraft_cgal_options})
     target_link_libraries(ridgecraft_${name}_cgal PRIVATE
       ridgecraft_options ${arg_CGAL_PRIVATE} CGAL::CGAL CGAL::Eigen3_support Boost::headers)

@@ -2,6 +2,11 @@
 # What base/elementary.hpp declares: the objects of musl's mathematical functions as Debian's musl-dev has them, in one
 # object of ours. The functions are renamed, and all else in it is hidden, so that nothing of the system's own library
 # is replaced. ridgecraft_elementary_object is that object, for the library that stands below all others.
+if(EMSCRIPTEN)
+  # Its own C library is musl, with the same sources of these functions.
+  set(ridgecraft_elementary_object ${PROJECT_SOURCE_DIR}/wasm/elementary.c)
+  return()
+endif()
 set(ridgecraft_elementary_functions sin cos tan asin acos atan2 pow exp exp2 log log2 log10 hypot)
 # The members of the archive that these stand on.
 set(ridgecraft_elementary_members ${ridgecraft_elementary_functions}

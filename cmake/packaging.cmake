@@ -22,6 +22,8 @@ if(RIDGECRAFT_PROGRAM)
     FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
   install(DIRECTORY samples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ridgecraft/samples COMPONENT program
     FILES_MATCHING PATTERN "*.obj" PATTERN "*.mtl" PATTERN "*.stl" PATTERN "*.ply" PATTERN "*.off")
+  # What wasm/build.sh makes, where it did: `ridgecraft studio` looks for it there.
+  install(FILES build/wasm/studio.html DESTINATION ${CMAKE_INSTALL_DATADIR}/ridgecraft COMPONENT program OPTIONAL)
 endif()
 
 # One set of targets per library, so that whoever wants one reads nothing of those above it.

@@ -653,7 +653,7 @@ export class App {
   #listenKeys() {
     document.addEventListener("keydown", (event) => {
       const target = /** @type {Element} */ (event.target);
-      if (event.ctrlKey || event.metaKey || event.altKey || target.closest("dialog,.menu")) {
+      if (event.ctrlKey || event.metaKey || event.altKey || target.closest("dialog,form,.menu")) {
         return;
       }
       const isRange = target.matches("input[type=range]");

@@ -5,7 +5,7 @@
 /**
  * @typedef {object} State
  * @property {number} revision
- * @property {Record<string, unknown>} options
+ * @property {Record<string, string | boolean>} options
  * @property {string} fold the nets: text of a FOLD file
  * @property {string} sheets what else stands on the pages: text of the second document (docs/page.md)
  * @property {{text: string, about?: {piece?: number, edge?: number, face?: number}}[]} notes
@@ -22,7 +22,7 @@
  * @typedef {object} Backend
  * @property {() => Capabilities} capabilities
  * @property {(name: string, bytes: Uint8Array, sidecars: Record<string, Uint8Array>) => Promise<State>} open
- * @property {(options: Record<string, unknown>) => Promise<State>} set
+ * @property {(options: Record<string, string | boolean>) => Promise<State>} set
  * @property {(edits: object[]) => Promise<State>} apply all of them, or none
  * @property {() => Promise<State>} undo
  * @property {() => Promise<State>} redo

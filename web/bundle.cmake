@@ -3,17 +3,25 @@
 # it is (HTML). Neither npm nor Python is needed: browsers run the modules as they are, and one file of them is made by taking
 # the lines out that import and export. So no two modules may have a name in common at their top level; that is checked.
 #   cmake -D OUT=page_template.cpp -P web/bundle.cmake
+# With STUDIO it is the page of the studio instead, whose places wasm/studio.mjs fills.
 cmake_minimum_required(VERSION 3.25)
 
 # In an order in which no module needs a later one while it is loaded.
 set(modules words nets folding backend camera webgl painter scene sheets guide print panel app start)
+set(styles page)
+if(STUDIO)
+  list(REMOVE_ITEM modules start)
+  list(INSERT modules 1 studio_words)
+  list(APPEND modules wishes archive worker_backend studio start_studio)
+  list(APPEND styles studio)
+endif()
 
 # Spaces that code is read by, and browsers don't need: a tenth of the script.
 set(spaced "\\, " " = " " => " " === " " !== " " && " " || " " ?? " " * " " / " " += " " -= " " >= " " <= " " < " " > " " ? " " : " ": ")
 # squeeze(OUT TEXT MODULE): without these, where no string of the module has them. Texts for people are all in words.js, which
-# is left as it is.
+# is left as it is, and in studio_words.js.
 function(squeeze out text module)
-  if(module STREQUAL "words")
+  if(module MATCHES "words$")
     set(${out} "${text}" PARENT_SCOPE)
     return()
   endif()
@@ -79,7 +87,11 @@ foreach(ending IN ITEMS "</script" "<!--")
   endif()
 endforeach()
 
-file(READ ${CMAKE_CURRENT_LIST_DIR}/page.css style)
+set(style "")
+foreach(sheet IN LISTS styles)
+  file(READ ${CMAKE_CURRENT_LIST_DIR}/${sheet}.css text)
+  string(APPEND style "${text}")
+endforeach()
 string(REGEX REPLACE "\n[ \t]+" "\n" style "\n${style}")
 string(REGEX REPLACE "\n/\\*[^\n]*" "" style "${style}")
 string(REGEX REPLACE "([{},;])\n" "\\1" style "${style}")
@@ -120,6 +132,28 @@ foreach(place IN ITEMS "@SCRIPT@" "@STYLE@" "@SCRIPT_HASH@" "@STYLE_HASH@")
     message(FATAL_ERROR "page.html has no ${place}")
   endif()
 endforeach()
+if(STUDIO)
+  # Instead of a result, what makes results: the module, and the worker's script, which is made a blob.
+  file(READ ${CMAKE_CURRENT_LIST_DIR}/studio.html studio)
+  foreach(change IN ITEMS
+      "  <meta name=\"ridgecraft-model\" content=\"@MARK@\">\n|"
+      "<body>|<body class=\"studio\">\n${studio}"
+      "  <script type=\"application/json\" id=\"fold\">@FOLD@</script>\n|"
+      "  <script type=\"application/json\" id=\"sheets\">@SHEETS@</script>\n|@DATA@"
+      "default-src 'none'; script-src|default-src 'none'; worker-src blob:; script-src 'wasm-unsafe-eval'"
+      "@TITLE@|Ridgecraft"
+      "This page shows a paper model and its sheets.|This page makes paper models of 3D models.")
+    string(FIND "${change}" "|" at)
+    string(SUBSTRING "${change}" 0 ${at} before)
+    math(EXPR at "${at} + 1")
+    string(SUBSTRING "${change}" ${at} -1 after)
+    string(FIND "${page}" "${before}" found)
+    if(found EQUAL -1)
+      message(FATAL_ERROR "page.html has no ${before}")
+    endif()
+    string(REPLACE "${before}" "${after}" page "${page}")
+  endforeach()
+endif()
 string(REGEX REPLACE "\n *<!--[^\n]*-->" "" page "${page}")
 string(REGEX REPLACE "\n +" "\n" page "${page}")
 string(REPLACE "@SCRIPT_HASH@" "${script_hash}" page "${page}")

@@ -131,6 +131,12 @@ struct VerifyJob {
   std::vector<std::string> pages;  ///< PDF and SVG files
 };
 
+struct StudioJob {
+  std::string model;               ///< empty: a page that waits for one
+  std::vector<std::string> words;  ///< options of the main job, as they were typed
+  bool no_browser = false;
+};
+
 struct FormatsJob {
   CommonOptions common;
   bool presets = false;  ///< the table of presets alone
@@ -142,6 +148,6 @@ struct PrintJob {
 };
 
 using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, CageJob, ShellJob, DeformJob,
-                         VerifyJob, FormatsJob, PrintJob>;
+                         VerifyJob, StudioJob, FormatsJob, PrintJob>;
 
 }  // namespace ridgecraft::cli

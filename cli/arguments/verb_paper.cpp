@@ -30,6 +30,7 @@ ManualSection verbs_section() {
            {"cage MODEL", "A coarse closed mesh around a model."},
            {"shell MODEL", "A watertight mesh around a broken model."},
            {"deform MODEL", "Move a model as the cage around it is moved."},
+           {"studio [MODEL]", "A page in the browser that makes paper, with controls for all wishes."},
            {"formats", "The formats that are read and written."}}};
 }
 

@@ -18,6 +18,7 @@ namespace ridgecraft::cli {
 [[nodiscard]] Job build_shell(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_deform(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_verify(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_studio(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_formats(const Arguments* arguments, Manual* manual);
 
 /// What build_paper returns for --man-page: the text is the caller's to make, from all manuals.

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "export/export.hpp"
 #include "export/sheet/calibration.hpp"
 
 namespace ridgecraft::cli {

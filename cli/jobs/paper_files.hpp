@@ -10,8 +10,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/files/targets.hpp"
-#include "export/sheet/drawing.hpp"
-#include "export/sheet/mark.hpp"
+#include "export/export.hpp"
 #include "job/job.hpp"
 
 namespace ridgecraft::cli {

@@ -133,7 +133,7 @@ const std::vector<Folder>& folders() {
 }
 
 /// What looks at the program from beside it; no folder of the program includes any of these.
-const std::set<std::string> beside_the_program = {"tests", "bench", "samples", "python"};
+const std::set<std::string> beside_the_program = {"tests", "bench", "samples", "python", "wasm"};
 
 /// Headers that others may include who link the libraries: PUBLIC_HEADERS of the folder's CMakeLists.txt.
 std::set<std::string> public_headers(const std::string& folder) {

@@ -219,6 +219,7 @@ TEST_CASE("each format that is written has a golden file, and what each verb pri
   }
   for (const std::string& verb : all_verbs(folder)) {
     CAPTURE(verb);
-    CHECK(fs::exists(golden_folder / "json" / (verb + ".json")));
+    // The studio prints where its page lies, and no more.
+    CHECK((verb == "studio" || fs::exists(golden_folder / "json" / (verb + ".json"))));
   }
 }

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Uses studio.html as its readers do: from the disk, without a network.
+//   node studio.mjs --browser chromium|firefox --page FILE --program FILE --samples FOLDER --tools FOLDER --out FOLDER
+// Exit code 77, which means skipped, where the page wasn't built (wasm/build.sh).
+import {execFileSync} from "node:child_process";
+import {existsSync, mkdirSync, readFileSync, writeFileSync} from "node:fs";
+import {basename} from "node:path";
+import {pathToFileURL} from "node:url";
+import {parseArgs} from "node:util";
+
+import {launch, skip, toolsIn} from "./browsers.mjs";
+
+const {values} = parseArgs({options: {browser: {type: "string", default: "chromium"}, page: {type: "string"}, program: {type: "string"},
+  samples: {type: "string"}, tools: {type: "string"}, out: {type: "string"}}});
+if (!existsSync(values.page)) {
+  skip(`there is no ${values.page}; wasm/build.sh makes it`);
+}
+const require = toolsIn(values.tools);
+const {out} = values;
+mkdirSync(out, {recursive: true});
+
+const faults = [];
+const check = (holds, words) => holds || faults.push(words);
+const browser = await launch(require, values.browser, true);
+
+/** What the program writes for a sample. */
+function native(sample, suffix, ...options) {
+  const file = `${out}/native-${sample}${suffix}`;
+  execFileSync(values.program, [`${values.samples}/${sample}.obj`, ...options, "--overwrite", "--quiet", "-o", file], {stdio: ["ignore", "ignore", "inherit"]});
+  return readFileSync(file);
+}
+
+async function open(file, options = {}) {
+  const context = await browser.newContext({viewport: {width: 1280, height: 800}, reducedMotion: "reduce", locale: "en-GB",
+    acceptDownloads: true, ...options});
+  if (values.browser === "chromium") {
+    await context.setOffline(true);
+  }
+  const page = await context.newPage();
+  const heard = [];
+  page.on("console", (message) => message.text().includes("GL Driver Message") || heard.push(message.text()));
+  page.on("pageerror", (error) => heard.push(error.message));
+  page.on("request", (request) => {
+    if (!/^(blob|data):/.test(request.url()) && request.url() !== pathToFileURL(file).href) {
+      heard.push(`asks for ${request.url()}`);
+    }
+  });
+  await page.goto(pathToFileURL(file).href);
+  const inspect = (about) => page.evaluate((a) => globalThis.ridgecraft.inspect(a), about);
+  const idle = async () => {
+    await page.waitForFunction(() => !globalThis.ridgecraft.inspect().busy, null, {timeout: 120000});
+    return inspect();
+  };
+  const exported = async (format) => Buffer.from(await page.evaluate(async (f) => {
+    const bytes = await globalThis.ridgecraft.export(f);
+    let text = "";
+    for (let i = 0; i < bytes.length; i += 32768) {
+      text += String.fromCharCode(...bytes.subarray(i, i + 32768));
+    }
+    return btoa(text);
+  }, format), "base64");
+  const drop = (files) => page.evaluate((list) => {
+    const data = new DataTransfer();
+    for (const [name, base64] of list) {
+      data.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name));
+    }
+    document.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
+  }, files.map(([name, bytes]) => [name, bytes.toString("base64")]));
+  const shot = (name) => page.screenshot({path: `${out}/${values.browser}-${name}.png`});
+  return {context, page, heard, inspect, idle, exported, drop, shot};
+}
+
+const sampleFiles = (name) => [".obj", ".mtl"].map((suffix) => [`${name}${suffix}`, readFileSync(`${values.samples}/${name}${suffix}`)]);
+
+async function makesPaper() {
+  const {context, page, heard, inspect, idle, exported, drop, shot} = await open(values.page);
+  await page.waitForFunction(() => globalThis.ridgecraft?.inspect().ready > 0);
+  console.log(`    ready ${(await inspect()).ready.toFixed(0)} ms after opening; ${(readFileSync(values.page).length / 1e6).toFixed(2)} MB`);
+  await shot("welcome");
+
+  // A sample by its button.
+  const begin = performance.now();
+  await page.click("#samples button");
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().figures !== null && !globalThis.ridgecraft.inspect().busy, null, {timeout: 120000});
+  console.log(`    the whale after ${((performance.now() - begin) / 1000).toFixed(1)} s`);
+  check((await inspect()).title === "whale", "the whale isn't shown");
+  for (const format of ["fold", "pdf"]) {
+    check((await exported(format)).equals(native("whale", `.${format}`)), `${format} of the whale: other bytes than the program's`);
+  }
+  await shot("whale");
+
+  // A model that is dropped with its materials, and saved by the menu.
+  await drop(sampleFiles("house"));
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().title === "house", null, {timeout: 120000});
+  const house = await idle();
+  check(house.error === "", `the house is refused: ${house.error}`);
+  await page.click("#export");
+  await shot("house-menu");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#export-menu button")]);
+  check(download.suggestedFilename() === "house.pdf", `the PDF is called ${download.suggestedFilename()}`);
+  check(readFileSync(await download.path()).equals(native("house", ".pdf")), "the PDF of the house has other bytes than the program's");
+
+  // A wish changes the sheets.
+  await page.selectOption("#wish-paper", "A3");
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().options.paper === "A3", null, {timeout: 120000});
+  await idle();
+  check((await exported("fold")).equals(native("house", ".fold", "--paper", "A3")), "FOLD on A3: other bytes than the program's");
+  const archive = await exported("svg");
+  check(archive.subarray(0, 4).toString("latin1") === "PK\u0003\u0004" || archive.subarray(0, 5).toString() === "<?xml", "the SVG is neither a file nor an archive");
+
+  // What can't be is told, and the result before stays.
+  await drop([["broken.obj", Buffer.from("v 0 0 0\nf 1 2 3\n")]]);
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().error !== "", null, {timeout: 60000});
+  const refused = await idle();
+  check(/broken\.obj/.test(refused.error), `the broken model is refused with "${refused.error}"`);
+  check(refused.title === "house", "the result before a refusal is gone");
+  await shot("refused");
+
+  // Cancelling leaves what there was, and the next model is made all the same.
+  await page.click("#dismiss");
+  await drop(sampleFiles("dinosaur"));
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().busy);
+  await page.waitForSelector("#cancel", {state: "visible"});
+  await shot("busy");
+  await page.click("#cancel");
+  const cancelled = await idle();
+  check(cancelled.title === "house" && cancelled.project === "house.obj", `after cancelling there is ${cancelled.title}`);
+  check((await exported("fold")).equals(native("house", ".fold", "--paper", "A3")), "after cancelling: other bytes than before");
+  await drop(sampleFiles("fox_head"));
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().title === "fox_head", null, {timeout: 120000});
+  await idle();
+  await shot("fox");
+  check(heard.length === 0, `the page says or asks: ${heard.slice(0, 5)}`);
+  await context.close();
+}
+
+/** A page with a model in it, as `ridgecraft studio` writes it. */
+async function beginsWithAModel() {
+  const words = ["studio", `${values.samples}/fox_head.obj`, "--paper", "A3", "--no-browser"];
+  const started = execFileSync(values.program, words, {encoding: "utf8", env: {...process.env, XDG_RUNTIME_DIR: out}}).trim();
+  const {context, page, heard, idle, exported} = await open(started);
+  await page.waitForFunction(() => globalThis.ridgecraft?.inspect().figures, null, {timeout: 120000});
+  const shown = await idle();
+  check(shown.options.paper === "A3" && shown.project === "fox_head.obj", `${basename(started)} begins with ${shown.project} and ${JSON.stringify(shown.options)}`);
+  check((await exported("fold")).equals(native("fox_head", ".fold", "--paper", "A3")), "FOLD of the studio's page: other bytes than the program's");
+  check(heard.length === 0, `the page says or asks: ${heard.slice(0, 5)}`);
+  await context.close();
+}
+
+/** The same on other screens; the pictures are for people. */
+async function otherScreens() {
+  for (const [name, options] of [["phone", {viewport: {width: 390, height: 800}, locale: "de-DE"}], ["dark", {colorScheme: "dark", locale: "de-DE"}]]) {
+    const {context, page, heard, idle, shot} = await open(values.page, options);
+    await shot(`${name}-welcome`);
+    await page.click("#samples button:nth-child(2)");
+    await page.waitForFunction(() => globalThis.ridgecraft?.inspect().figures, null, {timeout: 120000});
+    await idle();
+    check(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${name}: wider than the screen`);
+    await shot(name);
+    check(heard.length === 0, `${name}: the page says or asks: ${heard.slice(0, 5)}`);
+    await context.close();
+  }
+}
+
+for (const [name, run] of [["makes paper", makesPaper], ["begins with a model", beginsWithAModel], ["other screens", otherScreens]]) {
+  const before = faults.length;
+  try {
+    await run();
+  } catch (error) {
+    faults.push(error.stack ?? String(error));
+  }
+  console.log(`${faults.length === before ? "passed" : "FAILED"}  ${name}`);
+}
+for (const fault of faults) {
+  console.log(`    ${fault}`);
+}
+writeFileSync(`${out}/faults.txt`, faults.join("\n"));
+await browser.close();
+process.exit(faults.length > 0 ? 1 : 0);

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program as a browser's worker calls it: one project at a time, whose paper is kept for all that is
+// written of it. Files lie in the module's own file system; what is to be done comes as words of the command
+// line, so that the page has every option, and every sentence, that the program has.
+#include <cstddef>
+#include <exception>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <emscripten.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "cli/arguments/parse.hpp"
+#include "cli/files/targets.hpp"
+#include "cli/jobs/about.hpp"
+#include "cli/jobs/paper_files.hpp"
+#include "cli/jobs/paper_job.hpp"
+#include "cli/telling/exit_code.hpp"
+#include "cli/telling/remarks.hpp"
+#include "cli/telling/summary.hpp"
+#include "export/export.hpp"
+
+// Hands what happens on to whoever made the module: Module.told(kind, text, share).
+EM_JS(void, ridgecraft_tell, (const char* kind, const char* text, double share), {
+  if (Module["told"]) {
+    Module["told"](UTF8ToString(kind), UTF8ToString(text), share);
+  }
+});
+
+namespace ridgecraft::cli {
+namespace {
+
+/// What the last call gave: a text or the bytes of a file.
+std::string answer;
+
+struct Project {
+  PaperJob job;
+  PaperResult result;
+};
+std::optional<Project> project;
+
+/// The files that were asked for last.
+struct Files {
+  Target target;
+  Sheets sheets;
+};
+std::optional<Files> files;
+
+void say_note(const std::string& sentence) {
+  ridgecraft_tell("note", sentence.c_str(), 0.0);
+}
+
+/// Does the work; its error becomes the answer, with the program's exit code as the result.
+template <class Work>
+int guarded(const Work& work) {
+  const auto fail = [](ExitCode code, const std::string& sentence) {
+    answer = sentence;
+    return static_cast<int>(code);
+  };
+  answer.clear();
+  try {
+    work();
+    return 0;
+  } catch (const Error& error) {
+    return fail(exit_code(error.kind()), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::unusable_mesh, "the model needs more memory than there is");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::internal, std::string("internal error: ") + error.what());
+  }
+}
+
+void make(const std::vector<std::string>& words) {
+  Job parsed = parse_arguments(words);
+  if (!std::holds_alternative<PaperJob>(parsed)) {
+    throw Error(ErrorKind::usage, "a page makes paper of a model and nothing else");
+  }
+  // Whatever there was goes first: both might not fit into the memory.
+  files.reset();
+  project.reset();
+  PaperJob job = std::get<PaperJob>(std::move(parsed));
+  job.common.threads = 1;
+  Context context;
+  context.seed = job.common.seed;
+  context.progress = [](std::string_view stage, double share) {
+    ridgecraft_tell("progress", std::string(stage).c_str(), share);
+  };
+  for (const auto& warning :
+       {narrow_margin_warning(*job.options.paper), assumed_unit_warning(job.size_asked, job.options.size)}) {
+    if (warning) {
+      say_note(*warning);
+    }
+  }
+  PaperResult result = about(job.model, [&] {
+    return make_pages(job, context, [](const job::Remark& remark) { say_note(sentence(remark)); });
+  });
+  for (const std::string& line : repair_lines(result.made.prepared.model.repairs)) {
+    say_note(line);
+  }
+  answer = summary(job, result).json();
+  project.emplace(Project{std::move(job), std::move(result)});
+}
+
+/// What is to be written under this name: "whale.svg" means as many files as there are pages.
+Target target_of(const PaperJob& job, const std::string& name) {
+  constexpr std::string_view guide_ending = "-guide.pdf";
+  if (name.ends_with(guide_ending)) {
+    return guide_beside(target_of(job, name.substr(0, name.size() - guide_ending.size()) + ".pdf"));
+  }
+  return (job.print_and_cut ? plan_print_and_cut({name}, name, job.preset)
+                            : plan_targets({name}, name, job.preset))
+      .front();
+}
+
+/// The names of all files that this name stands for; none of a guide that wasn't made.
+void plan(const std::string& name) {
+  if (!project) {
+    throw Error(ErrorKind::usage, "there is no paper yet");
+  }
+  const PaperJob& job = project->job;
+  const job::Paper& made = project->result.made;
+  Target target = target_of(job, name);
+  if (target.format == Format::pdf) {
+    paper::check_pdf_size(job.options.paper->size);
+  }
+  nlohmann::json names = nlohmann::json::array();
+  if (target.shows != Shows::guide || !made.guide.pages.empty()) {
+    files.emplace(Files{target, sheets_for({&target, 1}, made, job)});
+    for (const auto& file : files_of(target, page_count(target, files->sheets))) {
+      names.push_back(file.filename().string());
+    }
+  }
+  answer = names.dump();
+}
+
+}  // namespace
+}  // namespace ridgecraft::cli
+
+using namespace ridgecraft;
+
+extern "C" {
+
+/// Makes paper; `words` is a JSON list of the words of a command line. 0 and the summary's JSON as the
+/// answer, or the program's exit code and a sentence.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_make(const char* words) {
+  return cli::guarded([&] { cli::make(nlohmann::json::parse(words).get<std::vector<std::string>>()); });
+}
+
+/// A JSON list of the names of files that `name`, after -o, stands for: "whale.pdf", "whale-guide.pdf",
+/// "whale.svg". Results as above.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_plan(const char* name) {
+  return cli::guarded([&] { cli::plan(name); });
+}
+
+/// The bytes of the i-th of these files.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_write(int i) {
+  return cli::guarded([&] {
+    const cli::Files& files = cli::files.value();
+    cli::answer =
+        cli::file_bytes(files.target, static_cast<std::size_t>(i), files.sheets, cli::project.value().job);
+  });
+}
+
+/// What the page shows beside the nets (docs/page.md).
+EMSCRIPTEN_KEEPALIVE int ridgecraft_sheets() {
+  return cli::guarded([&] { cli::answer = paper::write_sheets(cli::project.value().result.made.drawings); });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* ridgecraft_answer() {
+  return cli::answer.data();
+}
+EMSCRIPTEN_KEEPALIVE std::size_t ridgecraft_answer_size() {
+  return cli::answer.size();
+}
+}

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The studio: files come in, wishes are chosen, results are shown by the app, files go out. It holds the project's wishes and
+// what is told of the work; the result itself is the app's.
+
+import {App} from "./app.js";
+import {htmlElement} from "./guide.js";
+import {byId, Menu, sayAll} from "./panel.js";
+import {wishes, wishesOf} from "./wishes.js";
+import {say} from "./words.js";
+import {Cancelled} from "./worker_backend.js";
+
+/** @typedef {import("./wishes.js").Wish} Wish */
+/** @typedef {import("./backend.js").State} State */
+/** @typedef {import("./worker_backend.js").WorkerBackend} WorkerBackend */
+
+const modelSuffix = /\.(obj|stl|ply|off|glb|gltf|3mf|pdo)$/i;
+/** Work that is done sooner shows no bar. */
+const patienceMs = 300;
+/** Somebody who types is not finished. */
+const typingMs = 700;
+
+export class Studio {
+  /** @param {WorkerBackend} backend @param {Record<string, Record<string, string>>} samples files by name, of each sample */
+  constructor(backend, samples) {
+    this.backend = backend;
+    this.samples = samples;
+    /** @type {App | null} */
+    this.app = null;
+    /** @type {Record<string, string | boolean>} */
+    this.options = {};
+    /** @type {State | null} */
+    this.state = null;
+    this.running = 0;
+    this.timer = 0;
+    this.error = "";
+    this.#listenFiles();
+    this.#buildPanel();
+    for (const name of Object.keys(samples)) {
+      const button = htmlElement("button", {type: "button", "data-say": `sample_${name}`});
+      button.addEventListener("click", () => this.openSample(name));
+      byId("samples").append(button);
+    }
+    this.menu = new Menu(byId("export"), byId("export-menu"), () => this.#formats().map((format) => ({text: say(`format_${format}`), act: () => this.save(format)})), new AbortController().signal);
+    byId("cancel").addEventListener("click", () => this.backend.cancel());
+    byId("dismiss").addEventListener("click", () => this.refuse(""));
+    backend.onProgress((stage, share) => this.progress(stage, share));
+    byId("panel").hidden = true;
+    sayAll();
+    /** Milliseconds from opening the page until the program is there. */
+    this.ready = 0;
+    backend.warm().then(() => {
+      this.ready = performance.now();
+    }).catch((error) => this.refuse(say("no_program", {why: error.message})));
+  }
+
+  // ---- files
+
+  #listenFiles() {
+    const input = /** @type {HTMLInputElement} */ (byId("files"));
+    const choose = () => input.click();
+    byId("choose-file").addEventListener("click", choose);
+    byId("open-other").addEventListener("click", choose);
+    input.addEventListener("change", () => {
+      this.openFiles([...(input.files ?? [])]);
+      input.value = "";
+    });
+    const over = (/** @type {DragEvent} */ event) => {
+      event.preventDefault();
+      document.body.classList.add("dropping");
+    };
+    document.addEventListener("dragenter", over);
+    document.addEventListener("dragover", over);
+    document.addEventListener("dragleave", (event) => event.relatedTarget ?? document.body.classList.remove("dropping"));
+    document.addEventListener("drop", (event) => {
+      event.preventDefault();
+      document.body.classList.remove("dropping");
+      this.openFiles([...(event.dataTransfer?.files ?? [])]);
+    });
+  }
+
+  /** @param {File[]} files a model and what belongs to it */
+  async openFiles(files) {
+    if (files.length === 0) {
+      return;
+    }
+    const models = files.filter(({name}) => modelSuffix.test(name));
+    // Whatever is dropped alone is tried: its content decides, and the program says what is wrong with it.
+    const model = models[0] ?? (files.length === 1 ? files[0] : null);
+    if (!model) {
+      this.refuse(say("no_model"));
+      return;
+    }
+    /** @type {Record<string, Uint8Array>} */
+    const beside = {};
+    for (const file of files) {
+      if (file !== model) {
+        beside[file.name] = new Uint8Array(await file.arrayBuffer());
+      }
+    }
+    await this.open(model.name, new Uint8Array(await model.arrayBuffer()), beside, {});
+    if (models.length > 1) {
+      this.note(say("several_models", {name: model.name}));
+    }
+  }
+
+  /** @param {string} name of a sample */
+  openSample(name) {
+    const encoder = new TextEncoder();
+    const files = Object.entries(this.samples[name]).map(([file, text]) => /** @type {const} */ ([file, encoder.encode(text)]));
+    return this.open(files[0][0], files[0][1], Object.fromEntries(files.slice(1)), {});
+  }
+
+  /**
+   * @param {string} name
+   * @param {Uint8Array} bytes
+   * @param {Record<string, Uint8Array>} beside
+   * @param {Record<string, string | boolean>} options
+   * @param {string[]} [rest] words of a command line that are no wishes of the panel
+   */
+  open(name, bytes, beside, options, rest = []) {
+    return this.run(() => this.backend.open(name, bytes, beside, options, rest), options);
+  }
+
+  // ---- work
+
+  /** @param {() => Promise<State>} work @param {Record<string, string | boolean>} options that it is done with */
+  async run(work, options) {
+    const run = ++this.running;
+    this.refuse("");
+    const bar = byId("busy");
+    this.progress("starting", NaN);
+    const patience = setTimeout(() => {
+      bar.hidden = false;
+    }, patienceMs);
+    try {
+      const state = await work();
+      if (run === this.running) {
+        this.options = options;
+        this.show(state);
+      }
+    } catch (error) {
+      if (run === this.running) {
+        this.fillPanel();
+        this.refuse(error instanceof Cancelled ? (this.state ? say("cancelled") : "") : error instanceof Error ? error.message : String(error));
+      }
+    } finally {
+      clearTimeout(patience);
+      if (run === this.running) {
+        bar.hidden = true;
+      }
+    }
+  }
+
+  /** @param {string} stage @param {number} share */
+  progress(stage, share) {
+    const key = stage === "starting" ? stage : `stage_${stage.replace(/ /g, "_")}`;
+    const text = say(key);
+    byId("stage-name").textContent = text === key ? stage : text;
+    const bar = /** @type {HTMLProgressElement} */ (byId("share"));
+    if (share > 0) {
+      bar.value = share;
+    } else {
+      bar.removeAttribute("value");
+    }
+  }
+
+  /** @param {State} state */
+  show(state) {
+    this.state = state;
+    this.app?.stop();
+    byId("welcome").hidden = true;
+    byId("panel").hidden = false;
+    this.app = new App(this.backend, state);
+    byId("panel-name").textContent = this.backend.project?.name ?? "";
+    this.fillPanel();
+    this.#showNotes(state.notes.map(({text}) => text));
+  }
+
+  /** @param {string[]} texts */
+  #showNotes(texts) {
+    const notes = byId("studio-notes");
+    notes.hidden = texts.length === 0;
+    /** @type {HTMLElement} */ (notes.querySelector("summary")).textContent = `${say("notes_list")} (${texts.length})`;
+    /** @type {HTMLElement} */ (notes.querySelector("ul")).replaceChildren(...texts.map((text) => htmlElement("li", {}, [text])));
+  }
+
+  /** @param {string} text */
+  note(text) {
+    this.#showNotes([...byId("studio-notes").querySelectorAll("li")].map((item) => item.textContent ?? "").concat(text));
+  }
+
+  /** What can't be, with a button where the sentence names a wish that would help. @param {string} sentence */
+  refuse(sentence) {
+    this.error = sentence;
+    const box = byId("refused");
+    box.hidden = sentence === "";
+    /** @type {HTMLElement} */ (box.querySelector("p")).textContent = sentence;
+    const proposed = /(--[a-z-]+) ([\w.:%]*\w)/.exec(sentence);
+    const wish = proposed && wishes.find(({word, kind}) => word === proposed[1] && kind !== "flag");
+    const button = byId("try-it");
+    button.hidden = !wish || !this.backend.project;
+    if (wish && proposed) {
+      button.textContent = `${say(`wish_${wish.key}`)}: ${proposed[2]}`;
+      button.onclick = () => this.wish({[wish.key]: proposed[2]});
+    }
+  }
+
+  /** @param {Record<string, string | boolean>} changed */
+  wish(changed) {
+    const options = {...this.options, ...changed};
+    return this.run(() => this.backend.set(options), options);
+  }
+
+  /** Formats that make sense for a printer, or for the machine that was chosen. */
+  #formats() {
+    const machine = (this.options.preset ?? "print") !== "print";
+    return this.backend.capabilities().export.filter((format) =>
+      machine ? !["guide", "html", "png"].includes(format) : !["lbrn2", "eps", "plt"].includes(format));
+  }
+
+  /** @param {string} format */
+  async save(format) {
+    try {
+      const {name, bytes} = await this.backend.exportFile(format);
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)], {type: "application/octet-stream"}));
+      link.download = name;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    } catch (error) {
+      this.refuse(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  // ---- the panel
+
+  #buildPanel() {
+    const form = byId("wishes");
+    const groups = [...new Set(wishes.map(({group}) => group))];
+    const fieldset = (/** @type {string} */ group, /** @type {Wish[]} */ list) => htmlElement("fieldset", {},
+      [htmlElement("legend", {"data-say": `group_${group}`}), ...list.map((wish) => this.#control(wish))]);
+    const more = htmlElement("details", {}, [htmlElement("summary", {"data-say": "more"})]);
+    for (const group of groups) {
+      const first = wishes.filter((wish) => wish.group === group && !wish.more);
+      const rest = wishes.filter((wish) => wish.group === group && wish.more);
+      if (first.length > 0) {
+        form.append(fieldset(group, first));
+      }
+      if (rest.length > 0) {
+        more.append(fieldset(group, rest));
+      }
+    }
+    const reset = htmlElement("button", {type: "button", id: "reset", "data-say": "reset"});
+    reset.addEventListener("click", () => this.run(() => this.backend.set(Object.fromEntries(wishes.map(({key, usual}) => [key, usual]))), {}));
+    form.append(more, reset);
+    form.addEventListener("submit", (event) => event.preventDefault());
+    form.addEventListener("change", () => this.#heard());
+    form.addEventListener("input", (event) => {
+      if (/** @type {Element} */ (event.target).matches("input[type=text]")) {
+        clearTimeout(this.timer);
+        this.timer = setTimeout(() => this.#heard(), typingMs);
+      }
+    });
+  }
+
+  /** @param {Wish} wish */
+  #control(wish) {
+    const id = `wish-${wish.key}`;
+    const words = htmlElement("span", {"data-say": `wish_${wish.key}`});
+    if (wish.kind === "flag") {
+      return htmlElement("label", {class: "flag"}, [htmlElement("input", {type: "checkbox", id}), words]);
+    }
+    if (wish.kind === "choice") {
+      const select = htmlElement("select", {id});
+      for (const choice of wish.choices ?? []) {
+        const key = `wish_${wish.key}_${choice}`;
+        const option = htmlElement("option", {value: choice}, [choice]);
+        if (say(key) !== key) {
+          option.setAttribute("data-say", key);
+        }
+        select.append(option);
+      }
+      return htmlElement("label", {}, [words, select]);
+    }
+    const usual = say(`wish_${wish.key}_usual`);
+    const input = htmlElement("input", {type: "text", id, inputmode: wish.kind === "text" ? "text" : "decimal",
+      placeholder: usual === `wish_${wish.key}_usual` ? String(wish.usual) : usual});
+    const unit = wish.kind === "length" ? "mm" : wish.unit ?? "";
+    const box = unit ? htmlElement("span", {class: "length"}, [input, htmlElement("small", {}, [unit])]) : input;
+    const help = say(`wish_${wish.key}_help`);
+    return htmlElement("label", {}, [words, box, ...(help === `wish_${wish.key}_help` ? [] : [htmlElement("small", {"data-say": `wish_${wish.key}_help`})])]);
+  }
+
+  /** Shows the wishes of the result that is shown. */
+  fillPanel() {
+    for (const {key, kind, usual} of wishes) {
+      const control = /** @type {HTMLInputElement} */ (byId(`wish-${key}`));
+      const value = this.options[key] ?? usual;
+      if (kind === "flag") {
+        control.checked = value === true;
+      } else if (control !== document.activeElement) {
+        control.value = kind === "choice" || value !== usual ? String(value) : "";
+      }
+      control.classList.toggle("changed", value !== usual);
+    }
+    byId("reset").hidden = wishes.every(({key, usual}) => (this.options[key] ?? usual) === usual);
+  }
+
+  /** What the panel says now. */
+  #asked() {
+    /** @type {Record<string, string | boolean>} */
+    const asked = {};
+    for (const {key, kind, usual} of wishes) {
+      const control = /** @type {HTMLInputElement} */ (byId(`wish-${key}`));
+      if (kind === "flag") {
+        asked[key] = control.checked;
+      } else {
+        // As people write decimals elsewhere.
+        const text = control.value.trim().replace(/^(\d+),(\d+)$/, "$1.$2");
+        asked[key] = text === "" && kind !== "choice" ? usual : text;
+      }
+    }
+    return asked;
+  }
+
+  #heard() {
+    clearTimeout(this.timer);
+    const asked = this.#asked();
+    if (this.state && wishes.some(({key, usual}) => asked[key] !== (this.options[key] ?? usual))) {
+      this.wish(asked);
+    }
+  }
+
+  /** For whoever tests the page. @param {any} about */
+  inspect(about) {
+    return {...(this.app ? this.app.inspect(about) : {}), ready: this.ready, project: this.backend.project?.name ?? null, options: this.options,
+      figures: this.state?.figures ?? null, busy: this.backend.calls.size > 0, error: this.error, notes: this.state?.notes ?? []};
+  }
+}

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The backend with the whole program in it, as WebAssembly in a worker. The project is a value here, in the page: model,
+// files beside it, options. So whatever ends a worker, a wish to cancel or a lack of memory, the next one goes on from it.
+
+import {zipOf} from "./archive.js";
+import {NotEditable} from "./backend.js";
+import {wordsOf} from "./wishes.js";
+import {say} from "./words.js";
+
+/** @typedef {import("./backend.js").State} State */
+
+/** What the program says in a sentence of its own. */
+export class Refusal extends Error {
+  /** @param {string} sentence @param {number} code */
+  constructor(sentence, code) {
+    super(sentence);
+    this.name = "Refusal";
+    this.code = code;
+  }
+}
+
+/** Somebody cancelled. */
+export class Cancelled extends Error {
+  constructor() {
+    super("cancelled");
+    this.name = "Cancelled";
+  }
+}
+
+/**
+ * @typedef {object} Project
+ * @property {string} name of the model's file
+ * @property {Record<string, Uint8Array>} files it, and those beside it
+ * @property {Record<string, string | boolean>} options
+ * @property {string[]} rest words of a command line that are no wishes of the panel
+ */
+
+/** What the program is told: names that could be options or verbs are paths. @param {string} name */
+const asModel = (name) => (/^[^-].*\./.test(name) ? name : `./${name}`);
+
+/** No folders in the module's file system. @param {string} name */
+const bareName = (name) => name.replace(/^.*[\\/]/, "") || "model";
+
+/** @implements {Backend} @typedef {import("./backend.js").Backend} Backend */
+export class WorkerBackend {
+  /**
+   * @param {string} source of the worker: the module's glue and web/worker.js
+   * @param {Promise<WebAssembly.Module>} module
+   * @param {string} version
+   */
+  constructor(source, module, version) {
+    this.address = URL.createObjectURL(new Blob([source], {type: "text/javascript"}));
+    this.module = module;
+    this.version = version;
+    /** @type {Project | null} */
+    this.project = null;
+    this.revision = 0;
+    /** @type {Worker | null} */
+    this.worker = null;
+    /** Whether the worker has started. */
+    this.usable = false;
+    /** Whether it has the project's paper. */
+    this.made = false;
+    /** @type {Map<number, {resolve: (answer: any) => void, reject: (error: Error) => void}>} */
+    this.calls = new Map();
+    this.lastCall = 0;
+    /** @type {((stage: string, share: number) => void)[]} */
+    this.progressListeners = [];
+    /** @type {((note: State["notes"][number]) => void)[]} */
+    this.noteListeners = [];
+    /** @type {State["notes"]} */
+    this.notes = [];
+  }
+
+  capabilities() {
+    return {edit: false, export: ["pdf", "guide", "svg", "html", "fold", "dxf", "png", "lbrn2", "eps", "plt"], version: this.version};
+  }
+
+  /** @param {(stage: string, share: number) => void} listener */
+  onProgress(listener) {
+    this.progressListeners.push(listener);
+  }
+
+  /** @param {(note: State["notes"][number]) => void} listener */
+  onNote(listener) {
+    this.noteListeners.push(listener);
+  }
+
+  /** Begins to load the module, so that the first model doesn't wait for it. */
+  warm() {
+    return this.#started();
+  }
+
+  /**
+   * @param {string} name
+   * @param {Uint8Array} bytes
+   * @param {Record<string, Uint8Array>} sidecars
+   * @param {Record<string, string | boolean>} [options]
+   * @param {string[]} [rest]
+   * @returns {Promise<State>}
+   */
+  open(name, bytes, sidecars = {}, options = {}, rest = []) {
+    /** @type {Record<string, Uint8Array>} */
+    const files = {};
+    for (const [beside, content] of Object.entries(sidecars)) {
+      files[bareName(beside)] = content;
+    }
+    files[bareName(name)] = bytes;
+    return this.#make({name: bareName(name), files, options, rest});
+  }
+
+  /** @param {Record<string, string | boolean>} options those that change @returns {Promise<State>} */
+  set(options) {
+    if (!this.project) {
+      return Promise.reject(new NotEditable());
+    }
+    return this.#make({...this.project, options: {...this.project.options, ...options}});
+  }
+
+  /** @returns {Promise<State>} */
+  apply() {
+    return Promise.reject(new NotEditable());
+  }
+
+  /** @returns {Promise<State>} */
+  undo() {
+    return Promise.reject(new NotEditable());
+  }
+
+  /** @returns {Promise<State>} */
+  redo() {
+    return Promise.reject(new NotEditable());
+  }
+
+  /** @returns {Promise<{ok: boolean}>} */
+  preview() {
+    return Promise.reject(new NotEditable());
+  }
+
+  /** @param {string} format @returns {Promise<Uint8Array>} */
+  async export(format) {
+    return (await this.exportFile(format)).bytes;
+  }
+
+  /**
+   * The bytes of a format under the name of a file: formats with a file per page come as an archive of them.
+   * @param {string} format
+   * @returns {Promise<{name: string, bytes: Uint8Array}>}
+   */
+  async exportFile(format) {
+    if (!this.project) {
+      throw new NotEditable();
+    }
+    const title = this.project.name.replace(/\.[^.]*$/, "");
+    if (!this.made) {
+      // The worker that had it was ended.
+      await this.#make(this.project);
+    }
+    const {files} = await this.#call({call: "write", name: format === "guide" ? `${title}-guide.pdf` : `${title}.${format}`});
+    return files.length === 1 ? files[0] : {name: `${title}-${format}.zip`, bytes: zipOf(files)};
+  }
+
+  /** Ends what is running; its promise is rejected, and the project stays the one before. */
+  cancel() {
+    if (this.calls.size > 0) {
+      this.#end(new Cancelled());
+    }
+  }
+
+  // ---- the worker
+
+  /** @param {Project} project @returns {Promise<State>} */
+  async #make(project) {
+    // A newer wish ends the one before.
+    this.cancel();
+    this.notes = [];
+    this.made = false;
+    const {summary, fold, sheets} = await this.#call({call: "make", files: project.files,
+      words: [asModel(project.name), ...project.rest, ...wordsOf(project.options)]});
+    this.made = true;
+    this.project = project;
+    this.revision += 1;
+    return {revision: this.revision, options: project.options, fold, sheets, notes: this.notes, figures: JSON.parse(summary),
+      canUndo: false, canRedo: false, busy: false};
+  }
+
+  /** @param {Record<string, unknown>} message @returns {Promise<any>} */
+  async #call(message) {
+    await this.#started();
+    return this.#send(message);
+  }
+
+  /** @param {Record<string, unknown>} message @returns {Promise<any>} */
+  #send(message) {
+    return new Promise((resolve, reject) => {
+      const id = ++this.lastCall;
+      this.calls.set(id, {resolve, reject});
+      this.worker?.postMessage({id, ...message});
+    });
+  }
+
+  async #started() {
+    if (!this.worker) {
+      const worker = new Worker(this.address);
+      this.worker = worker;
+      worker.onmessage = ({data}) => this.#heard(worker, data);
+      worker.onerror = (event) => {
+        event.preventDefault();
+        if (worker === this.worker) {
+          this.#end(new Refusal(say("stopped", {why: event.message}), 1));
+        }
+      };
+      this.usable = false;
+      this.ready = this.module.then((module) => this.#send({call: "start", module})).then(() => {
+        this.usable = true;
+      });
+    }
+    await this.ready;
+  }
+
+  /** @param {Worker} worker @param {any} data */
+  #heard(worker, data) {
+    if (worker !== this.worker) {
+      return;
+    }
+    if (data.stage !== undefined) {
+      this.progressListeners.forEach((listener) => listener(data.stage, data.share));
+    } else if (data.note !== undefined) {
+      const note = {text: data.note};
+      this.notes.push(note);
+      this.noteListeners.forEach((listener) => listener(note));
+    } else if (data.broken !== undefined) {
+      this.#end(new Refusal(/memory|stack|call size/i.test(data.broken) ? say("too_large") : say("stopped", {why: data.broken}), 4));
+    } else {
+      const call = this.calls.get(data.id);
+      this.calls.delete(data.id);
+      data.error ? call?.reject(new Refusal(data.error.sentence, data.error.code)) : call?.resolve(data);
+    }
+  }
+
+  /** The worker goes, and with it the paper that it has made. @param {Error} error that its calls end with */
+  #end(error) {
+    this.worker?.terminate();
+    this.worker = null;
+    this.made = false;
+    const calls = [...this.calls.values()];
+    this.calls.clear();
+    calls.forEach(({reject}) => reject(error));
+    // The next one is ready before it is asked for; where none could be started, none is tried by itself.
+    if (this.usable || error instanceof Cancelled) {
+      this.#started().catch(() => {});
+    }
+  }
+}
