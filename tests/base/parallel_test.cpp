@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -50,11 +51,17 @@ TEST_CASE("the first error ends the others and comes back", "[base][threads]") {
     Context context;
     context.threads = threads;
     std::atomic<std::size_t> begun = 0;
+    std::atomic<bool> thrown = false;
     CHECK_THROWS_AS(do_in_parallel(100000, context,
                                    [&](std::size_t i, const Context&) {
                                      ++begun;
                                      if (i == 10) {
+                                       thrown = true;
                                        throw Error(ErrorKind::no_nets, "the tenth");
+                                     }
+                                     // On a busy machine the others would be done before its thread's turn.
+                                     while (i > 10 && !thrown) {
+                                       std::this_thread::yield();
                                      }
                                    }),
                     Error);
