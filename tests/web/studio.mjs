@@ -38,8 +38,10 @@ async function open(file, options = {}) {
   }
   const page = await context.newPage();
   const heard = [];
-  page.on("console", (message) => message.text().includes("GL Driver Message") || heard.push(message.text()));
-  page.on("pageerror", (error) => heard.push(error.message));
+  // What the graphics driver says of its speed; and in Firefox the style by which pictures of the page are taken.
+  const ofTest = (text) => text.includes("GL Driver Message") || (values.browser === "firefox" && text.includes("style-src-elem"));
+  page.on("console", (message) => ofTest(message.text()) || heard.push(message.text()));
+  page.on("pageerror", (error) => ofTest(error.message) || heard.push(error.message));
   page.on("request", (request) => {
     if (!/^(blob|data):/.test(request.url()) && request.url() !== pathToFileURL(file).href) {
       heard.push(`asks for ${request.url()}`);
@@ -96,9 +98,15 @@ async function makesPaper() {
   check(house.error === "", `the house is refused: ${house.error}`);
   await page.click("#export");
   await shot("house-menu");
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#export-menu button")]);
-  check(download.suggestedFilename() === "house.pdf", `the PDF is called ${download.suggestedFilename()}`);
-  check(readFileSync(await download.path()).equals(native("house", ".pdf")), "the PDF of the house has other bytes than the program's");
+  if (values.browser === "chromium") {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#export-menu button")]);
+    check(download.suggestedFilename() === "house.pdf", `the PDF is called ${download.suggestedFilename()}`);
+    check(readFileSync(await download.path()).equals(native("house", ".pdf")), "the PDF of the house has other bytes than the program's");
+  } else {
+    // Firefox doesn't tell what drives it of downloads.
+    await page.keyboard.press("Escape");
+    check((await exported("pdf")).equals(native("house", ".pdf")), "the PDF of the house has other bytes than the program's");
+  }
 
   // A wish changes the sheets.
   await page.selectOption("#wish-paper", "A3");
@@ -118,11 +126,18 @@ async function makesPaper() {
 
   // Cancelling leaves what there was, and the next model is made all the same.
   await page.click("#dismiss");
+  // In the page, where nothing comes between the bar and the click, however fast the machine is.
+  const clicked = page.evaluate(() => new Promise((done) => {
+    const timer = setInterval(() => {
+      if (!document.getElementById("busy").hidden) {
+        clearInterval(timer);
+        document.getElementById("cancel").click();
+        done();
+      }
+    }, 10);
+  }));
   await drop(sampleFiles("dinosaur"));
-  await page.waitForFunction(() => globalThis.ridgecraft.inspect().busy);
-  await page.waitForSelector("#cancel", {state: "visible"});
-  await shot("busy");
-  await page.click("#cancel");
+  await clicked;
   const cancelled = await idle();
   check(cancelled.title === "house" && cancelled.project === "house.obj", `after cancelling there is ${cancelled.title}`);
   check((await exported("fold")).equals(native("house", ".fold", "--paper", "A3")), "after cancelling: other bytes than before");
