@@ -12,6 +12,11 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#ifdef CGAL_DISABLE_GMP
+#include <CGAL/Lazy_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost_mp.h>
+#endif
 
 #include "base/box_tree.hpp"
 #include "base/disjoint_sets.hpp"
@@ -24,7 +29,13 @@ namespace ridgecraft::prepare {
 namespace {
 
 using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;  ///< for points of the input
-using Exact = CGAL::Exact_predicates_exact_constructions_kernel;       ///< for points that are found
+#ifndef CGAL_DISABLE_GMP
+using Exact = CGAL::Exact_predicates_exact_constructions_kernel;  ///< for points that are found
+#else
+/// Without GMP (wasm/) CGAL's own choice are fractions that nobody reduces: they grow beyond all doubles,
+/// where CGAL divides infinity by infinity.
+using Exact = CGAL::Lazy_kernel<CGAL::Simple_cartesian<boost::multiprecision::cpp_rational>>;
+#endif
 
 constexpr std::uint32_t none = 0xffffffffU;
 /// Pairs of triangles, and rays, between two questions whether to stop.
