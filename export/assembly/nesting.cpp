@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/elementary.hpp"
+#include "base/solid_angle.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -23,20 +23,13 @@ bool holds_box(const Box3& outer, const Box3& inner) {
          inner.high.x < outer.high.x && inner.high.y < outer.high.y && inner.high.z < outer.high.z;
 }
 
-/// By how often the body winds around the point, either way round (van Oosterom, Strackee: The solid angle of
-/// a plane triangle, 1983): no edge or corner has to be missed, as with a ray.
+/// By how often the body winds around the point, either way round: no edge or corner has to be missed, as
+/// with a ray.
 bool is_inside(const mesh::Surface& surface, Vec3 point, const GroupBody& body) {
   double angle = 0.0;
   for (const FaceId face : body.faces) {
     const auto [u, v, w] = surface.vertices(face);
-    const Vec3 a = surface.point(u) - point;
-    const Vec3 b = surface.point(v) - point;
-    const Vec3 c = surface.point(w) - point;
-    const double la = length(a);
-    const double lb = length(b);
-    const double lc = length(c);
-    angle += 2.0 * elementary::atan2(dot(a, cross(b, c)),
-                                     la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    angle += solid_angle(surface.point(u) - point, surface.point(v) - point, surface.point(w) - point);
   }
   return std::abs(angle) > 2.0 * std::numbers::pi;  // half of once around
 }

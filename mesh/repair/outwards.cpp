@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
-#include "base/elementary.hpp"
 #include "base/near_boxes.hpp"
+#include "base/solid_angle.hpp"
 #include "mesh/repair/orient.hpp"
 
 namespace ridgecraft::mesh {
@@ -82,20 +82,12 @@ void measure(const TriangleList& list, Component& c) {
   c.outside_known = has_volume && (c.closed || length(vector_area) < nearly_closed * c.area);
 }
 
-/// How often the component winds around a point, times its sign: 0 outside, 1 or -1 inside (van Oosterom,
-/// Strackee: The solid angle of a plane triangle, 1983).
+/// How often the component winds around a point, times its sign: 0 outside, 1 or -1 inside.
 double winding(const TriangleList& list, const Component& c, Vec3 q) {
   double angle = 0.0;
   for (const std::uint32_t t : c.triangles) {
     const auto& v = list.triangles[t].points;
-    const Vec3 a = list.points[v[0]] - q;
-    const Vec3 b = list.points[v[1]] - q;
-    const Vec3 d = list.points[v[2]] - q;
-    const double la = length(a);
-    const double lb = length(b);
-    const double ld = length(d);
-    angle += 2.0 * elementary::atan2(dot(a, cross(b, d)),
-                                     la * lb * ld + dot(a, b) * ld + dot(b, d) * la + dot(d, a) * lb);
+    angle += solid_angle(list.points[v[0]] - q, list.points[v[1]] - q, list.points[v[2]] - q);
   }
   return angle / (4.0 * std::numbers::pi);
 }

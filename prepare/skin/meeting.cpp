@@ -13,6 +13,7 @@
 #include "base/edge_order.hpp"
 #include "base/elementary.hpp"
 #include "base/same_place.hpp"
+#include "base/solid_angle.hpp"
 #include "prepare/skin/sight.hpp"
 
 namespace ridgecraft::prepare {
@@ -467,21 +468,14 @@ class Meeting {
         !within(outer.box.low.z, inner.box.low.z, inner.box.high.z, outer.box.high.z)) {
       return false;
     }
-    // Shells don't cross, so any point tells: the middle of a face (van Oosterom, Strackee, 1983).
+    // Shells don't cross, so any point tells: the middle of a face.
     const auto& first = inner.triangles.front();
     const Vec3 p = (first[0] + first[1] + first[2]) / 3.0;
     double angle = 0.0;
     for (const auto& t : outer.triangles) {
-      const Vec3 a = t[0] - p;
-      const Vec3 b = t[1] - p;
-      const Vec3 c = t[2] - p;
-      const double la = length(a);
-      const double lb = length(b);
-      const double lc = length(c);
-      angle += elementary::atan2(dot(a, cross(b, c)),
-                                 la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+      angle += solid_angle(t[0] - p, t[1] - p, t[2] - p);
     }
-    return angle > std::numbers::pi;
+    return angle > 2.0 * std::numbers::pi;  // half of once around
   }
 
   // The skin ------------------------------------------------------------------------------------------------
