@@ -27,9 +27,10 @@ struct Way {
   EdgeId edge;
 };
 
-class Divider {
+/// Finds the triangles that were divided.
+class TriangleFinder {
  public:
-  Divider(const mesh::Surface& surface, std::span<const std::uint32_t> label)
+  TriangleFinder(const mesh::Surface& surface, std::span<const std::uint32_t> label)
       : surface_(surface),
         label_(label),
         tolerance_(in_place * surface.bounds().diagonal()),
@@ -38,15 +39,25 @@ class Divider {
 
   /// False where no vertex is one that a division may have made.
   bool find_corners() {
-    bool any = false;
+    // Of each vertex: how many sides end there, and where two of them lead.
+    std::vector<std::uint32_t> sides(surface_.vertex_count(), 0);
+    std::vector<std::array<VertexId, 2>> beyond(surface_.vertex_count());
     for (const EdgeId e : ids<EdgeId>(surface_.edge_count())) {
       separates_[e.value()] = is_crease(e);
+      if (separates_[e.value()]) {
+        const CornerId c = surface_.sides(e)[0];
+        const std::array ends{surface_.vertex(c), surface_.vertex(mesh::next(c))};
+        for (const std::size_t k : {0U, 1U}) {
+          const std::size_t v = ends[k].value();
+          beyond[v][sides[v]++ % 2] = ends[1 - k];
+        }
+      }
     }
     for (const VertexId v : ids<VertexId>(surface_.vertex_count())) {
-      corner_[v.value()] = is_corner(v);
-      any = any || !corner_[v.value()];
+      const std::size_t i = v.value();
+      corner_[i] = sides[i] != 0 && (sides[i] != 2 || !goes_straight(beyond[i][0], v, beyond[i][1]));
     }
-    return any;
+    return std::find(corner_.begin(), corner_.end(), false) != corner_.end();
   }
 
   /// Marks the straight chains of edges from corner to corner. False where that takes too long.
@@ -138,16 +149,6 @@ class Divider {
     return dot(in, out) >= straight_cosine * length(in) * length(out);
   }
 
-  [[nodiscard]] bool is_corner(VertexId v) const {
-    std::vector<VertexId> ends;
-    for (const Way& way : ways_from(v)) {
-      if (separates(way.edge)) {
-        ends.push_back(way.to);
-      }
-    }
-    return !ends.empty() && (ends.size() != 2 || !goes_straight(ends[0], v, ends[1]));
-  }
-
   /// Adds the edges straight on to the next corner; false where there is none.
   bool follow(VertexId from, VertexId at, std::vector<EdgeId>& chain) const {
     while (!is_kept(at)) {
@@ -201,11 +202,11 @@ class Divider {
 };
 
 /// Faces with no side of a triangle between them, by the smallest of each.
-std::vector<std::vector<FaceId>> cells_of(const mesh::Surface& surface, const Divider& divider) {
+std::vector<std::vector<FaceId>> cells_of(const mesh::Surface& surface, const TriangleFinder& finder) {
   DisjointSets sets(surface.face_count());
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, t] = surface.sides(e);
-    if (!divider.separates(e)) {
+    if (!finder.separates(e)) {
       sets.join(mesh::face_of(c).value(), mesh::face_of(t).value());
     }
   }
@@ -273,15 +274,15 @@ void Undivided::to_given_numbers(Part& part) const {
 
 Undivided undivide(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
                    std::span<const std::uint32_t> label) {
-  Divider divider(surface, label);
-  if (!divider.find_corners() || !divider.find_sides()) {
+  TriangleFinder finder(surface, label);
+  if (!finder.find_corners() || !finder.find_sides()) {
     return {};
   }
-  const std::vector<std::vector<FaceId>> cells = cells_of(surface, divider);
+  const std::vector<std::vector<FaceId>> cells = cells_of(surface, finder);
   std::vector<std::optional<std::array<VertexId, 3>>> triangles;
   std::vector<bool> stays(surface.component_count(), false);
   for (const std::vector<FaceId>& cell : cells) {
-    triangles.push_back(divider.triangle_of(cell));
+    triangles.push_back(finder.triangle_of(cell));
     if (!triangles.back()) {
       stays[surface.component(cell[0]).value()] = true;
     }
