@@ -10,13 +10,7 @@ build="$here/build/release"
 log="$here/build/release.log"
 mkdir -p "$here/build"
 # Chatter goes to a log, so that standard output is the program's alone.
-quietly() {
-  if ! "$@" >"$log" 2>&1 </dev/null; then
-    cat "$log" >&2
-    echo "The build failed; the log is $log" >&2
-    exit 1
-  fi
-}
+. "$here/cmake/quietly.sh"
 if [ ! -f "$build/build.ninja" ]; then
   echo "Building Ridgecraft; the first time takes a few minutes ($log tells how far it is)." >&2
   quietly cmake -S "$here" --preset release

@@ -28,13 +28,7 @@ sh "$here/cmake/install-packages.sh" "$here/cmake/packages.txt" "$here/tests/pac
 jobs=$(nproc)
 mkdir -p "$here/build"
 log="$here/build/$preset.log"
-quietly() {
-  if ! "$@" >"$log" 2>&1 </dev/null; then
-    cat "$log" >&2
-    echo "The build failed; the log is $log" >&2
-    exit 1
-  fi
-}
+. "$here/cmake/quietly.sh"
 quietly cmake -S "$here" --preset "$preset"
 echo "Building ($preset)" >&2
 quietly cmake --build "$here/build/$preset" -j "$jobs" --target "$target"

@@ -17,13 +17,7 @@ export NODE_PATH
 
 mkdir -p "$build"
 log="$here/build/wasm.log"
-quietly() {
-  if ! "$@" >"$log" 2>&1 </dev/null; then
-    cat "$log" >&2
-    echo "The build failed; the log is $log" >&2
-    exit 1
-  fi
-}
+. "$here/cmake/quietly.sh"
 if [ ! -f "$build/build.ninja" ]; then
   echo "Building Ridgecraft for browsers; the first time takes some minutes ($log tells how far it is)." >&2
   cd "$here"
