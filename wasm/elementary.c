@@ -4,42 +4,21 @@
 // by other functions.
 #include <math.h>
 
-double ridgecraft_elementary_sin(double x) {
-  return sin(x);
-}
-double ridgecraft_elementary_cos(double x) {
-  return cos(x);
-}
-double ridgecraft_elementary_tan(double x) {
-  return tan(x);
-}
-double ridgecraft_elementary_asin(double x) {
-  return asin(x);
-}
-double ridgecraft_elementary_acos(double x) {
-  return acos(x);
-}
-double ridgecraft_elementary_atan2(double y, double x) {
-  return atan2(y, x);
-}
-double ridgecraft_elementary_pow(double base, double exponent) {
-  return pow(base, exponent);
-}
-double ridgecraft_elementary_exp(double x) {
-  return exp(x);
-}
-double ridgecraft_elementary_exp2(double x) {
-  return exp2(x);
-}
-double ridgecraft_elementary_log(double x) {
-  return log(x);
-}
-double ridgecraft_elementary_log2(double x) {
-  return log2(x);
-}
-double ridgecraft_elementary_log10(double x) {
-  return log10(x);
-}
-double ridgecraft_elementary_hypot(double x, double y) {
-  return hypot(x, y);
-}
+#define OF_ONE(name) \
+  double ridgecraft_elementary_##name(double x) { return name(x); }
+#define OF_TWO(name) \
+  double ridgecraft_elementary_##name(double x, double y) { return name(x, y); }
+
+OF_ONE(sin)
+OF_ONE(cos)
+OF_ONE(tan)
+OF_ONE(asin)
+OF_ONE(acos)
+OF_TWO(atan2)
+OF_TWO(pow)
+OF_ONE(exp)
+OF_ONE(exp2)
+OF_ONE(log)
+OF_ONE(log2)
+OF_ONE(log10)
+OF_TWO(hypot)

@@ -59,6 +59,16 @@ bool take_end(std::string_view& words, std::string_view end) {
   return true;
 }
 
+/// What follows `start` in a text, as far as it is made of these letters; empty where there is none.
+std::string word_after(std::string_view start, std::string_view letters, std::string_view text) {
+  const std::size_t at = text.find(start);
+  if (at == std::string_view::npos) {
+    return {};
+  }
+  text.remove_prefix(at + start.size());
+  return std::string(text.substr(0, text.find_first_not_of(letters)));
+}
+
 }  // namespace
 
 bool is_pdf(std::string_view bytes) {
@@ -84,13 +94,7 @@ Pattern pattern_of(std::span<const double> dashes) {
 }
 
 std::string preset_in(std::string_view text) {
-  constexpr std::string_view start = "preset:";
-  const std::size_t at = text.find(start);
-  if (at == std::string_view::npos) {
-    return {};
-  }
-  text.remove_prefix(at + start.size());
-  return std::string(text.substr(0, text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-")));
+  return word_after("preset:", "abcdefghijklmnopqrstuvwxyz-", text);
 }
 
 double thickness_in(std::string_view settings) {
@@ -105,13 +109,7 @@ double thickness_in(std::string_view settings) {
 }
 
 std::string digest_in(std::string_view text) {
-  constexpr std::string_view start = "ridgecraft-model:";
-  const std::size_t at = text.find(start);
-  if (at == std::string_view::npos) {
-    return {};
-  }
-  text.remove_prefix(at + start.size());
-  return std::string(text.substr(0, text.find_first_not_of("0123456789abcdef")));
+  return word_after("ridgecraft-model:", "0123456789abcdef", text);
 }
 
 void undo_calibration(std::string_view settings, PrintedFile& file) {
