@@ -217,7 +217,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
   verb.example(
       "ridgecraft whale.obj",
       "Pages for a whale of 150 mm, in this folder: whale.pdf with whale-guide.pdf, whale.html, whale.fold "
-      "and whale.svg (whale-1.svg and so on where there are several pages).");
+      "and whale.svg (also whale-1.svg and so on where there are several pages).");
   verb.example("ridgecraft penguin.obj --size 30cm --paper A3 -o out", "Larger, on A3, into the folder out.");
   verb.example("ridgecraft house.obj --scale 1:500 --unit m -o house.pdf",
                "A house drawn in metres, at a scale.");

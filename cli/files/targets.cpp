@@ -198,6 +198,10 @@ fs::path place_of(const fs::path& file) {
   return place / file.filename();
 }
 
+bool has_file_of_all(const Target& target) {
+  return target.format == Format::svg && target.shows == Shows::sheets;
+}
+
 std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
   if (!one_file_per_page(target.format) || pages == 1) {
     return {target.folder / (target.stem + target.ending)};
@@ -205,6 +209,9 @@ std::vector<fs::path> files_of(const Target& target, std::size_t pages) {
   std::vector<fs::path> files;
   for (std::size_t page = 1; page <= pages; ++page) {
     files.push_back(target.folder / (target.stem + "-" + std::to_string(page) + target.ending));
+  }
+  if (has_file_of_all(target)) {
+    files.push_back(target.folder / (target.stem + target.ending));
   }
   return files;
 }

@@ -60,13 +60,18 @@ void add_guides(std::vector<Target>& targets);
 /// link as last name stays, since a file that is written replaces it.
 [[nodiscard]] std::filesystem::path place_of(const std::filesystem::path& file);
 
-/// The files of a target: one, or for SVG and PNG one per page.
+/// Whether several pages also come as one file of all, under the name that a single page would have: SVG of
+/// sheets, for Inkscape. Machines cut one sheet at a time, and several beside each other are larger than
+/// their beds.
+[[nodiscard]] bool has_file_of_all(const Target& target);
+
+/// The files of a target: one, or for SVG and PNG one per page, and after them that of all pages.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const Target& target, std::size_t pages);
 
 /// The models (digests) of those of these files that exist and that this program made.
 [[nodiscard]] std::set<std::string> digests_of(const std::vector<std::filesystem::path>& files);
 
-/// Files of one set, as many as the model asks for: "whale.svg" or "whale-1.svg", "whale-2.svg", ...
+/// Files of one set, as many as the model asks for: "whale.svg", "whale-1.svg", "whale-2.svg", ...
 struct NumberedFiles {
   std::filesystem::path folder;
   std::string stem;    ///< "whale"

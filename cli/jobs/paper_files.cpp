@@ -41,7 +41,8 @@ std::vector<paper::Drawing> machine_pages(const job::Paper& made, const PaperJob
 std::string svg_of(const Sheets& sheets, std::size_t page, const PaperJob& job) {
   const job::Paper& made = sheets.made;
   if (!job.preset.is_machine()) {
-    return paper::write_svg(sheets.drawings[page], sheets.mark);
+    return page == sheets.drawings.size() ? paper::write_svg_of_all(sheets.drawings, sheets.mark)
+                                          : paper::write_svg(sheets.drawings[page], sheets.mark);
   }
   return job.preset.simulates
              ? paper::write_simulator_svg(made.prepared, made.nets, made.pages, PageId(page), made.mark)

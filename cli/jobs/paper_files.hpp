@@ -30,7 +30,7 @@ struct Sheets {
 /// Pages of this kind; formats with a file per page have as many files.
 [[nodiscard]] std::size_t page_count(const Target& target, const Sheets& sheets);
 
-/// The bytes of the target's only file, or of that of page i. `sheets` must be for this target, too.
+/// The bytes of file i of the target (files_of). `sheets` must be for this target, too.
 [[nodiscard]] std::string file_bytes(const Target& target, std::size_t i, const Sheets& sheets,
                                      const PaperJob& job);
 

@@ -235,7 +235,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   const std::string digest = model.digest;
   // How many pages there will be isn't known yet.
   for (const Target& target : targets) {
-    if (!one_file_per_page(target.format)) {
+    if (!one_file_per_page(target.format) || has_file_of_all(target)) {
       require_replaceable(files_of(target, 1).front(), digest, job.overwrite);
     }
   }

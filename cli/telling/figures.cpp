@@ -49,6 +49,13 @@ std::string written_text(const std::vector<std::string>& files) {
   return text;
 }
 
+/// Whether the name is that of one page of several: "whale-1.svg".
+bool is_numbered(const std::string& file) {
+  const std::string stem = std::filesystem::path(file).stem().string();
+  const std::size_t last = stem.find_last_not_of("0123456789");
+  return last != std::string::npos && last + 1 < stem.size() && stem[last] == '-';
+}
+
 /// "wrote whale.pdf, whale-1.svg to whale-12.svg and whale.fold", "wrote into out: whale.pdf and whale.fold",
 /// where all lie in one folder.
 std::string written_in_brief(const std::vector<std::string>& files) {
@@ -63,7 +70,8 @@ std::string written_in_brief(const std::vector<std::string>& files) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < files.size();) {
     std::size_t end = i + 1;
-    while (end < files.size() && fs::path(files[end]).extension() == fs::path(files[i]).extension()) {
+    while (end < files.size() && fs::path(files[end]).extension() == fs::path(files[i]).extension() &&
+           is_numbered(files[end]) == is_numbered(files[i])) {
       ++end;
     }
     const std::string first = fs::path(files[i]).filename().string();

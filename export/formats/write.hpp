@@ -29,6 +29,9 @@ void check_pdf_size(Vec2 page_mm);
 [[nodiscard]] std::string write_guide_pdf(std::span<const Drawing> pages, const Mark& mark);
 /// Bytes of the SVG of one page, in true millimetres, a layer for each class of line.
 [[nodiscard]] std::string write_svg(const Drawing& page, const Mark& mark);
+/// Bytes of the SVG of all pages side by side, as pages of Inkscape (from 1.2 on): a layer for each page, and
+/// in it one for each class of line. There must be a page.
+[[nodiscard]] std::string write_svg_of_all(std::span<const Drawing> pages, const Mark& mark);
 /// Bytes of the SVG of one page's pieces as a machine's program expects it: in true millimetres, a colour and
 /// a layer for each operation, in the order of work.
 [[nodiscard]] std::string write_machine_svg(const Drawing& page, const Mark& mark, const Preset& preset);

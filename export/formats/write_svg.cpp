@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SVG of one page: plain XML in true millimetres, y down, a layer for each class of line, presentation
-// attributes only (no CSS, no transforms, no reuse), since cutters' importers understand little more.
+// SVG of one page, or of all pages side by side: plain XML in true millimetres, y down, a layer for each
+// class of line, presentation attributes only (no CSS, no transforms, no reuse), since cutters' importers
+// understand little more.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/base64.hpp"
 #include "base/elementary.hpp"
+#include "base/error.hpp"
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
 #include "export/formats/layer_order.hpp"
@@ -30,18 +36,25 @@ std::string color(Color c) {
   return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
 }
 
-class SvgWriter {
- public:
-  SvgWriter(const Drawing& page, const Mark& mark) : page_(page), mark_(mark) {}
+/// Pages of one file lie in rows of at most so many, with so much between them, mm.
+constexpr std::size_t pages_in_row = 5;
+constexpr double between_pages_mm = 10.0;
 
-  std::string write() {
-    head();
+/// One page's layers.
+class PageWriter {
+ public:
+  /// Its upper left corner lies at `corner`, y down. `prefix` stands before all ids, `suffix` behind the
+  /// names of layers, so that neither comes twice in a file of several pages.
+  PageWriter(const Drawing& page, Vec2 corner, std::string prefix, std::string suffix, std::string& out)
+      : page_(page), corner_(corner), prefix_(std::move(prefix)), suffix_(std::move(suffix)), out_(out) {}
+
+  void write() {
     for (const Layer layer : layer_order) {
       if (is_optional(layer) && !has_layer(page_, layer)) {
         continue;
       }
-      append(out_, "  <g inkscape:groupmode=\"layer\" inkscape:label=\"{}\" id=\"{}\"{}>\n", title(layer),
-             id(layer), layer_attributes(layer));
+      append(out_, "  <g inkscape:groupmode=\"layer\" inkscape:label=\"{}{}\" id=\"{}{}\"{}>\n", title(layer),
+             suffix_, prefix_, id(layer), layer_attributes(layer));
       if (layer == Layer::paint) {
         write_grounds();
       }
@@ -53,31 +66,11 @@ class SvgWriter {
     if (!page_.back.empty()) {
       write_back();
     }
-    append(out_, "</svg>\n");
-    return std::move(out_);
   }
 
  private:
-  [[nodiscard]] std::string x(Vec2 p) const { return decimals(p.x); }
-  [[nodiscard]] std::string y(Vec2 p) const { return decimals(page_.size.y - p.y); }
-
-  void head() {
-    const std::string width = decimals(page_.size.x);
-    const std::string height = decimals(page_.size.y);
-    append(out_,
-           "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-           "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-           "{2}xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
-           "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" version=\"1.1\"\n"
-           "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
-           width, height,
-           has_layer(page_, Layer::paint) ? "xmlns:xlink=\"http://www.w3.org/1999/xlink\" " : "");
-    append(out_, "  <title>{} – page {} of {}</title>\n", escaped(page_.title), page_.page, page_.page_count);
-    append(out_, "  <metadata id=\"metadata\">{} {}{}</metadata>\n", escaped(mark_.producer),
-           escaped(mark_word(mark_)),
-           mark_.settings.empty() ? "" : " " + escaped(settings_json(mark_.settings)));
-    append(out_, "  <sodipodi:namedview id=\"view\" inkscape:document-units=\"mm\"/>\n");
-  }
+  [[nodiscard]] std::string x(Vec2 p) const { return decimals(corner_.x + p.x); }
+  [[nodiscard]] std::string y(Vec2 p) const { return decimals(corner_.y + page_.size.y - p.y); }
 
   static std::string layer_attributes(Layer layer) {
     if (layer == Layer::tab_fill) {
@@ -90,7 +83,7 @@ class SvgWriter {
     if (!has_layer(group, layer)) {
       return;
     }
-    append(out_, "    <g id=\"{}-{}\">\n", id(layer), escaped(group.id));
+    append(out_, "    <g id=\"{}{}-{}\">\n", prefix_, id(layer), escaped(group.id));
     if (layer == Layer::paint) {
       for (const Image& image : group.images) {
         write_image(image, group);
@@ -121,8 +114,8 @@ class SvgWriter {
   /// The other side of the sheet as it is seen there, in a layer that is hidden: it is printed by itself.
   void write_back() {
     append(out_,
-           "  <g inkscape:groupmode=\"layer\" inkscape:label=\"Back\" id=\"back\" display=\"none\"{}>\n",
-           layer_attributes(Layer::label));
+           "  <g inkscape:groupmode=\"layer\" inkscape:label=\"Back{}\" id=\"{}back\" display=\"none\"{}>\n",
+           suffix_, prefix_, layer_attributes(Layer::label));
     for (const Group& group : page_.back) {
       for (const Layer layer : layer_order) {
         write_group(group, layer);
@@ -135,7 +128,7 @@ class SvgWriter {
   void write_grounds() {
     for (const Group& group : page_.groups) {
       if (!group.ground.empty()) {
-        append(out_, "    <g id=\"bleed-{}\">\n", escaped(group.id));
+        append(out_, "    <g id=\"{}bleed-{}\">\n", prefix_, escaped(group.id));
         for (const Fill& fill : group.ground) {
           write_fill(fill);
         }
@@ -158,7 +151,7 @@ class SvgWriter {
   }
 
   void write_image(const Image& image, const Group& group) {
-    const std::string clip = "clip-" + escaped(group.id);
+    const std::string clip = prefix_ + "clip-" + escaped(group.id);
     append(out_, "      <clipPath id=\"{}\"><path d=\"{}\"/></clipPath>\n", clip, path(image.clip));
     append(out_,
            "      <image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
@@ -231,14 +224,85 @@ class SvgWriter {
   }
 
   const Drawing& page_;
-  const Mark& mark_;
-  std::string out_;
+  Vec2 corner_;
+  std::string prefix_;
+  std::string suffix_;
+  std::string& out_;
 };
+
+/// What stands before the layers, up to the view of Inkscape.
+void write_head(Vec2 size, bool pictures, const std::string& title, const Mark& mark, std::string& out) {
+  append(out,
+         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+         "{2}xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+         "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" version=\"1.1\"\n"
+         "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
+         decimals(size.x), decimals(size.y), pictures ? "xmlns:xlink=\"http://www.w3.org/1999/xlink\" " : "");
+  append(out, "  <title>{}</title>\n", title);
+  append(out, "  <metadata id=\"metadata\">{} {}{}</metadata>\n", escaped(mark.producer),
+         escaped(mark_word(mark)), mark.settings.empty() ? "" : " " + escaped(settings_json(mark.settings)));
+}
+
+/// The upper left corner of each page, y down.
+std::vector<Vec2> corners_of(std::span<const Drawing> pages) {
+  std::vector<Vec2> corners;
+  Vec2 next;
+  double below = 0.0;
+  for (const Drawing& page : pages) {
+    if (!corners.empty() && corners.size() % pages_in_row == 0) {
+      next = {0.0, below};
+    }
+    corners.push_back(next);
+    below = std::max(below, next.y + page.size.y + between_pages_mm);
+    next.x += page.size.x + between_pages_mm;
+  }
+  return corners;
+}
 
 }  // namespace
 
 std::string write_svg(const Drawing& page, const Mark& mark) {
-  return SvgWriter(page, mark).write();
+  std::string out;
+  write_head(page.size, has_layer(page, Layer::paint),
+             fmt::format("{} – page {} of {}", escaped(page.title), page.page, page.page_count), mark, out);
+  append(out, "  <sodipodi:namedview id=\"view\" inkscape:document-units=\"mm\"/>\n");
+  PageWriter(page, {}, "", "", out).write();
+  append(out, "</svg>\n");
+  return out;
+}
+
+std::string write_svg_of_all(std::span<const Drawing> pages, const Mark& mark) {
+  RIDGECRAFT_ASSERT(!pages.empty());
+  const std::vector<Vec2> corners = corners_of(pages);
+  std::string out;
+  Vec2 whole;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    whole = {std::max(whole.x, corners[i].x + pages[i].size.x),
+             std::max(whole.y, corners[i].y + pages[i].size.y)};
+  }
+  write_head(whole,
+             std::any_of(pages.begin(), pages.end(),
+                         [](const Drawing& page) { return has_layer(page, Layer::paint); }),
+             fmt::format("{} – {} pages", escaped(pages.front().title), pages.size()), mark, out);
+  append(out, "  <sodipodi:namedview id=\"view\" inkscape:document-units=\"mm\">\n");
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    append(
+        out,
+        "    <inkscape:page id=\"sheet-{0}\" inkscape:label=\"Page {0}\" x=\"{1}\" y=\"{2}\" width=\"{3}\" "
+        "height=\"{4}\"/>\n",
+        i + 1, decimals(corners[i].x), decimals(corners[i].y), decimals(pages[i].size.x),
+        decimals(pages[i].size.y));
+  }
+  append(out, "  </sodipodi:namedview>\n");
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    append(out, "  <g inkscape:groupmode=\"layer\" inkscape:label=\"Page {0}\" id=\"page-{0}\">\n", i + 1);
+    PageWriter(pages[i], corners[i], fmt::format("page-{}-", i + 1), fmt::format(", page {}", i + 1), out)
+        .write();
+    append(out, "  </g>\n");
+  }
+  append(out, "</svg>\n");
+  return out;
 }
 
 }  // namespace ridgecraft::paper

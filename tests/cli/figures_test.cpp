@@ -60,6 +60,8 @@ TEST_CASE("in brief a summary has its brief lines, and one line for all files", 
   CHECK(brief({"o/a.pdf", "o/a-1.svg", "o/a-2.svg", "o/a.fold"}) ==
         lines + "wrote into o: a.pdf, a-1.svg, a-2.svg and a.fold\n");
   CHECK(brief({"o/a-1.svg", "o/a-2.svg", "o/a-3.svg"}) == lines + "wrote into o: a-1.svg to a-3.svg\n");
+  CHECK(brief({"o/a-1.svg", "o/a-2.svg", "o/a-3.svg", "o/a.svg", "o/a.fold"}) ==
+        lines + "wrote into o: a-1.svg to a-3.svg, a.svg and a.fold\n");
   CHECK(brief({"o/a.pdf", "p/a.svg"}) == lines + "wrote o/a.pdf\nwrote p/a.svg\n");
   CHECK(brief({}) == lines + "nothing was written: -o says where to\n");
 }

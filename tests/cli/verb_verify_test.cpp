@@ -49,6 +49,10 @@ TEST_CASE("verify holds the nets against their model and their pages", "[verify]
   CHECK(outcome.out.find("  model       at most ") != std::string::npos);
   CHECK(outcome.out.find("  printed     ") != std::string::npos);
   CHECK(outcome.out.find("no faults") != std::string::npos);
+  const Json all = Json::parse(house.verify({"--pages", "house.svg", "--json"}).out);
+  CHECK(all.at("faults").empty());
+  CHECK(all.at("printed").at("pages").get<int>() >= 2);
+  CHECK(all.at("printed").at("pages_not_given") == 0);
   const Outcome one = house.verify({"--pages", "house-1.svg", "--json"});
   const Json json = Json::parse(one.out);
   CHECK(one.exit_code == 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SVG pages: read back as XML, held against the shared checker and against weird names.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include "base/polygon.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
+#include "verify/pages/printed.hpp"
 
 namespace ridgecraft {
 namespace {
@@ -177,6 +179,75 @@ TEST_CASE(
   for (const auto& found : document.select_nodes("//*[@id]")) {
     CHECK(ids.insert(found.node().attribute("id").value()).second);
   }
+}
+
+TEST_CASE("the file of all pages has each page as its own file has it, side by side") {
+  // More pages than lie in one row, on sheets of two sizes.
+  std::vector<paper::Drawing> pages;
+  for (const test::SamplePages& sample : samples()) {
+    for (paper::Drawing& page : drawings(sample)) {
+      pages.push_back(std::move(page));
+    }
+  }
+  REQUIRE(pages.size() > 5);
+  paper::Mark told = mark;
+  told.settings = {{"seed", "7"}};
+  const std::string all = paper::write_svg_of_all(pages, told);
+  const verify::PrintedFile read = verify::read_svg("all.svg", all);
+  REQUIRE(read.defect.empty());
+  CHECK(read.whole);
+  CHECK(read.digest == mark.digest);
+  REQUIRE(read.pages.size() == pages.size());
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const verify::PrintedFile one = verify::read_svg("one.svg", paper::write_svg(pages[i], told));
+    const verify::PrintedPage& page = read.pages[i];
+    CHECK(page.size == one.pages.at(0).size);
+    CHECK(page.number == i + 1);
+    REQUIRE(page.lines.size() == one.pages[0].lines.size());
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < page.lines.size(); ++k) {
+      const verify::PrintedLine& line = page.lines[k];
+      CHECK((line.layer == one.pages[0].lines[k].layer && line.pattern == one.pages[0].lines[k].pattern));
+      REQUIRE(line.points.size() == one.pages[0].lines[k].points.size());
+      for (std::size_t p = 0; p < line.points.size(); ++p) {
+        farthest = std::max(farthest, length(line.points[p] - one.pages[0].lines[k].points[p]));
+      }
+    }
+    CHECK(farthest < 2e-4);
+  }
+  pugi::xml_document document;
+  REQUIRE(document.load_string(all.c_str()));
+  const auto root = document.child("svg");
+  const auto sheets = root.child("sodipodi:namedview").children("inkscape:page");
+  std::vector<Box2> places;
+  for (const auto& sheet : sheets) {
+    const Vec2 low{sheet.attribute("x").as_double(), sheet.attribute("y").as_double()};
+    places.push_back(
+        {low, low + Vec2{sheet.attribute("width").as_double(), sheet.attribute("height").as_double()}});
+  }
+  Vec2 whole;
+  for (const Box2& place : places) {
+    whole = {std::max(whole.x, place.high.x), std::max(whole.y, place.high.y)};
+  }
+  std::istringstream view(root.attribute("viewBox").value());
+  Vec2 low;
+  Vec2 high;
+  view >> low.x >> low.y >> high.x >> high.y;
+  CHECK(low == Vec2{});
+  CHECK(length(high - whole) < 1e-3);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      CHECK((places[k].high.x < places[i].low.x || places[i].high.x < places[k].low.x ||
+             places[k].high.y < places[i].low.y || places[i].high.y < places[k].low.y));
+    }
+  }
+  for (const char* attribute : {"id", "inkscape:label"}) {
+    std::set<std::string> different;
+    for (const auto& found : document.select_nodes((std::string("//g[@") + attribute + "]").c_str())) {
+      CHECK(different.insert(found.node().attribute(attribute).value()).second);
+    }
+  }
+  CHECK(document.select_nodes("//*[@style or @class or @transform]").empty());
 }
 
 TEST_CASE("each join's number can be found on both of its edges") {

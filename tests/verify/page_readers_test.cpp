@@ -28,6 +28,12 @@ std::string cut_layer(const std::string& content) {
   return "<g inkscape:groupmode=\"layer\" id=\"cut\" fill=\"none\"><g id=\"cut-a\">" + content + "</g></g>";
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
 std::string defect_of(const std::string& svg) {
   const PrintedFile file = read_svg("x.svg", svg);
   CHECK(file.pages.empty() == !file.defect.empty());
@@ -73,6 +79,44 @@ TEST_CASE("the unit of an SVG page is that of its width", "[pages]") {
                                  "width=\"200mm\" height=\"100mm\" viewBox=\"0 0 100 50\""));
   REQUIRE(file.pages.size() == 1);
   CHECK(file.pages[0].lines.at(0).points == std::vector<Vec2>{{0, 100}, {200, 100}});
+}
+
+TEST_CASE("an SVG file of several pages has each in a layer of its own", "[pages]") {
+  const std::string view =
+      "<sodipodi:namedview xmlns:sodipodi=\"s\"><inkscape:page x=\"0\" y=\"0\" width=\"100\" height=\"50\"/>"
+      "<inkscape:page x=\"110\" y=\"60\" width=\"80\" height=\"40\"/></sodipodi:namedview>";
+  const auto page = [](int number, const std::string& content) {
+    const std::string id = "page-" + std::to_string(number);
+    return "<g inkscape:groupmode=\"layer\" id=\"" + id + "\"><g inkscape:groupmode=\"layer\" id=\"" + id +
+           "-cut\" fill=\"none\">" + content + "</g></g>";
+  };
+  const std::string path = "<path stroke=\"#000000\" d=\"M120,70 L130,70\"/>";
+  const PrintedFile file = read_svg("x.svg", svg_with(view + page(1, "") + page(2, path)));
+  INFO(file.defect);
+  CHECK(file.whole);
+  REQUIRE(file.pages.size() == 2);
+  CHECK(file.pages[0].lines.empty());
+  CHECK(file.pages[1].name == "page 2 of x.svg");
+  CHECK(file.pages[1].number == 2);
+  CHECK(file.pages[1].count == 2);
+  CHECK(file.pages[1].size == Vec2{80, 40});
+  CHECK(file.pages[1].lines.at(0).points == std::vector<Vec2>{{10, 30}, {20, 30}});
+  // What lies on no page, or on a page twice, could be overlooked.
+  CHECK(defect_of(svg_with(view + page(1, ""))).find("page 2 has no layer") != std::string::npos);
+  CHECK(defect_of(svg_with(view + page(1, "") + page(2, "") + page(3, ""))).find("belongs to no page") !=
+        std::string::npos);
+  CHECK(defect_of(svg_with(view + page(1, "") + page(2, "") + page(2, ""))).find("on no page") !=
+        std::string::npos);
+  CHECK(defect_of(svg_with(view + page(1, "") + page(2, "") + cut_layer(path))).find("on no page") !=
+        std::string::npos);
+  CHECK(defect_of(svg_with(view + page(1, "") + page(2, "") + path)).find("on no page") != std::string::npos);
+  CHECK(defect_of(svg_with(replaced(view, "x=\"110\"", "x=\"far\"") + page(1, "") + page(2, "")))
+            .find("the x of one of its pages") != std::string::npos);
+  CHECK(defect_of(svg_with(view + page(1, "") + replaced(page(2, ""), "id=\"page-2-cut\"", "id=\"cut\"")))
+            .find("no layer of ours") != std::string::npos);
+  CHECK(defect_of(svg_with(view + page(1, "") +
+                           replaced(page(2, path), "id=\"page-2\"", "id=\"page-2\" transform=\"scale(2)\"")))
+            .find("transform") != std::string::npos);
 }
 
 TEST_CASE("lines that nobody sees are no lines", "[pages]") {

@@ -127,6 +127,14 @@ TEST_CASE("the pages of the samples show their nets, as SVG and as PDF", "[pages
       CHECK(report.printed->faulty == 0);
       CHECK(report.printed->max_error_mm < 0.0215);
     }
+    REQUIRE(job.svg_of_all.size() == (job.svg.size() > 1 ? 1U : 0U));
+    if (!job.svg_of_all.empty()) {
+      const verify::Report report = test::verify_pages(job.fold, job.svg_of_all);
+      INFO(c.model << ", all pages: " << test::first_fault(report));
+      CHECK(report.sound());
+      CHECK(report.printed->pages == report.figures->pages);
+      CHECK(report.printed->pages_not_given == 0);
+    }
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/written_job.hpp"
 
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 #include "mesh/mesh.hpp"
@@ -21,7 +23,8 @@ WrittenJob::WrittenJob(const fs::path& model, const std::vector<std::string>& op
   pdf.push_back(verify::read_pdf(name + ".pdf", read_bytes(folder / (name + ".pdf"))));
   for (const std::string& file : folder.names()) {
     if (file.ends_with(".svg")) {
-      svg.push_back(verify::read_svg(file, read_bytes(folder / file)));
+      verify::PrintedFile read = verify::read_svg(file, read_bytes(folder / file));
+      (read.whole ? svg_of_all : svg).push_back(std::move(read));
     }
   }
 }

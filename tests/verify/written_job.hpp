@@ -25,8 +25,9 @@ struct WrittenJob {
   TemporaryFolder folder;  ///< where the files lie, under the model's name
   std::string name;
   std::string fold;
-  std::vector<verify::PrintedFile> svg;  ///< one for each page
-  std::vector<verify::PrintedFile> pdf;  ///< one
+  std::vector<verify::PrintedFile> svg;         ///< one for each page
+  std::vector<verify::PrintedFile> svg_of_all;  ///< one, where there are several pages
+  std::vector<verify::PrintedFile> pdf;         ///< one
 };
 
 /// A whale of 180 mm on two pages, with folds of both kinds; made once for all tests.

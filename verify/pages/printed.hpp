@@ -54,7 +54,7 @@ struct PrintedFile {
   std::string name;
   std::string digest;              ///< hash of the model's bytes that the file bears, or empty
   std::vector<PrintedPage> pages;  ///< in the file's order
-  bool whole = false;              ///< holds all pages of a model, as PDF does
+  bool whole = false;              ///< holds all pages of a model, as PDF and SVG for Inkscape do
   bool guide = false;              ///< tells how the model is built, and shows no page of nets
   std::string preset;              ///< of the machine that it was made for, or empty
   double thickness_mm = 0.0;       ///< of the board that it was made for; 0 for paper
@@ -70,8 +70,9 @@ struct PrintedFile {
 [[nodiscard]] bool is_svg(std::string_view bytes);
 
 /// Reads a file of docs/formats.md. It understands what cutters' programs do: paths of straight lines in a
-/// layer for each class of line, without transforms and style sheets. Never throws for what the bytes hold:
-/// what it doesn't understand is a defect, since a line that is overlooked can't be checked. O(size).
+/// layer for each class of line, without transforms and style sheets; or several pages of Inkscape, each in a
+/// layer of its own. Never throws for what the bytes hold: what it doesn't understand is a defect, since a
+/// line that is overlooked can't be checked. O(size).
 [[nodiscard]] PrintedFile read_svg(const std::string& name, std::string_view bytes);
 
 /// The same for PDF, whose layers are optional content and whose lines may be transformed. A guide has no

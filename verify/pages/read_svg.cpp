@@ -6,6 +6,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
 
 #include <pugixml.hpp>
 
@@ -82,15 +86,15 @@ bool may_have(std::string_view attribute) {
          std::find(known.begin(), known.end(), attribute) != known.end();
 }
 
+/// Before the number in the ids of pages' layers, where a file has several.
+constexpr std::string_view page_prefix = "page-";
+
 class SvgReader {
  public:
   explicit SvgReader(PrintedFile& file) : file_(file) {}
 
   void read(pugi::xml_node root) {
-    PrintedPage page;
-    page.name = file_.name;
-    read_size(root, page);
-    read_page_words(std::string_view(root.child_value("title")), page);
+    const Vec2 size = read_size(root);
     const std::string_view words = root.child_value("metadata");
     file_.digest = digest_in(words);
     // Words of ours stand before the settings.
@@ -99,13 +103,15 @@ class SvgReader {
     if (!file_.shows_nets()) {
       return;
     }
-    page_ = &page;
-    for (const pugi::xml_node node : root.children()) {
-      if (node.type() == pugi::node_element) {
-        read_layer(node);
-      }
+    if (const pugi::xml_node view = root.child("sodipodi:namedview"); view.child("inkscape:page")) {
+      read_pages(root, view);
+    } else {
+      PrintedPage page;
+      page.name = file_.name;
+      page.size = size;
+      read_page_words(std::string_view(root.child_value("title")), page);
+      read_layers(root, {}, std::move(page));
     }
-    file_.pages.push_back(std::move(page));
     undo_calibration(root.child_value("metadata"), file_);
   }
 
@@ -119,29 +125,88 @@ class SvgReader {
     return *value;
   }
 
-  void read_size(pugi::xml_node root, PrintedPage& page) {
-    page.size = {millimetres(root, "width"), millimetres(root, "height")};
+  Vec2 read_size(pugi::xml_node root) {
+    const Vec2 size{millimetres(root, "width"), millimetres(root, "height")};
     const std::vector<double> box = numbers(root.attribute("viewBox").value());
     if (box.size() != 4 || !(box[2] > 0.0 && box[3] > 0.0)) {
       cannot_check("it has no viewBox, so its unit isn't known");
     }
     origin_ = {box[0], box[1]};
-    mm_ = {page.size.x / box[2], page.size.y / box[3]};
-    height_ = page.size.y;
+    mm_ = {size.x / box[2], size.y / box[3]};
+    return size;
   }
 
-  void read_layer(pugi::xml_node node) {
-    constexpr std::array<std::string_view, 4> silent = {"title", "metadata", "sodipodi:namedview", "desc"};
-    const std::string_view name = node.name();
-    if (std::find(silent.begin(), silent.end(), name) != silent.end()) {
-      return;
+  static double unit(pugi::xml_node node, const char* attribute) {
+    const auto value = plain_number(node.attribute(attribute).value());
+    if (!value) {
+      cannot_check("the {} of one of its pages is no number", attribute);
     }
+    return *value;
+  }
+
+  /// All pages of a model side by side: what is drawn on each lies in a layer of its own.
+  void read_pages(pugi::xml_node root, pugi::xml_node view) {
+    file_.whole = true;
+    std::map<std::string, pugi::xml_node, std::less<>> layers;
+    for (const pugi::xml_node node : root.children()) {
+      if (node.type() != pugi::node_element || is_silent(node)) {
+        continue;
+      }
+      const std::string_view id = node.attribute("id").value();
+      if (!is_layer(node) || !id.starts_with(page_prefix) || !layers.emplace(id, node).second) {
+        cannot_check("it has <{}{}{}> on no page of its own", node.name(), id.empty() ? "" : " ", id);
+      }
+      expect_plain(node);
+    }
+    for (const pugi::xml_node sheet : view.children("inkscape:page")) {
+      const std::size_t number = file_.pages.size() + 1;
+      const auto found = layers.find(fmt::format("{}{}", page_prefix, number));
+      if (found == layers.end()) {
+        cannot_check("its page {} has no layer", number);
+      }
+      PrintedPage page;
+      page.name = fmt::format("page {} of {}", number, file_.name);
+      page.size = {mm_.x * unit(sheet, "width"), mm_.y * unit(sheet, "height")};
+      page.number = number;
+      origin_ = {unit(sheet, "x"), unit(sheet, "y")};
+      read_layers(found->second, found->first + "-", std::move(page));
+      layers.erase(found);
+    }
+    if (!layers.empty()) {
+      cannot_check("its layer {} belongs to no page", layers.begin()->first);
+    }
+    for (PrintedPage& page : file_.pages) {
+      page.count = file_.pages.size();
+    }
+  }
+
+  /// The page whose layers lie in this node, with this before their ids.
+  void read_layers(pugi::xml_node parent, std::string_view prefix, PrintedPage page) {
+    page_ = &page;
+    for (const pugi::xml_node node : parent.children()) {
+      if (node.type() == pugi::node_element && !is_silent(node)) {
+        read_layer(node, prefix);
+      }
+    }
+    file_.pages.push_back(std::move(page));
+  }
+
+  static bool is_silent(pugi::xml_node node) {
+    constexpr std::array<std::string_view, 4> silent = {"title", "metadata", "sodipodi:namedview", "desc"};
+    return std::find(silent.begin(), silent.end(), std::string_view(node.name())) != silent.end();
+  }
+
+  static bool is_layer(pugi::xml_node node) {
+    return std::strcmp(node.name(), "g") == 0 &&
+           std::strcmp(node.attribute("inkscape:groupmode").value(), "layer") == 0;
+  }
+
+  void read_layer(pugi::xml_node node, std::string_view prefix) {
     const std::string_view id = node.attribute("id").value();
-    const bool is_layer =
-        name == "g" && std::strcmp(node.attribute("inkscape:groupmode").value(), "layer") == 0;
-    const auto layer = is_layer ? layer_with_id(id) : std::nullopt;
+    const auto layer =
+        is_layer(node) && id.starts_with(prefix) ? layer_with_id(id.substr(prefix.size())) : std::nullopt;
     if (!layer) {
-      cannot_check("it has <{}{}{}> in no layer of ours", name, id.empty() ? "" : " ", id);
+      cannot_check("it has <{}{}{}> in no layer of ours", node.name(), id.empty() ? "" : " ", id);
     }
     if (is_checked(*layer)) {
       read_group(node, *layer, {}, 0);
@@ -206,7 +271,7 @@ class SvgReader {
     const Pattern pattern = look.dashes == "none" ? Pattern::solid : pattern_of(numbers(look.dashes));
     for (std::vector<Vec2>& points : path_lines(node.attribute("d").value())) {
       for (Vec2& p : points) {
-        p = {mm_.x * (p.x - origin_.x), height_ - mm_.y * (p.y - origin_.y)};
+        p = {mm_.x * (p.x - origin_.x), page_->size.y - mm_.y * (p.y - origin_.y)};
       }
       page_->lines.push_back({layer, pattern, std::move(points)});
     }
@@ -214,9 +279,8 @@ class SvgReader {
 
   PrintedFile& file_;
   PrintedPage* page_ = nullptr;
-  Vec2 origin_;
-  Vec2 mm_;  ///< of the file's unit in x and y
-  double height_ = 0.0;
+  Vec2 origin_;  ///< upper left corner of the page, in the file's unit
+  Vec2 mm_;      ///< of the file's unit in x and y
 };
 
 }  // namespace
