@@ -73,6 +73,9 @@ class PanelCutter {
       know_sides(f);
     }
     for (const std::uint32_t label : large) {
+      lift_backs(label);
+    }
+    for (const std::uint32_t label : large) {
       divide(label);
     }
     return large.size();
@@ -190,6 +193,65 @@ class PanelCutter {
     }
   }
 
+  /// Two faces back to back, which are all of their component, have one apex beyond each side: divided there,
+  /// both would get a side from the new vertex to it. So the one behind gets a vertex in its middle.
+  void lift_backs(std::uint32_t label) {
+    const auto sorted = [](std::array<std::uint32_t, 3> v) {
+      std::sort(v.begin(), v.end());
+      return v;
+    };
+    const std::vector<std::uint32_t> faces = members_[label];
+    for (const std::uint32_t f : faces) {
+      const auto& v = loose_.faces[f];
+      const Ends& two = sides_.at(key(v[0], v[1]));
+      const std::uint32_t back = two[0] == f ? two[1] : two[0];
+      if (back != none && sorted(loose_.faces[back]) == sorted(v)) {
+        divide_at_middle(back);
+      }
+    }
+  }
+
+  /// New vertex in the middle of a face, which becomes three.
+  void divide_at_middle(std::uint32_t f) {
+    const std::array<std::uint32_t, 3> v = loose_.faces[f];
+    const auto m = static_cast<std::uint32_t>(loose_.points.size());
+    loose_.points.push_back((place(v[0]) + place(v[1]) + place(v[2])) / 3.0);
+    const auto places = loose_.texture.empty() ? std::array<Vec2, 3>{} : loose_.texture[f];
+    const Vec2 middle = (places[0] + places[1] + places[2]) / 3.0;
+    for (const std::size_t k : {1U, 2U}) {
+      const std::size_t l = (k + 1) % 3;
+      const std::uint32_t g = add_part(f, {v[k], v[l], m}, {places[k], places[l], middle});
+      Ends& side = sides_.at(key(v[k], v[l]));
+      std::replace(side.begin(), side.end(), f, g);
+      know_sides(g);
+    }
+    loose_.faces[f] = {v[0], v[1], m};
+    if (!loose_.texture.empty()) {
+      loose_.texture[f] = {places[0], places[1], middle};
+    }
+    know_sides(f);
+  }
+
+  /// Another face of f's panel, with what f carries.
+  std::uint32_t add_part(std::uint32_t f, const std::array<std::uint32_t, 3>& corners,
+                         const std::array<Vec2, 3>& places) {
+    const auto g = static_cast<std::uint32_t>(loose_.faces.size());
+    loose_.faces.push_back(corners);
+    loose_.polygon.push_back(std::uint32_t{loose_.polygon[f]});
+    if (!loose_.material.empty()) {
+      loose_.material.push_back(std::uint32_t{loose_.material[f]});
+    }
+    if (!loose_.object.empty()) {
+      loose_.object.push_back(std::uint32_t{loose_.object[f]});
+    }
+    if (!loose_.texture.empty()) {
+      loose_.texture.push_back(places);
+    }
+    label_.push_back(std::uint32_t{label_[f]});
+    members_[label_[f]].push_back(g);
+    return g;
+  }
+
   void divide(std::uint32_t label) {
     std::vector<std::uint32_t> todo{label};
     bool whole = true;  // what no page holds is cut even where it is larger than the room by next to nothing
@@ -268,20 +330,7 @@ class PanelCutter {
       loose_.texture[f] = first;
     }
     loose_.faces[f] = {v[k], m, v[n]};
-    const auto g = static_cast<std::uint32_t>(loose_.faces.size());
-    loose_.faces.push_back({m, v[l], v[n]});
-    loose_.polygon.push_back(std::uint32_t{loose_.polygon[f]});
-    if (!loose_.material.empty()) {
-      loose_.material.push_back(std::uint32_t{loose_.material[f]});
-    }
-    if (!loose_.object.empty()) {
-      loose_.object.push_back(std::uint32_t{loose_.object[f]});
-    }
-    if (!loose_.texture.empty()) {
-      loose_.texture.push_back(second);
-    }
-    label_.push_back(std::uint32_t{label_[f]});
-    members_[label_[f]].push_back(g);
+    const std::uint32_t g = add_part(f, {m, v[l], v[n]}, second);
     if (const auto side = sides_.find(key(v[l], v[n])); side != sides_.end()) {
       std::replace(side->second.begin(), side->second.end(), f, g);
     }

@@ -225,10 +225,26 @@ TEST_CASE("a page without room for tabs still gets cells", "[divide_panels]") {
   prepare::SizeOptions size;
   size.largest_extent_mm = 30.0;
   const Prepared p =
-      prepare::prepare(test::repaired(test::soup_of(test::cube())), size, keep, {12.0, 20.0, 5.0}, {});
+      prepare::prepare(test::repaired(test::soup_of(test::cube())), size, keep, {{12.0, 20.0}, 5.0}, {});
   test::check_invariants(p.model.surface);
   for (const PanelId id : ids<PanelId>(p.panels.count())) {
     CHECK(prepare::fits_page(corners(p, id), {12.0, 20.0}));
+  }
+}
+
+TEST_CASE("two large faces back to back are divided, too", "[divide_panels]") {
+  const VertexId a{0}, b{1}, c{2};
+  const mesh::Surface both({{0, 0, 0}, {3, 0, 0}, {1, 2, 0}}, {{a, b, c}, {a, c, b}});
+  for (const double size : {450.0, 600.0, 1500.0}) {
+    const Prepared p = prepared(both, size);
+    INFO(size << " mm");
+    check_cells(p);
+    CHECK(p.divided_panels == 2);
+    double area_of_all = 0.0;
+    for (const PanelId id : ids<PanelId>(p.panels.count())) {
+      area_of_all += area(p, id);
+    }
+    CHECK(area_of_all == Approx(2.0 * size * size / 3.0));
   }
 }
 
