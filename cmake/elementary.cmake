@@ -24,15 +24,18 @@ endif()
 set(ridgecraft_elementary_folder ${PROJECT_BINARY_DIR}/elementary)
 set(ridgecraft_elementary_object ${ridgecraft_elementary_folder}/elementary.o)
 set(ridgecraft_renamed "")
+set(ridgecraft_kept "")
 foreach(function IN LISTS ridgecraft_elementary_functions)
-  list(APPEND ridgecraft_renamed --redefine-sym ${function}=ridgecraft_elementary_${function}
-    --keep-global-symbol ridgecraft_elementary_${function})
+  list(APPEND ridgecraft_renamed --redefine-sym ${function}=ridgecraft_elementary_${function})
+  list(APPEND ridgecraft_kept --keep-global-symbol ridgecraft_elementary_${function})
 endforeach()
 file(MAKE_DIRECTORY ${ridgecraft_elementary_folder})
 add_custom_command(OUTPUT ${ridgecraft_elementary_object}
   COMMAND ${CMAKE_AR} x ${RIDGECRAFT_MUSL_LIBRARY} ${ridgecraft_elementary_members}
   COMMAND ${CMAKE_LINKER} -r -o together.o ${ridgecraft_elementary_members}
-  COMMAND ${CMAKE_OBJCOPY} --strip-debug ${ridgecraft_renamed} together.o ${ridgecraft_elementary_object}
+  # One after the other: in one step, LLVM's objcopy hides by the old names, GNU's by the new ones.
+  COMMAND ${CMAKE_OBJCOPY} --strip-debug ${ridgecraft_renamed} together.o renamed.o
+  COMMAND ${CMAKE_OBJCOPY} ${ridgecraft_kept} renamed.o ${ridgecraft_elementary_object}
   DEPENDS ${RIDGECRAFT_MUSL_LIBRARY}
   WORKING_DIRECTORY ${ridgecraft_elementary_folder}
   COMMENT "Taking elementary functions from musl"

@@ -9,7 +9,7 @@
 namespace ridgecraft::samples {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Keeps what is behind the plane: the points p with dot(normal, p) <= distance.
 struct Plane {

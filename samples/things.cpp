@@ -8,7 +8,7 @@
 namespace ridgecraft::samples {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void paint_row(Shape& shape, const Grid& grid, std::size_t row, Index material) {
   for (std::size_t k = 0; k < grid.columns; ++k) {

@@ -41,8 +41,9 @@ Scene whole_scene(const Surface& surface) {
 }
 
 Camera random_camera(Random& random) {
-  return paper::look_from({{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}}, 2.0 * std::numbers::pi * random.unit(),
-                          (random.unit() - 0.5) * 2.6);
+  const double turn = 2.0 * std::numbers::pi * random.unit();
+  const double tilt = (random.unit() - 0.5) * 2.6;
+  return paper::look_from({{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}}, turn, tilt);
 }
 
 /// A face over a place: how near it is, and how far the place is from the face's border (negative outside).
@@ -85,6 +86,16 @@ bool is_inside(const std::vector<Vec2>& polygon, Vec2 at) {
 /// Far enough from every border for rounding not to matter.
 constexpr double clear_of_borders = 1e-4;
 
+/// Whether a face seen on edge may be what is seen at a place.
+bool near_box(const Surface& surface, const Camera& camera, FaceId face, Vec2 at) {
+  Box2 box;
+  for (const VertexId v : surface.vertices(face)) {
+    box.add(camera(surface.point(v)));
+  }
+  return at.x > box.low.x - clear_of_borders && at.x < box.high.x + clear_of_borders &&
+         at.y > box.low.y - clear_of_borders && at.y < box.high.y + clear_of_borders;
+}
+
 void check_areas(const Scene& scene, const Camera& camera, const View& view, Random& random) {
   const Surface& surface = *scene.surface;
   const Box2 box = paper::seen_box(scene, camera);
@@ -94,7 +105,11 @@ void check_areas(const Scene& scene, const Camera& camera, const View& view, Ran
     double depth = 0.0;
     bool clear = true;
     for (const FaceId face : ids<FaceId>(surface.face_count())) {
-      if (!scene.has(face) || std::abs(dot(surface.normal(face), camera.toward)) < 1e-2) {
+      if (!scene.has(face)) {
+        continue;
+      }
+      if (std::abs(dot(surface.normal(face), camera.toward)) < 1e-2) {
+        clear = clear && !near_box(surface, camera, face, at);
         continue;
       }
       const Over over = face_over(surface, camera, face, at);

@@ -25,7 +25,7 @@ struct Outcome {
 Outcome run(const std::filesystem::path& file) {
   Outcome outcome;
   try {
-    const prepare::Prepared p = prepare::prepare(mesh::read(file, {}, {}), {}, {}, {190.0, 270.0}, {});
+    const prepare::Prepared p = prepare::prepare(mesh::read(file, {}, {}), {}, {}, {{190.0, 270.0}}, {});
     test::check_invariants(p.model.surface);
     for (const mesh::Repair& repair : p.model.repairs.entries()) {
       // An open border and faces that run through each other are told, but nothing is done about them.

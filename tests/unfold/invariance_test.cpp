@@ -127,7 +127,7 @@ Model sample(const std::string& file) {
   prepare::SimplifyOptions keep;
   keep.mode = prepare::Simplification::keep;
   const std::string path = std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + file;
-  prepare::Prepared prepared = prepare::prepare(mesh::read(path, {}, {}), {}, keep, {190.0, 277.0}, {});
+  prepare::Prepared prepared = prepare::prepare(mesh::read(path, {}, {}), {}, keep, {{190.0, 277.0}}, {});
   return {std::move(prepared.model.surface), std::move(prepared.panels)};
 }
 
