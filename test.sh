@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds Ridgecraft with its tests (installing what is missing with apt) and runs them.
 #   ./test.sh [--asan | --tsan] [--update-golden] [ctest options]
-# --tsan builds and runs what works on several threads.
+# Both by clang: --asan under the address and undefined-behaviour sanitizers, --tsan what works on several threads under
+# the thread sanitizer.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 preset=test
@@ -10,7 +11,7 @@ target=all
 only=
 while [ $# -gt 0 ]; do
   case "$1" in
-    --asan) preset=asan ;;
+    --asan) preset=clang ;;
     --tsan)
       preset=tsan
       target=thread_tests
@@ -23,7 +24,9 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-sh "$here/cmake/install-packages.sh" "$here/cmake/packages.txt" "$here/tests/packages.txt"
+more=
+[ "$preset" = test ] || more=$here/tests/clang-packages.txt
+sh "$here/cmake/install-packages.sh" "$here/cmake/packages.txt" "$here/tests/packages.txt" ${more:+"$more"}
 
 jobs=$(nproc)
 mkdir -p "$here/build"
@@ -35,6 +38,7 @@ quietly cmake --build "$here/build/$preset" -j "$jobs" --target "$target"
 
 # What libraries of others leave behind at the program's end is theirs.
 export LSAN_OPTIONS="suppressions=$here/tests/leaks.supp:print_suppressions=0"
+export ASAN_SYMBOLIZER_PATH=/usr/bin/llvm-symbolizer-22 TSAN_OPTIONS=external_symbolizer_path=/usr/bin/llvm-symbolizer-22
 
 cd "$here/build/$preset"
 # shellcheck disable=SC2086 # two words on purpose

@@ -5,7 +5,7 @@
 # doesn't name what it uses is found, too.
 set -eu
 cd "$(dirname "$0")/.."
-sh cmake/install-packages.sh .ci/clang-packages.txt
+sh cmake/install-packages.sh tests/clang-packages.txt
 build=$1
 limit_s=420
 
