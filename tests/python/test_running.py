@@ -9,6 +9,7 @@ import threading
 import time
 
 import pytest
+from conftest import read_obj
 
 import ridgecraft
 
@@ -65,6 +66,26 @@ def test_other_threads_run_meanwhile(large):
     done.set()
     counter.join()
     assert counted > 20
+
+
+def test_a_hundred_calls_leave_nothing_behind():
+    def kilobytes():
+        with open("/proc/self/statm") as statm:
+            return int(statm.read().split()[1]) * os.sysconf("SC_PAGESIZE") // 1024
+
+    vertices, faces = read_obj("whale.obj")
+
+    def call():
+        ridgecraft.segment(vertices, faces)
+        ridgecraft.hulls(vertices, faces)
+
+    for _ in range(20):
+        call()
+    before = kilobytes()
+    for _ in range(100):
+        call()
+    # The arrays that one call gives are some 100 kB.
+    assert kilobytes() - before < 1024
 
 
 def test_two_threads_work_at_once(cross):
