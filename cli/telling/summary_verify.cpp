@@ -94,9 +94,16 @@ void add_figures(const std::optional<verify::Figures>& figures, Summary& summary
   add("max_refold_error_mm", &F::max_refold_error_mm, "mm");
   add(
       "cut_mm", &F::cut_mm, Line::nets, "lines",
-      [](const F& f) { return fmt::format("{} to cut, {} to fold", metres(f.cut_mm), metres(f.fold_mm)); },
+      [](const F& f) {
+        // As the summary of the job counts; JSON has the sum that other checkers have.
+        return fmt::format("{} to cut, {} to fold", metres(f.cut_mm), metres(f.fold_mm - f.unlined_fold_mm)) +
+               (f.unlined_fold_mm < 0.5
+                    ? ""
+                    : fmt::format(" (and {} too flat for a line)", metres(f.unlined_fold_mm)));
+      },
       "mm");
   add("fold_mm", &F::fold_mm, "mm");
+  add("unlined_fold_mm", &F::unlined_fold_mm, "mm");
   add("tabs", &F::tabs);
   add("narrow_pieces", &F::narrow_pieces, Line::nets, "narrow", [](const F& f) {
     return f.narrow_pieces == 0 ? std::string()

@@ -40,6 +40,20 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
+TEST_CASE("verify counts the folds that have a line as the job does", "[verify]") {
+  const TemporaryFolder folder;
+  const std::string whale = RIDGECRAFT_SOURCE_DIR "/samples/whale.obj";
+  const Json job = Json::parse(run_program({whale, "--json", "-o", folder.path().string()}, in(folder)).out);
+  const Json report = Json::parse(run_program({"verify", "whale.fold", "--json"}, in(folder)).out);
+  const double all = report.at("fold_mm");
+  const double unlined = report.at("unlined_fold_mm");
+  CHECK(unlined > 1.0);
+  // A stretch that lies on another one is drawn once.
+  CHECK(all - unlined == Approx(job.at("fold_mm").get<double>()).epsilon(1e-3));
+  const Outcome text = run_program({"verify", "whale.fold"}, in(folder));
+  CHECK(text.out.find(" too flat for a line)") != std::string::npos);
+}
+
 TEST_CASE("verify holds the nets against their model and their pages", "[verify]") {
   const House house;
   const Outcome outcome =

@@ -67,6 +67,7 @@ TEST_CASE("a clean cube has no faults and the figures that one counts by hand", 
   // 14 cut edges; each tab replaces its base by three sides, 28 mm and two slants of 6 mm at 45 degrees.
   CHECK(figures.cut_mm == Approx(7 * 40 + 7 * (28 + 12 * std::sqrt(2.0))));
   CHECK(figures.fold_mm == Approx(5 * 40 + 7 * 40));
+  CHECK(figures.unlined_fold_mm == 0.0);
 }
 
 TEST_CASE("a turned and shifted net on a page without bounds stays clean", "[verify]") {

@@ -128,4 +128,7 @@ constexpr std::size_t max_overlap_work = 1'000'000'000;
 /// figure.
 constexpr std::size_t max_page_overlaps = 1'000'000;
 
+/// Where a file doesn't say from which angle on folds are drawn.
+constexpr double default_hidden_deg = 3.0;
+
 }  // namespace ridgecraft::verify

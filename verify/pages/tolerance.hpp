@@ -27,8 +27,6 @@ constexpr double beside_mm = 1.0;
 constexpr double wrong_page_share = 0.5;
 constexpr double right_page_share = 0.01;
 
-/// Where a file doesn't say from which angle on folds are drawn.
-constexpr double default_hidden_deg = 3.0;
 /// Shorter lines are drawn solid, whatever they are, mm: two dashes and a gap in less are a smudge.
 constexpr double shortest_dashed_mm = 0.8;
 

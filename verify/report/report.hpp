@@ -43,6 +43,7 @@ struct Figures {
   std::size_t bad_joins = 0, joins = 0, joins_without_tab = 0;
   double max_fold_error_deg = 0.0, max_refold_error_mm = 0.0;
   double cut_mm = 0.0, fold_mm = 0.0;
+  double unlined_fold_mm = 0.0;  ///< of fold_mm, what is too flat for a line on the pages
   std::size_t tabs = 0;
   std::size_t narrow_pieces = 0;  ///< narrower than a knife cuts, and not alone
   std::size_t thin_necks = 0;     ///< pieces that hang together by less than a knife leaves
