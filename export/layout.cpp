@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "export/export.hpp"
 #include "export/packing/clearance.hpp"
 #include "export/packing/packing.hpp"
+#include "export/packing/packing_tighter.hpp"
 #include "export/packing/rows.hpp"
 
 namespace ridgecraft::paper {
@@ -21,6 +23,14 @@ using unfold::Nets;
 
 /// Rounding in the distances that the check measures, mm.
 constexpr double gap_rounding_mm = 1e-6;
+
+/// What a search for a page less may cost. A second of one thread is some 40 million sides with pieces of few
+/// corners, 200 million with those of many.
+std::uint64_t work_of(PackingEffort effort) {
+  constexpr std::uint64_t good = 500'000'000;
+  constexpr std::uint64_t best = 3'000'000'000;
+  return effort == PackingEffort::fast ? 0 : effort == PackingEffort::good ? good : best;
+}
 
 std::vector<PackingShape> shapes_of(const Nets& nets) {
   std::vector<std::vector<std::vector<Vec2>>> convex(nets.pieces.size());
@@ -185,7 +195,9 @@ Pages layout(const Nets& nets, const Paper& paper, const Context& context,
   const std::vector<AlikeShapes> alike = alike_shapes(nets);
   for (const std::vector<std::uint32_t>& shapes : sorts_of(sort, task.shapes.size())) {
     const std::size_t first_page = pages.count;
-    const std::vector<Packed> packed = pack_in_rows(part_of(task, shapes), part_of(alike, shapes), context);
+    const PackingTask part = part_of(task, shapes);
+    std::vector<Packed> packed = pack_in_rows(part, part_of(alike, shapes), context);
+    pack_tighter(part, work_of(paper.packing), context, packed);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       Placement& placement = pages.placements[PieceId(shapes[i])];
       placement.page = PageId(first_page + packed[i].page);

@@ -118,6 +118,9 @@ void add_pages(const Options& options, paper::Settings& settings) {
   for (const std::string_view term : unfold::term_names()) {
     settings["weigh_" + std::string(term)] = number(*unfold::weight_named(weights, term));
   }
+  if (options.paper->packing != paper::PackingEffort::fast) {
+    settings["pack"] = json_string(std::string(paper::word(options.paper->packing)));
+  }
   if (options.page_by != PageBy::any) {
     settings["page_by"] = json_string(options.page_by == PageBy::material ? "material" : "object");
   }

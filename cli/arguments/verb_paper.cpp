@@ -60,6 +60,7 @@ struct PaperTexts {
   bool keep_bodies = false;
   std::string skins = "outer";
   std::string page_by = "any";
+  std::string pack = "fast";
 
   void add_to(Verb& verb, PaperJob& job) {
     verb.option("Paper", "--paper", paper, "NAME|WxH",
@@ -78,6 +79,10 @@ struct PaperTexts {
         "Paper", "--page-by", page_by, "material|object",
         "Only pieces of one material, or of one object, on a page, for paper in several colours: cuts "
         "run along the borders between them (any).");
+    verb.option(
+        "Paper", "--pack", pack, "fast|good|best",
+        "How long places are looked for that save a sheet: hundredths of a second, about ten seconds, "
+        "or a minute for each sheet that might be saved (fast).");
     tabs.add_to(verb, job);
     verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
                 "Draw no line where the surface is folded by less than this (3).");
@@ -175,6 +180,10 @@ struct PaperTexts {
     if (!margin.empty()) {
       sheet.margin = length_or_refuse("--margin", margin, true);
     }
+    sheet.packing = choice_or_refuse<paper::PackingEffort>("--pack", pack,
+                                                           {{"fast", paper::PackingEffort::fast},
+                                                            {"good", paper::PackingEffort::good},
+                                                            {"best", paper::PackingEffort::best}});
     machines.fit_paper(job, !paper.empty(), !margin.empty(), sheet);
     job.options.paper = sheet;
     job.paper_name = sheet.size == asked ? (paper.empty() ? standard : paper)

@@ -123,6 +123,10 @@ void check_side(std::string_view text, double side) {
 
 }  // namespace
 
+std::string_view word(PackingEffort effort) {
+  return effort == PackingEffort::fast ? "fast" : effort == PackingEffort::good ? "good" : "best";
+}
+
 Paper parse_paper(std::string_view text) {
   std::string name = lowered(trimmed(text));
   std::replace(name.begin(), name.end(), '_', '-');

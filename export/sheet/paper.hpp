@@ -16,6 +16,14 @@ namespace ridgecraft::paper {
 /// reaches into it.
 inline constexpr double furniture_height = 12.0;
 
+/// How long places are looked for that save a sheet, once bitmaps have been filled in many ways.
+enum class PackingEffort {
+  fast,  ///< no longer: some hundredths of a second
+  good,  ///< for each sheet that might be saved, some ten seconds
+  best,  ///< a minute
+};
+[[nodiscard]] std::string_view word(PackingEffort effort);
+
 /// A sheet of paper, mm.
 struct Paper {
   Vec2 size{210.0, 297.0};
@@ -24,6 +32,7 @@ struct Paper {
   double foot = furniture_height;  ///< of the band within the margins at the foot that pieces keep out of, mm
   double head = 0.0;               ///< the same at the top
   bool furniture = true;           ///< whether title, scale bar and legend stand at the foot
+  PackingEffort packing = PackingEffort::fast;
 };
 
 /// "A4", "letter", "jis-b5", "a3-landscape", "210x297mm", "8.5x11in", "210x297" (mm); letter case doesn't

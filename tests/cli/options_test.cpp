@@ -24,6 +24,16 @@ std::string refusal(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
+TEST_CASE("what --pack says counts for pages", "[options]") {
+  const auto packing = [](const std::string& word) {
+    return std::get<PaperJob>(parse_arguments({"whale.obj", "--pack", word})).options.paper->packing;
+  };
+  CHECK(packing("fast") == paper::PackingEffort::fast);
+  CHECK(packing("good") == paper::PackingEffort::good);
+  CHECK(packing("best") == paper::PackingEffort::best);
+  CHECK(refusal({"whale.obj", "--pack", "slow"}).find("--pack") != std::string::npos);
+}
+
 TEST_CASE("a model alone gets the defaults that a maker would choose", "[options]") {
   const Job job = parse_arguments({"whale.obj"});
   const auto& paper = std::get<PaperJob>(job);
@@ -33,6 +43,7 @@ TEST_CASE("a model alone gets the defaults that a maker would choose", "[options
   CHECK(paper.options.simplify.mode == prepare::Simplification::automatic);
   CHECK(paper.options.paper->size == Vec2{210.0, 297.0});
   CHECK(paper.options.paper->margin == 10.0);
+  CHECK(paper.options.paper->packing == paper::PackingEffort::fast);
   CHECK(paper.options.tabs.wanted);
   CHECK(paper.options.tabs.height_mm == 5.0);
   CHECK(paper.options.concavity == 0.1);
