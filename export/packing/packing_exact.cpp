@@ -19,21 +19,21 @@ constexpr double touching_mm = 1e-7;
 /// Corners of two polygons that are one, mm; and how far a corner may bend inwards in a convex polygon, as
 /// the sine of the angle.
 constexpr double same_corner_mm = 1e-6;
-constexpr double straight = 1e-9;
+constexpr double bend_tolerance = 1e-9;
 /// Places looked at for each move: anywhere, and near the present one; how many are improved first, and how
 /// many to the end.
 constexpr int samples_anywhere = 24;
 constexpr int samples_near = 8;
-constexpr std::size_t improved_samples = 3;
+constexpr std::size_t improved_places = 3;
 /// Steps of the improvement, as shares of the shape's smaller side.
-constexpr double first_step = 0.25;
-constexpr double middle_step = 0.02;
-constexpr double last_step = 0.001;
+constexpr double descent_begins = 0.25;
+constexpr double descent_pauses = 0.02;
+constexpr double descent_ends = 0.001;
 /// Growth of a pair's weight in each round: from the least to the most for the deepest, and decay.
 constexpr double least_growth = 1.2;
 constexpr double most_growth = 2.0;
 constexpr double decay = 0.95;
-constexpr double most_weight = 1e12;
+constexpr double most_pair_weight = 1e12;
 /// Sides kept of differences, after which they are made anew: 24 bytes each.
 constexpr std::size_t most_sides = 20'000'000;
 
@@ -59,7 +59,7 @@ std::optional<std::vector<Vec2>> united(const std::vector<Vec2>& a, const std::v
       for (std::size_t n = 0; n < points.size(); ++n) {
         const Vec2 one = points[(n + 1) % points.size()] - points[n];
         const Vec2 two = points[(n + 2) % points.size()] - points[(n + 1) % points.size()];
-        if (cross(one, two) < -straight * length(one) * length(two)) {
+        if (cross(one, two) < -bend_tolerance * length(one) * length(two)) {
           return std::nullopt;
         }
       }
@@ -299,13 +299,13 @@ bool ExactSeparation::relocate(std::uint32_t shape, std::vector<ExactPlace>& pla
   std::vector<Candidate> found{{places[shape], here}};
   const auto offer = [&](const ExactPlace& place) {
     const double limit =
-        found.size() > improved_samples ? found.back().cost : std::numeric_limits<double>::infinity();
+        found.size() > improved_places ? found.back().cost : std::numeric_limits<double>::infinity();
     const double there = cost(shape, place, places, limit);
     if (there < limit) {
       const auto at = std::upper_bound(found.begin(), found.end(), there,
                                        [](double value, const Candidate& c) { return value < c.cost; });
       found.insert(at, {place, there});
-      if (found.size() > improved_samples + 1) {
+      if (found.size() > improved_places + 1) {
         found.pop_back();
       }
     }
@@ -324,12 +324,12 @@ bool ExactSeparation::relocate(std::uint32_t shape, std::vector<ExactPlace>& pla
   }
   for (Candidate& candidate : found) {
     const double side = smaller_side(candidate.place.turn);
-    descend(shape, places, first_step * side, middle_step * side, candidate);
+    descend(shape, places, descent_begins * side, descent_pauses * side, candidate);
   }
   Candidate best = *std::min_element(found.begin(), found.end(),
                                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
   const double side = smaller_side(best.place.turn);
-  descend(shape, places, middle_step * side, last_step * side, best);
+  descend(shape, places, descent_pauses * side, descent_ends * side, best);
   if (best.cost < here) {
     places[shape] = best.place;
     return true;
@@ -353,7 +353,7 @@ void ExactSeparation::raise_weights(const std::vector<ExactPlace>& places) {
     for (std::uint32_t b = 0; b < a; ++b) {
       const double here = depths[a * count_ + b];
       double& weight = weight_[a * count_ + b];
-      weight = here > 0.0 ? std::min(most_weight,
+      weight = here > 0.0 ? std::min(most_pair_weight,
                                      weight * (least_growth + (most_growth - least_growth) * here / deepest))
                           : std::max(1.0, weight * decay);
       weight_[b * count_ + a] = weight;

@@ -11,9 +11,9 @@ namespace ridgecraft::paper {
 namespace {
 
 /// Nobody has packed odd shapes more densely.
-constexpr double densest = 0.93;
+constexpr double densest_pages = 0.93;
 /// Turns of each shape besides the one that it lies in. All of them need memory for each other shape's.
-constexpr std::size_t most_turns = 12;
+constexpr std::size_t turns_besides = 12;
 /// Another beginning is tried when this share of the work is used up.
 constexpr std::uint64_t beginnings = 4;
 
@@ -65,7 +65,7 @@ class Tightening {
     std::vector<std::vector<Turn>> turns;
     for (std::size_t i = 0; i < packed.size(); ++i) {
       std::vector<Turn>& of_shape = turns.emplace_back(std::vector<Turn>{packed[i].turn});
-      for (const Turn& turn : promising_turns(task.shapes[i].hull, task.area, most_turns)) {
+      for (const Turn& turn : promising_turns(task.shapes[i].hull, task.area, turns_besides)) {
         of_shape.push_back(turn);
       }
     }
@@ -105,7 +105,7 @@ bool pack_tighter(const PackingTask& task, std::uint64_t most_work, const Contex
     pages = std::max(pages, p.page + 1);
   }
   const auto is_possible = [&] {
-    return pages > 1 && needed_area(task) <= densest * (pages - 1) * task.area.x * task.area.y;
+    return pages > 1 && needed_area(task) <= densest_pages * (pages - 1) * task.area.x * task.area.y;
   };
   if (most_work == 0 || !is_possible()) {
     return false;
