@@ -11,12 +11,14 @@
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/remesh_panels.hpp"
+#include "prepare/prepared/narrow_faces.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/simplify/body.hpp"
 #include "prepare/simplify/features.hpp"
 #include "prepare/simplify/fold_figures.hpp"
 #include "prepare/simplify/sequence.hpp"
 #include "prepare/simplify/share_bodies.hpp"
+#include "prepare/simplify/splinters.hpp"
 #include "prepare/simplify/symmetric_share.hpp"
 #include "prepare/simplify/turned.hpp"
 #include "prepare/simplify/walls.hpp"
@@ -169,11 +171,13 @@ double simplify_components(mesh::Model& model, const SimplifyOptions& options, B
   const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
   std::vector<SymmetricShare> bodies = divided(start);
   const Allowed allowed = simplify_bodies(model, bodies, rules, options, context);
-  if (!allowed.changed && report.features_removed + report.turned == 0) {
+  SymmetricShare share = joined(bodies);
+  const std::size_t edges_turned = remove_splinters(share, sliver_mm);
+  if (!allowed.changed && report.features_removed + report.turned + edges_turned == 0) {
     return allowed.largest_mm;
   }
   mesh::Model result;
-  mesh::put_together(result, whole(joined(bodies), all));
+  mesh::put_together(result, whole(share, all));
   remesh_panels(result, context);
   report.deviation_mm = greatest_distance(mesh::SurfaceTree(result.surface, rules.spacing_mm),
                                           mesh::SurfaceTree(before, rules.spacing_mm), INFINITY, context);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Folds whose ends nearly lie on another fold: such splinters go by turning an edge. Private to prepare/.
+#pragma once
+
+#include <cstddef>
+
+#include "prepare/simplify/share.hpp"
+
+namespace ridgecraft::prepare {
+
+/// A splinter is a face in no flat region that is `width_mm` wide or wider, with one corner close to its
+/// longest side (the "cap" of M. Botsch, L. Kobbelt, A robust procedure to eliminate degenerate faces from
+/// triangle meshes, 2001). It has no short side, so no collapse takes it away. Here its longest side is
+/// replaced by the edge from that corner to the opposite one of the neighbour, which bends by the width of
+/// the splinter. That is done where fewer splinters are left and neither the neighbour turns nor a fold
+/// becomes a crease; the surface moves by less than `width_mm`. Points stay, so mirror images and copies
+/// remain what they are. Returns how many edges were turned. O(n log n) for a few rounds.
+std::size_t remove_splinters(SymmetricShare& share, double width_mm);
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces that have a corner close to their longest side go, and nothing else changes.
+#include "prepare/simplify/splinters.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "base/random.hpp"
+#include "mesh/model/surface_distance.hpp"
+#include "prepare/prepared/narrow_faces.hpp"
+#include "prepare/simplify/symmetric_share.hpp"
+#include "prepare/simplify/whole.hpp"
+#include "support/soups.hpp"
+
+using namespace ridgecraft;
+
+namespace {
+
+/// A box of 40 x 30 x 20 mm that has a corner on one long edge more, pushed off by some of a millimetre: the
+/// two sides beside it and one splinter meet there. `twice`: on the opposite edge, too.
+mesh::Model box_with_splinter(double push, double along, bool twice) {
+  std::vector<Vec3> points{{0, 0, 0},  {40, 0, 0},  {40, 30, 0},  {0, 30, 0},
+                           {0, 0, 20}, {40, 0, 20}, {40, 30, 20}, {0, 30, 20}};
+  points.push_back({40 * along, -push, 20 - push});
+  std::vector<std::vector<std::uint32_t>> faces{{0, 3, 2},    {0, 2, 1}, {4, 5, 6}, {4, 6, 7}, {1, 2, 6, 5},
+                                                {3, 0, 4, 7}, {4, 8, 5}, {0, 8, 4}, {0, 1, 8}, {1, 5, 8}};
+  if (twice) {
+    points.push_back({40 * along, 30 + push, 20 - push});
+    for (const auto& face :
+         std::vector<std::vector<std::uint32_t>>{{7, 6, 9}, {3, 7, 9}, {3, 9, 2}, {2, 9, 6}}) {
+      faces.push_back(face);
+    }
+  } else {
+    faces.push_back({2, 3, 7, 6});
+  }
+  return test::repaired(test::soup(points, faces));
+}
+
+std::size_t splinters(const mesh::Surface& surface) {
+  return prepare::count_narrow_faces(surface, prepare::find_panels(surface), prepare::sliver_mm);
+}
+
+std::size_t removed(mesh::Model& model) {
+  const mesh::LooseFaces all = mesh::take_apart(model);
+  prepare::SymmetricShare share = prepare::symmetric_share(model, 1e-6, {});
+  const std::size_t count = prepare::remove_splinters(share, prepare::sliver_mm);
+  mesh::put_together(model, prepare::whole(share, all));
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a splinter between two walls goes and the surface moves by less than its width", "[splinters]") {
+  Random random(7);
+  for (int i = 0; i < 20; ++i) {
+    const double push = 0.1 + 0.3 * random.unit();
+    const double along = 0.2 + 0.6 * random.unit();
+    mesh::Model model = box_with_splinter(push, along, false);
+    const mesh::Surface before = model.surface;
+    REQUIRE(splinters(before) == 1);
+    CHECK(removed(model) == 1);
+    CHECK(splinters(model.surface) == 0);
+    CHECK(model.surface.face_count() == before.face_count());
+    test::check_invariants(model.surface);
+    const mesh::SurfaceTree was(before, 0.5);
+    const mesh::SurfaceTree is(model.surface, 0.5);
+    CHECK(mesh::greatest_distance(is, was, INFINITY, {}) < 1.5 * push);
+    CHECK(mesh::greatest_distance(was, is, INFINITY, {}) < 1.5 * push);
+  }
+}
+
+TEST_CASE("splinters of both sides of a mirror plane go alike", "[splinters]") {
+  mesh::Model model = box_with_splinter(0.3, 0.4, true);
+  REQUIRE(splinters(model.surface) == 2);
+  CHECK(removed(model) >= 1);
+  CHECK(splinters(model.surface) == 0);
+  test::check_invariants(model.surface);
+  const prepare::SymmetricShare share = prepare::symmetric_share(model, 1e-9, {});
+  CHECK(share.symmetric());
+}
+
+TEST_CASE("what is no splinter stays", "[splinters]") {
+  mesh::Model wide = box_with_splinter(1.5, 0.5, false);  // 2.1 mm
+  CHECK(removed(wide) == 0);
+  // The faces beside the splinter's longest side would turn by more than a wall may.
+  mesh::Model narrow =
+      test::repaired(test::soup({{0, 0, 0}, {40, 0, 0}, {20, 30, 0}, {20, -0.1, -0.6}, {20, 1.5, -20}},
+                                {{0, 1, 2}, {0, 3, 1}, {0, 4, 3}, {3, 4, 1}, {0, 2, 4}, {1, 4, 2}}));
+  const std::size_t before = splinters(narrow.surface);
+  removed(narrow);
+  CHECK(splinters(narrow.surface) <= before);
+  test::check_invariants(narrow.surface);
+}
