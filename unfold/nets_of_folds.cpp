@@ -49,6 +49,23 @@ std::vector<std::size_t> extra_pieces(const Causes& causes, const IdVector<FaceI
   return others;
 }
 
+/// What most faces of a part were cut off for; where none was, of all faces.
+PieceReason most_common_reason(const Causes& causes, const IdVector<FaceId, PartId>& part, PartId of) {
+  std::map<PieceReason, std::size_t> own;
+  std::map<PieceReason, std::size_t> any;
+  for (const FaceId f : ids<FaceId>(part.size())) {
+    if (const PieceReason reason = causes[f.value()].reason; reason != PieceReason::part) {
+      ++any[reason];
+      own[reason] += part[f] == of ? 1U : 0U;
+    }
+  }
+  const auto less = [&](const auto& a, const auto& b) {
+    return std::pair(own[a.first], a.second) < std::pair(own[b.first], b.second);
+  };
+  const auto most = std::max_element(any.begin(), any.end(), less);
+  return most == any.end() ? PieceReason::part : most->first;
+}
+
 /// Why is each extra piece there? What was cut off in one piece is the reason for one: for the one that has
 /// most of its faces now, and where that has another reason, for any that has none.
 void find_reasons(const Causes& causes, const IdVector<FaceId, PartId>& part, std::vector<Draft>& drafts) {
@@ -88,6 +105,18 @@ void find_reasons(const Causes& causes, const IdVector<FaceId, PartId>& part, st
     const auto own = std::find_if(open.begin(), open.end(),
                                   [&](const auto& cause) { return cause.second == drafts[i].part; });
     give(i, (own == open.end() ? open.begin() : own)->first);
+  }
+  // What one step cut off in one piece is two where a later step took away what lay between; and where other
+  // steps put its faces to other pieces, none of its own tell why it is there: then those of its part do.
+  for (const auto& [faces, pair] : by_size) {
+    if (drafts[pair.first].reason == PieceReason::part) {
+      drafts[pair.first].reason = pair.second.reason;
+    }
+  }
+  for (const std::size_t i : extra) {
+    if (drafts[i].reason == PieceReason::part) {
+      drafts[i].reason = most_common_reason(causes, part, drafts[i].part);
+    }
   }
 }
 

@@ -52,3 +52,34 @@ TEST_CASE("no reason is told more often than there were pieces cut off for it", 
     }
   }
 }
+
+TEST_CASE("where more pieces are left than were cut off each tells a reason of its part", "[reasons]") {
+  const mesh::Surface s = test::scaled(test::sphere(10, 6), 40.0);
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(s.face_count())) {
+    faces.push_back(f);
+  }
+  const Patch patch = make_patch(s, test::no_panels(s), faces);
+  Random random(6);
+  for (int run = 0; run < 40; ++run) {
+    // One cause for some faces, and three pieces more than the part.
+    Causes causes(patch.size());
+    for (std::uint32_t f = 0; f < patch.size(); f += 1 + random.below(40)) {
+      causes[f] = {PieceReason::overlap, 0};
+    }
+    Folds folds = start_tree(patch, StartTree::breadth_first, random);
+    for (int cuts = 0; cuts < 3;) {
+      const std::uint32_t side = random.below(static_cast<std::uint32_t>(folds.size()));
+      if (folds[side] != 0) {
+        set_fold(patch, folds, side, false);
+        ++cuts;
+      }
+    }
+    const Nets nets = nets_of_folds(s, test::one_part(s), patch, folds, causes);
+    REQUIRE(nets.pieces.size() == 4);
+    for (std::size_t i = 1; i < nets.pieces.size(); ++i) {
+      CHECK(nets.pieces[PieceId(i)].reason == PieceReason::overlap);
+    }
+    CHECK(nets.pieces[PieceId(0)].reason == PieceReason::part);
+  }
+}
