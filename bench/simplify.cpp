@@ -9,6 +9,7 @@
 // --obj writes FOLDER/NAME.obj, the model as it will be folded, and FOLDER/NAME.before.obj, the model as it
 // was read and repaired, both in mm (bench/likeness.py compares them).
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -72,13 +74,14 @@ void run(const Settings& settings, const std::string& path) {
              prepare::expected_pages(made, {room.sheet.width, room.sheet.height}), seconds);
   std::fflush(stdout);
   if (!settings.folder.empty()) {
-    mesh::Model before = model;
-    prepare::SimplifyOptions keep;
-    keep.mode = prepare::Simplification::keep;
-    prepare::SizeOptions same;
-    same.mm_per_unit = made.mm_per_unit;
-    write(settings.folder + "/" + name + ".before.obj",
-          prepare::prepare(std::move(before), same, keep, {{1e6, 1e6}, 0.0}, {}).model.surface);
+    // In the place of the other: what moved the outermost points moved the middle, too.
+    std::vector<Vec3> points(model.surface.points().begin(), model.surface.points().end());
+    std::transform(points.begin(), points.end(), points.begin(), made.from_model);
+    std::vector<std::array<VertexId, 3>> faces;
+    for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+      faces.push_back(model.surface.vertices(f));
+    }
+    write(settings.folder + "/" + name + ".before.obj", mesh::Surface(std::move(points), std::move(faces)));
     write(settings.folder + "/" + name + ".obj", surface);
   }
 }
