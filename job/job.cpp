@@ -52,6 +52,7 @@ unfold::Options unfold_options(const Options& options, const prepare::Prepared& 
   unfolding.panel_cuts = options.panel_cuts;
   unfolding.pieces = options.pieces;
   unfolding.wishes = std::move(wishes);
+  unfolding.labels = author_labels(prepared.model);
   unfolding.twins = prepared.twins;
   return unfolding;
 }

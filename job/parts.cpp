@@ -26,19 +26,6 @@ IdVector<FaceId, PartId> one_part_per_component(const mesh::Surface& surface) {
   return part;
 }
 
-/// What each face belongs to by its artist's will: one number for each pair of object and material. Empty
-/// where all faces have one.
-std::vector<std::uint32_t> labels_of(const mesh::Model& model) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number;
-  std::vector<std::uint32_t> labels;
-  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
-    const std::pair key(model.object.empty() ? mesh::Soup::none : model.object[f],
-                        model.material.empty() ? mesh::Soup::none : model.material[f]);
-    labels.push_back(number.try_emplace(key, static_cast<std::uint32_t>(number.size())).first->second);
-  }
-  return number.size() > 1 ? labels : std::vector<std::uint32_t>();
-}
-
 /// Copies of a body get its parts, where these are its own; all are numbered by their smallest faces again.
 void copy_parts(const prepare::TwinBodies& twins, IdVector<FaceId, PartId>& part) {
   if (twins.empty()) {
@@ -63,15 +50,27 @@ void copy_parts(const prepare::TwinBodies& twins, IdVector<FaceId, PartId>& part
 
 }  // namespace
 
+IdVector<FaceId, std::uint32_t> author_labels(const mesh::Model& model) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number;
+  IdVector<FaceId, std::uint32_t> labels;
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    const std::pair key(model.object.empty() ? mesh::Soup::none : model.object[f],
+                        model.material.empty() ? mesh::Soup::none : model.material[f]);
+    labels.push_back(number.try_emplace(key, static_cast<std::uint32_t>(number.size())).first->second);
+  }
+  return number.size() > 1 ? labels : IdVector<FaceId, std::uint32_t>();
+}
+
 Parts find_parts(const prepare::Prepared& prepared, const Options& options, const Context& context) {
   const mesh::Surface& surface = prepared.model.surface;
   if (options.parts == PartsFrom::components) {
     return {one_part_per_component(surface), false};
   }
   try {
-    const std::vector<std::uint32_t> labels = labels_of(prepared.model);
-    const segment::Segmentation found = segment::segment(surface, {}, {.concavity = options.concavity},
-                                                         until_deadline(context, segmentation_share), labels);
+    const IdVector<FaceId, std::uint32_t> labels = author_labels(prepared.model);
+    const segment::Segmentation found =
+        segment::segment(surface, {}, {.concavity = options.concavity},
+                         until_deadline(context, segmentation_share), labels.items());
     Parts parts{unfold::even_parts(surface, prepared.panels,
                                    unfold::parts_of_whole_panels(surface, prepared.panels, found.part),
                                    options.pieces.weights),

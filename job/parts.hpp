@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "base/context.hpp"
 #include "base/id.hpp"
@@ -10,6 +11,10 @@
 #include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::job {
+
+/// What each face belongs to by its author's will: one number for each pair of object and material. Empty
+/// where all faces have one. O(n log n).
+[[nodiscard]] IdVector<FaceId, std::uint32_t> author_labels(const mesh::Model& model);
 
 struct Parts {
   IdVector<FaceId, PartId> of_face;

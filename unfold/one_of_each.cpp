@@ -109,18 +109,23 @@ std::optional<OneOfEach> one_of_each(const Asked& whole) {
   }
   OneOfEach each;
   std::vector<FaceId> faces;
+  IdVector<FaceId, std::uint32_t> labels;
   IdVector<FaceId, FaceId> number(whole.surface.face_count());
   for (const FaceId f : ids<FaceId>(whole.surface.face_count())) {
     if (!left_out[f.value()]) {
       number[f] = FaceId(faces.size());
       faces.push_back(f);
       each.part.push_back(whole.part[f]);
+      if (!whole.options.labels.empty()) {
+        labels.push_back(whole.options.labels[f]);
+      }
     }
   }
   each.kept = prepare::part_of(whole.surface, faces);
   each.panels = panels_of(whole.panels, each.kept.face);
   each.options = whole.options;
   each.options.twins = {};
+  each.options.labels = std::move(labels);
   if (!whole.options.wishes.empty()) {
     each.options.wishes = EdgeWishes(each.kept.edge.size());
     for (const EdgeId e : ids<EdgeId>(each.kept.edge.size())) {

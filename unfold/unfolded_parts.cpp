@@ -77,7 +77,8 @@ Patch whole_patch(const Asked& asked, const Plan& plan) {
   for (const FaceId f : ids<FaceId>(asked.surface.face_count())) {
     faces.push_back(f);
   }
-  return make_patch(asked.surface, plan.whole, faces, plan.possible_wishes.items());
+  return make_patch(asked.surface, plan.whole, faces, plan.possible_wishes.items(),
+                    asked.options.labels.items());
 }
 
 UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& context) {
@@ -87,8 +88,8 @@ UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& 
   do_in_parallel(
       tasks.size(), context,
       [&](std::size_t i, const Context& own) {
-        const Patch patch =
-            make_patch(asked.surface, plan.whole, tasks[i].faces, plan.possible_wishes.items());
+        const Patch patch = make_patch(asked.surface, plan.whole, tasks[i].faces,
+                                       plan.possible_wishes.items(), asked.options.labels.items());
         const std::uint64_t seed = Random::stream(context.seed, i).next();
         PatchNets nets = unfold_patch(patch, plan.room, asked.options.panel_cuts, net_tolerance(patch.extent),
                                       seed, plan.in_a_hurry ? Effort::brief : Effort::full, own);

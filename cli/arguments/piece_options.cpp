@@ -34,6 +34,7 @@ void PieceTexts::add_to(Verb& verb) {
       "mirror=1.5: a mm of seam whose mirror image is none;\n"
       "bands=1: a mm of seam across a strip that goes round, beyond its first seam;\n"
       "open=0.1: a mm of seam on smooth places;\n"
+      "borders=0.7: a mm of fold where colours, materials or objects of the model meet;\n"
       "compact=4: a cm2 inside a piece's hull that is no paper;\n"
       "outline=0.5: the square of a piece's outline, over 1000 mm;\n"
       "thin=0.5: a mm by which what hangs on a neck is wider than three times the neck;\n"

@@ -245,12 +245,13 @@ unfold::Patch whole_patch(const mesh::Surface& surface) {
   return whole_patch(surface, no_panels(surface));
 }
 
-unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& panels) {
+unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& panels,
+                          std::span<const std::uint32_t> labels) {
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     faces.push_back(f);
   }
-  return unfold::make_patch(surface, panels, faces);
+  return unfold::make_patch(surface, panels, faces, {}, labels);
 }
 
 IdVector<FaceId, PartId> one_part(const mesh::Surface& surface) {

@@ -2,6 +2,8 @@
 // What must hold of every result of unfold(), checked from the nets alone.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +25,8 @@ namespace ridgecraft::test {
 [[nodiscard]] prepare::Panels no_panels(const mesh::Surface& surface);
 /// All faces as one patch, each a panel of its own, or in these panels.
 [[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface);
-[[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& panels);
+[[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& panels,
+                                        std::span<const std::uint32_t> labels = {});
 /// All faces in part 0.
 [[nodiscard]] IdVector<FaceId, PartId> one_part(const mesh::Surface& surface);
 /// Of flat panels and one part, with default options.

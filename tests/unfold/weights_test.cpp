@@ -34,7 +34,8 @@ struct Model {
   mesh::Surface surface;
   prepare::Panels panels;
   IdVector<FaceId, PartId> part;
-  double piece = 350.0;  ///< what each piece costs
+  IdVector<FaceId, std::uint32_t> labels;  // of two colours
+  double piece = 350.0;                    ///< what each piece costs
 };
 
 /// A lumpy ball, even about the plane y = 0, in parts: columns from pole to pole.
@@ -49,7 +50,7 @@ Model ball(double mm, int columns, std::uint32_t waves) {
   for (const FaceId f : ids<FaceId>(round.face_count())) {
     faces.push_back(round.vertices(f));
   }
-  Model model{mesh::Surface(std::move(points), std::move(faces)), {}, {}};
+  Model model{mesh::Surface(std::move(points), std::move(faces)), {}, {}, {}};
   model.panels = test::no_panels(model.surface);
   for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
     const auto [a, b, c] = round.vertices(f);
@@ -57,16 +58,20 @@ Model ball(double mm, int columns, std::uint32_t waves) {
     const double turn = std::atan2(middle.y, middle.x) / 6.283185307179586 + 0.5;
     model.part.push_back(
         PartId(static_cast<std::uint32_t>(turn * columns) % static_cast<std::uint32_t>(columns)));
+    model.labels.push_back(middle.z > 0.5 ? 1 : 0);
   }
   return model;
 }
 
 /// A vase of walls that go round, pointed at both ends: flat ones would close circles of folds.
 Model vase() {
-  Model model{
-      test::scaled(test::revolve({{0, -0.3}, {1, 0}, {1.3, 1}, {1, 2}, {1, 3}, {0, 3.3}}, 9), 22.0), {}, {}};
+  Model model{test::scaled(test::revolve({{0, -0.3}, {1, 0}, {1.3, 1}, {1, 2}, {1, 3}, {0, 3.3}}, 9), 22.0),
+              {},
+              {},
+              {}};
   model.panels = test::flat_panels(model.surface);
   model.part = test::one_part(model.surface);
+  model.labels = IdVector<FaceId, std::uint32_t>(model.surface.face_count(), 0);
   return model;
 }
 
@@ -89,6 +94,9 @@ Nets nets_of(const Model& model, std::string_view term, double factor) {
   options.pieces = unfold::rules_of(unfold::PieceMode::parts);
   options.pieces.trials_per_face = 100.0;
   options.pieces.weights.pieces = model.piece;
+  if (term == "borders") {
+    options.labels = model.labels;
+  }
   *unfold::weight_named(options.pieces.weights, term) *= factor;
   return unfold::unfold(model.surface, model.panels, model.part, options, Context());
 }
@@ -106,7 +114,7 @@ double measure(const Model& model, const Nets& nets, std::string_view term) {
   for (const std::string_view other : unfold::term_names()) {
     *unfold::weight_named(weights, other) = other == term ? 1.0 : 0.0;
   }
-  const Patch patch = test::whole_patch(model.surface, model.panels);
+  const Patch patch = test::whole_patch(model.surface, model.panels, model.labels.items());
   Folds folds(patch.twin.size(), 0);
   for (std::uint32_t side = 0; side < folds.size(); ++side) {
     const EdgeId edge = model.surface.edge(mesh::corner(patch.face[side / 3], side % 3));

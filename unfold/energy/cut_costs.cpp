@@ -74,6 +74,9 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
     const Vec2 b = t[(k + 2) % 3] - t[k];
     corner_angle_[side] = static_cast<float>(elementary::atan2(cross(a, b), dot(a, b)));
     price_[side] = patch.length[side] * (weights.seam + weights.open * openness(patch.fold_angle[side]));
+    if (is_border_of_labels(patch, side)) {
+      price_[side] -= weights.borders * patch.length[side];
+    }
     if (!facts.image_outside.empty()) {
       price_[side] -= weights.mirror * patch.length[side] * static_cast<double>(facts.image_outside[side]);
     }

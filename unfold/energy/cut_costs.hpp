@@ -33,6 +33,8 @@ struct CutFacts {
 
 /// The cuts of a net with what each costs, in mm, kept up to date while cuts and folds are swapped:
 /// - its length to be glued, more of it in the open and less in creases and hollows (Weights::seam, open);
+/// - less of it where colours or names of the model meet, for a fold there costs what is saved
+/// (Weights::borders);
 /// - its length once more where no usable tab has room (bare), and a little where only one of its sides has.
 ///   A tab has room when it keeps clear of the two sides of the outline that meet its edge, taken as endless;
 ///   what lies farther off isn't seen. A hundred times as quick as TabState;

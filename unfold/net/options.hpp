@@ -2,8 +2,10 @@
 // How parts become nets: values that users choose.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
+#include "base/id.hpp"
 #include "base/rectangle.hpp"
 #include "prepare/prepared/twin_bodies.hpp"
 #include "unfold/net/edge_wishes.hpp"
@@ -46,6 +48,9 @@ struct Options {
   /// fold unless that would close a loop, overlap or fit no sheet (kept_edges.hpp); a note counts what
   /// couldn't be.
   EdgeWishes wishes;
+  /// Per face, or empty: what its author set it apart by, such as its object and its material. A fold where
+  /// two of them meet costs something (Weights::borders), so nets rather end there.
+  IdVector<FaceId, std::uint32_t> labels = {};
   /// Bodies of the surface that get one net each, and copies of it (prepare::Prepared::twins).
   prepare::TwinBodies twins = {};
 };

@@ -17,6 +17,7 @@ struct Weights {
   double mirror = 1.5;    ///< each mm of seam whose mirror image is none
   double bands = 1.0;     ///< each mm of seam across a closed strip beyond one
   double open = 0.1;      ///< each mm of seam on a smooth place; less on ridges and in hollows
+  double borders = 0.7;   ///< each mm of fold where colours or names of the model meet
   double compact = 4.0;   ///< each cm2 of a piece's convex hull that is no paper
   double outline = 0.5;   ///< square of a piece's outline, over 1000 mm
   double thin = 0.5;      ///< necks: mm by which what hangs on one is wider than three times its own width

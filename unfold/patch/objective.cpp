@@ -47,6 +47,15 @@ double thinness(const Patch& piece, const Folds& folds, const RootedTree& tree,
   return thin;
 }
 
+/// What the folds of a tree cost where labels meet.
+double fold_cost_at_borders(const Patch& piece, const Folds& tree, const Weights& weights) {
+  double folded = 0.0;
+  for (std::uint32_t side = 0; side < tree.size(); ++side) {
+    folded += tree[side] != 0 && is_border_of_labels(piece, side) ? 0.5 * piece.length[side] : 0.0;
+  }
+  return weights.borders * folded;
+}
+
 double square(double x) {
   return x * x;
 }
@@ -95,7 +104,8 @@ double PieceCost::of(const Folds& tree, std::span<const Vec2> hull) {
   }
   const double hollow = std::max(0.0, hull_area - whole_area_) / 100.0;
   const double outline = outline_cost(border_ + 2.0 * cut, weights_) - outline_cost(border_, weights_);
-  return least_ + outline + weights_.seam * cut + weights_.compact * hollow +
+  return least_ + outline + weights_.seam * cut + fold_cost_at_borders(piece_, tree, weights_) +
+         weights_.compact * hollow +
          weights_.thin * thinness(piece_, tree, rooted_tree(piece_, tree, 0, place_), area_, narrow_);
 }
 

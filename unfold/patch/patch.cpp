@@ -63,12 +63,13 @@ Triangle flat_shape(Vec3 a, Vec3 b, Vec3 c) {
 }
 
 Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, std::span<const FaceId> faces,
-                 std::span<const EdgeWish> wishes) {
+                 std::span<const EdgeWish> wishes, std::span<const std::uint32_t> labels) {
   Patch patch;
   patch.face.assign(faces.begin(), faces.end());
   const std::size_t sides = 3 * faces.size();
   patch.twin.assign(sides, nothing);
   patch.frozen.assign(sides, 0);
+  patch.labels_meet.assign(sides, 0);
   patch.across.resize(sides);
   patch.length.resize(sides);
   patch.fold_angle.resize(sides);
@@ -86,6 +87,9 @@ Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, st
       patch.length[side] = surface.length(surface.edge(c));
       patch.fold_angle[side] = surface.fold_angle(surface.edge(c));
       const CornerId t = surface.twin(c);
+      if (!labels.empty() && t.valid()) {
+        patch.labels_meet[side] = labels[patch.face[f].value()] != labels[mesh::face_of(t).value()] ? 1 : 0;
+      }
       const EdgeWish wish = wish_at(wishes, surface.edge(c));
       const std::uint32_t g =
           t.valid() && wish != EdgeWish::cut ? local_number(faces, mesh::face_of(t)) : nothing;

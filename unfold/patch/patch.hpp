@@ -33,9 +33,11 @@ struct Patch {
   std::vector<Triangle> shape;       ///< per face: its corners in its own frame, mm
   std::vector<Rigid>
       across;  ///< per side: the neighbour's frame seen from this face's, laid flat over the side
-  std::vector<double> length;      ///< per side, mm
-  std::vector<double> fold_angle;  ///< per side: as mesh::Surface::fold_angle
-  double extent = 0.0;             ///< largest extent of the whole surface, mm: the unit of search_tolerance
+  std::vector<double> length;             ///< per side, mm
+  std::vector<double> fold_angle;         ///< per side: as mesh::Surface::fold_angle
+  std::vector<std::uint8_t> labels_meet;  ///< per side: 1 where the labels of its two faces differ, in the
+                                          ///< patch or beyond it
+  double extent = 0.0;  ///< largest extent of the whole surface, mm: the unit of search_tolerance
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(face.size()); }
 };
@@ -49,10 +51,11 @@ struct Patch {
 }
 
 /// Makes a patch of these faces (ascending). Sides between faces of the set are twins, all others border; a
-/// side that is to be cut is border, too, and one that is to be kept is frozen. `wishes`: per edge, or empty.
-/// O(n log n).
+/// side that is to be cut is border, too, and one that is to be kept is frozen. `wishes`: per edge, or empty;
+/// `labels`: per face of the surface (Options::labels), or empty. O(n log n).
 [[nodiscard]] Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels,
-                               std::span<const FaceId> faces, std::span<const EdgeWish> wishes = {});
+                               std::span<const FaceId> faces, std::span<const EdgeWish> wishes = {},
+                               std::span<const std::uint32_t> labels = {});
 
 /// The connected components (over twins) of a set of faces of the surface, each ascending, in the order of
 /// their first faces; edges that are to be cut don't connect. O(n log n).
@@ -63,6 +66,12 @@ struct Patch {
 /// 1 where the faces on both sides of a side count as one flat region, otherwise 0.
 [[nodiscard]] inline std::size_t within_panel(const Patch& patch, std::uint32_t side) {
   return patch.frozen[side] == frozen_in_panel ? 1 : 0;
+}
+
+/// Whether the model's author has set the faces on both sides of a side apart. Inside a flat region that
+/// counts for nothing: it stays whole.
+[[nodiscard]] inline bool is_border_of_labels(const Patch& patch, std::uint32_t side) {
+  return patch.labels_meet[side] != 0 && patch.frozen[side] == 0;
 }
 
 /// One flag per side: is it a fold? Both sides of an edge have the same flag. The folds of a patch make a

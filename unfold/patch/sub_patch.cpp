@@ -25,6 +25,7 @@ Patch sub_patch(const Patch& patch, std::span<const std::uint32_t> faces) {
   sub.across.reserve(3 * n);
   sub.length.reserve(3 * n);
   sub.fold_angle.reserve(3 * n);
+  sub.labels_meet.reserve(3 * n);
   for (const std::uint32_t f : faces) {
     sub.face.push_back(patch.face[f]);
     sub.shape.push_back(patch.shape[f]);
@@ -36,6 +37,7 @@ Patch sub_patch(const Patch& patch, std::span<const std::uint32_t> faces) {
       sub.across.push_back(patch.across[side]);
       sub.length.push_back(patch.length[side]);
       sub.fold_angle.push_back(patch.fold_angle[side]);
+      sub.labels_meet.push_back(patch.labels_meet[side]);
     }
   }
   return sub;
