@@ -174,6 +174,33 @@ void check_clear(const Loop& tab, const Loop& other, bool other_is_tab, const Ta
   CHECK(distance(a, b) >= options.clearance_mm - 1e-6);
 }
 
+/// The narrowest of the strips that hold a tab, sampled: never below the true one.
+double sampled_thickness(const Loop& tab) {
+  double least = INFINITY;
+  for (int degree = 0; degree < 180; ++degree) {
+    const double turn = degree * 0.017453292519943295;
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (const Vec2 p : tab) {
+      const double at = dot(p, {std::cos(turn), std::sin(turn)});
+      low = std::fmin(low, at);
+      high = std::fmax(high, at);
+    }
+    least = std::fmin(least, high - low);
+  }
+  return least;
+}
+
+/// How far a tab reaches beyond the ends of its base.
+double overhang(const Loop& tab) {
+  const Vec2 along = (tab[1] - tab[0]) / length(tab[1] - tab[0]);
+  double most = 0.0;
+  for (const Vec2 p : tab) {
+    most = std::fmax(most, std::fmax(-dot(p - tab[0], along), dot(p - tab[1], along)));
+  }
+  return most;
+}
+
 void check_shape(const Surface& s, const Nets& nets, const Tab& tab, const TabOptions& options) {
   const auto& flat = nets.flat[mesh::face_of(tab.side)];
   const Vec2 end = flat[mesh::next(tab.side).value() % 3];
@@ -200,6 +227,9 @@ void check_shape(const Surface& s, const Nets& nets, const Tab& tab, const TabOp
   }
   CHECK(top >= options.smallest_height_mm - 1e-6);
   CHECK(top <= options.height_mm + 1e-6);
+  if (overhang(tab.polygon) > top + 1e-4) {  // no needle
+    CHECK(sampled_thickness(tab.polygon) > std::fmin(unfold::usable_height_mm, options.height_mm) - 1e-4);
+  }
   CHECK(std::abs(size - s.length(s.edge(tab.side))) < 1e-6 * size);
 }
 

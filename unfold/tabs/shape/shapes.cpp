@@ -16,6 +16,8 @@ namespace {
 constexpr double same_place_mm = 1e-6;
 /// A tab may overhang the end of its base by so many times its height, where the face behind it does.
 constexpr double widest_cotangent = -4.0;
+/// But a low one that would be a needle by no more than its height.
+constexpr double widest_cotangent_of_low = -1.0;
 /// Share of an area within which a clipped shape counts as unclipped.
 constexpr double same_area = 1e-9;
 
@@ -81,10 +83,40 @@ ConvexShape without_double_corners(const ConvexShape& tab) {
   return result;
 }
 
-/// The shape in its final form, or empty when it is too small to be a tab on an edge of this length.
-ConvexShape finished(const ConvexShape& tab, double length, const TabOptions& options) {
+/// The narrowest strip between two parallel lines that holds the shape: along one of its sides.
+double thickness(const ConvexShape& shape) {
+  double least = HUGE_VAL;
+  for (std::uint32_t i = 0; i < shape.size(); ++i) {
+    const Vec2 from = shape[i];
+    const Vec2 along = shape[(i + 1) % shape.size()] - from;
+    double farthest = 0.0;
+    for (const Vec2 p : shape) {
+      farthest = std::max(farthest, cross(along, p - from) / length(along));
+    }
+    least = std::min(least, farthest);
+  }
+  return least;
+}
+
+/// Whether a tab reaches beyond its base by more than it is high, and is so thin that nobody can cut or glue
+/// it.
+bool is_needle(const ConvexShape& tab, const TabOptions& options) {
+  const Box2 box = tab.box();
+  const double beyond = std::max(tab[0].x - box.low.x, box.high.x - tab[1].x);
+  return beyond > top_of(tab) + same_place_mm && thickness(tab) < usable_height(options);
+}
+
+/// The shape without what is too narrow at its top, or empty when it is too small to be a tab on an edge of
+/// this length.
+ConvexShape large_enough(const ConvexShape& tab, double length, const TabOptions& options) {
   const ConvexShape shape = without_double_corners(blunted(tab, least_top(length, options)));
   return shape.size() >= 4 && top_of(shape) >= options.smallest_height_mm ? shape : ConvexShape();
+}
+
+/// The shape in its final form, or empty when it is no tab.
+ConvexShape finished(const ConvexShape& tab, double length, const TabOptions& options) {
+  const ConvexShape shape = large_enough(tab, length, options);
+  return shape.empty() || is_needle(shape, options) ? ConvexShape() : shape;
 }
 
 /// Shares of the edge where a tab on a part of it begins and ends, the longest first.
@@ -196,7 +228,7 @@ ConvexShape largest_tab(const TabBase& base, const std::vector<Obstacle>& obstac
       }
       tab = trimmed(tab, without_corners_off_base(obstacle, base), options.clearance_mm);
     }
-    return enough(tab) && !finished(tab, base.edge, options).empty() ? tab : ConvexShape();
+    return enough(tab) && !large_enough(tab, base.edge, options).empty() ? tab : ConvexShape();
   };
   const ConvexShape upright =
       top < options.smallest_height_mm
@@ -281,9 +313,16 @@ std::vector<TabShape> partial_tab_shapes(double length, const std::vector<Obstac
 TabShape low_tab_shape(double length, const std::vector<Obstacle>& obstacles, const TabOptions& options) {
   TabShape best;
   const auto offer = [&](double from, double to) {
-    const ConvexShape shape =
-        finished(largest_tab({from * length, to * length, length}, obstacles, options, TabNeed::anything),
-                 length, options);
+    const ConvexShape largest =
+        largest_tab({from * length, to * length, length}, obstacles, options, TabNeed::anything);
+    if (largest.empty()) {
+      return;
+    }
+    ConvexShape shape = finished(largest, length, options);
+    if (shape.empty()) {
+      shape = finished(within(largest, options.height_mm, widest_cotangent_of_low, widest_cotangent_of_low),
+                       length, options);
+    }
     if (!shape.empty() && (best.outline.empty() || shape.area() > 1.5 * best.outline.area())) {
       best = {shape, is_usable(shape, length, options), tab_costs.low + 100.0 * (1.0 - (to - from))};
     }
