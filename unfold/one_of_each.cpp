@@ -60,6 +60,27 @@ bool have_equal_wishes(const mesh::Surface& surface, const EdgeWishes& wishes, c
   return true;
 }
 
+/// Whether the model's author has set the same faces of both apart, be it by other names and colours.
+bool have_equal_borders(const mesh::Surface& surface, const IdVector<FaceId, std::uint32_t>& labels,
+                        const TwinBody& first, const TwinBody& other) {
+  if (labels.empty()) {
+    return true;
+  }
+  const auto is_border = [&](CornerId side) {
+    const FaceId beyond = surface.neighbor(side);
+    return beyond.valid() && labels[mesh::face_of(side)] != labels[beyond];
+  };
+  for (std::size_t i = 0; i < first.faces.size(); ++i) {
+    for (unsigned k = 0; k < 3; ++k) {
+      if (is_border(prepare::twin_side(first.faces[i], k, first.mirrored)) !=
+          is_border(prepare::twin_side(other.faces[i], k, other.mirrored))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// Panels without faces that aren't kept, by their numbers in the whole.
 prepare::Panels panels_of(const prepare::Panels& whole, const IdVector<FaceId, FaceId>& kept) {
   prepare::Panels panels;
@@ -96,7 +117,8 @@ std::optional<OneOfEach> one_of_each(const Asked& whole) {
     for (std::size_t b = 1; b < kind.size(); ++b) {
       if (has_own_parts(faces_in_part, whole.part, kind[b]) &&
           are_divided_alike(whole.part, kind[0], kind[b]) &&
-          have_equal_wishes(whole.surface, whole.options.wishes, kind[0], kind[b])) {
+          have_equal_wishes(whole.surface, whole.options.wishes, kind[0], kind[b]) &&
+          have_equal_borders(whole.surface, whole.options.labels, kind[0], kind[b])) {
         copies.emplace_back(&kind[0], &kind[b]);
         for (const FaceId f : kind[b].faces) {
           left_out[f.value()] = true;

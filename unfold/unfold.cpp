@@ -145,7 +145,7 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
                           start, context);
   };
   Folds calm = bordered(even, Start::anywhere);
-  if (rules.merge) {
+  if (rules.merge && !context.out_of_time()) {
     const Folds cut = with_ragged_pieces_cut(patch, asked.part.items(), calm, rules.weights, context);
     if (blame(patch, calm, cut, PieceReason::shape, parts.causes) > 0) {
       calm = bordered(cut, Start::near);

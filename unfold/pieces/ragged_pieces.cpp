@@ -149,7 +149,6 @@ class RaggedPieces {
   const Weights& weights_;
   const Context& context_;
   Bands bands_;
-  std::vector<std::size_t> rungs_;    ///< how many each band has
   std::vector<std::uint32_t> place_;  ///< space to work in
 };
 
