@@ -37,10 +37,6 @@ constexpr double most_pair_weight = 1e12;
 /// Sides kept of differences, after which they are made anew: 24 bytes each.
 constexpr std::size_t most_sides = 20'000'000;
 
-double scalar(Vec2 a, Vec2 b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 /// What is convex and covers both, where they share a side and nothing is added; nothing otherwise.
 std::optional<std::vector<Vec2>> united(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   const auto same = [](Vec2 p, Vec2 q) { return length(p - q) < same_corner_mm; };
@@ -171,11 +167,11 @@ const ExactSeparation::Differences& ExactSeparation::differences(std::uint32_t a
       const auto add = [&](Vec2 normal) {
         double far = -INFINITY;
         for (const Vec2 p : one) {
-          far = std::max(far, scalar(normal, p));
+          far = std::max(far, dot(normal, p));
         }
         double near = INFINITY;
         for (const Vec2 p : two) {
-          near = std::min(near, scalar(normal, p));
+          near = std::min(near, dot(normal, p));
         }
         made.sides.push_back({normal, far - near + gap_});
       };
@@ -208,7 +204,7 @@ double ExactSeparation::depth(const Differences& of, Vec2 place, double limit) {
     for (std::uint32_t i = difference.first; i < difference.end; ++i) {
       ++work_;
       const Side& side = of.sides[i];
-      least = std::min(least, side.reach - scalar(side.normal, place));
+      least = std::min(least, side.reach - dot(side.normal, place));
       if (least <= touching_mm) {
         break;
       }

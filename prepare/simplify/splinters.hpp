@@ -8,8 +8,8 @@
 
 namespace ridgecraft::prepare {
 
-/// A splinter is a face in no flat region that is `width_mm` wide or wider, with one corner close to its
-/// longest side (the "cap" of M. Botsch, L. Kobbelt, A robust procedure to eliminate degenerate faces from
+/// A splinter is a face of a flat region narrower than `width_mm`, with one corner close to its longest side
+/// (the "cap" of M. Botsch, L. Kobbelt, A robust procedure to eliminate degenerate faces from
 /// triangle meshes, 2001). It has no short side, so no collapse takes it away. Here its longest side is
 /// replaced by the edge from that corner to the opposite one of the neighbour, which bends by the width of
 /// the splinter. That is done where fewer splinters are left and neither the neighbour turns nor a fold

@@ -12,6 +12,8 @@
 #include <BulletCollision/CollisionShapes/btConvexPolyhedron.h>
 #include <btBulletDynamicsCommon.h>
 
+#include "support/plane_world.hpp"
+
 namespace {
 
 std::vector<btVector3> read_points() {
@@ -72,15 +74,7 @@ int main() {
     });
   });
 
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher(&configuration);
-  btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
-  world.setGravity({0, 0, btScalar(-9.81)});
-  btStaticPlaneShape plane({0, 0, 1}, 0);
-  btRigidBody ground(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &plane));
-  world.addRigidBody(&ground);
+  ridgecraft::test::PlaneWorld fall;
   btDefaultMotionState state(
       btTransform(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(0.05) * extent - lowest)));
   btVector3 inertia;
@@ -90,15 +84,14 @@ int main() {
   btRigidBody body(about);
   body.setFriction(1);
   body.setRollingFriction(btScalar(0.05));
-  ground.setFriction(1);
-  ground.setRollingFriction(1);
-  world.addRigidBody(&body);
+  fall.ground.setFriction(1);
+  fall.ground.setRollingFriction(1);
+  fall.world.addRigidBody(&body);
   constexpr int steps = 240 * 20;
   for (int step = 0; step < steps; ++step) {
-    world.stepSimulation(btScalar(1.0 / 240.0), 0);
+    fall.world.stepSimulation(btScalar(1.0 / 240.0), 0);
   }
   std::cout << shapes.size() << ' ' << outside << ' ' << body.getLinearVelocity().length() << ' '
             << body.getWorldTransform().getOrigin().z() << '\n';
-  world.removeRigidBody(&body);
-  world.removeRigidBody(&ground);
+  fall.world.removeRigidBody(&body);
 }

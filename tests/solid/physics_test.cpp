@@ -8,6 +8,7 @@
 
 #include "segment/segment.hpp"
 #include "solid/solid.hpp"
+#include "support/plane_world.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft {
@@ -20,16 +21,7 @@ TEST_CASE("Hulls dropped on a plane come to rest on it") {
   const auto bodies = solid::part_hulls(l, parts, {.max_vertices = 64}, Context{});
   const solid::MassProperties mass = solid::mass_properties(bodies);
 
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher(&configuration);
-  btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
-  world.setGravity({0, 0, btScalar(-9.81)});
-  btStaticPlaneShape ground({0, 0, 1}, 0);
-  btRigidBody floor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &ground));
-  world.addRigidBody(&floor);
-
+  test::PlaneWorld fall;
   btCompoundShape compound;
   std::vector<std::unique_ptr<btConvexHullShape>> shapes;
   const auto shifted = [&](Vec3 p) {
@@ -52,16 +44,15 @@ TEST_CASE("Hulls dropped on a plane come to rest on it") {
   compound.calculateLocalInertia(btScalar(mass.volume), inertia);
   btRigidBody thing(
       btRigidBody::btRigidBodyConstructionInfo(btScalar(mass.volume), &state, &compound, inertia));
-  world.addRigidBody(&thing);
+  fall.world.addRigidBody(&thing);
   for (int step = 0; step < 480; ++step) {
-    world.stepSimulation(btScalar(1.0 / 120.0), 0);
+    fall.world.stepSimulation(btScalar(1.0 / 120.0), 0);
   }
   CHECK(thing.getLinearVelocity().length() < btScalar(0.01));
   // It stands as it was dropped: its lowest points on the plane.
   CHECK(thing.getWorldTransform().getOrigin().z() == Approx(mass.center.z).margin(0.02));
   CHECK(thing.getWorldTransform().getRotation().getAngleShortestPath() < btScalar(0.02));
-  world.removeRigidBody(&thing);
-  world.removeRigidBody(&floor);
+  fall.world.removeRigidBody(&thing);
 }
 
 }  // namespace ridgecraft

@@ -15,6 +15,23 @@
 using namespace ridgecraft;
 using namespace ridgecraft::unfold;
 
+namespace {
+
+/// All folds of a tree but three, drawn at random.
+Folds four_trees(const Patch& patch, Random& random) {
+  Folds folds = start_tree(patch, StartTree::breadth_first, random);
+  for (int cuts = 0; cuts < 3;) {
+    const std::uint32_t side = random.below(static_cast<std::uint32_t>(folds.size()));
+    if (folds[side] != 0) {
+      set_fold(patch, folds, side, false);
+      ++cuts;
+    }
+  }
+  return folds;
+}
+
+}  // namespace
+
 TEST_CASE("no reason is told more often than there were pieces cut off for it", "[reasons]") {
   const mesh::Surface s = test::scaled(test::sphere(10, 6), 40.0);
   const prepare::Panels panels = test::no_panels(s);
@@ -34,15 +51,7 @@ TEST_CASE("no reason is told more often than there were pieces cut off for it", 
         causes[random.below(patch.size())] = {reasons[piece], piece};
       }
     }
-    // Four trees: all folds of a tree but three.
-    Folds folds = start_tree(patch, StartTree::breadth_first, random);
-    for (int cuts = 0; cuts < 3;) {
-      const std::uint32_t side = random.below(static_cast<std::uint32_t>(folds.size()));
-      if (folds[side] != 0) {
-        set_fold(patch, folds, side, false);
-        ++cuts;
-      }
-    }
+    const Folds folds = four_trees(patch, random);
     const Nets nets = nets_of_folds(s, part, patch, folds, causes);
     REQUIRE(nets.pieces.size() == 4);
     for (const PieceReason reason :
@@ -67,14 +76,7 @@ TEST_CASE("where more pieces are left than were cut off each tells a reason of i
     for (std::uint32_t f = 0; f < patch.size(); f += 1 + random.below(40)) {
       causes[f] = {PieceReason::overlap, 0};
     }
-    Folds folds = start_tree(patch, StartTree::breadth_first, random);
-    for (int cuts = 0; cuts < 3;) {
-      const std::uint32_t side = random.below(static_cast<std::uint32_t>(folds.size()));
-      if (folds[side] != 0) {
-        set_fold(patch, folds, side, false);
-        ++cuts;
-      }
-    }
+    const Folds folds = four_trees(patch, random);
     const Nets nets = nets_of_folds(s, test::one_part(s), patch, folds, causes);
     REQUIRE(nets.pieces.size() == 4);
     for (std::size_t i = 1; i < nets.pieces.size(); ++i) {
