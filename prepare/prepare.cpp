@@ -31,6 +31,18 @@ constexpr double centimetre = 10.0;
 constexpr double smallest_tried_mm = 50.0;
 constexpr double largest_tried_mm = 1000.0;
 
+double allowed_slivers(const Prepared& prepared) {
+  return prepared.simplified.at_its_size ? most_slivers : most_own_slivers;
+}
+
+/// Turned edges make slivers go, but not what made them: short sides, where tabs find no room. So for the
+/// choice of a size they count as the slivers that they were.
+bool suits(const Prepared& prepared) {
+  const auto faces = static_cast<double>(prepared.model.surface.face_count());
+  const double turned = static_cast<double>(prepared.simplified.edges_turned) / faces;
+  return can_be_folded(prepared) && prepared.sliver_share + turned <= allowed_slivers(prepared);
+}
+
 double extent_of(const Prepared& prepared) {
   return prepared.model.surface.bounds().largest_extent();
 }
@@ -53,7 +65,7 @@ class SizeSearch {
   [[nodiscard]] std::optional<Prepared> smaller(double mm) const {
     return in_time([&] {
       std::optional<Prepared> found = at(mm);
-      return can_be_folded(*found) ? std::move(found) : std::nullopt;
+      return suits(*found) ? std::move(found) : std::nullopt;
     });
   }
 
@@ -84,7 +96,7 @@ class SizeSearch {
       mm = centimetre * std::ceil(mm / centimetre);
       context_.check();
       Prepared found = at(mm);
-      if (can_be_folded(found)) {
+      if (suits(found)) {
         return found;
       }
     }
@@ -100,13 +112,15 @@ class SizeSearch {
 /// Of the size that it has by default, or of another one between the limits that suits it better.
 Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
   const double pages = search.pages(usual);
-  if (!can_be_folded(usual)) {
+  if (!suits(usual)) {
     if (std::optional<Prepared> larger = search.larger(extent_of(usual))) {
       if (extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
         larger->size_reason = SizeReason::folds;
         return std::move(*larger);
       }
-      usual.smallest_size_mm = centimetre * std::round(extent_of(*larger) / centimetre);
+      if (!can_be_folded(usual)) {
+        usual.smallest_size_mm = centimetre * std::round(extent_of(*larger) / centimetre);
+      }
     }
     return usual;
   }
@@ -125,7 +139,7 @@ Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSear
 }  // namespace
 
 bool has_many_slivers(const Prepared& prepared) {
-  return prepared.sliver_share > (prepared.simplified.at_its_size ? most_slivers : most_own_slivers);
+  return prepared.sliver_share > allowed_slivers(prepared);
 }
 
 bool can_be_folded(const Prepared& prepared) {

@@ -62,6 +62,7 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
   SimplifyOptions first = simplify;
   first.short_edge_mm /= mm;
   first.tiny_edge_mm /= mm;
+  first.splinter_mm = 0.0;  // the union makes others
   first.largest_deviation *= first_part;
   const std::size_t faces_before = model.surface.face_count();
   remesh_panels(model, context);

@@ -11,7 +11,6 @@
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/remesh_panels.hpp"
-#include "prepare/prepared/narrow_faces.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/simplify/body.hpp"
 #include "prepare/simplify/features.hpp"
@@ -172,8 +171,8 @@ double simplify_components(mesh::Model& model, const SimplifyOptions& options, B
   std::vector<SymmetricShare> bodies = divided(start);
   const Allowed allowed = simplify_bodies(model, bodies, rules, options, context);
   SymmetricShare share = joined(bodies);
-  const std::size_t edges_turned = remove_splinters(share, sliver_mm);
-  if (!allowed.changed && report.features_removed + report.turned + edges_turned == 0) {
+  report.edges_turned = remove_splinters(share, options.splinter_mm);
+  if (!allowed.changed && report.features_removed + report.turned + report.edges_turned == 0) {
     return allowed.largest_mm;
   }
   mesh::Model result;

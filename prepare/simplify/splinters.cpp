@@ -41,7 +41,7 @@ class Turner {
     }
   }
 
-  /// Turns all edges that don't touch each other's faces; returns how many.
+  /// Turns all edges that don't touch each other's faces; returns how many of the whole model.
   std::size_t run() {
     std::vector<Turn> turns;
     for (const FaceId f : ids<FaceId>(surface().face_count())) {
@@ -61,7 +61,7 @@ class Turner {
           touched[f.value()] = true;
         }
         do_turn(turn.side);
-        ++count;
+        count += share_.points.copies[point(turn.side)];
       }
     }
     return count;

@@ -14,7 +14,8 @@ namespace ridgecraft::prepare {
 /// replaced by the edge from that corner to the opposite one of the neighbour, which bends by the width of
 /// the splinter. That is done where fewer splinters are left and neither the neighbour turns nor a fold
 /// becomes a crease; the surface moves by less than `width_mm`. Points stay, so mirror images and copies
-/// remain what they are. Returns how many edges were turned. O(n log n) for a few rounds.
+/// remain what they are. Returns how many edges were turned, those of mirror images and copies counted, too.
+/// O(n log n) for a few rounds.
 std::size_t remove_splinters(SymmetricShare& share, double width_mm);
 
 }  // namespace ridgecraft::prepare
