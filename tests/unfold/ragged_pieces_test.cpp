@@ -11,10 +11,10 @@
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/bent_sheets.hpp"
+#include "unfold/energy/piece_cost.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/objective.hpp"
 #include "unfold/patch/start_tree.hpp"
 #include "unfold/patch/sub_patch.hpp"
 

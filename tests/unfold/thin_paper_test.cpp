@@ -7,10 +7,10 @@
 
 #include "base/random.hpp"
 #include "support/shapes.hpp"
+#include "unfold/energy/piece_cost.hpp"
 #include "unfold/energy/piece_shape.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/necks.hpp"
-#include "unfold/patch/objective.hpp"
 #include "unfold/pieces/needles.hpp"
 #include "unfold/tabs/place/paper_behind.hpp"
 

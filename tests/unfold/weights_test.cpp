@@ -14,10 +14,10 @@
 #include "support/flat_panels.hpp"
 #include "support/shapes.hpp"
 #include "unfold/energy/cut_costs.hpp"
+#include "unfold/energy/piece_cost.hpp"
 #include "unfold/net/piece_rules.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 
@@ -127,7 +127,9 @@ double measure(const Model& model, const Nets& nets, std::string_view term) {
   unfold::CutCosts cuts(patch, facts, weights);
   cuts.set_tree(folds);
   double sum = cuts.total();
-  weights.seam = 0.0;  // was counted
+  for (const std::string_view counted : {"seam", "open", "borders", "slits", "bands"}) {
+    *unfold::weight_named(weights, counted) = 0.0;
+  }
   for (const unfold::Piece& piece : nets.pieces) {
     std::vector<std::uint32_t> faces;
     for (const FaceId f : piece.faces) {

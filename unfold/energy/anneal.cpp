@@ -44,12 +44,11 @@ bool walk(ChangingNet& net, const CutFacts& facts, const Room& room, const Weigh
 }  // namespace
 
 CutFacts cut_facts(const ChangingNet& net, const TabOptions& options) {
-  CutFacts facts;
-  if (net.has_tabs()) {
-    const TabState& tabs = net.tab_state();
-    facts = {tabs.candidates(), tabs.across(), tabs.seams(), options.clearance_mm};
-  }
-  return facts;
+  return net.has_tabs() ? cut_facts(net.tab_state(), options) : CutFacts();
+}
+
+CutFacts cut_facts(const TabState& tabs, const TabOptions& options) {
+  return {tabs.candidates(), tabs.across(), tabs.seams(), options.clearance_mm};
 }
 
 void anneal(ChangingNet& net, const CutFacts& facts, const Room& room, const Weights& weights,

@@ -14,6 +14,8 @@ namespace ridgecraft::unfold {
 
 /// What a net knows of its sides, without mirror images. It must outlive the result.
 [[nodiscard]] CutFacts cut_facts(const ChangingNet& net, const TabOptions& options);
+/// The same of a patch whose tabs are looked at, whatever its tree is.
+[[nodiscard]] CutFacts cut_facts(const TabState& tabs, const TabOptions& options);
 
 /// Brings the net to a tree of less energy (NetEnergy) by simulated annealing over swaps of a cut and a fold.
 /// All its trees stay clean and fit the room if it does. Deterministic for one seed but for the deadline.

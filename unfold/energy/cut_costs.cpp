@@ -52,6 +52,11 @@ double openness(double fold_angle) {
 
 }  // namespace
 
+double seam_price(const Patch& patch, std::uint32_t side, const Weights& weights) {
+  const double borders = is_border_of_labels(patch, side) ? weights.borders : 0.0;
+  return patch.length[side] * (weights.seam + weights.open * openness(patch.fold_angle[side]) - borders);
+}
+
 CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& weights)
     : patch_(patch),
       weights_(weights),
@@ -73,10 +78,7 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
     const Vec2 a = t[(k + 1) % 3] - t[k];
     const Vec2 b = t[(k + 2) % 3] - t[k];
     corner_angle_[side] = static_cast<float>(elementary::atan2(cross(a, b), dot(a, b)));
-    price_[side] = patch.length[side] * (weights.seam + weights.open * openness(patch.fold_angle[side]));
-    if (is_border_of_labels(patch, side)) {
-      price_[side] -= weights.borders * patch.length[side];
-    }
+    price_[side] = seam_price(patch, side, weights);
     if (!facts.image_outside.empty()) {
       price_[side] -= weights.mirror * patch.length[side] * static_cast<double>(facts.image_outside[side]);
     }
@@ -141,6 +143,15 @@ void CutCosts::set_tree(const Folds& folds) {
 /// What it costs that the edge's mirror image is no cut where it is one; half of it where both are asked.
 double CutCosts::unevenness(std::uint32_t side) const {
   return is_uneven(side) ? mirror_price(side) : 0.0;
+}
+
+void CutCosts::weigh_mirror(double times) {
+  double uneven = 0.0;
+  for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+    uneven += join_of(side) == side && cut_[side] != 0 ? unevenness(side) : 0.0;
+  }
+  total_ += (times / mirror_times_ - 1.0) * uneven;
+  mirror_times_ = times;
 }
 
 /// A band has to be opened once, at its longest rung or a shorter one.

@@ -31,6 +31,10 @@ struct CutFacts {
   std::span<const std::int8_t> image_outside = {};
 };
 
+/// What an edge costs as a seam, mm: its length, more of it in the open and less in creases and hollows, less
+/// where labels meet (Weights::seam, open, borders).
+[[nodiscard]] double seam_price(const Patch& patch, std::uint32_t side, const Weights& weights);
+
 /// The cuts of a net with what each costs, in mm, kept up to date while cuts and folds are swapped:
 /// - its length to be glued, more of it in the open and less in creases and hollows (Weights::seam, open);
 /// - less of it where colours or names of the model meet, for a fold there costs what is saved
@@ -71,7 +75,9 @@ class CutCosts {
   /// What it costs, mm, that an edge is a cut and its mirror image isn't, or the other way round.
   [[nodiscard]] double mirror_price(std::uint32_t side) const {
     const std::uint32_t image = mirror_of(side);
-    return image == nothing ? 0.0 : 0.5 * weights_.mirror * (patch_.length[side] + patch_.length[image]);
+    return image == nothing
+               ? 0.0
+               : 0.5 * mirror_times_ * weights_.mirror * (patch_.length[side] + patch_.length[image]);
   }
   /// The mirror image of an edge, by a side; nothing where it has none.
   [[nodiscard]] std::uint32_t mirror_of(std::uint32_t side) const {
@@ -79,6 +85,8 @@ class CutCosts {
   }
   void keep();
   void drop();
+  /// Mirror images count so many times as much from now on, those within the patch. O(n).
+  void weigh_mirror(double times);
 
  private:
   struct Angles {
@@ -118,6 +126,7 @@ class CutCosts {
   const Weights weights_;
   const Bands bands_;
   const bool with_tabs_;
+  double mirror_times_ = 1.0;
   std::span<const std::uint32_t> mirror_;
   std::span<const std::vector<std::uint32_t>> across_;
   std::vector<std::vector<std::uint32_t>> behind_;  ///< per join: others whose tabs need it to be a fold

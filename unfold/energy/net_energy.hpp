@@ -30,6 +30,8 @@ class NetEnergy {
   [[nodiscard]] double total() const { return cut_costs_.total() + shape_cost_; }
   /// Without any term of tabs.
   [[nodiscard]] double total_without_bare() const { return cut_costs_.total_without_bare() + shape_cost_; }
+  /// Of the shapes of all pieces.
+  [[nodiscard]] double shape_cost() const { return shape_cost_; }
   [[nodiscard]] const CutCosts& cut_costs() const { return cut_costs_; }
 
   /// What a swap would add to total(); nothing where that is clearly more than `most`, where the swap isn't
@@ -41,6 +43,8 @@ class NetEnergy {
   [[nodiscard]] double rated_mirror() const { return cut_costs_.change_of_mirror(); }
   void keep();
   void drop();
+  /// Mirror images count so many times as much from now on. O(n).
+  void weigh_mirror(double times) { cut_costs_.weigh_mirror(times); }
 
   /// What rating took so far: the faces of all pieces that were measured.
   [[nodiscard]] std::uint64_t work() const { return shape_.work(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pieces a user wants: how much the terms of their cost weigh (objective.hpp measures them), and limits.
+// What pieces a user wants: how much the terms of their cost weigh (energy/ measures them), and limits.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace ridgecraft::unfold {
 
 /// What makes nets and pieces easy to build, in mm of seam that has to be glued: one energy, which all
-/// searches share. Each term has a name that users can weigh (energy/, patch/objective.hpp).
+/// searches share. Each term has a name that users can weigh (energy/, energy/piece_cost.hpp).
 struct Weights {
   double seam = 1.0;      ///< each mm of seam
   double bare = 2.0;      ///< each mm of seam without room for a tab that holds

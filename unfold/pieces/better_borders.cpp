@@ -68,6 +68,7 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
     links.push_back(3 * static_cast<std::uint32_t>(at - group.faces.begin()) + side % 3);
   }
   const LinkedPatch linked = linked_patch(patch, links);
+  const Folds apart = tree;
   for (const std::uint32_t side : links) {
     set_fold(patch, tree, side, true);
   }
@@ -76,6 +77,10 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
   CutFacts facts = cut_facts(net, options.tabs);
   const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart, mirrored);
   facts.mirror = mirror;
+  // A link stays a cut, so that its image had better be one.
+  const std::vector<std::int8_t> images_of_links =
+      images_outside(surface, linked.apart, mirrored, edges_in_forest(surface, patch, apart));
+  facts.image_outside = images_of_links;
   Annealing rules = annealing_for(options.pieces.trials_per_face, patch.size());
   if (start == Start::near) {
     rules.first_heat = heat_nearby;

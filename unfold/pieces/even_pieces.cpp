@@ -9,10 +9,10 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
+#include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/mirror_units.hpp"
 #include "unfold/search/one_piece.hpp"

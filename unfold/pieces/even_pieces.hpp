@@ -15,7 +15,7 @@ namespace ridgecraft::unfold {
 
 /// Carries the pieces of one side of the mirror plane over to the other: those that a fold joins across the
 /// plane become their own mirror image, of the others each gets one. Both sides are tried; the one that costs
-/// less (objective.hpp, and Weights::mirror for each mm of cut whose mirror image is none) is taken if it
+/// less (piece_cost.hpp, and Weights::mirror for each mm of cut whose mirror image is none) is taken if it
 /// makes no more pieces and costs no more than the forest as it was, every piece has a net without overlap
 /// (deeper than `tolerance`, mm), and those that fitted the room do. Faces without a mirror image stay with
 /// what they were with. The patch is the whole surface. Deterministic for one seed but for the deadline. O(n

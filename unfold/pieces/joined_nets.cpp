@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/objective.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -15,7 +15,7 @@ namespace ridgecraft::unfold {
 struct NetsToJoin {
   std::size_t parts = 1;                                       ///< of how many parts the two have faces
   double tolerance = 0.0;                                      ///< mm
-  double most_cost = std::numeric_limits<double>::infinity();  ///< what the one may cost (objective.hpp)
+  double most_cost = std::numeric_limits<double>::infinity();  ///< what the one may cost (piece_cost.hpp)
 };
 
 /// The patch of two pieces and its two trees: the tree that a fold over one of the longest cuts between them

@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
+#include "unfold/energy/piece_cost.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/joined_nets.hpp"
 #include "unfold/pieces/trees_together.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/joined_nets.hpp"
 #include "unfold/pieces/piece_borders.hpp"

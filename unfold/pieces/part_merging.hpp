@@ -15,7 +15,7 @@
 namespace ridgecraft::unfold {
 
 /// Replaces two neighbouring pieces by one net of both where there is one without overlap (deeper than
-/// `tolerance`, mm) that fits the room and costs less than the two (objective.hpp), the smallest pieces
+/// `tolerance`, mm) that fits the room and costs less than the two (piece_cost.hpp), the smallest pieces
 /// first, until there are no such neighbours. The patch is the whole surface; `part`: of each of its faces.
 /// Panels stay whole. Deterministic for one seed but for the deadline.
 [[nodiscard]] Folds merge_parts(const Patch& patch, std::span<const PartId> part, const Folds& folds,

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "unfold/energy/bands.hpp"
+#include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/objective.hpp"
 #include "unfold/patch/sub_patch.hpp"
 
 namespace ridgecraft::unfold {
@@ -102,8 +102,8 @@ class RaggedPieces {
     for (std::size_t i = 1; i < outline.size(); ++i) {
       const double fold = patch_.length[tree.up[i]];
       const double saved = outline_cost(outline[0], weights_) - outline_cost(outline[i] + fold, weights_) -
-                           outline_cost(outline[0] - outline[i] + fold, weights_) - weights_.seam * fold +
-                           (is_border_of_labels(patch_, tree.up[i]) ? weights_.borders * fold : 0.0);
+                           outline_cost(outline[0] - outline[i] + fold, weights_) -
+                           seam_price(patch_, tree.up[i], weights_);
       if (patch_.frozen[tree.up[i]] == 0 && !is_rung(tree.up[i]) && saved > 0.0) {
         found.emplace_back(-saved, i);
       }

@@ -11,7 +11,7 @@
 
 namespace ridgecraft::unfold {
 
-/// Cuts pieces at a fold where both sides together cost less than the one (objective.hpp), as long as there
+/// Cuts pieces at a fold where both sides together cost less than the one (piece_cost.hpp), as long as there
 /// are such folds: mostly at necks, where little seam parts a long outline. The fold that saves most goes
 /// first. The patch is the whole surface; `part`: of each of its faces. Folds in panels stay, and so
 /// do pieces with a stretch of a wall that goes round (energy/bands.hpp).

@@ -157,11 +157,25 @@ SettledTrees TreesTogether::settled(const Patch& patch, const Folds& forest) {
   ChangingNet net(surface_, panels_, linked.apart, linked.joined, tree, options_.tabs, tolerance_);
   const CutFacts facts = cut_facts(net, options_.tabs);
   anneal(net, facts, room_, options_.pieces.weights, rules, random_.next(), context_);
-  NetEnergy energy(net.patch(), net.tree(), facts, room_, options_.pieces.weights);
-  energy.set_tree();
-  SettledTrees result{net.folds(), energy.total()};
-  set_folds(patch, result.folds, links, false);
-  return result;
+  Folds folds = net.folds();
+  set_folds(patch, folds, links, false);
+  const NetEnergy linked_energy(net.patch(), net.tree(), facts, room_, options_.pieces.weights);
+  const double energy = linked_energy.shape_cost() + cost_of_cuts(patch, folds, net);
+  return {std::move(folds), energy};
+}
+
+/// What the cuts of a forest cost, links among them: those are no cuts to the energy of linked trees, and
+/// forests of more trees have more of them.
+double TreesTogether::cost_of_cuts(const Patch& patch, const Folds& forest, ChangingNet& net) const {
+  CutFacts facts;
+  std::optional<TabState> tabs;
+  if (options_.tabs.wanted) {
+    tabs.emplace(surface_, panels_, patch, net.tree(), options_.tabs);
+    facts = cut_facts(*tabs, options_.tabs);
+  }
+  CutCosts costs(patch, facts, options_.pieces.weights);
+  costs.set_tree(forest);
+  return costs.total();
 }
 
 }  // namespace ridgecraft::unfold

@@ -17,6 +17,7 @@
 #include "unfold/patch/linked_patch.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/room.hpp"
+#include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -59,6 +60,7 @@ class TreesTogether {
   [[nodiscard]] std::optional<Folds> parted(const Patch& patch, Folds tree,
                                             const std::vector<std::uint32_t>& links) const;
   [[nodiscard]] Folds fitted(const LinkedPatch& linked, const Folds& tree);
+  [[nodiscard]] double cost_of_cuts(const Patch& patch, const Folds& forest, ChangingNet& net) const;
 
   static constexpr std::uint64_t heat_budget = 400'000;
   static constexpr std::uint64_t fit_budget = 400'000;

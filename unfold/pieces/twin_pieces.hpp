@@ -32,7 +32,7 @@ using TwinPieces = std::vector<std::vector<TwinPiece>>;
 /// were equal no more. O(n).
 [[nodiscard]] Patch with_twins_apart(const Patch& patch, const Folds& folds, const TwinPieces& twins);
 
-/// The tree that costs least (patch/objective.hpp) of those that twins have for all of a kind, where it is
+/// The tree that costs least (energy/piece_cost.hpp) of those that twins have for all of a kind, where it is
 /// clean and fits the room. O(n log n).
 [[nodiscard]] Folds with_equal_twins(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
                                      const TwinPieces& twins, const Room& room, const Weights& weights);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a piece costs its maker: the terms of piece_rules.hpp, measured.
+// What a piece costs its maker: the terms of piece_rules.hpp, but for those that depend on tabs and on what
+// other pieces are (bare, mirror).
 #pragma once
 
 #include <cstddef>
@@ -7,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "unfold/energy/cut_costs.hpp"
 #include "unfold/net/piece_rules.hpp"
 #include "unfold/patch/patch.hpp"
 
@@ -30,7 +32,8 @@ class PieceCost {
  private:
   const Patch& piece_;
   Weights weights_;
-  double least_;                      ///< whatever the tree is
+  CutCosts cuts_;                     ///< without tabs
+  double any_tree_;                   ///< whatever the tree is, with the outline's seams
   double border_ = 0.0;               ///< outline that belongs to other pieces or to none, mm
   std::vector<double> area_;          ///< of each face, mm2
   double whole_area_ = 0.0;           ///< of all

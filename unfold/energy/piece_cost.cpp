@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/patch/objective.hpp"
+#include "unfold/energy/piece_cost.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,17 +47,15 @@ double thinness(const Patch& piece, const Folds& folds, const RootedTree& tree,
   return thin;
 }
 
-/// What the folds of a tree cost where labels meet.
-double fold_cost_at_borders(const Patch& piece, const Folds& tree, const Weights& weights) {
-  double folded = 0.0;
-  for (std::uint32_t side = 0; side < tree.size(); ++side) {
-    folded += tree[side] != 0 && is_border_of_labels(piece, side) ? 0.5 * piece.length[side] : 0.0;
-  }
-  return weights.borders * folded;
-}
-
 double square(double x) {
   return x * x;
+}
+
+/// What a piece of these faces costs beside its seams and its shape.
+double cost_of_any_tree(const Patch& piece, std::size_t parts, const Weights& weights) {
+  return weights.pieces + weights.parts * static_cast<double>(parts - 1) +
+         weights.small * std::max(0.0, 1.0 - std::sqrt(area_of(piece)) / handy_mm) +
+         weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
 }
 
 }  // namespace
@@ -68,24 +66,31 @@ double outline_cost(double outline, const Weights& weights) {
 
 double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights& weights) {
   double outline = 0.0;
-  for (std::size_t side = 0; side < piece.twin.size(); ++side) {
-    outline += piece.twin[side] == nothing ? piece.length[side] : 0.0;
+  double seams = 0.0;
+  for (std::uint32_t side = 0; side < piece.twin.size(); ++side) {
+    // Each cut has two sides; those of another piece count there.
+    const double half = 0.5 * seam_price(piece, side, weights);
+    if (piece.twin[side] == nothing) {
+      outline += piece.length[side];
+      seams += half;
+    } else {
+      seams += std::min(0.0, half);  // a cut that is wanted
+    }
   }
-  // Each cut has two sides; those of another piece count there.
-  return weights.pieces + weights.seam * 0.5 * outline + outline_cost(outline, weights) +
-         weights.parts * static_cast<double>(parts - 1) +
-         weights.small * std::max(0.0, 1.0 - std::sqrt(area_of(piece)) / handy_mm) +
-         weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
+  return cost_of_any_tree(piece, parts, weights) + seams + outline_cost(outline, weights);
 }
-
 PieceCost::PieceCost(const Patch& piece, std::size_t parts, const Weights& weights)
     : piece_(piece),
       weights_(weights),
-      least_(least_cost_of_piece(piece, parts, weights)),
+      cuts_(piece, {}, weights),
+      any_tree_(cost_of_any_tree(piece, parts, weights)),
       narrow_(narrow_sides(piece)),
       place_(piece.size(), nothing) {
-  for (std::size_t side = 0; side < piece.twin.size(); ++side) {
-    border_ += piece.twin[side] == nothing ? piece.length[side] : 0.0;
+  for (std::uint32_t side = 0; side < piece.twin.size(); ++side) {
+    if (piece.twin[side] == nothing) {
+      border_ += piece.length[side];
+      any_tree_ += 0.5 * seam_price(piece, side, weights);
+    }
   }
   for (const Triangle& t : piece.shape) {
     area_.push_back(area_of(t));
@@ -103,9 +108,8 @@ double PieceCost::of(const Folds& tree, std::span<const Vec2> hull) {
     hull_area += 0.5 * cross(hull[i] - hull[0], hull[i + 1] - hull[0]);
   }
   const double hollow = std::max(0.0, hull_area - whole_area_) / 100.0;
-  const double outline = outline_cost(border_ + 2.0 * cut, weights_) - outline_cost(border_, weights_);
-  return least_ + outline + weights_.seam * cut + fold_cost_at_borders(piece_, tree, weights_) +
-         weights_.compact * hollow +
+  cuts_.set_tree(tree);
+  return any_tree_ + cuts_.total() + outline_cost(border_ + 2.0 * cut, weights_) + weights_.compact * hollow +
          weights_.thin * thinness(piece_, tree, rooted_tree(piece_, tree, 0, place_), area_, narrow_);
 }
 
