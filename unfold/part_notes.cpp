@@ -27,11 +27,11 @@ std::vector<PieceId> pieces_of_part(FaceId face, const Nets& nets) {
   return pieces;
 }
 
-/// "the part of A and C", "the parts of A and C; D": parts by their pieces.
+/// "the part of A and C", "each of the parts of A and C; D": parts by their pieces.
 std::string names_of(std::vector<std::vector<PieceId>> parts, const Nets& nets) {
   std::sort(parts.begin(), parts.end());
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  std::string text = parts.size() == 1 ? "the part of " : "the parts of ";
+  std::string text = parts.size() == 1 ? "the part of " : "each of the parts of ";
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i == most_names && parts.size() > most_names + 1) {
       return text + "; and " + std::to_string(parts.size() - most_names) + " more";

@@ -53,6 +53,7 @@ void note_broken_wishes(const EdgeWishes& wishes, Nets& nets) {
   for (const EdgeId e : ids<EdgeId>(wishes.size())) {
     broken += wishes[e] == EdgeWish::keep && nets.use[e] == EdgeUse::cut ? 1U : 0U;
   }
+  nets.broken_wishes = broken;
   if (broken > 0) {
     nets.notes.push_back(std::to_string(broken) + (broken == 1 ? " edge that was" : " edges that were") +
                          " to be kept are cut: as folds they would close a loop, overlap or fit no page");

@@ -64,9 +64,13 @@ std::string model_line(const job::Paper& made) {
     clauses.push_back(details_text(made.ready.left_out) + " left out");
   }
   if (skin.united > 0) {
-    clauses.push_back(fmt::format(
-        "{} united into {}{}", counted_bodies(skin.united), skin.united_into,
-        skin.faces_hidden > 0 ? fmt::format(", {} dropped", counted(skin.faces_hidden, "hidden face")) : ""));
+    const std::string united =
+        skin.united_into < skin.united
+            ? fmt::format("{} united into {}", counted_bodies(skin.united), skin.united_into)
+            : counted_bodies(skin.united) + " made one skin where they meet";
+    clauses.push_back(united + (skin.faces_hidden > 0
+                                    ? fmt::format(", {} dropped", counted(skin.faces_hidden, "hidden face"))
+                                    : std::string()));
   }
   if (report.faces_after < report.faces_before && report.deviation_mm >= seen_mm) {
     clauses.push_back(fmt::format("simplified from {} to {} faces, moved by at most {:.2f} mm",
@@ -116,6 +120,11 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
                                                        ? " had no room at its edge and stands in a list"
                                                        : " had no room at their edges and stand in a list"));
   }
+  if (made.nets.broken_wishes > 0) {
+    clauses.push_back(counted(made.nets.broken_wishes, "edge") + " that " +
+                      (made.nets.broken_wishes == 1 ? "was" : "were") + " to be kept " +
+                      (made.nets.broken_wishes == 1 ? "is" : "are") + " cut all the same");
+  }
   if (made.skin.left_crossing > 0) {
     clauses.push_back(counted_bodies(made.skin.left_crossing) + " run into each other");
   }
@@ -147,7 +156,7 @@ std::string next_line(const PaperResult& result) {
   } else if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
     clauses.emplace_back("a larger --size or fewer --faces make it easier");
   } else if (made.share_saving_a_page) {
-    clauses.push_back(fmt::format("--size {:.0f}mm saves a page", size_saving_a_page(made)));
+    clauses.push_back(fmt::format("--size {:.0f}mm may save a page", size_saving_a_page(made)));
   }
   if (made.ground) {
     clauses.push_back("--without '" + *made.ground + "' leaves the ground out");

@@ -235,7 +235,7 @@ void add_equal_pieces(Summary& summary, const unfold::Nets& nets,
     }
   }
   if (kinds.size() > most_kinds) {
-    text += fmt::format("; {} more kinds", kinds.size() - most_kinds);
+    text += "; " + counted(kinds.size() - most_kinds, "more kind");
   }
   summary.add("equal_pieces", std::move(list), Line::equal, "equal", std::move(text));
 }

@@ -141,7 +141,7 @@ void add_page_saving(Summary& summary, const job::Paper& made) {
   const double share = *made.share_saving_a_page;
   const double size = size_saving_a_page(made);
   summary.add("size_saving_a_page_mm", size, Line::hint, "hint",
-              fmt::format("at {:.0f} % of this size these pieces would take a page less: --size {:.0f}mm",
+              fmt::format("at {:.0f} % of this size such pieces would take a page less: --size {:.0f}mm",
                           100.0 * share, size),
               "mm");
 }

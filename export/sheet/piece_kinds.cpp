@@ -25,6 +25,14 @@ class Names {
  public:
   Names(const prepare::Prepared& prepared, const unfold::Nets& nets) : model_(prepared.model), nets_(nets) {
     const mesh::Model& model = prepared.model;
+    for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+      for (const FaceId f : nets.pieces[p].faces) {
+        const std::string& name = model.object_name(f);
+        Objects& objects = objects_of_name_[without_number(name)];
+        objects.names.insert(name);
+        objects.pieces.insert(p);
+      }
+    }
     for (const FaceId f : ids<FaceId>(model.material.size())) {
       if (model.material[f] != mesh::Soup::none) {
         pieces_of_material_[model.material[f]].insert(nets.piece[f]);
@@ -32,10 +40,13 @@ class Names {
     }
   }
 
-  /// The name that all faces of these pieces share; empty where there is none.
+  /// The name that all faces of these pieces share, where they are all that is called so, or one of each
+  /// object: "4 x car" would be four cars. Empty elsewhere.
   [[nodiscard]] std::string of_objects(const std::vector<unfold::EqualPiece>& kind) const {
     std::set<std::string> names;
+    std::set<PieceId> pieces;
     for (const unfold::EqualPiece& equal : kind) {
+      pieces.insert(equal.piece);
       for (const FaceId f : nets_.pieces[equal.piece].faces) {
         names.insert(without_number(model_.object_name(f)));
         if (names.size() > 1) {
@@ -43,7 +54,8 @@ class Names {
         }
       }
     }
-    return *names.begin();
+    const Objects& objects = objects_of_name_.at(*names.begin());
+    return objects.pieces == pieces || objects.names.size() == pieces.size() ? *names.begin() : std::string();
   }
 
   [[nodiscard]] std::string of_material(const std::vector<unfold::EqualPiece>& kind) const {
@@ -67,8 +79,15 @@ class Names {
   }
 
  private:
+  /// What is called by one name but for a number.
+  struct Objects {
+    std::set<std::string> names;
+    std::set<PieceId> pieces;
+  };
+
   const mesh::Model& model_;
   const unfold::Nets& nets_;
+  std::map<std::string, Objects> objects_of_name_;
   std::map<std::uint32_t, std::set<PieceId>> pieces_of_material_;
 };
 

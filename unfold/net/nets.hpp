@@ -110,6 +110,9 @@ struct Nets {
   IdVector<TabId, Tab> tabs;
   /// Kinds of pieces that there are several of, tabs and folds and all (equal_pieces.hpp).
   std::vector<std::vector<EqualPiece>> equal;
+  /// Edges that were to be kept (EdgeWish::keep) and are cut: as folds they would close a loop, overlap or
+  /// fit no page.
+  std::size_t broken_wishes = 0;
   /// Facts about the search that a report tells: seconds are kept out, so that two runs give the same bytes.
   std::vector<std::string> notes;
 };
