@@ -55,7 +55,7 @@ std::vector<Task> make_tasks(const Asked& asked, const Plan& plan) {
 }
 
 /// What a task came to: written to the faces of the surface that are its own.
-void put_back(const Task& task, const Patch& patch, const PatchNets& nets, UnfoldedParts& result) {
+void take_over(const Task& task, const Patch& patch, const PatchNets& nets, UnfoldedParts& result) {
   const Layout layout = lay_out(patch, nets.folds);
   for (std::uint32_t f = 0; f < patch.size(); ++f) {
     const std::uint32_t face = task.faces[f].value();
@@ -93,7 +93,7 @@ UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& 
         const std::uint64_t seed = Random::stream(context.seed, i).next();
         PatchNets nets = unfold_patch(patch, plan.room, asked.options.panel_cuts, net_tolerance(patch.extent),
                                       seed, plan.in_a_hurry ? Effort::brief : Effort::full, own);
-        put_back(tasks[i], patch, nets, result);
+        take_over(tasks[i], patch, nets, result);
         notes[i] = std::move(nets.notes);
       },
       [&](std::size_t done) {

@@ -52,7 +52,9 @@ class NetsTold {
   }
 
  private:
-  Value value(auto verify::Figures::*figure) const { return figures_ ? Value((*figures_).*figure) : Value(); }
+  [[nodiscard]] [[nodiscard]] Value value(auto verify::Figures::*figure) const {
+    return figures_ ? Value((*figures_).*figure) : Value();
+  }
 
   const std::optional<verify::Figures>& figures_;
   Summary& summary_;
@@ -117,7 +119,7 @@ void add_figures(const std::optional<verify::Figures>& figures, Summary& summary
   });
 }
 
-void add_folding(const verify::FoldingFigures& folding, Summary& summary) {
+void add_folding_figures(const verify::FoldingFigures& folding, Summary& summary) {
   summary.add("pieces_to_fold_with_care", list_of(folding.with_care), Line::nets, "with care",
               folding.with_care.empty()
                   ? ""
@@ -214,7 +216,7 @@ Summary summary(const std::string& file, const verify::Report& report) {
   Summary summary(title_of(file, report.figures));
   add_figures(report.figures, summary);
   if (report.folding) {
-    add_folding(*report.folding, summary);
+    add_folding_figures(*report.folding, summary);
   }
   if (report.model) {
     add_model(*report.model, summary);

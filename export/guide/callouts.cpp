@@ -24,7 +24,7 @@ struct Column {
   bool left = true;
 };
 
-bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+bool leaders_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
   return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
 }
@@ -98,7 +98,7 @@ void add_column(Column column, const CalloutColumns& columns, Group& group) {
     changed = false;
     for (std::size_t i = 0; i < callouts.size(); ++i) {
       for (std::size_t j = i + 1; j < callouts.size(); ++j) {
-        if (cross_each_other(end(i), callouts[i].anchor, end(j), callouts[j].anchor)) {
+        if (leaders_cross(end(i), callouts[i].anchor, end(j), callouts[j].anchor)) {
           std::swap(callouts[i], callouts[j]);
           changed = true;
         }

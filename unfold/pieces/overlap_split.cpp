@@ -64,7 +64,7 @@ class Tree {
 };
 
 /// A connected part of a tree, with the conflicts inside it.
-struct Branch {
+struct OpenPart {
   std::vector<std::uint32_t> places;  ///< ascending, so parents come first
   std::vector<Conflict> conflicts;
 };
@@ -77,14 +77,14 @@ class TreeCutter {
       : patch_(patch), tree_(tree), result_(result), hits_(tree.size(), 0), inside_(tree.size(), 0) {}
 
   void run(std::vector<Conflict> conflicts) {
-    Branch whole;
+    OpenPart whole;
     whole.places.resize(tree_.size());
     std::iota(whole.places.begin(), whole.places.end(), 0U);
     whole.conflicts = std::move(conflicts);
-    std::vector<Branch> open;
+    std::vector<OpenPart> open;
     open.push_back(std::move(whole));
     while (!open.empty()) {
-      Branch branch = std::move(open.back());
+      OpenPart branch = std::move(open.back());
       open.pop_back();
       if (!branch.conflicts.empty()) {
         count_hits(branch);
@@ -98,7 +98,7 @@ class TreeCutter {
 
  private:
   /// How many conflicts' paths run over the fold at each place. O(size of the branch).
-  void count_hits(const Branch& branch) {
+  void count_hits(const OpenPart& branch) {
     for (const std::uint32_t i : branch.places) {
       hits_[i] = 0;
     }
@@ -122,7 +122,7 @@ class TreeCutter {
     return key(a) != key(b) ? key(a) > key(b) : a < b;
   }
 
-  [[nodiscard]] std::uint32_t best_cut(const Branch& branch) const {
+  [[nodiscard]] std::uint32_t best_cut(const OpenPart& branch) const {
     std::uint32_t best = branch.places[1];
     for (std::size_t k = 2; k < branch.places.size(); ++k) {
       best = better(branch.places[k], best) ? branch.places[k] : best;
@@ -131,13 +131,13 @@ class TreeCutter {
   }
 
   /// Takes what lies below a cut off a branch. Conflicts across the cut are none any more.
-  Branch taken_off(Branch& branch, std::uint32_t cut) {
+  OpenPart taken_off(OpenPart& branch, std::uint32_t cut) {
     inside_[branch.places.front()] = 0;
     for (std::size_t k = 1; k < branch.places.size(); ++k) {
       const std::uint32_t i = branch.places[k];
       inside_[i] = i == cut || inside_[tree_.parent(i)] != 0 ? 1 : 0;
     }
-    Branch below;
+    OpenPart below;
     std::copy_if(branch.places.begin(), branch.places.end(), std::back_inserter(below.places),
                  [&](std::uint32_t i) { return inside_[i] != 0; });
     std::copy_if(branch.conflicts.begin(), branch.conflicts.end(), std::back_inserter(below.conflicts),
