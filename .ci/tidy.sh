@@ -1,74 +1,68 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# tidy.sh BUILD [BASE]: clang-tidy, as .clang-tidy says, on the lines that differ from BASE, compiled as in a build folder.
-# BASE is where the branch left main; on main itself the commit before. Precompiled headers are left out: so a file that
+# tidy.sh CLANG_BUILD GCC_BUILD [COMMIT | all]: clang-tidy, as the files .clang-tidy say, on all code outside tests/, whatever
+# has changed, compiled as in two build folders: the one of the preset clang, which makes a unit of a folder's files (so all
+# of it takes four minutes of a processor), and for the Python module one of the preset test. Each of the tests is a unit,
+# so only those are looked at that differ from COMMIT, by default the one in .ci/tests-tidied, when all of them were clean;
+# where git doesn't have it (a clone may be shallow), that is told. Precompiled headers are left out: so a folder that
 # doesn't name what it uses is found, too.
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install-packages.sh tests/clang-packages.txt
-build=$1
+clang=$1
+gcc=$2
+since=${3:-$(cat .ci/tests-tidied)}
 limit_s=420
 
-base=${2:-}
-if [ -z "$base" ]; then
-  for main in origin/main main; do
-    base=$(git merge-base "$main" HEAD 2>/dev/null) || continue
-    [ "$base" = "$(git rev-parse HEAD)" ] || break
-    base=
-  done
+changed=$(mktemp)
+trap 'rm -f "$changed"' EXIT
+if [ "$since" = all ]; then
+  git ls-files 'tests/*.cpp' 'tests/*.hpp' >"$changed"
+elif git cat-file -e "$since^{commit}" 2>/dev/null; then
+  git diff --name-only --diff-filter=d "$since" -- 'tests/*.cpp' 'tests/*.hpp' >"$changed"
+else
+  echo "tidy: without the tests, as git doesn't have commit $since here" >&2
 fi
-[ -n "$base" ] || base=$(git rev-parse -q --verify HEAD~1) || {
-  echo "tidy: no earlier commit to compare with" >&2
-  exit 0
-}
 
-# What the build knows of; a changed header is looked at with the source of its name, other headers not at all.
-git diff -U0 --no-prefix --diff-filter=d "$base" -- '*.cpp' '*.hpp' >"$build/tidy.diff"
-python3 - "$build/compile_commands.json" "$build/tidy.diff" "$limit_s" <<'END'
+python3 - "$clang" "$gcc" "$changed" "$limit_s" <<'END'
 import concurrent.futures, json, os, re, subprocess, sys, tempfile, time
 
-database, limit = json.load(open(sys.argv[1])), float(sys.argv[3])
-changed = {}
-for line in open(sys.argv[2], errors="replace"):
-    if line.startswith("+++ "):
-        lines = changed.setdefault(line[4:].split("\t")[0].strip(), [])
-    elif at := re.match(r"@@ \S+ \+(\d+)(?:,(\d+))? @@", line):
-        first, count = int(at[1]), int(at[2] or 1)
-        if count > 0:
-            lines.append([first, first + count - 1])
-for entry in database:
-    entry["command"] = re.sub(r" -Winvalid-pch|( -Xclang)? -include(-pch)? *( -Xclang)? *\S*cmake_pch\S*", "", entry["command"])
-known = {os.path.relpath(entry["file"]): entry for entry in database}
-wanted = {name if name.endswith(".cpp") else name[:-3] + "cpp" for name in changed}
-files = sorted(wanted & known.keys())
-line_filter = json.dumps([{"name": name, "lines": lines} for name, lines in changed.items() if lines])
-# GCC's settings; CGAL 5.5 has templates that clang can't read before somebody uses them.
-extra = ["--extra-arg=" + word for word in (
-    "-Wno-unknown-warning-option", "-Wno-c2y-extensions", "-Wno-double-promotion", "-Wno-deprecated-declarations",
-    "-fdelayed-template-parsing", "-Wno-delayed-template-parsing-in-cxx20")]
-until = time.monotonic() + limit
+clang, gcc, changed, limit = sys.argv[1:]
+# A changed header of the tests is looked at with the source of its name.
+changed = {re.sub(r"\.hpp$", ".cpp", name) for name in open(changed).read().split()}
+entries = [entry for entry in json.load(open(f"{clang}/compile_commands.json"))
+           if not (test := os.path.relpath(entry["file"])).startswith("tests/") or test in changed]
+entries += [entry for entry in json.load(open(f"{gcc}/compile_commands.json"))
+            if os.path.relpath(entry["file"]).startswith("python/")]
+for entry in entries:
+    entry["command"] = re.sub(r" -Winvalid-pch|( -Xclang)? -include(-pch)? *( -Xclang)? *\S*cmake_pch\S*| -fpch-\S*", "",
+                              entry["command"])
+# Once where several targets compile the same file. Those that CMake compiles for precompiled headers are nobody's.
+files = sorted({entry["file"] for entry in entries if "cmake_pch" not in entry["file"]})
+until = time.monotonic() + float(limit)
 
 
 def look(file):
+    """What is to be mended in a file; None where there was no time left."""
     if time.monotonic() > until:
-        return file, None
+        return None
     run = subprocess.run(
-        ["clang-tidy-22", "--quiet", "--warnings-as-errors=*", "--line-filter=" + line_filter, "-p", folder, *extra, file],
+        ["clang-tidy-22", "--quiet", "--warnings-as-errors=*", "--extra-arg=-Wno-unknown-warning-option", "-p", folder]
+        # Units lie in the build folder, where no settings are found.
+        + (["--config-file=.clang-tidy"] if f"{os.sep}Unity{os.sep}" in file else []) + [file],
         capture_output=True, text=True)
-    return file, (run.returncode, run.stdout + run.stderr)
+    return "" if run.returncode == 0 else f"{file}\n{run.stdout}{run.stderr}"
 
 
 with tempfile.TemporaryDirectory() as folder:
-    json.dump(database, open(os.path.join(folder, "compile_commands.json"), "w"))
+    json.dump(entries, open(f"{folder}/compile_commands.json", "w"))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        told = dict(pool.map(look, files))
-bad = {file: said[1] for file, said in told.items() if said and said[0] != 0}
-for said in bad.values():
-    print(said, file=sys.stderr)
+        told = dict(zip(files, pool.map(look, files)))
+bad = [said for said in told.values() if said]
 late = [file for file, said in told.items() if said is None]
-print(f"tidy: {len(files) - len(late)} of {len(files)} changed files looked at, {len(bad)} with something to mend",
-      file=sys.stderr)
+print(*bad, sep="\n", end="", file=sys.stderr)
+print(f"tidy: {len(files) - len(late)} of {len(files)} units looked at, {len(bad)} with something to mend", file=sys.stderr)
 if late:
     print("tidy: no time left for " + " ".join(late), file=sys.stderr)
-sys.exit(1 if bad or late else 0)
+sys.exit(1 if bad or late or not files else 0)
 END

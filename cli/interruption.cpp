@@ -18,6 +18,7 @@ constexpr int wake_up = SIGURG;
 constexpr timespec grace{0, 500'000'000};
 
 /// For signal handlers, where no thread could be had.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a handler knows nothing else
 Interruption* without_thread = nullptr;
 
 }  // namespace

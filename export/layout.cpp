@@ -98,8 +98,8 @@ void separate_collisions(const std::vector<PackingShape>& shapes, Pages& pages) 
     }
   }
   std::vector<bool> moved(shapes.size());
-  for (auto& polygons : on_page) {
-    const auto pairs = too_near(std::move(polygons), pages.paper.gap - gap_rounding_mm);
+  for (const auto& polygons : on_page) {
+    const auto pairs = too_near(polygons, pages.paper.gap - gap_rounding_mm);
     RIDGECRAFT_ASSERT(pairs.empty());
     for (const auto& [first, second] : pairs) {
       if (!moved[first] && !moved[second]) {

@@ -259,7 +259,7 @@ EdgeWishes wishes_of(const EdgeRequests& edges, const prepare::Prepared& prepare
   if (cut.empty() && keep.empty()) {
     return wishes;
   }
-  const EdgeWishes asked = wishes_asked(prepared, cut, keep, context, notes);
+  EdgeWishes asked = wishes_asked(prepared, cut, keep, context, notes);
   if (wishes.empty()) {
     return asked;
   }

@@ -49,11 +49,9 @@ Shape house() {
   // Both ends in two: the wall, which has a window, and the gable with the eaves.
   for (const bool at_right : {false, true}) {
     const Ring outline = at_right ? reversed(slices.back()) : slices.front();
-    const Ring wall_end = at_right ? Ring{outline[6], outline[0], outline[1], outline[5]}
-                                   : Ring{outline[6], outline[0], outline[1], outline[5]};
-    const Index end = shape.face(wall_end, wall);
+    const Index end = shape.face({outline[6], outline[0], outline[1], outline[5]}, wall);
     shape.face({outline[1], outline[2], outline[3], outline[4], outline[5]}, wall);
-    set_window(shape, end, at_right ? Vec2{0.3, 0.32} : Vec2{0.3, 0.32}, {0.7, 0.78}, glass);
+    set_window(shape, end, {0.3, 0.32}, {0.7, 0.78}, glass);
   }
   // The chimney stands on the front roof and ends level.
   const Index base = grid.face(3, front_roof);

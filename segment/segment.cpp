@@ -81,6 +81,7 @@ std::vector<PartTask> components_of(const Ground& ground, Cutter& cutter) {
 }
 
 /// By value: the hull, which is larger than what is kept of it, goes with the argument.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 Part described(MeasuredPart measured, const ScaledSurface& scaled) {
   Part part;
   part.faces.reserve(measured.facets.size());

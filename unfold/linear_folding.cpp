@@ -11,7 +11,7 @@
 
 namespace ridgecraft::unfold {
 
-LinearFolding fold_together(const Plan& plan, const Patch& patch, Folds folds, Causes causes,
+LinearFolding fold_together(const Plan& plan, const Patch& patch, const Folds& folds, Causes causes,
                             const Context& context) {
   LinearSplit split =
       split_to_fold_together(patch, folds, plan.room, net_tolerance(patch.extent), context.seed, context);

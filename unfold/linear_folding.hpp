@@ -20,8 +20,8 @@ struct LinearFolding {
 
 /// Splits pieces of these folds as pieces/linear_split.hpp does. `patch`: whole_patch. Throws
 /// Error(interrupted).
-[[nodiscard]] LinearFolding fold_together(const Plan& plan, const Patch& patch, Folds folds, Causes causes,
-                                          const Context& context);
+[[nodiscard]] LinearFolding fold_together(const Plan& plan, const Patch& patch, const Folds& folds,
+                                          Causes causes, const Context& context);
 
 /// What that came to, of finished nets, as notes of theirs: how many pieces were split off, and how many
 /// don't fold so all the same.

@@ -194,8 +194,7 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
                       : AllTabs{std::move(found.folds), std::move(found.causes)};
   std::size_t split_off_to_fold = 0;
   if (options.pieces.fold_linear) {
-    LinearFolding linear =
-        fold_together(plan, patch, std::move(split.folds), std::move(split.causes), context);
+    LinearFolding linear = fold_together(plan, patch, split.folds, std::move(split.causes), context);
     split.folds = std::move(linear.folds);
     split.causes = std::move(linear.causes);
     split_off_to_fold = linear.split_pieces;

@@ -65,7 +65,6 @@ class MachineSvg {
   /// Programs honour empty layers in ways of their own, so there are none.
   void group(Operation operation) {
     std::vector<std::string> lines;
-    std::string color;
     for (const Path& path : paths_) {
       if (path.operation == operation) {
         lines.push_back(outline(path));

@@ -180,7 +180,8 @@ class PdfAssembler {
   }
 
   template <class Wanted>
-  QPDFObjectHandle layers(Wanted wanted) const {
+  [[nodiscard]] [[nodiscard]] [[nodiscard]] [[nodiscard]] [[nodiscard]] QPDFObjectHandle layers(
+      Wanted wanted) const {
     QPDFObjectHandle list = QPDFObjectHandle::newArray();
     for (const auto& [layer, group] : groups_) {
       if (wanted(layer)) {

@@ -122,7 +122,7 @@ class StepPages {
     return std::binary_search(pieces.begin(), pieces.end(), piece);
   }
 
-  std::vector<StepScene> choose_sides(const Context& context) const {
+  [[nodiscard]] std::vector<StepScene> choose_sides(const Context& context) const {
     std::vector<StepScene> scenes;
     IdVector<PieceId, bool> standing(guide_.nets->pieces.size(), false);
     std::size_t side = 0;

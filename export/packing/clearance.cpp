@@ -53,7 +53,7 @@ double convex_distance(std::span<const Vec2> a, std::span<const Vec2> b) {
   return nearest;
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> too_near(std::vector<OwnedPolygon> polygons,
+std::vector<std::pair<std::uint32_t, std::uint32_t>> too_near(const std::vector<OwnedPolygon>& polygons,
                                                               double gap) {
   struct Item {
     Box2 box;

@@ -23,6 +23,6 @@ struct OwnedPolygon {
 /// Pairs of owners of which some polygons are nearer to each other than `gap`, each once, the smaller number
 /// first, ascending. A sweep over x: O(n log n) and the pairs whose boxes are near each other.
 [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> too_near(
-    std::vector<OwnedPolygon> polygons, double gap);
+    const std::vector<OwnedPolygon>& polygons, double gap);
 
 }  // namespace ridgecraft::paper

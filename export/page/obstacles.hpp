@@ -72,7 +72,7 @@ class Obstacles {
   /// Calls visit(cell) for each cell that the rectangle touches until it returns true; whether one did.
   template <class Visit>
   bool any_cell(const Box2& bounds, Visit visit) const;
-  std::vector<std::uint32_t> cells_of(const Box2& bounds) const;
+  [[nodiscard]] std::vector<std::uint32_t> cells_of(const Box2& bounds) const;
 
   Vec2 size_;
   std::uint32_t columns_ = 1;

@@ -41,7 +41,7 @@ class FaceReader {
     v_ = corners_[2] - corners_[0];
   }
 
-  FaceColours read() const {
+  [[nodiscard]] FaceColours read() const {
     FaceColours colours;
     if (normal_ == Vec3{}) {
       colours.flat = look_.flat_colour(look_.nearest(corners_[0], normal_).face);

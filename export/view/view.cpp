@@ -261,9 +261,9 @@ class Looker {
     for (const std::uint32_t i : members) {
       PlanarSet own;
       own.insert(on_grid(faces_[i]));
-      seen.insert(crossing ? without(std::move(own), before_[i]) : own);
+      seen.insert(crossing ? without(own, before_[i]) : own);
     }
-    return crossing ? seen : without(std::move(seen), covers);
+    return crossing ? seen : without(seen, covers);
   }
 
   void add_area(const SeenFace& face, const PlanarSet& seen) {

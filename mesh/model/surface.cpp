@@ -8,6 +8,8 @@
 
 namespace ridgecraft::mesh {
 
+// By value: who gives the faces away needn't hold them beside the corners that they become.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 Surface::Surface(std::vector<Vec3> points, std::vector<std::array<VertexId, 3>> faces)
     : points_(std::move(points)) {
   corners_.reserve(3 * faces.size());

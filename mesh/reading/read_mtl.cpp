@@ -153,10 +153,10 @@ bool MaterialFiles::read(const fs::path& file) {
   try {
     const std::string bytes = read_file(file);
     entry->second = read_definitions(bytes, file.parent_path(), definitions_);
+    return entry->second;
   } catch (const Error&) {
-    // Remarked on by the caller, like a file that isn't there.
+    return false;  // remarked on by the caller, like a file that isn't there
   }
-  return entry->second;
 }
 
 void MaterialFiles::apply(std::string_view name, Material& material) {

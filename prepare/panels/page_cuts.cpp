@@ -76,7 +76,7 @@ class Planner {
   Planner(Vec2 page, const Context& context)
       : wide_(std::max(page.x, page.y)), narrow_(std::min(page.x, page.y)), page_(page), context_(context) {}
 
-  Plan plan(const FlatShape& shape, const std::vector<Vec2>& directions) const {
+  [[nodiscard]] Plan plan(const FlatShape& shape, const std::vector<Vec2>& directions) const {
     Plan best;
     for (const Vec2 along : directions) {
       for (const Vec2 across : {along, perpendicular(along)}) {
@@ -97,8 +97,8 @@ class Planner {
   }
 
   /// The best of the single cuts, each with the best plan for what it leaves.
-  Plan plan_from_corners(const FlatShape& shape, const std::vector<Cuts>& single,
-                         const std::vector<Vec2>& directions) const {
+  [[nodiscard]] Plan plan_from_corners(const FlatShape& shape, const std::vector<Cuts>& single,
+                                       const std::vector<Vec2>& directions) const {
     Plan best;
     for (const Cuts& cuts : single) {
       Cost cost{0, cut_length(shape, cuts)};

@@ -122,7 +122,7 @@ class NearPlacement {
 /// any where one has ten thousand times the area of the other: here all have the same. A fine cylinder's lid
 /// has crumbs at its rim beside faces as long as the cylinder; what is thin is the guard's concern.
 struct Directions : EditKernel {
-  struct Construct_cross_product_vector_3 {
+  struct Construct_cross_product_vector_3 {  // NOLINT(readability-identifier-naming): CGAL's name
     Vector_3 operator()(const Vector_3& a, const Vector_3& b) const {
       const Vector_3 product = CGAL::cross_product(a, b);
       const double length = std::sqrt(product.squared_length());
@@ -188,7 +188,7 @@ class GuardedPlacement {
 
  private:
   template <class Profile>
-  bool fits(const Profile& profile, const Place& p) const {
+  [[nodiscard]] bool fits(const Profile& profile, const Place& p) const {
     watch_->count();
     const EditMesh& mesh = profile.surface_mesh();
     const Change change{profile.v0(), profile.v1(), {p.x(), p.y(), p.z()}};
@@ -200,7 +200,8 @@ class GuardedPlacement {
            (rules_.field == nullptr || near_original(mesh, change, rim));
   }
 
-  bool near_original(const EditMesh& mesh, const Change& change, const std::vector<Rim>& rim) const {
+  [[nodiscard]] bool near_original(const EditMesh& mesh, const Change& change,
+                                   const std::vector<Rim>& rim) const {
     const Vec3 place = change.place;
     if (drift_after(mesh, change, rim, *drift_) > rules_.largest_deviation ||
         !rules_.field->contains(place)) {
@@ -271,8 +272,8 @@ class WeightedCost {
 
   /// As CGAL's initialize makes it of the whole surface: of faces and border edges, and their mirror images.
   template <class Map, class Traits>
-  Quadric whole_quadric(const EditMesh& mesh, const Map& map, const Traits& traits, EditMesh::VertexHandle v,
-                        const MirrorPlane& plane) const {
+  [[nodiscard]] Quadric whole_quadric(const EditMesh& mesh, const Map& map, const Traits& traits,
+                                      EditMesh::VertexHandle v, const MirrorPlane& plane) const {
     constexpr double discontinuity = 100.0;  // CGAL's own default
     Quadric sum = Quadric::Zero();
     for (const auto f : mesh.vf_range(v)) {

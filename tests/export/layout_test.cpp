@@ -17,7 +17,6 @@ using namespace ridgecraft;
 using test::blob;
 using test::check_promises;
 using test::shelf_pages;
-using unfold::Nets;
 
 TEST_CASE("random blobs keep the gap, stay inside and beat shelves", "[layout]") {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

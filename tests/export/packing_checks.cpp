@@ -25,8 +25,8 @@ std::size_t packing_faults(const paper::PackingTask& task, std::uint32_t pages,
       on_page.at(page_of(i)).push_back({i, std::move(polygon)});
     }
   }
-  for (auto& polygons : on_page) {
-    count += too_near(std::move(polygons), task.gap - rounding).size();
+  for (const auto& polygons : on_page) {
+    count += too_near(polygons, task.gap - rounding).size();
   }
   return count;
 }

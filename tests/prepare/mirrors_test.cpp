@@ -17,7 +17,6 @@
 using namespace ridgecraft;
 using prepare::find_mirrors;
 using prepare::Mirror;
-using prepare::MirrorPlane;
 
 namespace {
 

@@ -134,7 +134,7 @@ class FreeFolding {
 /// Trees that fold together, the one with the shortest cuts first.
 std::vector<Folds> trees_that_fold(const ChangingNet& net, std::uint64_t seed, const Context& context) {
   const Patch& piece = net.patch();
-  const Folds given = net.folds();
+  const Folds& given = net.folds();
   FreeFolding search(piece, given, net.tolerance(), seed, context);
   std::vector<std::pair<double, Folds>> found;
   std::size_t draws = search.may_arrive() ? std::min(most_draws, draws_times_faces / piece.size()) : 0;

@@ -54,7 +54,7 @@ class PieceTree {
     if (folds_together(piece_, net_.folds(), context_)) {
       return net_.folds();
     }
-    const Folds given = net_.folds();
+    Folds given = net_.folds();
     const double infinite = std::numeric_limits<double>::infinity();
     const double worth = options_.pieces.fold_linear ? infinite : worth_of_free_folding_mm;
     const double most = cost(net_).value_or(infinite) + worth;

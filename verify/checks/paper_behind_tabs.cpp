@@ -33,13 +33,13 @@ class PaperCheck {
     double all = 0.0;
     for (const Index e : tab.edges) {
       const Index side = relations_.sides_of(e).front();
-      const double long_ = length(point(file_.faces.head(side)) - point(file_.faces.tail(side)));
+      const double side_length = length(point(file_.faces.head(side)) - point(file_.faces.tail(side)));
       int few = 0;
       for (int i = 0; i < places; ++i) {
         few += paper(side, (static_cast<double>(i) + 0.5) / places) < least_paper_mm ? 1 : 0;
       }
-      thin += long_ * static_cast<double>(few) / places;
-      all += long_;
+      thin += side_length * static_cast<double>(few) / places;
+      all += side_length;
     }
     return all > 0.0 ? thin / all : 0.0;
   }

@@ -165,24 +165,25 @@ class Assignment {
   }
 
   /// Cost of using the site instead of the preferred one.
-  double side_cost(std::uint32_t site) const {
+  [[nodiscard]] double side_cost(std::uint32_t site) const {
     if (!wishes_.empty() && wishes_[site / 2].side) {
       return *wishes_[site / 2].side == site % 2 ? 0.0 : side_not_asked;
     }
     return preferred_[site / 2] == site % 2 ? 0.0 : tab_costs.other_side;
   }
 
-  bool stacked(std::uint32_t a, const ConvexShape& tab_a, std::uint32_t b, const ConvexShape& tab_b) const {
+  [[nodiscard]] bool stacked(std::uint32_t a, const ConvexShape& tab_a, std::uint32_t b,
+                             const ConvexShape& tab_b) const {
     return separation(sites_[a].target.out(tab_a), sites_[b].target.out(tab_b)) < -stacked_mm;
   }
 
-  const ConvexShape* chosen_on(std::uint32_t site) const {
+  [[nodiscard]] const ConvexShape* chosen_on(std::uint32_t site) const {
     const std::optional<ChosenTab>& chosen = chosen_[site / 2];
     return chosen && chosen->site == site ? &chosen->shape.outline : nullptr;
   }
 
   /// Joins whose chosen tab collides with this one, at most one more than may be moved.
-  std::vector<std::uint32_t> collisions(std::uint32_t site, const ConvexShape& tab) const {
+  [[nodiscard]] std::vector<std::uint32_t> collisions(std::uint32_t site, const ConvexShape& tab) const {
     std::vector<std::uint32_t> joins;
     for (const std::uint32_t other : collisions_[site]) {
       const ConvexShape* there = chosen_on(other);
@@ -196,7 +197,7 @@ class Assignment {
     return joins;
   }
 
-  double stacking_cost(std::uint32_t site, const ConvexShape& tab) const {
+  [[nodiscard]] double stacking_cost(std::uint32_t site, const ConvexShape& tab) const {
     double cost = 0.0;
     for (const std::uint32_t other : stacks_[site]) {
       const ConvexShape* there = chosen_on(other);
@@ -207,8 +208,8 @@ class Assignment {
 
   /// The cheapest usable tab of a join that collides with none and costs less than `limit`; if there is none
   /// and it may be cut back, one that fits among the others.
-  std::optional<ChosenTab> best_free(std::uint32_t join, double limit = INFINITY,
-                                     bool cut_back = true) const {
+  [[nodiscard]] std::optional<ChosenTab> best_free(std::uint32_t join, double limit = INFINITY,
+                                                   bool cut_back = true) const {
     std::optional<ChosenTab> best;
     const auto offer = [&](std::uint32_t site, const TabShape& shape, double extra) {
       const double cost = shape.cost + side_cost(site) + extra;
@@ -239,7 +240,7 @@ class Assignment {
   }
 
   /// The obstacles of a site and the tabs chosen so far that it might collide with; none of these: nothing.
-  std::vector<Obstacle> obstacles_and_tabs(std::uint32_t site) const {
+  [[nodiscard]] std::vector<Obstacle> obstacles_and_tabs(std::uint32_t site) const {
     std::vector<Obstacle> obstacles;
     for (const std::uint32_t other : collisions_[site]) {
       if (const ConvexShape* there = chosen_on(other)) {
@@ -253,7 +254,7 @@ class Assignment {
   }
 
   /// Usable shapes that are cut back for the tabs chosen so far.
-  std::vector<TabShape> shapes_among_tabs(std::uint32_t site) const {
+  [[nodiscard]] std::vector<TabShape> shapes_among_tabs(std::uint32_t site) const {
     const std::vector<Obstacle> obstacles = obstacles_and_tabs(site);
     if (obstacles.empty()) {
       return {};
@@ -270,7 +271,7 @@ class Assignment {
   }
 
   /// The better tab of those that are less than usable.
-  std::optional<ChosenTab> best_low(std::uint32_t join) const {
+  [[nodiscard]] std::optional<ChosenTab> best_low(std::uint32_t join) const {
     std::optional<ChosenTab> best;
     for (const std::uint32_t site : {2 * join, 2 * join + 1}) {
       if (!allowed(site)) {
@@ -331,7 +332,7 @@ class Assignment {
     return better.has_value();
   }
 
-  std::vector<std::uint32_t> most_constrained_first() const {
+  [[nodiscard]] std::vector<std::uint32_t> most_constrained_first() const {
     struct Key {
       std::size_t sides = 0;
       std::size_t shapes = 0;

@@ -120,7 +120,7 @@ class TabCopier {
           tab.low = std::min(tab.low, p.x);
           tab.high = std::max(tab.high, p.x);
         }
-        tabs.push_back(std::move(tab));
+        tabs.push_back(tab);
       }
     }
     std::sort(tabs.begin(), tabs.end(), [](const Placed& a, const Placed& b) { return a.low < b.low; });

@@ -78,7 +78,7 @@ class TabGaps::Surroundings {
     }
   }
 
-  TabGap::Place place(CornerId side, JoinId join, const TabCandidate& tab) const {
+  [[nodiscard]] TabGap::Place place(CornerId side, JoinId join, const TabCandidate& tab) const {
     TabGap::Place result{mesh::face_of(side), {}};
     const PieceId piece = nets_.piece[result.face];
     const Frame own = tab_frame(nets_, side);

@@ -49,7 +49,7 @@ class SiteFinder {
         vertices_(net_vertices(surface, nets)),
         grids_(nets) {}
 
-  TabSite find(CornerId side) const {
+  [[nodiscard]] TabSite find(CornerId side) const {
     const CornerId twin = surface_.twin(side);
     TabSite site = own_side(side);
     site.target_piece = nets_.piece[mesh::face_of(twin)];
@@ -70,7 +70,7 @@ class SiteFinder {
   }
 
   /// Of a side that nothing is glued to.
-  TabSite find_border(CornerId side) const {
+  [[nodiscard]] TabSite find_border(CornerId side) const {
     TabSite site = own_side(side);
     const ConvexShape widest = widest_tab(site.length, options_);
     if (!widest.empty()) {
@@ -84,7 +84,7 @@ class SiteFinder {
 
  private:
   /// What a site has by itself, whatever its tab is glued behind.
-  TabSite own_side(CornerId side) const {
+  [[nodiscard]] TabSite own_side(CornerId side) const {
     TabSite site;
     site.side = side;
     site.piece = nets_.piece[mesh::face_of(side)];

@@ -21,7 +21,7 @@ class TargetFinder {
       : surface_(surface), panels_(panels), options_(options) {}
 
   /// Sides of the panel behind c's twin that a tab on c might run over, in the frame of tab shapes.
-  std::vector<Obstacle> outline(CornerId c) const {
+  [[nodiscard]] std::vector<Obstacle> outline(CornerId c) const {
     std::vector<Obstacle> result;
     const CornerId twin = surface_.twin(c);
     const ConvexShape widest = widest_tab(surface_.length(surface_.edge(c)), options_);
@@ -59,7 +59,7 @@ class TargetFinder {
     std::vector<Obstacle> outline;      ///< in the frame of tab shapes
     std::vector<std::uint32_t> across;  ///< sides of the patch that lie inside it, one of each
   };
-  Chain chain(const Patch& patch, std::uint32_t side) const {
+  [[nodiscard]] Chain chain(const Patch& patch, std::uint32_t side) const {
     Chain result;
     const std::uint32_t first = patch.twin[side];
     const ConvexShape widest = widest_tab(patch.length[side], options_);
@@ -107,17 +107,17 @@ class TargetFinder {
     return result;
   }
 
-  ConvexShape largest(CornerId c, const std::vector<Obstacle>& outline) const {
+  [[nodiscard]] ConvexShape largest(CornerId c, const std::vector<Obstacle>& outline) const {
     const double size = surface_.length(surface_.edge(c));
     return largest_tab({0.0, size, size}, outline, options_, TabNeed::usable);
   }
 
-  bool leads_out(CornerId c) const {
+  [[nodiscard]] bool leads_out(CornerId c) const {
     const FaceId g = surface_.neighbor(c);
     return !g.valid() || panels_.panel[g] != panels_.panel[mesh::face_of(c)];
   }
 
-  double panel_area(FaceId f) const {
+  [[nodiscard]] double panel_area(FaceId f) const {
     double sum = 0.0;
     for (const FaceId g : panels_.faces[panels_.panel[f]]) {
       sum += surface_.area(g);
