@@ -285,7 +285,7 @@ TEST_CASE("Components are segmented each by itself") {
 }
 
 TEST_CASE("Tiny and degenerate surfaces") {
-  const auto surface = [](std::vector<Vec3> points, std::vector<std::array<int, 3>> faces) {
+  const auto surface = [](std::vector<Vec3> points, const std::vector<std::array<int, 3>>& faces) {
     std::vector<std::array<VertexId, 3>> corners;
     for (const auto& f : faces) {
       corners.push_back({VertexId(f[0]), VertexId(f[1]), VertexId(f[2])});

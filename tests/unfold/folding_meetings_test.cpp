@@ -24,7 +24,6 @@
 
 using namespace ridgecraft;
 using unfold::FoldMotion;
-using unfold::Nets;
 
 namespace {
 

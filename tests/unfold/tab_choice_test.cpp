@@ -18,7 +18,6 @@ using mesh::Surface;
 using prepare::Panels;
 using test::check_tabs;
 using test::flat_panels;
-using test::glued;
 using test::panels_first;
 using test::with_tabs;
 using unfold::Nets;
