@@ -31,7 +31,12 @@ std::vector<PieceId> pieces_of_part(FaceId face, const Nets& nets) {
 std::string names_of(std::vector<std::vector<PieceId>> parts, const Nets& nets) {
   std::sort(parts.begin(), parts.end());
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  std::string text = parts.size() == 1 ? "the part of " : "each of the parts of ";
+  // A piece may have faces of several parts, and the fact is one part's.
+  const bool is_one_of_several =
+      parts.size() == 1 && parts[0].size() == 1 && nets.pieces[parts[0][0]].parts.size() > 1;
+  std::string text = is_one_of_several   ? "a part of "
+                     : parts.size() == 1 ? "the part of "
+                                         : "each of the parts of ";
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i == most_names && parts.size() > most_names + 1) {
       return text + "; and " + std::to_string(parts.size() - most_names) + " more";

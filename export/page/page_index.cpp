@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -19,7 +20,7 @@ constexpr double step = 5.0;             ///< between places that are tried, mm
 /// Widths of the table that are tried, shares of the printable width.
 constexpr std::array<double, 4> widths{0.95, 0.62, 0.42, 0.28};
 /// The same for a list of numbers by itself.
-constexpr std::array<double, 5> list_widths{0.95, 0.62, 0.42, 0.28, 0.2};
+constexpr std::array<double, 6> list_widths{0.95, 0.62, 0.42, 0.28, 0.2, 0.16};
 /// A longer list would be a page of its own.
 constexpr std::size_t most_rows = 40;
 constexpr std::string_view brief_heading = "where the other edges are";
@@ -32,11 +33,10 @@ struct Contents {
 };
 /// What is tried first, and what where that has no room. A number that stands nowhere is missed more than a
 /// hint at where its other edge is.
-constexpr std::array<Contents, 5> in_turn{{{Partners::with_numbers, true},
-                                           {Partners::names, true},
-                                           {Partners::none, true},
-                                           {Partners::with_numbers, false},
-                                           {Partners::names, false}}};
+constexpr std::array<Contents, 2> in_one_place{{{Partners::with_numbers, true}, {Partners::names, true}}};
+/// The same for two lists, each at a place of its own.
+constexpr std::array<Contents, 3> in_turn{
+    {{Partners::none, true}, {Partners::with_numbers, false}, {Partners::names, false}}};
 
 /// "B 5-9, 13; page 2: C 60-67, D 3": the page's own pieces first.
 std::string partners(const unfold::Nets& nets, const Pages& pages, PageId own,
@@ -204,26 +204,35 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
     every_partner.push_back(nets.pieces[piece].name + ": " +
                             partners(nets, pages, page, neighbours[piece], true));
   }
-  const PageRoom room(pages.paper, pieces);
-  for (const Contents& contents : in_turn) {
-    for (const double share : widths) {
-      const std::vector<std::string> rows = rows_of(contents, share * piece_area(pages.paper).x);
-      if (rows.empty() || rows.size() > most_rows) {
-        continue;
-      }
-      if (auto texts = room.place(table(rows))) {
-        PageIndex index{std::move(*texts), {}, {}};
-        if (contents.partners == Partners::none) {
-          index.partners = std::move(every_partner);
-        }
-        if (!contents.numbers) {
-          index.numbers = numbers;
-        }
-        return index;
+  PageRoom room(pages.paper, pieces);
+  const auto place = [&](const Contents& contents, std::span<const double> shares) {
+    std::optional<std::vector<Text>> texts;
+    for (std::size_t i = 0; i < shares.size() && !texts; ++i) {
+      const std::vector<std::string> rows = rows_of(contents, shares[i] * piece_area(pages.paper).x);
+      if (!rows.empty() && rows.size() <= most_rows) {
+        texts = room.place(table(rows));
       }
     }
+    return texts;
+  };
+  for (const Contents& contents : in_one_place) {
+    if (auto texts = place(contents, widths)) {
+      return {std::move(*texts), {}, {}};
+    }
   }
-  return {{}, std::move(every_partner), numbers};
+  PageIndex index{{}, std::move(every_partner), numbers};
+  for (const Contents& contents : in_turn) {
+    const bool has_partners = contents.partners != Partners::none;
+    if ((has_partners ? index.partners : index.numbers).empty()) {
+      continue;
+    }
+    if (const auto texts = place(contents, has_partners ? std::span<const double>(widths) : list_widths)) {
+      room.add(*texts);
+      index.texts.insert(index.texts.end(), texts->begin(), texts->end());
+      (has_partners ? index.partners : index.numbers).clear();
+    }
+  }
+  return index;
 }
 
 std::optional<std::vector<Text>> list_beside(const Paper& paper, const std::vector<PieceDrawing>& pieces,
