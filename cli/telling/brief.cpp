@@ -203,6 +203,10 @@ std::string details_text(const prepare::Details& details) {
     clauses.push_back(details.low == 1 ? "1 that hardly stands out of another body"
                                        : fmt::format("{} that hardly stand out of others", details.low));
   }
+  if (details.strands > 0) {
+    clauses.push_back(fmt::format("{} ({:.2g} m: wire or thread will do)",
+                                  counted(details.strands, "thin strand"), details.strands_mm / 1000.0));
+  }
   return fmt::format("{}", fmt::join(clauses, " and "));
 }
 

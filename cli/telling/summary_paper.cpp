@@ -49,8 +49,11 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                       {"openings_closed", skin.rims_closed},
                                       {"left_crossing", skin.left_crossing}});
   const prepare::Details& details = made.ready.left_out;
-  summary.add("left_out",
-              Value::Object{{"small", details.small}, {"flat", details.flat}, {"low", details.low}});
+  summary.add("left_out", Value::Object{{"small", details.small},
+                                        {"flat", details.flat},
+                                        {"low", details.low},
+                                        {"strands", details.strands},
+                                        {"strands_mm", rounded(details.strands_mm)}});
   const prepare::SheetsReport& sheets = made.ready.sheets;
   summary.add("thin_walls",
               Value::Object{{"count", sheets.walls}, {"thickness_mm", rounded(sheets.thickness_mm)}});

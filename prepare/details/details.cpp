@@ -16,6 +16,7 @@
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/details/reliefs.hpp"
+#include "prepare/details/strands.hpp"
 #include "prepare/symmetry/area_frame.hpp"
 
 namespace ridgecraft::prepare {
@@ -78,7 +79,7 @@ std::array<double, 3> extents(const mesh::Surface& surface, const std::vector<Fa
   return result;
 }
 
-enum class Kind { body, small, sheet, relief };
+enum class Kind { body, small, sheet, relief, strand };
 
 struct Component {
   std::vector<FaceId> faces;
@@ -170,6 +171,8 @@ class DetailSearch {
     }
     drop_sheets_in_the_air();
     find_reliefs();
+    const std::vector<bool> strands =
+        limits_.least_faces == 0.0 ? strands_among_bodies() : std::vector<bool>(components_.size(), false);
     double all = 0.0;
     double details = 0.0;
     std::size_t faces = 0;
@@ -185,7 +188,19 @@ class DetailSearch {
     if (details > most_area * all || of_faces < limits_.least_faces) {
       std::fill(result.begin(), result.end(), Kind::body);
     }
+    for (std::size_t c = 0; c < result.size(); ++c) {
+      result[c] = strands[c] ? Kind::strand : result[c];
+    }
     return result;
+  }
+
+  /// Together, in the unit of the surface.
+  [[nodiscard]] double length_of_strands(const std::vector<Kind>& kinds) const {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < kinds.size(); ++c) {
+      sum += kinds[c] == Kind::strand ? strand_length(surface_, components_[c].faces) : 0.0;
+    }
+    return sum;
   }
 
  private:
@@ -215,6 +230,16 @@ class DetailSearch {
         c.kind = Kind::body;
       }
     }
+  }
+
+  [[nodiscard]] std::vector<bool> strands_among_bodies() const {
+    std::vector<ComponentFaces> bodies;
+    for (const Component& c : components_) {
+      if (c.kind == Kind::body) {
+        bodies.push_back(c.faces);
+      }
+    }
+    return are_strands(surface_, bodies, limits_.narrow, context_);
   }
 
   /// What is neither long nor a detail by itself may be one by where it lies.
@@ -268,11 +293,14 @@ Details leave_out_details(mesh::Model& model, const DetailLimits& limits, const 
   if (surface.component_count() < 2) {
     return {};
   }
-  const std::vector<Kind> kinds = DetailSearch(surface, limits, context).kinds();
+  DetailSearch search(surface, limits, context);
+  const std::vector<Kind> kinds = search.kinds();
   Details details;
   details.small = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::small));
   details.flat = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::sheet));
   details.low = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::relief));
+  details.strands = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::strand));
+  details.strands_mm = search.length_of_strands(kinds);
   if (details.count() == 0) {
     return details;
   }

@@ -6,11 +6,9 @@
 
 #include "base/context.hpp"
 #include "mesh/model/surface.hpp"
+#include "prepare/details/neighbours.hpp"
 
 namespace ridgecraft::prepare {
-
-/// A component by its faces.
-using ComponentFaces = std::vector<FaceId>;
 
 /// Which of the `candidates` lie on the `ground` all over: no place of them is farther from its faces than
 /// `height`, in the unit of the surface, inside it or outside. A window frame in a wall is such a relief. One

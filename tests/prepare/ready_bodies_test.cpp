@@ -242,3 +242,63 @@ TEST_CASE("a square bar is as narrow however it is turned about itself") {
     CHECK(ready(model, 150.0).left_out.small == 1);
   }
 }
+
+namespace {
+
+/// A tube of three sides along an arc of a quarter circle, open at both ends.
+void add_hair(Bodies& bodies, Vec3 root, double radius, double side) {
+  constexpr std::uint32_t steps = 8;
+  std::vector<Vec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::uint32_t i = 0; i <= steps; ++i) {
+    const double t = 0.5 * std::numbers::pi * i / steps;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const double turn = 2.0 * std::numbers::pi * k / 3.0;
+      const double out = radius + 0.577 * side * std::cos(turn);
+      points.push_back(root +
+                       Vec3{out * std::sin(t), 0.577 * side * std::sin(turn), radius - out * std::cos(t)});
+      if (i < steps) {
+        const std::uint32_t a = 3 * i + k;
+        const std::uint32_t b = 3 * i + (k + 1) % 3;
+        faces.push_back({a, b, b + 3, a + 3});
+      }
+    }
+  }
+  bodies.add(points, faces);
+}
+
+}  // namespace
+
+TEST_CASE("hairs go, however long and bent, but where nothing else is there", "[strands]") {
+  Bodies body;
+  body.add_box({0, 0, 0}, {100, 100, 100});
+  Bodies hairy = body;
+  for (int i = 0; i < 10; ++i) {
+    add_hair(hairy, {50, 5.0 + 10.0 * i, 98}, 60, 1.2);
+  }
+  Model hairs = hairy.model();
+  const ReadyReport report = ready(hairs, 150.0);
+  CHECK(report.left_out.strands == 10);
+  CHECK(report.left_out.strands_mm > 600.0);
+  CHECK(report.left_out.strands_mm < 1000.0);
+  CHECK(hairs.surface.component_count() == 1);
+  // At eight times the size they can be folded, and where all faces are kept nothing goes.
+  Model large = hairy.model();
+  CHECK(ready(large, 1200.0).left_out.strands == 0);
+  Model kept = hairy.model();
+  CHECK(ready(kept, 150.0, prepare::Simplification::keep).left_out.strands == 0);
+  // A strip of the same width pressed flat, and a leg between two bodies.
+  Bodies others = body;
+  others.add_sheet({50, 50, 100}, {2, 0, 0}, {0, 0, 50});
+  others.add_box({0, 0, 160}, {100, 100, 200});
+  others.add_box({10, 10, 100}, {11.5, 11.5, 160});
+  Model strip = others.model();
+  CHECK(ready(strip, 200.0).left_out.strands == 1);
+  // Nothing but wires.
+  Bodies wires;
+  for (int i = 0; i < 10; ++i) {
+    add_hair(wires, {50, 5.0 + 10.0 * i, 98}, 60, 1.2);
+  }
+  Model net = wires.model();
+  CHECK(ready(net, 150.0).left_out.strands == 0);
+}
