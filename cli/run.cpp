@@ -131,10 +131,10 @@ class Session {
   [[nodiscard]] const Context& context() const { return context_; }
   [[nodiscard]] PendingFiles& pending() { return pending_; }
 
-  void report(const mesh::RepairReport& repairs) {
+  void report(const mesh::RepairReport& repairs, bool united = false) {
     progress_.clear();
     if (!options_.quiet && !options_.json) {
-      for (const std::string& line : repair_lines(repairs)) {
+      for (const std::string& line : repair_lines(repairs, united)) {
         remark(line);
       }
     }
@@ -232,7 +232,7 @@ ExitCode do_job(const PaperJob& job) {
     });
   });
   session.warn(result.file_notes);
-  session.report(result.made.prepared.model.repairs);
+  session.report(result.made.prepared.model.repairs, result.made.skin.united > 0);
   return session.finish(result.files, summary(job, result));
 }
 
@@ -251,7 +251,7 @@ ExitCode do_job(const UnfoldJob& job) {
   const PaperResult result =
       about(job.model, [&] { return make_nets(job, session.context(), session.pending()); });
   session.warn(result.file_notes);
-  session.report(result.made.prepared.model.repairs);
+  session.report(result.made.prepared.model.repairs, result.made.skin.united > 0);
   return session.finish(result.files, summary(job, result));
 }
 

@@ -196,18 +196,19 @@ std::string details_text(const prepare::Details& details) {
     clauses.push_back(details.small == 1 ? "1 small body" : fmt::format("{} small bodies", details.small));
   }
   if (details.flat > 0) {
-    clauses.push_back(details.flat == 1 ? "1 flat one that lies on another body"
-                                        : fmt::format("{} flat ones that lie on others", details.flat));
+    clauses.push_back(details.flat == 1 ? "1 flat body that lies on another"
+                                        : fmt::format("{} flat bodies that lie on others", details.flat));
   }
   if (details.low > 0) {
-    clauses.push_back(details.low == 1 ? "1 that hardly stands out of another body"
-                                       : fmt::format("{} that hardly stand out of others", details.low));
+    clauses.push_back(details.low == 1
+                          ? "1 body that hardly stands out of another"
+                          : fmt::format("{} bodies that hardly stand out of others", details.low));
   }
   if (details.strands > 0) {
-    clauses.push_back(fmt::format("{} ({:.2g} m: wire or thread will do)",
-                                  counted(details.strands, "thin strand"), details.strands_mm / 1000.0));
+    clauses.push_back(fmt::format("{} ({}: wire or thread will do)", counted(details.strands, "thin strand"),
+                                  metres(details.strands_mm)));
   }
-  return fmt::format("{}", fmt::join(clauses, " and "));
+  return listed(clauses, "and");
 }
 
 std::string size_words(const job::Paper& made, const std::string& asked) {

@@ -26,7 +26,7 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
 /// "a thin wall of up to 1.2 mm became a sheet".
 [[nodiscard]] std::string sheets_text(const prepare::SheetsReport& sheets);
 
-/// "17 small bodies and 4 flat ones that lie on others".
+/// "17 small bodies and 4 flat bodies that lie on others".
 [[nodiscard]] std::string details_text(const prepare::Details& details);
 
 }  // namespace ridgecraft::cli

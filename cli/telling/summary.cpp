@@ -3,12 +3,17 @@
 
 #include <utility>
 
+#include "base/sentence.hpp"
+
 namespace ridgecraft::cli {
 
-std::vector<std::string> repair_lines(const mesh::RepairReport& report) {
+std::vector<std::string> repair_lines(const mesh::RepairReport& report, bool united) {
   std::vector<std::string> lines;
   for (const mesh::Repair& repair : report.entries()) {
     std::string line = mesh::sentence(repair.kind, repair.count);
+    if (united && repair.kind == mesh::RepairKind::self_intersections) {
+      line = counted(repair.count, "face") + " ran through others before bodies were united";
+    }
     if (!repair.detail.empty()) {
       line += " (" + repair.detail + ")";
     }

@@ -35,7 +35,8 @@ namespace ridgecraft::cli {
 /// {"error": {"code": 3, "message": "..."}}: what --json prints where a job fails.
 [[nodiscard]] std::string error_json(ExitCode code, const std::string& sentence);
 
-/// One line per repair and note, for standard error: "24 points at equal places were joined".
-[[nodiscard]] std::vector<std::string> repair_lines(const mesh::RepairReport& report);
+/// One line per repair and note, for standard error: "24 points at equal places were joined". `united`: what
+/// ran through each other may be one skin now.
+[[nodiscard]] std::vector<std::string> repair_lines(const mesh::RepairReport& report, bool united = false);
 
 }  // namespace ridgecraft::cli

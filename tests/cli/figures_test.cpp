@@ -5,7 +5,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/telling/brief.hpp"
 #include "cli/telling/net_figures.hpp"
+#include "cli/telling/summary.hpp"
 
 using namespace ridgecraft;
 using cli::Line;
@@ -85,4 +87,21 @@ TEST_CASE("rows of piece names are short", "[figures]") {
   CHECK(named({1, 2, 3}) == "B to D");
   CHECK(named({0, 2}) == "A, C");
   CHECK(named({0, 1, 2, 3, 4, 5, 8}) == "A, B, C, D, E, F and 1 more");
+}
+
+TEST_CASE("what was left out is called bodies whatever else was, and crossings of united bodies are past",
+          "[figures]") {
+  prepare::Details details;
+  details.flat = 2;
+  details.low = 1;
+  CHECK(cli::details_text(details) ==
+        "2 flat bodies that lie on others and 1 body that hardly stands out of another");
+  details.strands = 38;
+  details.strands_mm = 2660.0;
+  CHECK(cli::details_text(details).ends_with(" and 38 thin strands (2.66 m: wire or thread will do)"));
+  mesh::RepairReport report;
+  report.add(mesh::RepairKind::self_intersections, 112);
+  CHECK(cli::repair_lines(report) == std::vector<std::string>{"112 faces run through each other"});
+  CHECK(cli::repair_lines(report, true) ==
+        std::vector<std::string>{"112 faces ran through others before bodies were united"});
 }
