@@ -16,6 +16,9 @@ namespace {
 /// 0.7 mm on usual pages, or a quarter as many where they don't.
 constexpr int block = 8;
 constexpr int smallest_block = 4;
+/// Fewer dots are looked up one by one, and so are those that have more faces near them.
+constexpr std::size_t worth_a_list = 4;
+constexpr std::size_t most_listed = 24;
 /// Beyond a cell's border dots are painted, too, so many: what mixes dots finds the same colour there.
 constexpr double overhang_dots = 1.5;
 /// How far inside its face the place lies whose colour a rim takes, mm, and as a share of the way to the
@@ -150,6 +153,11 @@ class CellPainter {
     Vec2 at;
     Vec2 out;
   };
+  struct Dot {
+    int x = 0;
+    int y = 0;
+    Vec3 at;  ///< on the surface
+  };
 
   [[nodiscard]] bool contains(Vec2 p) const {
     return std::all_of(sides_.begin(), sides_.end(),
@@ -197,12 +205,31 @@ class CellPainter {
         return;
       }
     }
+    paint_each(left, low, right, high);
+  }
+
+  /// Dot by dot: few faces are near all of them, and those are looked for once.
+  void paint_each(int left, int low, int right, int high) {
+    dots_.clear();
+    Box3 box;
     for (int y = low; y <= high; ++y) {
       for (int x = left; x <= right; ++x) {
         if (wanted(x, y)) {
-          put(x, y, look_up(x, y));
+          dots_.push_back({x, y, place_on_surface(surface_, cell_, raster_.middle(x, y))});
+          box.add(dots_.back().at);
         }
       }
+    }
+    const Vec3 middle = 0.5 * (box.low + box.high);
+    const std::vector<std::uint32_t> near = dots_.size() >= worth_a_list
+                                                ? look_.faces_near(middle, normal_, 0.5 * length(box.size()))
+                                                : std::vector<std::uint32_t>();
+    for (const Dot& dot : dots_) {
+      const mesh::LookPlace place = near.empty() || near.size() > most_listed
+                                        ? look_.nearest(dot.at, normal_, hint_)
+                                        : look_.nearest_among(near, dot.at, normal_);
+      hint_ = place.face;
+      put(dot.x, dot.y, place);
     }
   }
 
@@ -233,6 +260,7 @@ class CellPainter {
   Vec3 normal_;
   double overhang_mm_;
   std::vector<Side> sides_;
+  std::vector<Dot> dots_;  ///< space to work in
   std::uint32_t hint_ = 0;
 };
 

@@ -132,28 +132,61 @@ Look::Look(LookParts parts, double factor, Vec3 shift)
   tie_ = elementary::pow(equal_share * bounds.largest_extent(), 2.0);
 }
 
+void Look::try_face(Best& best, std::uint32_t f, Vec3 p, Vec3 normal, bool any_side) const {
+  const LookFace& face = faces_[f];
+  const double same = dot(face.normal, normal);
+  if (!any_side && !(same > 0.0)) {
+    return;
+  }
+  const std::array<double, 3> weights = nearest_weights(face.corners, p);
+  const Vec3 away = p - mixed(face.corners, weights);
+  const double cost = dot(away, away) + tie_ * (1.0 - same);
+  if (cost < best.cost || (cost == best.cost && f < best.place.face)) {
+    best = {cost, {f, weights}};
+  }
+}
+
+std::vector<std::uint32_t> Look::faces_near(Vec3 p, Vec3 normal, double radius) const {
+  const auto looks_the_same_way = [&](std::uint32_t f) { return dot(faces_[f].normal, normal) > 0.0; };
+  const Best middle = tree_.nearest_first(
+      p, Best{},
+      [](const Best& found, std::uint32_t /*node*/, double distance) { return distance <= found.cost; },
+      [&](Best& found, std::uint32_t place) { try_face(found, tree_.order()[place], p, normal, false); });
+  std::vector<std::uint32_t> faces;
+  if (!std::isfinite(middle.cost)) {
+    return faces;
+  }
+  // Of a point at the rim the face that is nearest to p costs no more than this, so that its own nearest one
+  // lies no farther off.
+  const double from_rim = std::sqrt(std::pow(std::sqrt(middle.cost) + radius, 2.0) + tie_);
+  const double most = std::pow(from_rim + radius, 2.0) * (1.0 + 1e-9);
+  tree_.search([&](std::uint32_t node) { return squared_distance(p, tree_.box(node)) <= most; },
+               [&](std::uint32_t place) {
+                 const std::uint32_t f = tree_.order()[place];
+                 if (!looks_the_same_way(f)) {
+                   return;
+                 }
+                 const Vec3 away = p - mixed(faces_[f].corners, nearest_weights(faces_[f].corners, p));
+                 if (dot(away, away) <= most) {
+                   faces.push_back(f);
+                 }
+               });
+  return faces;
+}
+
+LookPlace Look::nearest_among(const std::vector<std::uint32_t>& faces, Vec3 p, Vec3 normal) const {
+  Best best;
+  for (const std::uint32_t f : faces) {
+    try_face(best, f, p, normal, false);
+  }
+  return best.place;
+}
+
 LookPlace Look::nearest(Vec3 p, Vec3 normal, std::uint32_t hint) const {
-  struct Best {
-    double cost = INFINITY;
-    LookPlace place;
-  };
-  const auto try_face = [&](Best& best, std::uint32_t f, bool any_side) {
-    const LookFace& face = faces_[f];
-    const double same = dot(face.normal, normal);
-    if (!any_side && !(same > 0.0)) {
-      return;
-    }
-    const std::array<double, 3> weights = nearest_weights(face.corners, p);
-    const Vec3 away = p - mixed(face.corners, weights);
-    const double cost = dot(away, away) + tie_ * (1.0 - same);
-    if (cost < best.cost || (cost == best.cost && f < best.place.face)) {
-      best = {cost, {f, weights}};
-    }
-  };
   for (const bool any_side : {false, true}) {
     Best best;
     if (hint < faces_.size()) {
-      try_face(best, hint, any_side);
+      try_face(best, hint, p, normal, any_side);
       if (best.cost < no_distance * tie_) {
         return best.place;
       }
@@ -161,7 +194,9 @@ LookPlace Look::nearest(Vec3 p, Vec3 normal, std::uint32_t hint) const {
     best = tree_.nearest_first(
         p, best,
         [](const Best& found, std::uint32_t /*node*/, double distance) { return distance <= found.cost; },
-        [&](Best& found, std::uint32_t place) { try_face(found, tree_.order()[place], any_side); });
+        [&](Best& found, std::uint32_t place) {
+          try_face(found, tree_.order()[place], p, normal, any_side);
+        });
     if (std::isfinite(best.cost)) {
       return best.place;
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -61,6 +62,11 @@ class Look {
   /// turned most the same way. `hint`: a face that may be near; any number. O(log n) where faces lie
   /// sensibly.
   [[nodiscard]] LookPlace nearest(Vec3 p, Vec3 normal, std::uint32_t hint = 0) const;
+  /// Faces of which one is nearest() to each point within `radius` of p, if it looks to the same side as
+  /// `normal`; none where no face does. O(log n + those).
+  [[nodiscard]] std::vector<std::uint32_t> faces_near(Vec3 p, Vec3 normal, double radius) const;
+  /// What nearest() of a point that `faces` were found for would be: O(1) a face. There must be one.
+  [[nodiscard]] LookPlace nearest_among(const std::vector<std::uint32_t>& faces, Vec3 p, Vec3 normal) const;
   /// Calls visit(face) for faces whose boxes meet this one.
   template <class Visit>
   void near_box(const Box3& box, Visit visit) const {
@@ -80,6 +86,12 @@ class Look {
   [[nodiscard]] Rgb colour_at(const LookPlace& place, double dot) const;
 
  private:
+  /// The best place so far for a point.
+  struct Best {
+    double cost = INFINITY;
+    LookPlace place;
+  };
+  void try_face(Best& best, std::uint32_t f, Vec3 p, Vec3 normal, bool any_side) const;
   [[nodiscard]] std::optional<Rgb> find_flat_colour(const LookFace& face) const;
   std::vector<LookFace> faces_;
   std::vector<Paint> paints_;

@@ -191,3 +191,34 @@ TEST_CASE("Look: the nearest place is that of all faces one by one, and looks to
     CHECK(length(p - place) <= nearest + 1e-3);
   }
 }
+
+TEST_CASE("Look: among the faces near a ball is the nearest one of each point in it") {
+  Random random(11);
+  const auto number = [&] { return 2.0 * random.unit() - 1.0; };
+  const auto vector = [&] { return Vec3{number(), number(), number()}; };
+  std::vector<mesh::LookFace> faces(400);
+  for (mesh::LookFace& face : faces) {
+    const Vec3 at = vector();
+    face.corners = {at, at + 0.3 * vector(), at + 0.3 * vector()};
+    face.normal = normalized(cross(face.corners[1] - at, face.corners[2] - at));
+  }
+  const Look look({faces, {mesh::Paint{}}});
+  std::size_t listed = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 middle = 1.5 * vector();
+    const Vec3 normal = normalized(vector());
+    const double radius = 0.3 * random.unit();
+    const std::vector<std::uint32_t> near = look.faces_near(middle, normal, radius);
+    REQUIRE(!near.empty());
+    listed += near.size();
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 p = middle + radius * random.unit() * normalized(vector());
+      CHECK(look.nearest_among(near, p, normal).face == look.nearest(p, normal).face);
+    }
+  }
+  CHECK(listed < 100 * faces.size() / 4);
+  for (mesh::LookFace& face : faces) {
+    face.normal = {0.0, 0.0, 1.0};
+  }
+  CHECK(Look({faces, {mesh::Paint{}}}).faces_near({}, {0.0, 0.0, -1.0}, 1.0).empty());
+}
