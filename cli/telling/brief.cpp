@@ -83,7 +83,7 @@ std::string model_line(const job::Paper& made) {
     clauses.emplace_back("a part of it, by its names");
   }
   if (report.specks_dropped > 0) {
-    clauses.push_back(counted(report.specks_dropped, "component") + " too small to be held left out");
+    clauses.push_back(counted_bodies(report.specks_dropped) + " too small to be held left out");
   }
   if (made.options.style.ink == paper::Ink::lines && has_colours(made.prepared.model)) {
     clauses.emplace_back("its colours aren't printed");

@@ -117,8 +117,7 @@ void say_simplified(Summary& summary, const job::Paper& made) {
                 fmt::format("both sides are equal now; they differed by up to {:.2f} mm", report.evened_mm));
   }
   if (report.specks_dropped > 0) {
-    summary.say(Line::simplified, "left out",
-                counted(report.specks_dropped, "component") + " too small to be held");
+    summary.say(Line::simplified, "left out", bodies_text(report.specks_dropped) + " too small to be held");
   }
   if (report.turned > 0) {
     summary.say(Line::simplified, "turned",
@@ -238,9 +237,9 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   const mesh::Model& model = made.prepared.model;
   const unfold::Nets& nets = made.nets;
   const TabFigures tabs = tab_figures(model.surface, nets, job.options.tabs);
-  Summary summary(fmt::format(
-      "{}: {}, {} on paper, {}", shown_name(job.model), counted(model.polygon_count, "polygon"),
-      counted(model.surface.face_count(), "face"), counted(model.surface.component_count(), "component")));
+  Summary summary(
+      fmt::format("{}: {}, {} on paper, {}", shown_name(job.model), counted(model.polygon_count, "polygon"),
+                  counted(model.surface.face_count(), "face"), bodies_text(model.surface.component_count())));
   summary.add("model", model.name);
   summary.add("faces", model.surface.face_count());
   summary.add("parts", made.part_count);
