@@ -371,3 +371,33 @@ TEST_CASE("a header that is installed includes only such, of its folder or those
     CHECK((!quoted || included.starts_with("python/") || installed.contains(included)));
   }
 }
+
+TEST_CASE("the browser's build has what is used of std::ranges", "[architecture]") {
+  // Its library is libc++ 13 (docs/studio.md), which has these; wasm/compat/ has the others.
+  std::set<std::string> had = {"empty", "greater", "random_access_range"};
+  std::ifstream compat(fs::path(RIDGECRAFT_SOURCE_DIR) / "wasm/compat/algorithm");
+  const std::regex definition(R"re(^(?:auto|bool|void) (\w+)\()re");
+  std::smatch match;
+  for (std::string line; std::getline(compat, line);) {
+    if (std::regex_search(line, match, definition)) {
+      had.insert(match[1].str());
+    }
+  }
+  const std::regex use(R"re(ranges::(\w+))re");
+  std::size_t uses = 0;
+  for (const Folder& folder : folders()) {
+    for (const auto& entry :
+         fs::recursive_directory_iterator(fs::path(RIDGECRAFT_SOURCE_DIR) / folder.name)) {
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        for (auto at = std::sregex_iterator(line.begin(), line.end(), use); at != std::sregex_iterator();
+             ++at) {
+          ++uses;
+          INFO(entry.path() << ": " << line);
+          CHECK(had.contains((*at)[1].str()));
+        }
+      }
+    }
+  }
+  CHECK(uses > 50);
+}
