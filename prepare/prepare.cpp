@@ -56,10 +56,10 @@ class SizeSearch {
   [[nodiscard]] double pages(const Prepared& prepared) const {
     return expected_pages(prepared, {room_.sheet.width, room_.sheet.height});
   }
-  /// The next larger size at which somebody can fold it; none if there is none that makes sense, or if the
-  /// time given is too short to find it.
-  [[nodiscard]] std::optional<Prepared> larger(double mm) const {
-    return in_time([&] { return next_larger(mm); });
+  /// The next larger size that is good enough; none if there is none that makes sense, or if the time given
+  /// is too short to find it.
+  [[nodiscard]] std::optional<Prepared> larger(double mm, bool (*good)(const Prepared&)) const {
+    return in_time([&] { return next_larger(mm, good); });
   }
   /// At a smaller size, if it can be folded there.
   [[nodiscard]] std::optional<Prepared> smaller(double mm) const {
@@ -87,7 +87,7 @@ class SizeSearch {
     size.largest_extent_mm = mm;
     return prepare_at_size(model_, size, simplify_, room_, context_);
   }
-  [[nodiscard]] std::optional<Prepared> next_larger(double mm) const {
+  [[nodiscard]] std::optional<Prepared> next_larger(double mm, bool (*good)(const Prepared&)) const {
     const bool slow = model_.surface.face_count() > slow_faces;
     const double factor = slow ? large_size_step : size_step;
     int left = slow ? slow_tries : most_tries;
@@ -96,7 +96,7 @@ class SizeSearch {
       mm = centimetre * std::ceil(mm / centimetre);
       context_.check();
       Prepared found = at(mm);
-      if (suits(found)) {
+      if (good(found)) {
         return found;
       }
     }
@@ -109,19 +109,23 @@ class SizeSearch {
   Context context_;
 };
 
+/// Where nobody could fold it as it is, the smallest size at which somebody can, mm.
+std::optional<double> smallest_size(const Prepared& prepared, const SizeSearch& search) {
+  const std::optional<Prepared> larger =
+      can_be_folded(prepared) ? std::nullopt : search.larger(extent_of(prepared), can_be_folded);
+  return larger ? std::optional(centimetre * std::round(extent_of(*larger) / centimetre)) : std::nullopt;
+}
+
 /// Of the size that it has by default, or of another one between the limits that suits it better.
 Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
   const double pages = search.pages(usual);
   if (!suits(usual)) {
-    if (std::optional<Prepared> larger = search.larger(extent_of(usual))) {
-      if (extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
-        larger->size_reason = SizeReason::folds;
-        return std::move(*larger);
-      }
-      if (!can_be_folded(usual)) {
-        usual.smallest_size_mm = centimetre * std::round(extent_of(*larger) / centimetre);
-      }
+    std::optional<Prepared> larger = search.larger(extent_of(usual), suits);
+    if (larger && extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
+      larger->size_reason = SizeReason::folds;
+      return std::move(*larger);
     }
+    usual.smallest_size_mm = smallest_size(usual, search);
     return usual;
   }
   const double fitting =
@@ -160,11 +164,7 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
   if (size.adapts) {
     return of_fitting_size(std::move(prepared), size, search);
   }
-  if (!can_be_folded(prepared)) {
-    if (const std::optional<Prepared> larger = search.larger(extent_of(prepared))) {
-      prepared.smallest_size_mm = centimetre * std::round(extent_of(*larger) / centimetre);
-    }
-  }
+  prepared.smallest_size_mm = smallest_size(prepared, search);
   return prepared;
 }
 

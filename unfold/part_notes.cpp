@@ -27,7 +27,8 @@ std::vector<PieceId> pieces_of_part(FaceId face, const Nets& nets) {
   return pieces;
 }
 
-/// "the part of A and C", "each of the parts of A and C; D": parts by their pieces.
+/// "a part of A" (which has faces of others, too), "the part of A and C", "each of the parts of A and C; D":
+/// parts by their pieces.
 std::string names_of(std::vector<std::vector<PieceId>> parts, const Nets& nets) {
   std::sort(parts.begin(), parts.end());
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());

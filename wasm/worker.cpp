@@ -99,7 +99,8 @@ void make(const std::vector<std::string>& words) {
   PaperResult result = about(job.model, [&] {
     return make_pages(job, context, [](const job::Remark& remark) { say_note(sentence(remark)); });
   });
-  for (const std::string& line : repair_lines(result.made.prepared.model.repairs)) {
+  for (const std::string& line :
+       repair_lines(result.made.prepared.model.repairs, result.made.skin.united > 0)) {
     say_note(line);
   }
   answer = summary(job, result).json();

@@ -22,11 +22,11 @@ namespace {
 /// A surface that moved less has moved by rounding in the file, mm.
 constexpr double seen_mm = 0.005;
 
-/// ", as folds would be too short at 150mm", where nobody asked for the size that it has.
+/// ", as folds or faces would be too small at 150 mm", where nobody asked for the size that it has.
 std::string why_size(const job::Paper& made) {
   switch (made.prepared.size_reason) {
     case prepare::SizeReason::folds:
-      return ", as folds would be too short at 150 mm";
+      return ", as folds or faces would be too small at 150 mm";
     case prepare::SizeReason::pages:
       return fmt::format(", as it would take more than {:g} pages at 150 mm", made.options.size.most_pages);
     case prepare::SizeReason::none:
@@ -205,8 +205,8 @@ std::string details_text(const prepare::Details& details) {
                           : fmt::format("{} bodies that hardly stand out of others", details.low));
   }
   if (details.strands > 0) {
-    clauses.push_back(fmt::format("{} ({}: wire or thread will do)", counted(details.strands, "thin strand"),
-                                  metres(details.strands_mm)));
+    clauses.push_back(fmt::format("{} (at least {}: wire or thread will do)",
+                                  counted(details.strands, "thin strand"), metres(details.strands_mm)));
   }
   return listed(clauses, "and");
 }

@@ -14,8 +14,8 @@ namespace ridgecraft::cli {
 /// The size at which these pieces would take a page less (job::Paper::share_saving_a_page), whole mm.
 [[nodiscard]] double size_saving_a_page(const job::Paper& made);
 
-/// "--size 150mm", or the size that was chosen and why: "--size 380mm, as folds would be too short at 150
-/// mm".
+/// "--size 150mm", or the size that was chosen and why: "--size 380mm, as folds or faces would be too small
+/// at 150 mm".
 [[nodiscard]] std::string size_words(const job::Paper& made, const std::string& asked);
 
 void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result);

@@ -52,7 +52,7 @@ class NetsTold {
   }
 
  private:
-  [[nodiscard]] [[nodiscard]] Value value(auto verify::Figures::*figure) const {
+  [[nodiscard]] Value value(auto verify::Figures::*figure) const {
     return figures_ ? Value((*figures_).*figure) : Value();
   }
 

@@ -180,8 +180,7 @@ class PdfAssembler {
   }
 
   template <class Wanted>
-  [[nodiscard]] [[nodiscard]] [[nodiscard]] [[nodiscard]] [[nodiscard]] QPDFObjectHandle layers(
-      Wanted wanted) const {
+  [[nodiscard]] QPDFObjectHandle layers(Wanted wanted) const {
     QPDFObjectHandle list = QPDFObjectHandle::newArray();
     for (const auto& [layer, group] : groups_) {
       if (wanted(layer)) {

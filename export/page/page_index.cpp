@@ -221,6 +221,9 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
     }
   }
   PageIndex index{{}, std::move(every_partner), numbers};
+  if (numbers.empty()) {
+    return index;  // the other lists were tried already
+  }
   for (const Contents& contents : in_turn) {
     const bool has_partners = contents.partners != Partners::none;
     if ((has_partners ? index.partners : index.numbers).empty()) {

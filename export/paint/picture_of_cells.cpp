@@ -221,13 +221,13 @@ class CellPainter {
       }
     }
     const Vec3 middle = 0.5 * (box.low + box.high);
-    const std::vector<std::uint32_t> near = dots_.size() >= worth_a_list
-                                                ? look_.faces_near(middle, normal_, 0.5 * length(box.size()))
-                                                : std::vector<std::uint32_t>();
+    const std::vector<std::uint32_t> near =
+        dots_.size() >= worth_a_list
+            ? look_.faces_near(middle, normal_, 0.5 * length(box.size()), most_listed)
+            : std::vector<std::uint32_t>();
     for (const Dot& dot : dots_) {
-      const mesh::LookPlace place = near.empty() || near.size() > most_listed
-                                        ? look_.nearest(dot.at, normal_, hint_)
-                                        : look_.nearest_among(near, dot.at, normal_);
+      const mesh::LookPlace place = near.empty() ? look_.nearest(dot.at, normal_, hint_)
+                                                 : look_.nearest_among(near, dot.at, normal_, hint_);
       hint_ = place.face;
       put(dot.x, dot.y, place);
     }

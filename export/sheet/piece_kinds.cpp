@@ -28,9 +28,7 @@ class Names {
     for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
       for (const FaceId f : nets.pieces[p].faces) {
         const std::string& name = model.object_name(f);
-        Objects& objects = objects_of_name_[without_number(name)];
-        objects.names.insert(name);
-        objects.pieces.insert(p);
+        objects_of_name_[without_number(name)].insert(name);
       }
     }
     for (const FaceId f : ids<FaceId>(model.material.size())) {
@@ -40,22 +38,22 @@ class Names {
     }
   }
 
-  /// The name that all faces of these pieces share, where they are all that is called so, or one of each
-  /// object: "4 x car" would be four cars. Empty elsewhere.
+  /// The name that all faces of these pieces share but for a number, where there is one of each object that
+  /// is called so: "4 x car" would be four cars. Empty elsewhere.
   [[nodiscard]] std::string of_objects(const std::vector<unfold::EqualPiece>& kind) const {
     std::set<std::string> names;
-    std::set<PieceId> pieces;
+    std::set<std::string> own;
     for (const unfold::EqualPiece& equal : kind) {
-      pieces.insert(equal.piece);
       for (const FaceId f : nets_.pieces[equal.piece].faces) {
+        own.insert(model_.object_name(f));
         names.insert(without_number(model_.object_name(f)));
         if (names.size() > 1) {
           return {};
         }
       }
     }
-    const Objects& objects = objects_of_name_.at(*names.begin());
-    return objects.pieces == pieces || objects.names.size() == pieces.size() ? *names.begin() : std::string();
+    const bool one_of_each = own == objects_of_name_.at(*names.begin()) && own.size() == kind.size();
+    return one_of_each ? *names.begin() : std::string();
   }
 
   [[nodiscard]] std::string of_material(const std::vector<unfold::EqualPiece>& kind) const {
@@ -79,15 +77,9 @@ class Names {
   }
 
  private:
-  /// What is called by one name but for a number.
-  struct Objects {
-    std::set<std::string> names;
-    std::set<PieceId> pieces;
-  };
-
   const mesh::Model& model_;
   const unfold::Nets& nets_;
-  std::map<std::string, Objects> objects_of_name_;
+  std::map<std::string, std::set<std::string>> objects_of_name_;  ///< whose names are one but for a number
   std::map<std::uint32_t, std::set<PieceId>> pieces_of_material_;
 };
 

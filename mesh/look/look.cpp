@@ -146,7 +146,7 @@ void Look::try_face(Best& best, std::uint32_t f, Vec3 p, Vec3 normal, bool any_s
   }
 }
 
-std::vector<std::uint32_t> Look::faces_near(Vec3 p, Vec3 normal, double radius) const {
+std::vector<std::uint32_t> Look::faces_near(Vec3 p, Vec3 normal, double radius, std::size_t most) const {
   const auto looks_the_same_way = [&](std::uint32_t f) { return dot(faces_[f].normal, normal) > 0.0; };
   const Best middle = tree_.nearest_first(
       p, Best{},
@@ -159,23 +159,33 @@ std::vector<std::uint32_t> Look::faces_near(Vec3 p, Vec3 normal, double radius) 
   // Of a point at the rim the face that is nearest to p costs no more than this, so that its own nearest one
   // lies no farther off.
   const double from_rim = std::sqrt(std::pow(std::sqrt(middle.cost) + radius, 2.0) + tie_);
-  const double most = std::pow(from_rim + radius, 2.0) * (1.0 + 1e-9);
-  tree_.search([&](std::uint32_t node) { return squared_distance(p, tree_.box(node)) <= most; },
-               [&](std::uint32_t place) {
-                 const std::uint32_t f = tree_.order()[place];
-                 if (!looks_the_same_way(f)) {
-                   return;
-                 }
-                 const Vec3 away = p - mixed(faces_[f].corners, nearest_weights(faces_[f].corners, p));
-                 if (dot(away, away) <= most) {
-                   faces.push_back(f);
-                 }
-               });
-  return faces;
+  const double farthest = std::pow(from_rim + radius, 2.0) * (1.0 + 1e-9);
+  bool are_few = true;
+  tree_.search(
+      [&](std::uint32_t node) { return are_few && squared_distance(p, tree_.box(node)) <= farthest; },
+      [&](std::uint32_t place) {
+        const std::uint32_t f = tree_.order()[place];
+        if (!are_few || !looks_the_same_way(f)) {
+          return;
+        }
+        const Vec3 away = p - mixed(faces_[f].corners, nearest_weights(faces_[f].corners, p));
+        if (dot(away, away) <= farthest) {
+          are_few = faces.size() < most;
+          faces.push_back(f);
+        }
+      });
+  return are_few ? faces : std::vector<std::uint32_t>();
 }
 
-LookPlace Look::nearest_among(const std::vector<std::uint32_t>& faces, Vec3 p, Vec3 normal) const {
+LookPlace Look::nearest_among(const std::vector<std::uint32_t>& faces, Vec3 p, Vec3 normal,
+                              std::uint32_t hint) const {
   Best best;
+  if (hint < faces_.size()) {
+    try_face(best, hint, p, normal, false);
+    if (best.cost < no_distance * tie_) {
+      return best.place;
+    }
+  }
   for (const std::uint32_t f : faces) {
     try_face(best, f, p, normal, false);
   }

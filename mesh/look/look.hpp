@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -63,10 +64,12 @@ class Look {
   /// sensibly.
   [[nodiscard]] LookPlace nearest(Vec3 p, Vec3 normal, std::uint32_t hint = 0) const;
   /// Faces of which one is nearest() to each point within `radius` of p, if it looks to the same side as
-  /// `normal`; none where no face does. O(log n + those).
-  [[nodiscard]] std::vector<std::uint32_t> faces_near(Vec3 p, Vec3 normal, double radius) const;
-  /// What nearest() of a point that `faces` were found for would be: O(1) a face. There must be one.
-  [[nodiscard]] LookPlace nearest_among(const std::vector<std::uint32_t>& faces, Vec3 p, Vec3 normal) const;
+  /// `normal`. Empty where no face does, and where there are more than `most`. O(log n + those).
+  [[nodiscard]] std::vector<std::uint32_t> faces_near(Vec3 p, Vec3 normal, double radius,
+                                                      std::size_t most) const;
+  /// What nearest() of a point that `faces`, not empty, were found for is. O(1) a face.
+  [[nodiscard]] LookPlace nearest_among(const std::vector<std::uint32_t>& faces, Vec3 p, Vec3 normal,
+                                        std::uint32_t hint = 0) const;
   /// Calls visit(face) for faces whose boxes meet this one.
   template <class Visit>
   void near_box(const Box3& box, Visit visit) const {

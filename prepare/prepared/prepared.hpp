@@ -37,7 +37,7 @@ struct SimplifyReport {
 /// Why a model isn't of the size that it has by default.
 enum class SizeReason {
   none,   ///< it is
-  folds,  ///< its folds would be too short
+  folds,  ///< its folds would be too short, or its faces too narrow
   pages,  ///< it would take too many pages
 };
 

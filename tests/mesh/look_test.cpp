@@ -202,23 +202,34 @@ TEST_CASE("Look: among the faces near a ball is the nearest one of each point in
     face.corners = {at, at + 0.3 * vector(), at + 0.3 * vector()};
     face.normal = normalized(cross(face.corners[1] - at, face.corners[2] - at));
   }
+  for (std::size_t i = 0; i < faces.size(); i += 5) {
+    faces[i] = faces[i + 1];
+  }
   const Look look({faces, {mesh::Paint{}}});
   std::size_t listed = 0;
   for (int i = 0; i < 100; ++i) {
     const Vec3 middle = 1.5 * vector();
     const Vec3 normal = normalized(vector());
     const double radius = 0.3 * random.unit();
-    const std::vector<std::uint32_t> near = look.faces_near(middle, normal, radius);
+    const std::vector<std::uint32_t> near = look.faces_near(middle, normal, radius, faces.size());
     REQUIRE(!near.empty());
     listed += near.size();
+    CHECK(look.faces_near(middle, normal, radius, near.size() - 1).empty());
     for (int k = 0; k < 20; ++k) {
       const Vec3 p = middle + radius * random.unit() * normalized(vector());
-      CHECK(look.nearest_among(near, p, normal).face == look.nearest(p, normal).face);
+      // Every fifth face lies on another one: the hint decides.
+      const std::uint32_t hint = near[random.below(static_cast<std::uint32_t>(near.size()))];
+      CHECK(look.nearest_among(near, p, normal, hint).face == look.nearest(p, normal, hint).face);
+      const auto& [a, b, c] = faces[hint].corners;
+      const Vec3 inside = (a + b + c) / 3.0;
+      if (length(inside - middle) <= radius) {
+        CHECK(look.nearest_among(near, inside, normal, hint).face == look.nearest(inside, normal, hint).face);
+      }
     }
   }
   CHECK(listed < 100 * faces.size() / 4);
   for (mesh::LookFace& face : faces) {
     face.normal = {0.0, 0.0, 1.0};
   }
-  CHECK(Look({faces, {mesh::Paint{}}}).faces_near({}, {0.0, 0.0, -1.0}, 1.0).empty());
+  CHECK(Look({faces, {mesh::Paint{}}}).faces_near({}, {0.0, 0.0, -1.0}, 1.0, faces.size()).empty());
 }

@@ -114,6 +114,8 @@ TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
     RootedNet net(example.patch);
     net.set_tree(example.folds);
     costs.set_tree(example.folds);
+    costs.weigh_mirror(static_cast<double>(seed));
+    fresh.weigh_mirror(static_cast<double>(seed));
     Random random(seed);
     int kept = 0;
     for (int trial = 0; trial < 3000; ++trial) {
@@ -175,6 +177,25 @@ TEST_CASE("without other weights cuts cost their length, and each weight costs s
     CHECK(total(more) > length + 1.0);
     CHECK(total(more) <= 2.0 * length);
   }
+}
+
+TEST_CASE("mirror images that count more cost what a greater weight would", "[energy]") {
+  Example example(4);
+  example.pair_edges(4);
+  unfold::Weights thrice{};
+  thrice.mirror *= 3.0;
+  CutCosts plain = example.costs({});
+  CutCosts weighed = example.costs(thrice);
+  plain.set_tree(example.folds);
+  weighed.set_tree(example.folds);
+  const double once = plain.total();
+  CHECK(weighed.total() > once + 1.0);
+  plain.weigh_mirror(3.0);
+  CHECK(plain.total() == Approx(weighed.total()));
+  plain.set_tree(example.folds);
+  CHECK(plain.total() == Approx(weighed.total()));
+  plain.weigh_mirror(1.0);
+  CHECK(plain.total() == Approx(once));
 }
 
 TEST_CASE("a band that is parted more than once costs the cuts beyond its longest", "[energy]") {

@@ -165,7 +165,7 @@ TEST_CASE("turning, scaling, renumbering and mirroring keep success, lengths and
 TEST_CASE("on paper a model put otherwise becomes nearly as many pieces, with nearly as many tabs",
           "[invariance]") {
   // The search draws other random numbers for other faces, so pieces may differ by one in five or one, and
-  // seam without a tab by one fifteenth of all seam.
+  // seam without a tab by a tenth of all seam.
   for (const std::string file : {"whale.obj"}) {
     const Model model = sample(file);
     Options options;
@@ -194,7 +194,7 @@ TEST_CASE("on paper a model put otherwise becomes nearly as many pieces, with ne
       const std::size_t more = std::max(pieces, nets.pieces.size());
       CHECK(more - std::min(pieces, nets.pieces.size()) <= std::max<std::size_t>(1, more / 5));
       CHECK(std::abs(seam_mm(other.surface, nets, true) - without_tab) <=
-            seam_mm(other.surface, nets, false) / 15.0);
+            seam_mm(other.surface, nets, false) / 10.0);
     }
   }
 }

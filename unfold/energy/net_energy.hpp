@@ -43,7 +43,7 @@ class NetEnergy {
   [[nodiscard]] double rated_mirror() const { return cut_costs_.change_of_mirror(); }
   void keep();
   void drop();
-  /// Mirror images count so many times as much from now on. O(n).
+  /// Mirror images count so many times as much from now on, those within the patch. O(n).
   void weigh_mirror(double times) { cut_costs_.weigh_mirror(times); }
 
   /// What rating took so far: the faces of all pieces that were measured.

@@ -79,6 +79,7 @@ double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights&
   }
   return cost_of_any_tree(piece, parts, weights) + seams + outline_cost(outline, weights);
 }
+
 PieceCost::PieceCost(const Patch& piece, std::size_t parts, const Weights& weights)
     : piece_(piece),
       weights_(weights),

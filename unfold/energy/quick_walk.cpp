@@ -19,8 +19,8 @@ constexpr double work_per_trial = 40.0;
 /// Cost of two faces that meet while the piece is folded, mm, at first and at last.
 constexpr double first_meeting_price = 10.0;
 constexpr double last_meeting_price = 100.0;
-/// Mirror images count so many times as much: a walk that begins hot comes to rest uneven where an even net
-/// costs no more. The exact half gives up what isn't worth it.
+/// Mirror images count so many times as much where the exact half follows, which gives up what isn't worth
+/// it: a walk that begins hot comes to rest uneven where an even net costs no more.
 constexpr double mirror_times = 2.0;
 /// A swap whose cuts cost more than may be spent is looked at no closer, but for so much, mm, and so many
 /// times the heat: its shape may make up for it.
@@ -37,7 +37,9 @@ std::int64_t limit_of(double may_cost, double price) {
 QuickWalk::QuickWalk(ChangingNet& net, NetEnergy& energy, FoldingMeetings* meetings, std::uint64_t seed)
     : Walk(net, energy, seed), pairs_(net.tree(), net.tolerance()), meetings_(meetings) {
   pairs_.find_all();
-  energy_.weigh_mirror(mirror_times);
+  if (net.has_tabs()) {
+    energy_.weigh_mirror(mirror_times);
+  }
   if (meetings_ != nullptr) {
     meetings_->count(net.tree());
   }

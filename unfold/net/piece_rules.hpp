@@ -44,7 +44,7 @@ struct PieceRules {
   std::size_t max_panels = 0;  ///< flat regions that one piece may have; 0: any number
   /// How long nets of less energy are searched for: swaps that are tried for each face, fewer where there are
   /// many (energy/anneal.hpp); 0: none.
-  double trials_per_face = 330.0;
+  double trials_per_face = 400.0;
   bool merge = false;  ///< join neighbouring pieces, of several parts too, where that costs less
   /// Must every piece fold up with all creases together (folding/fold_order.hpp)? Those that don't are split
   /// (pieces/linear_split.hpp).

@@ -34,7 +34,7 @@ struct PiecesTogether {
 [[nodiscard]] PiecesTogether pieces_together(const Patch& whole, const Folds& folds, const Layout& layout,
                                              std::span<const std::uint32_t> pieces);
 
-/// Trees, and what they cost as annealing counts it (NetEnergy), mm.
+/// Trees, and what they cost as annealing counts it (NetEnergy), all cuts between them included, mm.
 struct SettledTrees {
   Folds folds;
   double energy = 0.0;
