@@ -7,8 +7,7 @@
 
 namespace ridgecraft::mesh {
 
-void LooseFaces::add(const LooseFaces& from, std::size_t i, const std::array<std::uint32_t, 3>& corners,
-                     const std::array<Vec2, 3>& places) {
+void LooseFaces::add(const LooseFaces& from, std::size_t i, const std::array<std::uint32_t, 3>& corners) {
   faces.push_back(corners);
   polygon.push_back(from.polygon[i]);
   if (!from.material.empty()) {
@@ -16,9 +15,6 @@ void LooseFaces::add(const LooseFaces& from, std::size_t i, const std::array<std
   }
   if (!from.object.empty()) {
     object.push_back(from.object[i]);
-  }
-  if (!from.texture.empty()) {
-    texture.push_back(places);
   }
 }
 
@@ -33,7 +29,6 @@ LooseFaces take_apart(const Model& model) {
   loose.polygon = model.polygon.items();
   loose.material = model.material.items();
   loose.object = model.object.items();
-  loose.texture = model.texture.items();
   return loose;
 }
 
@@ -61,11 +56,7 @@ void make_surface(LooseFaces& loose, const Context& context) {
   RepairReport untold;
   make_manifold(list, uses, untold, context);
   for (std::size_t i = 0; i < loose.faces.size(); ++i) {
-    const Triangle& t = list.triangles[i];
-    loose.faces[i] = t.points;
-    if (!loose.texture.empty() && t.turned) {
-      std::swap(loose.texture[i][1], loose.texture[i][2]);
-    }
+    loose.faces[i] = list.triangles[i].points;
   }
   loose.points = std::move(list.points);
 }
@@ -93,7 +84,7 @@ void put_together(Model& model, LooseFaces loose) {
   model.polygon = IdVector<FaceId, std::uint32_t>(std::move(loose.polygon));
   model.material = IdVector<FaceId, std::uint32_t>(std::move(loose.material));
   model.object = IdVector<FaceId, std::uint32_t>(std::move(loose.object));
-  model.texture = IdVector<FaceId, std::array<Vec2, 3>>(std::move(loose.texture));
+  model.texture = {};
 }
 
 void keep_faces(Model& model, const std::vector<bool>& kept) {
@@ -102,7 +93,7 @@ void keep_faces(Model& model, const std::vector<bool>& kept) {
   left.points = all.points;
   for (std::size_t f = 0; f < all.faces.size(); ++f) {
     if (kept[f]) {
-      left.add(all, f, all.faces[f], all.texture.empty() ? std::array<Vec2, 3>{} : all.texture[f]);
+      left.add(all, f, all.faces[f]);
     }
   }
   put_together(model, std::move(left));

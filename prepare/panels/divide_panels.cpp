@@ -216,25 +216,19 @@ class PanelCutter {
     const std::array<std::uint32_t, 3> v = loose_.faces[f];
     const auto m = static_cast<std::uint32_t>(loose_.points.size());
     loose_.points.push_back((place(v[0]) + place(v[1]) + place(v[2])) / 3.0);
-    const auto places = loose_.texture.empty() ? std::array<Vec2, 3>{} : loose_.texture[f];
-    const Vec2 middle = (places[0] + places[1] + places[2]) / 3.0;
     for (const std::size_t k : {1U, 2U}) {
       const std::size_t l = (k + 1) % 3;
-      const std::uint32_t g = add_part(f, {v[k], v[l], m}, {places[k], places[l], middle});
+      const std::uint32_t g = add_part(f, {v[k], v[l], m});
       Ends& side = sides_.at(key(v[k], v[l]));
       std::replace(side.begin(), side.end(), f, g);
       know_sides(g);
     }
     loose_.faces[f] = {v[0], v[1], m};
-    if (!loose_.texture.empty()) {
-      loose_.texture[f] = {places[0], places[1], middle};
-    }
     know_sides(f);
   }
 
   /// Another face of f's panel, with what f carries.
-  std::uint32_t add_part(std::uint32_t f, const std::array<std::uint32_t, 3>& corners,
-                         const std::array<Vec2, 3>& places) {
+  std::uint32_t add_part(std::uint32_t f, const std::array<std::uint32_t, 3>& corners) {
     const auto g = static_cast<std::uint32_t>(loose_.faces.size());
     loose_.faces.push_back(corners);
     loose_.polygon.push_back(std::uint32_t{loose_.polygon[f]});
@@ -243,9 +237,6 @@ class PanelCutter {
     }
     if (!loose_.object.empty()) {
       loose_.object.push_back(std::uint32_t{loose_.object[f]});
-    }
-    if (!loose_.texture.empty()) {
-      loose_.texture.push_back(places);
     }
     label_.push_back(std::uint32_t{label_[f]});
     members_[label_[f]].push_back(g);
@@ -306,12 +297,12 @@ class PanelCutter {
     sides_.erase(found);
     for (const std::uint32_t f : faces) {
       if (f != none) {
-        divide_face(f, a, b, m, share);
+        divide_face(f, a, b, m);
       }
     }
   }
 
-  void divide_face(std::uint32_t f, std::uint32_t a, std::uint32_t b, std::uint32_t m, double share) {
+  void divide_face(std::uint32_t f, std::uint32_t a, std::uint32_t b, std::uint32_t m) {
     const std::array<std::uint32_t, 3> v = loose_.faces[f];
     std::size_t k = 0;
     while (key(v[k], v[(k + 1) % 3]) != key(a, b)) {
@@ -319,18 +310,8 @@ class PanelCutter {
     }
     const std::size_t l = (k + 1) % 3;
     const std::size_t n = (k + 2) % 3;
-    std::array<Vec2, 3> first{};
-    std::array<Vec2, 3> second{};
-    if (!loose_.texture.empty()) {
-      const std::array<Vec2, 3> places = loose_.texture[f];
-      const double t = v[k] == a ? share : 1.0 - share;
-      const Vec2 middle = places[k] + t * (places[l] - places[k]);
-      first = {places[k], middle, places[n]};
-      second = {middle, places[l], places[n]};
-      loose_.texture[f] = first;
-    }
     loose_.faces[f] = {v[k], m, v[n]};
-    const std::uint32_t g = add_part(f, {m, v[l], v[n]}, second);
+    const std::uint32_t g = add_part(f, {m, v[l], v[n]});
     if (const auto side = sides_.find(key(v[l], v[n])); side != sides_.end()) {
       std::replace(side->second.begin(), side->second.end(), f, g);
     }

@@ -13,7 +13,6 @@
 #include "mesh/model/soup.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/panel_regions.hpp"
-#include "prepare/panels/picture_map.hpp"
 #include "prepare/panels/straight_chains.hpp"
 #include "prepare/prepared/panels.hpp"
 
@@ -99,7 +98,7 @@ class Remesher {
       }
       if (!loses_a_vertex(r)) {
         for (const std::uint32_t f : regions_.faces(r)) {
-          new_.add(old_, f, old_.faces[f], old_.texture.empty() ? std::array<Vec2, 3>{} : old_.texture[f]);
+          new_.add(old_, f, old_.faces[f]);
         }
       } else {
         changed = true;
@@ -203,10 +202,6 @@ class Remesher {
       return false;
     }
     const PlaneFrame frame(place(old_.faces[faces[0]][0]), normal);
-    const auto texture = picture_map(old_, faces, frame);
-    if (!old_.texture.empty() && !texture) {
-      return false;
-    }
     const std::vector<std::array<std::uint32_t, 2>> sides = outline(region);
     if (has_twice(sides)) {  // a slit of no width: closing it would change what is connected
       return false;
@@ -226,11 +221,7 @@ class Remesher {
     }
     const std::uint32_t polygon = common_polygon(faces);
     for (const Face& t : *triangles) {
-      std::array<Vec2, 3> places{};
-      for (std::size_t k = 0; k < 3 && texture; ++k) {
-        places[k] = (*texture)(frame.flat(place(t[k])));
-      }
-      new_.add(old_, faces[0], t, places);
+      new_.add(old_, faces[0], t);
       new_.polygon.back() = polygon;
     }
     return true;

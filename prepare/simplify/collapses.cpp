@@ -47,7 +47,7 @@ mesh::LooseFaces replay(const mesh::LooseFaces& loose, std::span<const Collapse>
     const auto& [a, b, c] = loose.faces[f];
     const std::array<std::uint32_t, 3> face{now[a], now[b], now[c]};
     if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) {
-      result.add(loose, f, face, loose.texture.empty() ? std::array<Vec2, 3>{} : loose.texture[f]);
+      result.add(loose, f, face);
       if (moved[a] || moved[b] || moved[c]) {
         result.polygon.back() = mesh::Soup::none;
       }

@@ -241,9 +241,6 @@ class FeatureRemover {
 }  // namespace
 
 std::size_t remove_features(mesh::Model& model, const SimplifyOptions& options, double largest_mm) {
-  if (!model.texture.empty()) {
-    return 0;
-  }
   FeatureRemover remover(model, options, largest_mm);
   return remover.run(model);
 }

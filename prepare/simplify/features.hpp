@@ -11,8 +11,7 @@ namespace ridgecraft::prepare {
 
 /// Closes what opens in a wall within a loop no larger than a short edge, and goes no deeper or higher than
 /// `largest_mm`: holes through plates, blind ones, studs, engraved and raised letters. The wall goes on flat
-/// there. Returns how many. Panels must have been remeshed; they must be again. Models with texture
-/// coordinates are left as they are. O(n log n).
+/// there. Returns how many. Panels must have been remeshed; they must be again. O(n log n).
 std::size_t remove_features(mesh::Model& model, const SimplifyOptions& options, double largest_mm);
 
 }  // namespace ridgecraft::prepare

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "mesh/model/surface_distance.hpp"
-#include "prepare/simplify/picture_at.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -30,8 +29,7 @@ class Halver {
     choose_side();
   }
 
-  /// None where a face lies in the plane and is no sheet of its own: it has no sides. Nor where a texture has
-  /// no place for an image.
+  /// None where a face lies in the plane and is no sheet of its own: it has no sides.
   std::optional<SymmetricShare> run() {
     find_sheets();
     number_.assign(surface_.vertex_count(), PointRules::none);
@@ -155,7 +153,8 @@ class Halver {
         bind(corners.back());
       }
     }
-    return add_polygon(f, corners);
+    add_polygon(f, corners);
+    return true;
   }
 
   bool add_to_sheet(FaceId f) {
@@ -163,48 +162,37 @@ class Halver {
       return false;
     }
     const auto [a, b, c] = surface_.vertices(f);
-    return add_face(f, {vertex(a), vertex(b), vertex(c)});
+    add_face(f, {vertex(a), vertex(b), vertex(c)});
+    return true;
   }
 
   /// Three or four corners; the shorter diagonal divides four.
-  bool add_polygon(FaceId f, const std::vector<std::uint32_t>& corners) {
+  void add_polygon(FaceId f, const std::vector<std::uint32_t>& corners) {
     if (corners.size() == 3) {
-      return add_face(f, {corners[0], corners[1], corners[2]});
+      add_face(f, {corners[0], corners[1], corners[2]});
+      return;
     }
     const auto way = [&](std::size_t a, std::size_t b) {
       return length(share_.faces.points[corners[a]] - share_.faces.points[corners[b]]);
     };
     const std::size_t first = way(0, 2) <= way(1, 3) ? 0 : 1;
-    return add_face(f, {corners[first], corners[first + 1], corners[first + 2]}) &&
-           add_face(f, {corners[first], corners[first + 2], corners[(first + 3) % 4]});
+    add_face(f, {corners[first], corners[first + 1], corners[first + 2]});
+    add_face(f, {corners[first], corners[first + 2], corners[(first + 3) % 4]});
   }
 
-  bool add_face(FaceId f, const std::array<std::uint32_t, 3>& face) {
+  void add_face(FaceId f, const std::array<std::uint32_t, 3>& face) {
     mesh::LooseFaces& half = share_.faces;
-    std::array<Vec3, 3> corners;
-    std::array<Vec3, 3> images;
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = half.points[face[k]];
-      images[k] = plane_.image(corners[k]);
+    Vec3 middle_of_image;
+    for (const std::uint32_t v : face) {
+      middle_of_image += plane_.image(half.points[v]) / 3.0;
     }
     SymmetricShare::Origin origin;
     origin.face = f.value();
-    const FaceId image = image_of(f, (images[0] + images[1] + images[2]) / 3.0);
-    origin.image = image.value();
-    if (!all_.texture.empty()) {
-      if (!image.valid()) {
-        return false;
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        origin.texture[k] = picture_at(surface_, all_, f, corners[k]);
-        origin.image_texture[k] = picture_at(surface_, all_, image, images[k]);
-      }
-    }
+    origin.image = image_of(f, middle_of_image).value();
     half.faces.push_back(face);
     half.polygon.push_back(all_.polygon[f.value()]);
     half.material.push_back(static_cast<std::uint32_t>(share_.origins.size()));
     share_.origins.push_back(origin);
-    return true;
   }
 
   /// The face that a face's image lies on: its partner, or of those without one the nearest that looks the

@@ -24,8 +24,6 @@ struct SymmetricShare {
   struct Origin {
     std::uint32_t face = 0;   ///< of the model
     std::uint32_t image = 0;  ///< face of the model that the mirror image lies on; PointRules::none: nothing
-    std::array<Vec2, 3> texture{};
-    std::array<Vec2, 3> image_texture{};  ///< at the images of corners 0, 1, 2
   };
   /// A twin of one of the bodies, moved.
   struct Copy {
@@ -33,7 +31,7 @@ struct SymmetricShare {
     Isometry motion;
     std::vector<Origin> origins;  ///< of the body's faces, by their rank
   };
-  /// Without textures, and with numbers of origins for materials, so that what becomes of a face finds them.
+  /// With numbers of origins for materials, so that what becomes of a face finds them.
   mesh::LooseFaces faces;
   PointRules points;  ///< one plane, or none
   std::vector<Origin> origins;

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "prepare/simplify/picture_at.hpp"
 #include "prepare/symmetry/twins.hpp"
 
 namespace ridgecraft::prepare {
@@ -15,8 +13,7 @@ namespace {
 
 class TwinSharer {
  public:
-  TwinSharer(SymmetricShare& share, const mesh::Surface& model, const mesh::LooseFaces& faces)
-      : share_(share), model_(model), all_(faces) {
+  TwinSharer(SymmetricShare& share, const mesh::Surface& model) : share_(share), model_(model) {
     std::vector<std::uint32_t> count(model.component_count(), 0);
     for (const SymmetricShare::Origin& origin : share.origins) {
       const std::uint32_t body = model.component(FaceId(origin.face)).value();
@@ -41,11 +38,10 @@ class TwinSharer {
     for (const std::vector<Twin>& group : find_twins(model_, bodies, context)) {
       const std::uint32_t first = numbers[group[0].body];
       for (std::size_t i = 1; i < group.size(); ++i) {
-        if (auto copy = copy_of(first, group[i])) {
-          share_.copies.push_back(std::move(*copy));
-          taken_out[numbers[group[i].body]] = true;
-          ++copies[first];
-        }
+        const std::uint32_t body = numbers[group[i].body];
+        share_.copies.push_back(copy_of(first, group[i], all[body]));
+        taken_out[body] = true;
+        ++copies[first];
       }
     }
     take_out(taken_out, copies);
@@ -75,48 +71,20 @@ class TwinSharer {
     return result;
   }
 
-  /// None where a picture is missing.
-  [[nodiscard]] std::optional<SymmetricShare::Copy> copy_of(std::uint32_t first, const Twin& twin) const {
+  /// `body`: the faces of the twin.
+  [[nodiscard]] SymmetricShare::Copy copy_of(std::uint32_t first, const Twin& twin,
+                                             const std::vector<FaceId>& body) const {
     SymmetricShare::Copy copy;
     copy.body = first;
     copy.motion = twin.motion;
     copy.origins.resize(faces_of_body_[first].size());
     for (const std::uint32_t f : faces_of_body_[first]) {
       const std::uint32_t number = share_.faces.material[f];
-      const FaceId own(share_.origins[number].face);
-      const auto found = std::lower_bound(twin.faces.begin(), twin.faces.end(), std::pair(own, FaceId(0)));
-      const bool has_partner = found != twin.faces.end() && found->first == own;
-      if (!has_partner && (!all_.texture.empty() || twin.faces.empty())) {
-        return std::nullopt;
-      }
-      // Without a partner, as where flat places have other triangles: some face of the twin.
-      const FaceId partner = has_partner ? found->second : twin.faces.front().second;
-      if (!write_down(f, partner, copy, copy.origins[share_.rank[number]])) {
-        return std::nullopt;
-      }
+      const FaceId partner = partner_of(model_, FaceId(share_.origins[number].face), twin, body);
+      const FaceId image = share_.symmetric() ? share_.image[partner] : FaceId();
+      copy.origins[share_.rank[number]] = {partner.value(), image.value()};
     }
     return copy;
-  }
-
-  bool write_down(std::size_t f, FaceId partner, const SymmetricShare::Copy& copy,
-                  SymmetricShare::Origin& origin) const {
-    const FaceId image = share_.symmetric() ? share_.image[partner] : FaceId();
-    origin.face = partner.value();
-    origin.image = image.value();
-    if (all_.texture.empty()) {
-      return true;
-    }
-    if (share_.symmetric() && !image.valid()) {
-      return false;
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 p = copy.motion(share_.faces.points[share_.faces.faces[f][k]]);
-      origin.texture[k] = picture_at(model_, all_, partner, p);
-      if (image.valid()) {
-        origin.image_texture[k] = picture_at(model_, all_, image, share_.points.planes[0].image(p));
-      }
-    }
-    return true;
   }
 
   void take_out(const std::vector<bool>& taken_out, const std::vector<std::uint32_t>& copies) {
@@ -139,15 +107,13 @@ class TwinSharer {
 
   SymmetricShare& share_;
   const mesh::Surface& model_;
-  const mesh::LooseFaces& all_;
   std::vector<std::vector<std::uint32_t>> faces_of_body_;  ///< of the share
 };
 
 }  // namespace
 
-void share_twins(SymmetricShare& share, const mesh::Surface& model, const mesh::LooseFaces& faces,
-                 const Context& context) {
-  TwinSharer(share, model, faces).run(context);
+void share_twins(SymmetricShare& share, const mesh::Surface& model, const Context& context) {
+  TwinSharer(share, model).run(context);
 }
 
 }  // namespace ridgecraft::prepare

@@ -10,9 +10,7 @@
 namespace ridgecraft::prepare {
 
 /// Takes components that are twins of others out of a share and writes them down as copies; but for such as
-/// the mirror plane crosses, and those whose pictures have no place on their twin. `model` and `faces` are
-/// what the share was made of. O(n log n).
-void share_twins(SymmetricShare& share, const mesh::Surface& model, const mesh::LooseFaces& faces,
-                 const Context& context);
+/// the mirror plane crosses. `model` is what the share was made of. O(n log n).
+void share_twins(SymmetricShare& share, const mesh::Surface& model, const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -78,7 +78,7 @@ void take_over(mesh::Model& model, mesh::Model&& simplified) {
   model.polygon = std::move(simplified.polygon);
   model.material = std::move(simplified.material);
   model.object = std::move(simplified.object);
-  model.texture = std::move(simplified.texture);
+  model.texture = {};
 }
 
 /// How far the sides of a model were from being mirror images; 0 where no digit would tell.

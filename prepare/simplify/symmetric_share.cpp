@@ -25,13 +25,11 @@ constexpr std::size_t most_planes = 3;
 SymmetricShare all_of(const mesh::LooseFaces& model) {
   SymmetricShare share;
   share.faces = model;
-  share.faces.texture.clear();
   share.faces.material.clear();
   share.faces.object.clear();
   for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
     share.faces.material.push_back(f);
-    share.origins.push_back(
-        {f, PointRules::none, model.texture.empty() ? std::array<Vec2, 3>{} : model.texture[f], {}});
+    share.origins.push_back({f, PointRules::none});
   }
   share.points.plane.assign(model.points.size(), PointRules::none);
   share.points.copies.assign(model.points.size(), 1);
@@ -64,7 +62,7 @@ SymmetricShare symmetric_share(const mesh::Model& model, double largest_deviatio
   std::optional<SymmetricShare> half = half_of(model, all, largest_deviation);
   context.check();
   SymmetricShare share = half ? std::move(*half) : all_of(all);
-  share_twins(share, model.surface, all, context);
+  share_twins(share, model.surface, context);
   return share;
 }
 

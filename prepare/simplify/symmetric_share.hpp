@@ -11,7 +11,7 @@ namespace ridgecraft::prepare {
 
 /// Looks for a mirror plane of the model and for twins among its components. A plane will do that the model
 /// is mirrored at only nearly, off by up to `largest_deviation` (a share of the extent): then the side with
-/// more faces is kept. Materials and textures stay what they are on each side. O(n log n).
+/// more faces is kept. Materials stay what they are on each side. O(n log n).
 [[nodiscard]] SymmetricShare symmetric_share(const mesh::Model& model, double largest_deviation,
                                              const Context& context);
 

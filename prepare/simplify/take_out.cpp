@@ -15,8 +15,6 @@ constexpr std::uint32_t no_vertex = 0xffffffffU;
 const double leaning_cosine = elementary::cos(0.1 * 3.14159265358979323846 / 180.0);
 /// Height over longest side below which a face is nothing but rounding.
 constexpr double thin_as_rounding = 1e-6;
-/// Places in a picture differ by no more than this share of the picture.
-constexpr double same_picture = 1e-3;
 
 using Face = std::array<std::uint32_t, 3>;
 
@@ -41,23 +39,16 @@ class Taker {
     if (shared.empty() || common_neighbours(v, into) != shared.size()) {
       return false;
     }
-    std::vector<std::array<Vec2, 3>> pictures;
-    for (const std::uint32_t f : others) {
-      std::array<Vec2, 3> picture{};
-      if (!keeps_plane(f, v, into) || !keeps_picture(f, v, into, shared, picture)) {
-        return false;
-      }
-      pictures.push_back(picture);
+    if (!std::all_of(others.begin(), others.end(),
+                     [&](std::uint32_t f) { return keeps_plane(f, v, into); })) {
+      return false;
     }
     for (const std::uint32_t f : shared) {
       remove(f);
     }
-    for (std::size_t i = 0; i < others.size(); ++i) {
-      std::replace(faces_.faces[others[i]].begin(), faces_.faces[others[i]].end(), v, into);
-      around_[into].push_back(others[i]);
-      if (!faces_.texture.empty()) {
-        faces_.texture[others[i]] = pictures[i];
-      }
+    for (const std::uint32_t f : others) {
+      std::replace(faces_.faces[f].begin(), faces_.faces[f].end(), v, into);
+      around_[into].push_back(f);
     }
     around_[v].clear();
     return true;
@@ -68,8 +59,7 @@ class Taker {
     kept.points = faces_.points;
     for (std::size_t f = 0; f < faces_.faces.size(); ++f) {
       if (!gone_[f]) {
-        kept.add(faces_, f, faces_.faces[f],
-                 faces_.texture.empty() ? std::array<Vec2, 3>{} : faces_.texture[f]);
+        kept.add(faces_, f, faces_.faces[f]);
       }
     }
     faces_ = std::move(kept);
@@ -124,37 +114,6 @@ class Taker {
     return length(after) > thin_as_rounding * long_after * long_after &&
            (length(before) <= thin_as_rounding * long_before * long_before ||
             dot(before, after) >= leaning_cosine * length(before) * length(after));
-  }
-
-  /// Where `into` lies in the face's picture, as far as the faces that vanish agree.
-  bool keeps_picture(std::uint32_t f, std::uint32_t v, std::uint32_t into,
-                     const std::vector<std::uint32_t>& vanishing, std::array<Vec2, 3>& picture) const {
-    if (faces_.texture.empty()) {
-      return true;
-    }
-    picture = faces_.texture[f];
-    if (faces_.points[v] == faces_.points[into]) {
-      return true;
-    }
-    const Face& face = faces_.faces[f];
-    const Vec3 origin = faces_.points[face[0]];
-    const Vec3 b = faces_.points[face[1]] - origin;
-    const Vec3 c = faces_.points[face[2]] - origin;
-    const Vec3 doubled = cross(b, c);
-    if (doubled == Vec3{}) {
-      return false;
-    }
-    const Vec3 p = faces_.points[into] - origin;
-    const double t = dot(cross(p, c), doubled) / dot(doubled, doubled);
-    const double u = dot(cross(b, p), doubled) / dot(doubled, doubled);
-    const Vec2 place = picture[0] + t * (picture[1] - picture[0]) + u * (picture[2] - picture[0]);
-    const auto corner = [](const Face& of, std::uint32_t w) {
-      return static_cast<std::size_t>(std::find(of.begin(), of.end(), w) - of.begin());
-    };
-    picture[corner(face, v)] = place;
-    return std::any_of(vanishing.begin(), vanishing.end(), [&](std::uint32_t g) {
-      return length(faces_.texture[g][corner(faces_.faces[g], into)] - place) <= same_picture;
-    });
   }
 
   void remove(std::uint32_t f) {

@@ -15,8 +15,8 @@ struct Between {
   std::uint32_t to = 0;  ///< its neighbour, that may take its place
 };
 
-/// Merges each of the points with its neighbour where that keeps the surface a surface, every face in its
-/// plane, and the picture in its place; the others stay. O(n log n).
+/// Merges each of the points with its neighbour where that keeps the surface a surface and every face in its
+/// plane; the others stay. O(n log n).
 void take_out(mesh::LooseFaces& faces, const std::vector<Between>& points);
 
 }  // namespace ridgecraft::prepare

@@ -494,9 +494,6 @@ class Chooser {
 std::size_t simplify_turned(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                             const Context& context) {
   const mesh::Surface& surface = model.surface;
-  if (!model.texture.empty()) {
-    return 0;
-  }
   std::vector<std::vector<FaceId>> components(surface.component_count());
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     components[surface.component(f).value()].push_back(f);

@@ -15,8 +15,8 @@ namespace ridgecraft::prepare {
 /// anybody builds, its rings become regular polygons of fewer corners, and rings between which its outline
 /// hardly bends are left out: the largest number of faces that can be folded, while the surface moves by
 /// `largest_mm` at most. Collapses, edge by edge, would leave it lopsided. Components that this doesn't make
-/// foldable stay as they are, and so do models with pictures. Returns how many have changed. Faces keep
-/// material and object. O(n log n) for each component.
+/// foldable stay as they are. Returns how many have changed. Faces keep material and object. O(n log n) for
+/// each component.
 std::size_t simplify_turned(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                             const Context& context);
 

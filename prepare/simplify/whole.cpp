@@ -88,7 +88,7 @@ class Placer {
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const SymmetricShare::Origin& origin = origins[number[i]];
       const auto& [a, b, c] = corners[faces[i]];
-      add(faces[i], {own_[a], own_[b], own_[c]}, origin.face, origin.face, origin.texture, mirrors);
+      add(faces[i], {own_[a], own_[b], own_[c]}, origin.face, origin.face, mirrors);
     }
     if (!share_.symmetric()) {
       return;
@@ -102,8 +102,7 @@ class Placer {
       const SymmetricShare::Origin& origin = origins[number[i]];
       const auto& [a, b, c] = corners[faces[i]];
       if (share_.points.copies[a] > 1) {  // else a sheet in the plane
-        add(faces[i], {image(a), image(b), image(c)}, origin.image, origin.face, origin.image_texture,
-            !mirrors);
+        add(faces[i], {image(a), image(b), image(c)}, origin.image, origin.face, !mirrors);
       }
     }
   }
@@ -119,10 +118,9 @@ class Placer {
 
   /// `from`: the face of the model that it lies on; `like`: the one whose material it has if it is on none.
   void add(std::uint32_t f, std::array<std::uint32_t, 3> face, std::uint32_t from, std::uint32_t like,
-           std::array<Vec2, 3> texture, bool turned) {
+           bool turned) {
     if (turned) {
       std::swap(face[1], face[2]);
-      std::swap(texture[1], texture[2]);
     }
     const bool moved = share_.faces.polygon[f] == mesh::Soup::none;
     result_.faces.push_back(face);
@@ -132,9 +130,6 @@ class Placer {
     }
     if (!model_.object.empty()) {
       result_.object.push_back(model_.object[from == PointRules::none ? like : from]);
-    }
-    if (!model_.texture.empty()) {
-      result_.texture.push_back(texture);
     }
   }
 

@@ -261,30 +261,7 @@ class Skin {
       if (!loose_.object.empty()) {
         fresh_.object.push_back(f.valid() ? loose_.object[f.value()] : Soup::none);
       }
-      if (!loose_.texture.empty()) {
-        std::array<Vec2, 3> places{};
-        for (std::size_t k = 0; f.valid() && k < 3; ++k) {
-          places[k] = picture_at(f, skin.points[c[k]]);
-        }
-        fresh_.texture.push_back(places);
-      }
     }
-  }
-
-  [[nodiscard]] Vec2 picture_at(FaceId f, Vec3 p) const {
-    const Surface& surface = model_.surface;
-    const auto [a, b, c] = surface.vertices(f);
-    const Vec3 u = surface.point(b) - surface.point(a);
-    const Vec3 v = surface.point(c) - surface.point(a);
-    const Vec3 w = p - surface.point(a);
-    const Vec3 normal = cross(u, v);
-    const std::array<Vec2, 3>& places = loose_.texture[f.value()];
-    if (normal == Vec3{}) {
-      return places[0];
-    }
-    const double s = dot(cross(w, v), normal) / dot(normal, normal);
-    const double t = dot(cross(u, w), normal) / dot(normal, normal);
-    return places[0] + s * (places[1] - places[0]) + t * (places[2] - places[0]);
   }
 
   /// What stayed as it was comes first, in its order; then the new skins.
@@ -294,8 +271,7 @@ class Skin {
     all.points = std::move(loose_.points);
     for (std::size_t i = 0; i < loose_.faces.size(); ++i) {
       if (!gone_[i]) {
-        all.add(loose_, i, loose_.faces[i],
-                loose_.texture.empty() ? std::array<Vec2, 3>{} : loose_.texture[i]);
+        all.add(loose_, i, loose_.faces[i]);
       }
     }
     const std::size_t stayed = all.faces.size();
@@ -303,8 +279,7 @@ class Skin {
     all.points.insert(all.points.end(), fresh_.points.begin(), fresh_.points.end());
     for (std::size_t i = 0; i < fresh_.faces.size(); ++i) {
       const auto& [a, b, c] = fresh_.faces[i];
-      all.add(fresh_, i, {first + a, first + b, first + c},
-              fresh_.texture.empty() ? std::array<Vec2, 3>{} : fresh_.texture[i]);
+      all.add(fresh_, i, {first + a, first + b, first + c});
     }
     mesh::put_together(model_, std::move(all));
     std::set<ComponentId> made;
@@ -371,8 +346,7 @@ class Skin {
       if (most != beside.end() && !model_.object.empty()) {
         model_.object[f] = model_.object[most->second.face];
       }
-      // A picture has no place for a cap, so where there are pictures it bears none.
-      if (most != beside.end() && !model_.material.empty() && model_.texture.empty()) {
+      if (most != beside.end() && !model_.material.empty()) {
         model_.material[f] = model_.material[most->second.face];
       }
     }

@@ -19,10 +19,10 @@ namespace ridgecraft::prepare {
 /// inside, isn't solid; the side on which a model stands counts as closed. All other components are sheets:
 /// they stay as they are but for what lies inside solids.
 ///
-/// Points of bodies that change are laid on a grid of a millionth of the diagonal; faces keep their polygon,
-/// material and place in the picture (a cap has none). Other components, and so all models whose bodies don't
-/// meet, stay as they are to the last bit. Bodies whose skin wouldn't be sound, because it crosses itself
-/// when its points become doubles, or that meet in too many places, stay as they were and are counted.
+/// Points of bodies that change are laid on a grid of a millionth of the diagonal; faces keep their polygon
+/// and material (a cap has those of what is beside it). Other components, and so all models whose bodies
+/// don't meet, stay as they are to the last bit. Bodies whose skin wouldn't be sound, because it crosses
+/// itself when its points become doubles, or that meet in too many places, stay as they were and are counted.
 ///
 /// O(n log n) for n faces, and about 20 microseconds for each pair of faces that meets. Throws
 /// Error(interrupted), Error(out_of_time).

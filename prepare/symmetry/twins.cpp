@@ -31,6 +31,8 @@ constexpr std::size_t first_tries = 16;
 /// A second corner that is nearer to the line through the centre and the first one, as a share of the extent,
 /// tells no direction.
 constexpr double off_line = 0.01;
+/// Cosine of the angle up to which two faces face the same way.
+constexpr double same_way = 0.99;
 
 /// One body with what twins have in common.
 struct Shape {
@@ -312,6 +314,24 @@ std::vector<std::vector<Twin>> find_twins(const mesh::Surface& surface,
     }
   }
   return result;
+}
+
+FaceId partner_of(const mesh::Surface& surface, FaceId face, const Twin& twin, std::span<const FaceId> body) {
+  const auto found = std::lower_bound(twin.faces.begin(), twin.faces.end(), std::pair(face, FaceId(0)));
+  if (found != twin.faces.end() && found->first == face) {
+    return found->second;
+  }
+  const auto middle = [&](FaceId f) {
+    const auto [a, b, c] = surface.vertices(f);
+    return (surface.point(a) + surface.point(b) + surface.point(c)) / 3.0;
+  };
+  const Vec3 place = twin.motion(middle(face));
+  const Vec3 normal = twin.motion.turn(surface.normal(face));
+  const auto rank = [&](FaceId f) {
+    const bool faces_another_way = dot(normal, surface.normal(f)) < same_way;
+    return std::pair(faces_another_way, length(middle(f) - place));
+  };
+  return *std::min_element(body.begin(), body.end(), [&](FaceId f, FaceId g) { return rank(f) < rank(g); });
 }
 
 std::vector<std::vector<FaceId>> components(const mesh::Surface& surface) {

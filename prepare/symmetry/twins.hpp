@@ -40,6 +40,12 @@ struct Twin {
                                                         const Context& context,
                                                         double tolerance = twin_tolerance);
 
+/// What belongs to a face of the first body: its partner; where it has none, since flat regions have other
+/// triangles, the face of `body` (those of the twin) that lies there: of faces that face the same way, or of
+/// all where none does, the one whose middle is nearest. O(log n), O(n) without a partner.
+[[nodiscard]] FaceId partner_of(const mesh::Surface& surface, FaceId face, const Twin& twin,
+                                std::span<const FaceId> body);
+
 /// The faces of each component.
 [[nodiscard]] std::vector<std::vector<FaceId>> components(const mesh::Surface& surface);
 

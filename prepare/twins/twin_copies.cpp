@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -71,7 +70,7 @@ class Copier {
         corners[twin_corner(FaceId(0), k, twin_.motion.mirrors).value()] = at->second;
       }
       const std::uint32_t to = body_[i].value();
-      const FaceId from = at_place_of(first_[i]);
+      const FaceId from = partner_of(surface_, first_[i], twin_, body_);
       faces.faces[to] = corners;
       faces.polygon[to] = old_.polygon[from.value()];
       if (!old_.material.empty()) {
@@ -80,57 +79,10 @@ class Copier {
       if (!old_.object.empty()) {
         faces.object[to] = old_.object[from.value()];
       }
-      if (!old_.texture.empty()) {
-        faces.texture[to] = places(first_[i], from);
-      }
     }
   }
 
  private:
-  [[nodiscard]] Vec3 middle(FaceId f) const {
-    const auto [a, b, c] = surface_.vertices(f);
-    return (surface_.point(a) + surface_.point(b) + surface_.point(c)) / 3.0;
-  }
-
-  /// The face of the body, as it was, that lies where the image of a face of the first one will: its partner,
-  /// or of those that face the same way the nearest.
-  [[nodiscard]] FaceId at_place_of(FaceId f) const {
-    const auto found = std::lower_bound(twin_.faces.begin(), twin_.faces.end(), std::pair(f, FaceId(0)));
-    if (found != twin_.faces.end() && found->first == f) {
-      return found->second;
-    }
-    const Vec3 place = twin_.motion(middle(f));
-    const Vec3 normal = twin_.motion.turn(surface_.normal(f));
-    FaceId best = body_.front();
-    double least = std::numeric_limits<double>::infinity();
-    for (const FaceId g : body_) {
-      const Vec3 way = middle(g) - place;
-      // What faces another way is farther than anything that doesn't.
-      const double distance = dot(way, way) + (dot(normal, surface_.normal(g)) < 0.99 ? 1e12 : 0.0);
-      if (distance < least) {
-        least = distance;
-        best = g;
-      }
-    }
-    return best;
-  }
-
-  /// Where the corners of the image lie in the picture: as those of its partner.
-  [[nodiscard]] std::array<Vec2, 3> places(FaceId f, FaceId partner) const {
-    std::array<Vec2, 3> result{};
-    const auto corners = surface_.vertices(partner);
-    for (unsigned k = 0; k < 3; ++k) {
-      const VertexId v = surface_.vertex(mesh::corner(f, k));
-      const auto found =
-          std::lower_bound(twin_.vertices.begin(), twin_.vertices.end(), std::pair(v, VertexId(0)));
-      const VertexId image = found != twin_.vertices.end() ? found->second : VertexId();
-      const auto at =
-          static_cast<std::size_t>(std::find(corners.begin(), corners.end(), image) - corners.begin());
-      result[twin_corner(FaceId(0), k, twin_.motion.mirrors).value()] = old_.texture[partner.value()][at % 3];
-    }
-    return result;
-  }
-
   const mesh::Surface& surface_;
   const mesh::LooseFaces& old_;
   const std::vector<FaceId>& first_;
@@ -150,7 +102,7 @@ EqualBodies find_equal_bodies(const mesh::Model& model, const Panels& panels, do
   for (std::vector<Twin>& kind : find_twins(model.surface, equal.bodies, context)) {
     const std::vector<FaceId>& first = equal.bodies[kind[0].body];
     std::erase_if(kind, [&](const Twin& twin) {
-      return twin.deviation > allowed || (!twin.whole && !model.texture.empty()) ||
+      return twin.deviation > allowed ||
              !have_equal_panels(model.surface, panels, first, equal.bodies[twin.body], twin);
     });
     if (kind.size() > 1) {

@@ -14,7 +14,7 @@
 namespace ridgecraft::prepare {
 
 /// Bodies that are equal but for a motion: the same corners and the same flat regions. Within these the
-/// triangles may differ, but not where the model has a picture.
+/// triangles may differ.
 struct EqualBodies {
   std::vector<std::vector<FaceId>> bodies;  ///< faces of each component of the surface
   std::vector<std::vector<Twin>> kinds;     ///< indices into it; two or more of each kind
@@ -27,7 +27,7 @@ struct EqualBodies {
                                             const Context& context);
 
 /// Gives each body but the first of its kind the points and triangles of that one, moved. Faces keep their
-/// numbers as a set, and their polygons, materials and places in pictures by where they lie. Linear but for
+/// numbers as a set, and their polygons and materials by where they lie. Linear but for
 /// faces that have no partner. What is whose copy then.
 TwinBodies make_copies(mesh::Model& model, const EqualBodies& equal);
 

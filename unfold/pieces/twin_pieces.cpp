@@ -2,6 +2,7 @@
 #include "unfold/pieces/twin_pieces.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -34,6 +35,57 @@ constexpr std::size_t most_faces_of_twins = 20'000;
 
 /// Costs that differ by less than this share are equal but for rounding.
 constexpr double same_cost = 1e-9;
+
+/// Edges of the first of its kind where labels meet on this piece, ascending.
+std::vector<EdgeId> borders_of(const mesh::Surface& surface, const Patch& patch, const TwinPiece& piece) {
+  std::vector<EdgeId> own;
+  for (const std::uint32_t f : piece.faces) {
+    for (unsigned k = 0; k < 3; ++k) {
+      if (patch.labels_meet[3 * f + k] != 0) {
+        own.push_back(surface.edge(mesh::corner(patch.face[f], k)));
+      }
+    }
+  }
+  std::sort(own.begin(), own.end());
+  std::vector<EdgeId> result;
+  for (const auto& [original, edge] : piece.edges) {
+    if (std::binary_search(own.begin(), own.end(), edge)) {
+      result.push_back(original);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Twins that the model's author has divided in different ways, by colours or names, are of different kinds:
+/// what is a good cut on one is none on the other.
+TwinPieces by_borders(const mesh::Surface& surface, const Patch& patch, std::vector<TwinPiece> kind) {
+  std::map<std::vector<EdgeId>, std::vector<TwinPiece>> kinds;
+  for (TwinPiece& piece : kind) {
+    kinds[borders_of(surface, patch, piece)].push_back(std::move(piece));
+  }
+  TwinPieces result;
+  for (auto& [borders, pieces] : kinds) {
+    if (pieces.size() < 2) {
+      continue;
+    }
+    std::map<EdgeId, EdgeId> to_first;
+    for (const auto& [original, edge] : pieces[0].edges) {
+      to_first[original] = edge;
+    }
+    for (TwinPiece& piece : pieces) {
+      std::vector<std::pair<EdgeId, EdgeId>> edges;
+      for (const auto& [original, edge] : piece.edges) {
+        if (const auto found = to_first.find(original); found != to_first.end()) {
+          edges.emplace_back(found->second, edge);
+        }
+      }
+      piece.edges = std::move(edges);
+    }
+    result.push_back(std::move(pieces));
+  }
+  return result;
+}
 
 bool is_clean(const Patch& patch, const Folds& folds, const Room& room) {
   return all_fit(patch, folds, room) &&
@@ -96,11 +148,12 @@ TwinPieces find_twin_pieces(const mesh::Surface& surface, const Patch& patch, co
     if (kind.size() < 2) {
       continue;
     }
-    std::vector<TwinPiece>& twins = result.emplace_back();
+    std::vector<TwinPiece> twins;
     for (prepare::Twin& twin : kind) {
-      TwinPiece& piece = twins.emplace_back();
-      piece.faces = std::move(pieces[twin.body]);
-      piece.edges = std::move(twin.edges);
+      twins.push_back({std::move(pieces[twin.body]), std::move(twin.edges)});
+    }
+    for (std::vector<TwinPiece>& alike : by_borders(surface, patch, std::move(twins))) {
+      result.push_back(std::move(alike));
     }
   }
   return result;

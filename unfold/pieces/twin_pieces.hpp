@@ -23,8 +23,8 @@ struct TwinPiece {
 /// Kinds of two or more pieces.
 using TwinPieces = std::vector<std::vector<TwinPiece>>;
 
-/// Pieces of a forest that are equal but for a motion, within what can be seen on paper, but for such as have
-/// no fold that could be elsewhere. O(n log n).
+/// Pieces of a forest that are equal but for a motion, within what can be seen on paper, and whose labels
+/// meet at the same edges; but for such as have no fold that could be elsewhere. O(n log n).
 [[nodiscard]] TwinPieces find_twin_pieces(const mesh::Surface& surface, const Patch& patch,
                                           const Folds& folds, const Context& context);
 
