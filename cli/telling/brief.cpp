@@ -66,14 +66,14 @@ std::string model_line(const job::Paper& made) {
   if (skin.united > 0) {
     const std::string united =
         skin.united_into < skin.united
-            ? fmt::format("{} united into {}", counted_bodies(skin.united), skin.united_into)
+            ? fmt::format("{} that meet united into {}", counted_bodies(skin.united), skin.united_into)
             : counted_bodies(skin.united) + " made one skin where they meet";
     clauses.push_back(united + (skin.faces_hidden > 0
                                     ? fmt::format(", {} dropped", counted(skin.faces_hidden, "hidden face"))
                                     : std::string()));
   }
   if (report.faces_after < report.faces_before && report.deviation_mm >= seen_mm) {
-    clauses.push_back(fmt::format("simplified from {} to {} faces, moved by at most {:.2f} mm",
+    clauses.push_back(fmt::format("simplified from {} to {} triangles, moved by at most {:.2f} mm",
                                   report.faces_before, report.faces_after, report.deviation_mm));
   }
   if (report.features_removed > 0) {
@@ -131,7 +131,7 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
   if (!made.drawn.bodies.empty()) {
     clauses.push_back(fmt::format("it comes in {} bodies, which no tab joins", made.drawn.bodies.size()));
   }
-  return joined(clauses, "nothing that is known");
+  return joined(clauses, "nothing in particular");
 }
 
 std::string next_line(const PaperResult& result) {

@@ -99,7 +99,7 @@ void say_simplified(Summary& summary, const job::Paper& made) {
   const prepare::SimplifyReport& report = made.prepared.simplified;
   if (report.faces_after < report.faces_before && report.deviation_mm > 0.0) {
     summary.say(Line::simplified, "simplified",
-                fmt::format("from {} to {} faces, the surface moved by at most {:.2f} mm",
+                fmt::format("from {} to {} triangles, the surface moved by at most {:.2f} mm",
                             report.faces_before, report.faces_after, report.deviation_mm));
     const double largest = made.prepared.model.surface.bounds().largest_extent();
     if (report.deviation_mm > far_moved * largest) {
@@ -237,9 +237,9 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   const mesh::Model& model = made.prepared.model;
   const unfold::Nets& nets = made.nets;
   const TabFigures tabs = tab_figures(model.surface, nets, job.options.tabs);
-  Summary summary(
-      fmt::format("{}: {}, {} on paper, {}", shown_name(job.model), counted(model.polygon_count, "polygon"),
-                  counted(model.surface.face_count(), "face"), bodies_text(model.surface.component_count())));
+  Summary summary(fmt::format(
+      "{}: {}, {} on paper, {}", shown_name(job.model), counted(model.polygon_count, "polygon"),
+      counted(made.prepared.panels.count(), "flat face"), bodies_text(model.surface.component_count())));
   summary.add("model", model.name);
   summary.add("faces", model.surface.face_count());
   summary.add("parts", made.part_count);

@@ -102,7 +102,7 @@ void add_facts(const GuideModel& guide, const Box2& box, Group& group) {
             fmt::format("{}, {:.1f} m of seam", counted(effort.joins, "edge"), effort.seam_mm / 1000.0));
   rows.fact("to fold", counted(effort.folds, "edge"));
   if (effort.smallest_tab_mm > 0.0) {
-    rows.fact("smallest tab", fmt::format("{:.1f} mm wide", effort.smallest_tab_mm));
+    rows.fact("shortest tab", fmt::format("{:.1f} mm along its edge", effort.smallest_tab_mm));
   }
   rows.fact("paper", paper_weight(guide.surface().bounds().largest_extent(), effort.median_join_mm));
   rows.fact("time", duration_words(effort.minutes));
