@@ -2,6 +2,8 @@
 // Simplified models are as symmetric as they were.
 #include "prepare/simplify/symmetric_share.hpp"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 
@@ -221,6 +223,31 @@ TEST_CASE("twins stay twins, and their copies count", "[simplify][symmetry]") {
     }
     CHECK(prepared(model_of(s), 400).simplified.faces_after <= 400);
     CHECK(prepared(model_of(s), 400).simplified.faces_after >= 360);
+  }
+}
+
+TEST_CASE("pictures leave a model's shape as it would be without them", "[simplify][symmetry]") {
+  const mesh::Surface wheel = test::revolve({{0, 0}, {0.8, 0}, {1, 0.1}, {1, 0.3}, {0.8, 0.4}, {0, 0.4}}, 60);
+  const auto at = [&](Vec3 shift) { return test::mapped(wheel, [&](Vec3 p) { return p + shift; }); };
+  const mesh::Model plain = model_of(test::together({test::one_plane(60), at({3, 0, 0}), at({-3, 0, 0})}));
+  mesh::Model pictured = plain;
+  Random random(3);
+  for (std::size_t f = 0; f < plain.surface.face_count(); ++f) {
+    std::array<Vec2, 3> places;
+    for (Vec2& place : places) {
+      place = {random.unit(), random.unit()};
+    }
+    pictured.texture.push_back(places);
+  }
+  for (const std::size_t faces : {std::size_t{0}, std::size_t{400}}) {
+    const prepare::Prepared without = prepared(plain, faces);
+    const prepare::Prepared with = prepared(pictured, faces);
+    CHECK(without.simplified.faces_after < without.simplified.faces_before);
+    CHECK(with.simplified.turned == without.simplified.turned);
+    CHECK(with.twins.size() == without.twins.size());
+    REQUIRE(with.model.surface.vertex_count() == without.model.surface.vertex_count());
+    REQUIRE(with.model.surface.face_count() == without.model.surface.face_count());
+    CHECK(std::ranges::equal(with.model.surface.points(), without.model.surface.points()));
   }
 }
 
