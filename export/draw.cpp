@@ -168,6 +168,10 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   if (can_list) {
     left.push_back(list_beside_pieces(pages.paper, pieces, number_list_heading, numbers, indices));
     left.push_back(list_beside_pieces(pages.paper, pieces, partner_list_heading, partners, indices));
+    // Where all pieces lie on one page, anybody sees where an edge goes on: that is worth no page.
+    if (pages.count == 1 && left.front().rows.empty()) {
+      left.clear();
+    }
   }
   std::vector<std::vector<Group>> backs(pages.count);
   for (std::size_t i = 0; style.numbers == Numbers::back && i < pages.count; ++i) {

@@ -109,6 +109,27 @@ TEST_CASE("the index stands beside the pieces, clear of all else", "[page_index]
   }
 }
 
+TEST_CASE("an index alone has a page of its own only where pieces lie on several pages", "[page_index]") {
+  const mesh::Surface cube = test::cube();
+  const auto edges = test::all_edges(cube);
+  std::size_t without_index = 0;
+  std::size_t with_list_page = 0;
+  for (double height = 90.0; height < 260.0; height += 2.0) {
+    paper::Paper paper;
+    paper.size = {200.0, height};
+    const auto sample = test::sample_pages(cube, 48.0, 5.0, edges, "Sample", paper);
+    paper::DrawReport report;
+    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {}, &report);
+    if (sample.pages.count == 1 && report.labels_listed.empty()) {
+      CHECK(report.list_pages == 0);
+      without_index += index_of(pages.front()).empty() ? 1U : 0U;
+    }
+    with_list_page += sample.pages.count > 1 && report.list_pages > 0 ? 1U : 0U;
+  }
+  CHECK(without_index > 0);
+  CHECK(with_list_page > 0);
+}
+
 TEST_CASE("a model of one piece has no index", "[page_index]") {
   const auto sample = test::sample_pages(test::cube(), 30.0, 5.0);
   REQUIRE(sample.nets.pieces.size() == 1);
