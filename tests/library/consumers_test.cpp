@@ -272,3 +272,33 @@ TEST_CASE("another project has segment as a part of it, without what pages need"
   told_by_program({"segment", model.string(), "--labels", (folder / "parts.seg").string()});
   CHECK(must_run({(folder / "build/whole").string(), model.string()}).out == text_of(folder / "parts.seg"));
 }
+
+TEST_CASE("another project has unfold and job as a part of it", "[library]") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "whole");
+  std::ofstream project(folder / "whole/CMakeLists.txt");
+  project << "cmake_minimum_required(VERSION 3.25)\nproject(whole LANGUAGES CXX)\n"
+          << "add_subdirectory(" << root.string() << " ridgecraft EXCLUDE_FROM_ALL)\n"
+          << "add_compile_options(-Wall -Wextra -Wconversion -Wshadow -Werror)\n";
+  for (const std::string name : {"unfold", "job"}) {
+    project << "add_executable(" << name << ' ' << (root / "examples" / name / "main.cpp").string() << ")\n"
+            << "target_link_libraries(" << name << " PRIVATE Ridgecraft::" << name << ")\n";
+  }
+  project.close();
+  must_run({"cmake", "-G", "Ninja", "-S", (folder / "whole").string(), "-B", (folder / "build").string(),
+            "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"});
+  // Compiled, not linked: the test before links archives that were built as a part of another project,
+  // and to build all of them would take minutes.
+  must_run({"cmake", "--build", (folder / "build").string(), "--target", "ridgecraft_headers"});
+  std::size_t compiled = 0;
+  for (const json& entry : json::parse(text_of(folder / "build/compile_commands.json"))) {
+    if (entry["file"].get<std::string>().starts_with((root / "examples").string())) {
+      const std::string command =
+          std::regex_replace(entry["command"].get<std::string>(), std::regex(" -o \\S+ "),
+                             " -o " + (folder / "main.o").string() + " ");
+      must_run({"sh", "-c", command});
+      ++compiled;
+    }
+  }
+  CHECK(compiled == 2);
+}

@@ -66,6 +66,11 @@ def cross():
 
 
 @pytest.fixture
+def tetrahedron():
+    return np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+
+
+@pytest.fixture
 def cube():
     return voxels([(0, 0, 0)])
 

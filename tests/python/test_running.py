@@ -68,38 +68,45 @@ def test_other_threads_run_meanwhile(large):
     assert counted > 20
 
 
-def test_a_hundred_calls_leave_nothing_behind():
+CALLS = {
+    "segment": lambda mesh: ridgecraft.segment(*mesh).tobytes(),
+    "hulls": lambda mesh: [part.tobytes() for hull in ridgecraft.hulls(*mesh) for part in hull],
+    "unfold": lambda mesh: ridgecraft.unfold(*mesh, size=100).fold,
+    "paper": lambda mesh: ridgecraft.paper(*mesh, size=100).pdf(),
+}
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_a_hundred_calls_leave_nothing_behind(name, tetrahedron):
     def kilobytes():
         with open("/proc/self/statm") as statm:
             return int(statm.read().split()[1]) * os.sysconf("SC_PAGESIZE") // 1024
 
-    vertices, faces = read_obj("whale.obj")
-
-    def call():
-        ridgecraft.segment(vertices, faces)
-        ridgecraft.hulls(vertices, faces)
-
+    # Nets take longer: of four faces.
+    mesh = read_obj("whale.obj") if name in ("segment", "hulls") else tetrahedron
     for _ in range(20):
-        call()
+        CALLS[name](mesh)
     before = kilobytes()
     for _ in range(100):
-        call()
+        CALLS[name](mesh)
     # The arrays that one call gives are some 100 kB.
     assert kilobytes() - before < 1024
 
 
-def test_two_threads_work_at_once(cross):
-    results = {}
-    threads = [
-        threading.Thread(target=lambda i=i: results.setdefault(i, ridgecraft.segment(*cross).tolist()))
-        for i in range(4)
-    ]
+@pytest.mark.parametrize("name", CALLS)
+def test_two_threads_at_once_give_what_one_gives(name, cross):
+    alone = CALLS[name](cross)
+    results = [None, None]
+
+    def call(i):
+        results[i] = CALLS[name](cross)
+
+    threads = [threading.Thread(target=call, args=(i,)) for i in range(2)]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
-    assert len(results) == 4
-    assert all(labels == results[0] for labels in results.values())
+    assert results == [alone, alone]
 
 
 def test_progress_is_told(large):
