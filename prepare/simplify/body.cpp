@@ -9,6 +9,7 @@
 
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/simplify/fold_figures.hpp"
+#include "prepare/simplify/quick_collapses.hpp"
 #include "prepare/simplify/sequence.hpp"
 
 namespace ridgecraft::prepare {
@@ -18,6 +19,10 @@ namespace {
 constexpr std::size_t fewest_faces = 12;
 /// Down to this multiple of the faces that short edges would give, no care is needed.
 constexpr double coarse = 3.0;
+/// Above so many faces the first collapses are made quickly, many at a time, ...
+constexpr std::size_t very_many_faces = 100000;
+/// ... down to this multiple of what needs no care.
+constexpr std::size_t quick = 4;
 /// How strongly short edges are preferred; which is best depends on the model, so each is tried.
 constexpr std::array<double, 2> powers{2.0, 6.0};
 /// Collapses keep to this share of the deviation allowed, since they measure it at few points.
@@ -196,11 +201,17 @@ std::optional<SymmetricShare> simplified_body(const SymmetricShare& body, const 
   const auto far =
       copies * static_cast<std::size_t>(coarse * faces_of_short_edges(before.surface, options.short_edge_mm));
   if (faces_before > far) {
+    if (faces_before > std::max(very_many_faces, 2 * quick * far)) {
+      start = collapsed(
+          body, quick_collapses(body.faces, body.points, walls_of(*rules.walls, body), quick * far, context));
+    }
     const Sequence first(start, rules.model, *rules.walls, far, {options.short_edge_mm}, context);
     const mesh::Model coarser = first.after(first.all());
     if (greatest_distance(mesh::SurfaceTree(coarser.surface, rules.spacing_mm), original, rules.largest_mm,
                           context) <= rules.largest_mm) {
       start = first.share(first.all());
+    } else {
+      start = body;
     }
   }
   mesh::NearField field(original, bound * rules.largest_mm);
