@@ -85,7 +85,12 @@ class PlaneSum {
             xz_ * p.x + yz_ * p.y + zz_ * p.z};
   }
 
-  double xx_ = 0.0, xy_ = 0.0, xz_ = 0.0, yy_ = 0.0, yz_ = 0.0, zz_ = 0.0;
+  double xx_ = 0.0;
+  double xy_ = 0.0;
+  double xz_ = 0.0;
+  double yy_ = 0.0;
+  double yz_ = 0.0;
+  double zz_ = 0.0;
   Vec3 slope_;
   double constant_ = 0.0;
 };
