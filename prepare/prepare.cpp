@@ -56,10 +56,16 @@ class SizeSearch {
   [[nodiscard]] double pages(const Prepared& prepared) const {
     return expected_pages(prepared, {room_.sheet.width, room_.sheet.height});
   }
-  /// The next larger size that is good enough; none if there is none that makes sense, or if the time given
-  /// is too short to find it.
-  [[nodiscard]] std::optional<Prepared> larger(double mm, bool (*good)(const Prepared&)) const {
-    return in_time([&] { return next_larger(mm, good); });
+  /// The next larger size that suits the model; none if there is none that makes sense, or if the time given
+  /// is too short to find it. Sets `foldable_mm` to the smallest larger size at which it can be folded, where
+  /// that is passed.
+  [[nodiscard]] std::optional<Prepared> larger(double mm, std::optional<double>& foldable_mm) const {
+    return in_time([&] { return next_larger(mm, &foldable_mm, suits); });
+  }
+  /// The next larger size at which the model can be folded.
+  [[nodiscard]] std::optional<double> foldable_mm(double mm) const {
+    const std::optional<Prepared> found = in_time([&] { return next_larger(mm, nullptr, can_be_folded); });
+    return found ? std::optional(whole_centimetres(*found)) : std::nullopt;
   }
   /// At a smaller size, if it can be folded there.
   [[nodiscard]] std::optional<Prepared> smaller(double mm) const {
@@ -87,7 +93,12 @@ class SizeSearch {
     size.largest_extent_mm = mm;
     return prepare_at_size(model_, size, simplify_, room_, context_);
   }
-  [[nodiscard]] std::optional<Prepared> next_larger(double mm, bool (*good)(const Prepared&)) const {
+  static double whole_centimetres(const Prepared& prepared) {
+    return centimetre * std::round(extent_of(prepared) / centimetre);
+  }
+
+  [[nodiscard]] std::optional<Prepared> next_larger(double mm, std::optional<double>* foldable_mm,
+                                                    bool (*good)(const Prepared&)) const {
     const bool slow = model_.surface.face_count() > slow_faces;
     const double factor = slow ? large_size_step : size_step;
     int left = slow ? slow_tries : most_tries;
@@ -96,6 +107,9 @@ class SizeSearch {
       mm = centimetre * std::ceil(mm / centimetre);
       context_.check();
       Prepared found = at(mm);
+      if (foldable_mm != nullptr && !*foldable_mm && can_be_folded(found)) {
+        *foldable_mm = whole_centimetres(found);
+      }
       if (good(found)) {
         return found;
       }
@@ -109,23 +123,19 @@ class SizeSearch {
   Context context_;
 };
 
-/// Where nobody could fold it as it is, the smallest size at which somebody can, mm.
-std::optional<double> smallest_size(const Prepared& prepared, const SizeSearch& search) {
-  const std::optional<Prepared> larger =
-      can_be_folded(prepared) ? std::nullopt : search.larger(extent_of(prepared), can_be_folded);
-  return larger ? std::optional(centimetre * std::round(extent_of(*larger) / centimetre)) : std::nullopt;
-}
-
 /// Of the size that it has by default, or of another one between the limits that suits it better.
 Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
   const double pages = search.pages(usual);
   if (!suits(usual)) {
-    std::optional<Prepared> larger = search.larger(extent_of(usual), suits);
+    std::optional<double> foldable_mm;
+    std::optional<Prepared> larger = search.larger(extent_of(usual), foldable_mm);
     if (larger && extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
       larger->size_reason = SizeReason::folds;
       return std::move(*larger);
     }
-    usual.smallest_size_mm = smallest_size(usual, search);
+    if (!can_be_folded(usual)) {
+      usual.smallest_size_mm = foldable_mm;
+    }
     return usual;
   }
   const double fitting =
@@ -164,7 +174,9 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
   if (size.adapts) {
     return of_fitting_size(std::move(prepared), size, search);
   }
-  prepared.smallest_size_mm = smallest_size(prepared, search);
+  if (!can_be_folded(prepared)) {
+    prepared.smallest_size_mm = search.foldable_mm(extent_of(prepared));
+  }
   return prepared;
 }
 

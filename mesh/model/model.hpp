@@ -39,7 +39,8 @@ struct Model {
   std::vector<Material> materials;
   /// Per face: index into materials or Soup::none; empty when no face has one.
   IdVector<FaceId, std::uint32_t> material;
-  /// Per face: texture coordinates of its corners; empty when the model has none.
+  /// Per face: texture coordinates of its corners, as read; empty when the model has none. Steps that change
+  /// faces drop them: what the surface looks like is kept by mesh/look.
   IdVector<FaceId, std::array<Vec2, 3>> texture;
   /// As the file was read: preparing the model doesn't move them. Null when no corner has a colour.
   std::shared_ptr<const CornerColours> corner_colours;

@@ -12,8 +12,8 @@
 namespace ridgecraft::prepare {
 
 /// The side of a model that has more faces, corners within `on` of the plane laid into it. `all` is the model
-/// taken apart. None where a face lies in the plane and is no sheet of its own, as it has no sides; nor where
-/// a texture has no place for an image. O(n log n).
+/// taken apart. None where a face lies in the plane and is no sheet of its own, as it has no sides. O(n log
+/// n).
 [[nodiscard]] std::optional<SymmetricShare> halved(const mesh::Surface& model, const mesh::LooseFaces& all,
                                                    const Mirror& mirror, double on);
 

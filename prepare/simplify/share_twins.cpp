@@ -78,9 +78,10 @@ class TwinSharer {
     copy.body = first;
     copy.motion = twin.motion;
     copy.origins.resize(faces_of_body_[first].size());
+    const TwinFaces partner_of(model_, twin, body);
     for (const std::uint32_t f : faces_of_body_[first]) {
       const std::uint32_t number = share_.faces.material[f];
-      const FaceId partner = partner_of(model_, FaceId(share_.origins[number].face), twin, body);
+      const FaceId partner = partner_of(FaceId(share_.origins[number].face));
       const FaceId image = share_.symmetric() ? share_.image[partner] : FaceId();
       copy.origins[share_.rank[number]] = {partner.value(), image.value()};
     }

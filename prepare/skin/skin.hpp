@@ -20,9 +20,10 @@ namespace ridgecraft::prepare {
 /// they stay as they are but for what lies inside solids.
 ///
 /// Points of bodies that change are laid on a grid of a millionth of the diagonal; faces keep their polygon
-/// and material (a cap has those of what is beside it). Other components, and so all models whose bodies
-/// don't meet, stay as they are to the last bit. Bodies whose skin wouldn't be sound, because it crosses
-/// itself when its points become doubles, or that meet in too many places, stay as they were and are counted.
+/// and material (a cap has no polygon, and the material and object of what is beside it). Other components,
+/// and so all models whose bodies don't meet, stay as they are to the last bit. Bodies whose skin wouldn't be
+/// sound, because it crosses itself when its points become doubles, or that meet in too many places, stay as
+/// they were and are counted.
 ///
 /// O(n log n) for n faces, and about 20 microseconds for each pair of faces that meets. Throws
 /// Error(interrupted), Error(out_of_time).

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -14,6 +15,7 @@
 #include <Eigen/SVD>
 
 #include "base/same_place.hpp"
+#include "mesh/model/surface_distance.hpp"
 #include "prepare/symmetry/correspondence.hpp"
 #include "prepare/symmetry/mirrors.hpp"
 #include "prepare/symmetry/nearby_points.hpp"
@@ -33,6 +35,8 @@ constexpr std::size_t first_tries = 16;
 constexpr double off_line = 0.01;
 /// Cosine of the angle up to which two faces face the same way.
 constexpr double same_way = 0.99;
+/// Faces of a twin without a partner among which one is looked for by its place; of more, any does.
+constexpr std::size_t most_alone = 1000;
 
 /// One body with what twins have in common.
 struct Shape {
@@ -316,22 +320,41 @@ std::vector<std::vector<Twin>> find_twins(const mesh::Surface& surface,
   return result;
 }
 
-FaceId partner_of(const mesh::Surface& surface, FaceId face, const Twin& twin, std::span<const FaceId> body) {
-  const auto found = std::lower_bound(twin.faces.begin(), twin.faces.end(), std::pair(face, FaceId(0)));
-  if (found != twin.faces.end() && found->first == face) {
+TwinFaces::TwinFaces(const mesh::Surface& surface, const Twin& twin, std::span<const FaceId> body)
+    : surface_(surface), twin_(twin), body_(body) {
+  std::vector<FaceId> partners;
+  for (const auto& [face, partner] : twin.faces) {
+    partners.push_back(partner);
+  }
+  std::sort(partners.begin(), partners.end());
+  std::copy_if(body.begin(), body.end(), std::back_inserter(alone_),
+               [&](FaceId f) { return !std::binary_search(partners.begin(), partners.end(), f); });
+}
+
+FaceId TwinFaces::operator()(FaceId face) const {
+  const auto found = std::lower_bound(twin_.faces.begin(), twin_.faces.end(), std::pair(face, FaceId(0)));
+  if (found != twin_.faces.end() && found->first == face) {
     return found->second;
   }
-  const auto middle = [&](FaceId f) {
-    const auto [a, b, c] = surface.vertices(f);
-    return (surface.point(a) + surface.point(b) + surface.point(c)) / 3.0;
-  };
-  const Vec3 place = twin.motion(middle(face));
-  const Vec3 normal = twin.motion.turn(surface.normal(face));
-  const auto rank = [&](FaceId f) {
-    const bool faces_another_way = dot(normal, surface.normal(f)) < same_way;
-    return std::pair(faces_another_way, length(middle(f) - place));
-  };
-  return *std::min_element(body.begin(), body.end(), [&](FaceId f, FaceId g) { return rank(f) < rank(g); });
+  if (alone_.empty() || alone_.size() > most_alone) {
+    return body_.front();
+  }
+  const auto [a, b, c] = surface_.vertices(face);
+  const Vec3 middle = twin_.motion((surface_.point(a) + surface_.point(b) + surface_.point(c)) / 3.0);
+  const Vec3 normal = twin_.motion.turn(surface_.normal(face));
+  FaceId best;
+  std::pair<bool, double> least(true, INFINITY);
+  for (const FaceId f : alone_) {
+    const auto [i, j, k] = surface_.vertices(f);
+    const bool faces_another_way = dot(normal, surface_.normal(f)) < same_way;
+    const std::pair rank(faces_another_way, mesh::squared_distance(surface_.point(i), surface_.point(j),
+                                                                   surface_.point(k), middle));
+    if (!best.valid() || rank < least) {
+      least = rank;
+      best = f;
+    }
+  }
+  return best;
 }
 
 std::vector<std::vector<FaceId>> components(const mesh::Surface& surface) {

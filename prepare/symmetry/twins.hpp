@@ -40,11 +40,24 @@ struct Twin {
                                                         const Context& context,
                                                         double tolerance = twin_tolerance);
 
-/// What belongs to a face of the first body: its partner; where it has none, since flat regions have other
-/// triangles, the face of `body` (those of the twin) that lies there: of faces that face the same way, or of
-/// all where none does, the one whose middle is nearest. O(log n), O(n) without a partner.
-[[nodiscard]] FaceId partner_of(const mesh::Surface& surface, FaceId face, const Twin& twin,
-                                std::span<const FaceId> body);
+/// Finds for faces of the first body what of a twin lies in their place.
+class TwinFaces {
+ public:
+  /// `body`: the faces of the twin. All must outlive this. O(n log n).
+  TwinFaces(const mesh::Surface& surface, const Twin& twin, std::span<const FaceId> body);
+
+  /// The face's partner; where it has none, since flat regions have other triangles there, of the twin's
+  /// faces without a partner the one nearest to where the middle of this one would be, of those that face the
+  /// same way if any does. Where the twin has very many of these, any face of it. O(log n), O(faces without a
+  /// partner).
+  [[nodiscard]] FaceId operator()(FaceId face) const;
+
+ private:
+  const mesh::Surface& surface_;
+  const Twin& twin_;
+  std::span<const FaceId> body_;
+  std::vector<FaceId> alone_;  ///< faces of the twin without a partner
+};
 
 /// The faces of each component.
 [[nodiscard]] std::vector<std::vector<FaceId>> components(const mesh::Surface& surface);

@@ -58,6 +58,7 @@ class Copier {
       : surface_(surface), old_(old), first_(first), body_(body), twin_(twin) {}
 
   void write(mesh::LooseFaces& faces) const {
+    const TwinFaces partner_of(surface_, twin_, body_);
     std::map<std::uint32_t, std::uint32_t> image;  // of points of the first body
     for (std::size_t i = 0; i < first_.size(); ++i) {
       std::array<std::uint32_t, 3> corners{};
@@ -70,7 +71,7 @@ class Copier {
         corners[twin_corner(FaceId(0), k, twin_.motion.mirrors).value()] = at->second;
       }
       const std::uint32_t to = body_[i].value();
-      const FaceId from = partner_of(surface_, first_[i], twin_, body_);
+      const FaceId from = partner_of(first_[i]);
       faces.faces[to] = corners;
       faces.polygon[to] = old_.polygon[from.value()];
       if (!old_.material.empty()) {

@@ -18,9 +18,9 @@ namespace ridgecraft::unfold {
 [[nodiscard]] CutFacts cut_facts(const TabState& tabs, const TabOptions& options);
 
 /// Brings the net to a tree of less energy (NetEnergy) by simulated annealing over swaps of a cut and a fold:
-/// a quick half, in which mirror images count twice, and an exact one where there are tabs.
-/// All its trees stay clean and fit the room if it does. Deterministic for one seed but for the deadline.
-/// Throws Error(interrupted).
+/// a quick half, and an exact one where there are tabs and trials for it; then mirror images count twice in
+/// the first. All its trees stay clean and fit the room if it does. Deterministic for one seed but for the
+/// deadline. Throws Error(interrupted).
 void anneal(ChangingNet& net, const CutFacts& facts, const Room& room, const Weights& weights,
             const Annealing& rules, std::uint64_t seed, const Context& context);
 

@@ -35,20 +35,23 @@ std::int64_t limit_of(double may_cost, double price) {
 }  // namespace
 
 QuickWalk::QuickWalk(ChangingNet& net, NetEnergy& energy, FoldingMeetings* meetings, std::uint64_t seed)
-    : Walk(net, energy, seed), pairs_(net.tree(), net.tolerance()), meetings_(meetings) {
+    : Walk(net, energy, seed),
+      pairs_(net.tree(), net.tolerance()),
+      meetings_(meetings),
+      has_tabs_(net.has_tabs()) {
   pairs_.find_all();
-  if (net.has_tabs()) {
-    energy_.weigh_mirror(mirror_times);
-  }
   if (meetings_ != nullptr) {
     meetings_->count(net.tree());
-  }
-  if (is_allowed()) {
-    least_ = energy_.total();
   }
 }
 
 std::optional<Folds> QuickWalk::run(const Annealing& rules, const Context& context) {
+  if (has_tabs_ && rules.exact_trials > 0) {
+    energy_.weigh_mirror(mirror_times);
+  }
+  if (is_allowed()) {
+    least_ = energy_.total();
+  }
   std::uint64_t paths = 0;
   const auto trials = static_cast<double>(rules.quick_trials);
   const auto spent = [&](std::uint64_t trial) {

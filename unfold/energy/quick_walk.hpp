@@ -19,8 +19,8 @@ class QuickWalk : public Walk {
   /// `meetings`, where given, are of the net's patch: only trees without any are remembered.
   QuickWalk(ChangingNet& net, NetEnergy& energy, FoldingMeetings* meetings, std::uint64_t seed);
 
-  /// The best tree that it came to, mirror images counted twice where tabs are; nothing where none is better
-  /// than the one that it began with, if that was allowed. Throws Error(interrupted).
+  /// The best tree that it came to, mirror images counted twice where an exact walk follows; nothing where
+  /// none is better than the one that it began with, if that was allowed. Throws Error(interrupted).
   [[nodiscard]] std::optional<Folds> run(const Annealing& rules, const Context& context);
 
  private:
@@ -34,6 +34,7 @@ class QuickWalk : public Walk {
 
   OverlapPairs pairs_;
   FoldingMeetings* meetings_;
+  bool has_tabs_;
   double heat_ = 0.0;
   double overlap_price_ = 0.0;
   double meeting_price_ = 0.0;

@@ -36,12 +36,15 @@ constexpr std::size_t most_faces_of_twins = 20'000;
 /// Costs that differ by less than this share are equal but for rounding.
 constexpr double same_cost = 1e-9;
 
-/// Edges of the first of its kind where labels meet on this piece, ascending.
+/// Edges of the first of its kind where labels meet within this piece, ascending. Around it everything is cut
+/// in any case, and within flat regions nothing is.
 std::vector<EdgeId> borders_of(const mesh::Surface& surface, const Patch& patch, const TwinPiece& piece) {
   std::vector<EdgeId> own;
   for (const std::uint32_t f : piece.faces) {
     for (unsigned k = 0; k < 3; ++k) {
-      if (patch.labels_meet[3 * f + k] != 0) {
+      const std::uint32_t twin = patch.twin[3 * f + k];
+      if (twin != nothing && is_border_of_labels(patch, 3 * f + k) &&
+          std::binary_search(piece.faces.begin(), piece.faces.end(), twin / 3)) {
         own.push_back(surface.edge(mesh::corner(patch.face[f], k)));
       }
     }
@@ -58,7 +61,8 @@ std::vector<EdgeId> borders_of(const mesh::Surface& surface, const Patch& patch,
 }
 
 /// Twins that the model's author has divided in different ways, by colours or names, are of different kinds:
-/// what is a good cut on one is none on the other.
+/// what is a good cut on one is none on the other. Edges are those of the first of each kind then; it may lie
+/// as far from the others as two twins, which find_equal_pieces() judges at the end.
 TwinPieces by_borders(const mesh::Surface& surface, const Patch& patch, std::vector<TwinPiece> kind) {
   std::map<std::vector<EdgeId>, std::vector<TwinPiece>> kinds;
   for (TwinPiece& piece : kind) {

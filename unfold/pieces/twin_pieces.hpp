@@ -17,7 +17,7 @@ namespace ridgecraft::unfold {
 /// A piece whose faces lie like those of the first of its kind.
 struct TwinPiece {
   std::vector<std::uint32_t> faces;              ///< of the whole patch, ascending
-  std::vector<std::pair<EdgeId, EdgeId>> edges;  ///< of the first piece, and of this one
+  std::vector<std::pair<EdgeId, EdgeId>> edges;  ///< of the first of its kind here, and of this one
 };
 
 /// Kinds of two or more pieces.
