@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t fewest_faces = 12;
 /// Down to this multiple of the faces that short edges would give, no care is needed.
 constexpr double coarse = 3.0;
-/// Above so many faces the first collapses are made quickly, many at a time, ...
+/// Of bodies of more faces flat regions aren't remeshed, and the first collapses are made many at a time, ...
 constexpr std::size_t very_many_faces = 100000;
 /// ... down to this multiple of what needs no care.
 constexpr std::size_t quick = 4;
@@ -188,9 +188,11 @@ bool pays(const Candidate& candidate, const FoldFigures& before, std::size_t fac
 
 std::optional<SymmetricShare> simplified_body(const SymmetricShare& body, const BodyRules& rules,
                                               const SimplifyOptions& options, const Context& context) {
-  const mesh::Model before = model_of(body, rules.model, context);
-  const FoldFigures folds_before = fold_figures(before.surface, options);
   const std::size_t faces_before = body.face_count();
+  // The whole was remeshed before; what a cut at a mirror plane adds to so many faces doesn't count.
+  const mesh::Model before =
+      faces_before > very_many_faces ? as_it_is(body, rules.model) : model_of(body, rules.model, context);
+  const FoldFigures folds_before = fold_figures(before.surface, options);
   if (folds_before.brief_share() <= options.short_edge_share && faces_before <= rules.most_faces) {
     return std::nullopt;
   }

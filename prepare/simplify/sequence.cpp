@@ -10,7 +10,7 @@
 
 namespace ridgecraft::prepare {
 
-mesh::Model model_of(const SymmetricShare& share, const mesh::LooseFaces& model, const Context& context) {
+mesh::Model as_it_is(const SymmetricShare& share, const mesh::LooseFaces& model) {
   mesh::LooseFaces faces;
   if (share.copies.empty()) {
     faces = whole(share, model);
@@ -21,6 +21,11 @@ mesh::Model model_of(const SymmetricShare& share, const mesh::LooseFaces& model,
   }
   mesh::Model result;
   mesh::put_together(result, std::move(faces));
+  return result;
+}
+
+mesh::Model model_of(const SymmetricShare& share, const mesh::LooseFaces& model, const Context& context) {
+  mesh::Model result = as_it_is(share, model);
   remesh_panels(result, context);
   return result;
 }

@@ -15,7 +15,10 @@
 
 namespace ridgecraft::prepare {
 
-/// A share without its copies as a model with remeshed panels. `model` is the whole taken apart.
+/// A share without its copies as a model. `model` is the whole taken apart.
+[[nodiscard]] mesh::Model as_it_is(const SymmetricShare& share, const mesh::LooseFaces& model);
+
+/// The same with its panels remeshed.
 [[nodiscard]] mesh::Model model_of(const SymmetricShare& share, const mesh::LooseFaces& model,
                                    const Context& context);
 

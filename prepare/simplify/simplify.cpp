@@ -151,10 +151,9 @@ struct Beforehand {
   bool turned = true;
 };
 
-/// How far the surface was allowed to move.
-double simplify_components(mesh::Model& model, const SimplifyOptions& options, Beforehand beforehand,
-                           SimplifyReport& report, const Context& context) {
-  const mesh::Surface before = model.surface;
+/// How far the surface was allowed to move. `before`: the model's own.
+double simplify_components(mesh::Model& model, const mesh::Surface& before, const SimplifyOptions& options,
+                           Beforehand beforehand, SimplifyReport& report, const Context& context) {
   const double extent = before.bounds().largest_extent();
   const double largest_mm = options.largest_deviation * extent;
   report.deviation_mm = report.evened_mm = 0.0;
@@ -165,10 +164,11 @@ double simplify_components(mesh::Model& model, const SimplifyOptions& options, B
   report.turned = beforehand.turned ? simplify_turned(model, options, largest_mm, context) : 0;
   const mesh::LooseFaces all = mesh::take_apart(model);
   const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
-  const SymmetricShare start = symmetric_share(model, symmetric_within, context);
+  SymmetricShare start = symmetric_share(model, symmetric_within, context);
   const double evened_mm = evened(start, model);
   const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
   std::vector<SymmetricShare> bodies = divided(start);
+  start = {};  // large
   const Allowed allowed = simplify_bodies(model, bodies, rules, options, context);
   SymmetricShare share = joined(bodies);
   report.edges_turned = remove_splinters(share, options.splinter_mm);
@@ -189,13 +189,13 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
                       const Context& context) {
   report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
   const mesh::Model kept = model;
-  const double largest_mm = simplify_components(model, options, {}, report, context);
+  const double largest_mm = simplify_components(model, kept.surface, options, {}, report, context);
   // What was simplified after the features and the turned bodies may have moved the surface as far again.
   for (const Beforehand fewer : {Beforehand{false, true}, Beforehand{false, false}}) {
     const bool was_tried = report.features_removed == 0 && (fewer.turned || report.turned == 0);
     if (report.deviation_mm > largest_mm && !was_tried) {
       model = kept;
-      simplify_components(model, options, fewer, report, context);
+      simplify_components(model, kept.surface, options, fewer, report, context);
     }
   }
 }
