@@ -38,8 +38,8 @@ namespace ridgecraft::paper {
                            const IdVector<PieceId, std::uint32_t>& sort = {});
 
 /// The largest of a few sizes below the present one, as a share of it, at which these pieces would take a
-/// page less; none where even the smallest of them wouldn't do. About, since tabs don't shrink with the model
-/// and nets may come out otherwise. Takes a tenth of what layout() does.
+/// page less, with a reserve of 4 %, since tabs don't shrink with the model and nets come out otherwise; none
+/// where even the smallest of them wouldn't do. Takes a tenth of what layout() does.
 [[nodiscard]] std::optional<double> share_that_saves_a_page(const unfold::Nets& nets, const Pages& pages,
                                                             const Context& context);
 

@@ -93,7 +93,8 @@ std::string model_line(const job::Paper& made) {
 
 void add_glue(const GlueFigures& glue, Clauses& clauses) {
   if (glue.without_tab_mm > 0.0) {
-    clauses.push_back(fmt::format("{} of seams have no tab", metres(glue.without_tab_mm)));
+    clauses.push_back(
+        fmt::format("{} of seams have no tab: glue a strip of paper behind", metres(glue.without_tab_mm)));
   }
   if (glue.weak_mm > 0.0) {
     clauses.push_back(fmt::format("{} of seams have tabs too small to hold well", metres(glue.weak_mm)));

@@ -132,6 +132,10 @@ IdVector<PieceId, std::string> find_piece_objects(const prepare::Prepared& prepa
 }
 
 std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most) {
+  if (kind.name.empty() && kind.pieces.size() == 1 && kind.mirrored.size() == 1) {
+    return listed(nets, kind.pieces, most) + " and " + listed(nets, kind.mirrored, most) +
+           " are mirror images";
+  }
   std::string text = std::to_string(kind.count());
   text += kind.name.empty() ? " equal" : " \u00d7 " + kind.name;
   text += ": " + listed(nets, kind.pieces, most);
