@@ -56,16 +56,12 @@ class SizeSearch {
   [[nodiscard]] double pages(const Prepared& prepared) const {
     return expected_pages(prepared, {room_.sheet.width, room_.sheet.height});
   }
-  /// The next larger size that suits the model; none if there is none that makes sense, or if the time given
-  /// is too short to find it. Sets `foldable_mm` to the smallest larger size at which it can be folded, where
-  /// that is passed.
-  [[nodiscard]] std::optional<Prepared> larger(double mm, std::optional<double>& foldable_mm) const {
-    return in_time([&] { return next_larger(mm, &foldable_mm, suits); });
-  }
-  /// The next larger size at which the model can be folded.
-  [[nodiscard]] std::optional<double> foldable_mm(double mm) const {
-    const std::optional<Prepared> found = in_time([&] { return next_larger(mm, nullptr, can_be_folded); });
-    return found ? std::optional(whole_centimetres(*found)) : std::nullopt;
+  /// The next larger size that is good enough; none if there is none that makes sense, or if the time given
+  /// is too short to find it. Sets `foldable_mm` to the first size on the way at which the model can be
+  /// folded.
+  std::optional<Prepared> larger(double mm, bool (*good)(const Prepared&),
+                                 std::optional<double>& foldable_mm) const {
+    return in_time([&] { return next_larger(mm, good, foldable_mm); });
   }
   /// At a smaller size, if it can be folded there.
   [[nodiscard]] std::optional<Prepared> smaller(double mm) const {
@@ -93,12 +89,8 @@ class SizeSearch {
     size.largest_extent_mm = mm;
     return prepare_at_size(model_, size, simplify_, room_, context_);
   }
-  static double whole_centimetres(const Prepared& prepared) {
-    return centimetre * std::round(extent_of(prepared) / centimetre);
-  }
-
-  [[nodiscard]] std::optional<Prepared> next_larger(double mm, std::optional<double>* foldable_mm,
-                                                    bool (*good)(const Prepared&)) const {
+  std::optional<Prepared> next_larger(double mm, bool (*good)(const Prepared&),
+                                      std::optional<double>& foldable_mm) const {
     const bool slow = model_.surface.face_count() > slow_faces;
     const double factor = slow ? large_size_step : size_step;
     int left = slow ? slow_tries : most_tries;
@@ -107,8 +99,8 @@ class SizeSearch {
       mm = centimetre * std::ceil(mm / centimetre);
       context_.check();
       Prepared found = at(mm);
-      if (foldable_mm != nullptr && !*foldable_mm && can_be_folded(found)) {
-        *foldable_mm = whole_centimetres(found);
+      if (!foldable_mm && can_be_folded(found)) {
+        foldable_mm = centimetre * std::round(extent_of(found) / centimetre);
       }
       if (good(found)) {
         return found;
@@ -128,7 +120,7 @@ Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSear
   const double pages = search.pages(usual);
   if (!suits(usual)) {
     std::optional<double> foldable_mm;
-    std::optional<Prepared> larger = search.larger(extent_of(usual), foldable_mm);
+    std::optional<Prepared> larger = search.larger(extent_of(usual), suits, foldable_mm);
     if (larger && extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
       larger->size_reason = SizeReason::folds;
       return std::move(*larger);
@@ -175,7 +167,7 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
     return of_fitting_size(std::move(prepared), size, search);
   }
   if (!can_be_folded(prepared)) {
-    prepared.smallest_size_mm = search.foldable_mm(extent_of(prepared));
+    search.larger(extent_of(prepared), can_be_folded, prepared.smallest_size_mm);
   }
   return prepared;
 }

@@ -2,14 +2,12 @@
 // The part of a model that is simplified when the rest follows from it. Private to prepare/.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/id.hpp"
-#include "base/vector.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/simplify/collapses.hpp"
 #include "prepare/symmetry/isometry.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prepare/simplify/symmetric_share.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <utility>
