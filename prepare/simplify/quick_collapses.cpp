@@ -9,6 +9,9 @@
 #include <span>
 #include <tuple>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
 namespace ridgecraft::prepare {
 namespace {
 
@@ -28,70 +31,42 @@ constexpr double flat_error = 1e-6;
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// Sum of squared distances from planes, each weighted by an area.
+/// Sum of squared distances from planes, each weighted by an area: a quadric.
 class PlaneSum {
  public:
   void add(Vec3 normal, double offset, double weight) {
-    xx_ += weight * normal.x * normal.x;
-    xy_ += weight * normal.x * normal.y;
-    xz_ += weight * normal.x * normal.z;
-    yy_ += weight * normal.y * normal.y;
-    yz_ += weight * normal.y * normal.z;
-    zz_ += weight * normal.z * normal.z;
-    slope_ += (-weight * offset) * normal;
+    const Eigen::Vector3d n = vector(normal);
+    matrix_ += weight * n * n.transpose();
+    slope_ -= weight * offset * n;
     constant_ += weight * offset * offset;
   }
   PlaneSum& operator+=(const PlaneSum& other) {
-    xx_ += other.xx_;
-    xy_ += other.xy_;
-    xz_ += other.xz_;
-    yy_ += other.yy_;
-    yz_ += other.yz_;
-    zz_ += other.zz_;
+    matrix_ += other.matrix_;
     slope_ += other.slope_;
     constant_ += other.constant_;
     return *this;
   }
   /// The weights together.
-  [[nodiscard]] double weight() const { return xx_ + yy_ + zz_; }
-  [[nodiscard]] double at(Vec3 p) const {
-    return std::max(0.0, dot(p, times(p)) + 2.0 * dot(slope_, p) + constant_);
+  [[nodiscard]] double weight() const { return matrix_.trace(); }
+  [[nodiscard]] double at(Vec3 place) const {
+    const Eigen::Vector3d p = vector(place);
+    return std::max(0.0, p.dot(matrix_ * p) + 2.0 * slope_.dot(p) + constant_);
   }
   /// Where the sum is least, held by a weak pull to a place.
   [[nodiscard]] Vec3 least_near(Vec3 place) const {
-    const double w = pull * weight();
-    const double a = xx_ + w;
-    const double d = yy_ + w;
-    const double f = zz_ + w;
-    // How the place moves: (A + w) step = -(A place + slope).
-    const Vec3 s = -1.0 * (times(place) + slope_);
-    const double da = d * f - yz_ * yz_;
-    const double db = xz_ * yz_ - xy_ * f;
-    const double dc = xy_ * yz_ - xz_ * d;
-    const double det = a * da + xy_ * db + xz_ * dc;
-    if (!(det > 0.0)) {
+    if (!(weight() > 0.0)) {
       return place;
     }
-    const double ee = a * f - xz_ * xz_;
-    const double ef = xy_ * xz_ - a * yz_;
-    const double ff = a * d - xy_ * xy_;
-    return place + (1.0 / det) * Vec3{da * s.x + db * s.y + dc * s.z, db * s.x + ee * s.y + ef * s.z,
-                                      dc * s.x + ef * s.y + ff * s.z};
+    const Eigen::Matrix3d held = matrix_ + pull * weight() * Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d step = held.llt().solve(-(matrix_ * vector(place) + slope_));
+    return place + Vec3{step.x(), step.y(), step.z()};
   }
 
  private:
-  [[nodiscard]] Vec3 times(Vec3 p) const {
-    return {xx_ * p.x + xy_ * p.y + xz_ * p.z, xy_ * p.x + yy_ * p.y + yz_ * p.z,
-            xz_ * p.x + yz_ * p.y + zz_ * p.z};
-  }
+  static Eigen::Vector3d vector(Vec3 v) { return {v.x, v.y, v.z}; }
 
-  double xx_ = 0.0;
-  double xy_ = 0.0;
-  double xz_ = 0.0;
-  double yy_ = 0.0;
-  double yz_ = 0.0;
-  double zz_ = 0.0;
-  Vec3 slope_;
+  Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d slope_ = Eigen::Vector3d::Zero();
   double constant_ = 0.0;
 };
 
