@@ -20,7 +20,7 @@ constexpr double considered = 0.4;
 /// A pass that removes less than this share of the faces is the last one.
 constexpr double least_progress = 0.01;
 /// Cosine of how far a face may turn in one collapse.
-constexpr double turn_cosine = 0.5;
+constexpr double largest_turn_cosine = 0.5;
 /// Smallest height over longest side of a new face where the old one wasn't worse.
 constexpr double thinnest_new_face = 0.02;
 /// Pull towards the middle of an edge, as a share of the quadric's growth: it decides where the surface is
@@ -236,7 +236,7 @@ class QuickCollapses {
       }
       const Shape was = shape_of(points_[v], points_[from], points_[to]);
       const Shape is = shape_of(place, points_[from], points_[to]);
-      if (dot(was.normal, is.normal) < turn_cosine ||
+      if (dot(was.normal, is.normal) < largest_turn_cosine ||
           (is.height_share < thinnest_new_face && is.height_share < was.height_share)) {
         return true;
       }

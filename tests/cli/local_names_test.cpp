@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 /// What a line at the margin of a namespace defines or declares: a constant, a type, or a function with the
 /// first line of its parameters, since functions of one folder may differ by these alone.
 std::optional<std::string> name_of(const std::string& line) {
-  static const std::regex constant(R"re((?:inline )?constexpr [\w:<>, *]*?\b(\w+)(?:\{| = ).*)re");
+  static const std::regex constant(R"re((?:inline )?const(?:expr)? [\w:<>, *]*?\b(\w+)(?:\{| = ).*)re");
   static const std::regex type(R"re((?:class|struct|enum class) (\w+)\b.*)re");
   static const std::regex function(R"re((?:\[\[nodiscard\]\] )?[\w:][\w:<>,&* ]*[ &*](\w+\([^)]*).*)re");
   static const std::regex none(R"re((?:template|using|namespace|return)\b.*)re");
@@ -119,6 +119,7 @@ void add_headers(const std::map<std::string, SourceFile>& sources, const std::st
 TEST_CASE("names are found where they are defined", "[architecture]") {
   CHECK(name_of("constexpr std::size_t most_faces = 600;") == "most_faces");
   CHECK(name_of("constexpr std::array<float, 8> cosines{1.0F, 0.9F};") == "cosines");
+  CHECK(name_of("const double turn_cosine = elementary::cos(1.3);") == "turn_cosine");
   CHECK(name_of("class FewestSearch {") == "FewestSearch");
   CHECK(name_of("struct Edge;") == "Edge");
   CHECK(name_of("std::uint32_t next_side(std::uint32_t side) {") == "next_side(std::uint32_t side");
