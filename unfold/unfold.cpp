@@ -30,6 +30,7 @@
 #include "unfold/pieces/moved_borders.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/pieces/ragged_pieces.hpp"
+#include "unfold/pieces/turned_pieces.hpp"
 #include "unfold/pieces/twin_pieces.hpp"
 #include "unfold/plan.hpp"
 #include "unfold/unfolded_parts.hpp"
@@ -137,6 +138,8 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
   const MirrorImages images = context.out_of_time() ? MirrorImages() : mirror_images_here();
   const Folds even = even_pieces(asked.surface, patch, merged, images, rules.weights, plan.room,
                                  net_tolerance(patch.extent), context.seed, context);
+  const Folds turned = turned_pieces(asked.surface, patch, even, images.edge, rules.weights, plan.room,
+                                     net_tolerance(patch.extent), context.seed, context);
   const auto twins_of = [&](const Folds& folds) {
     return context.out_of_time() ? TwinPieces() : find_twin_pieces(asked.surface, patch, folds, context);
   };
@@ -145,7 +148,7 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
     return better_borders(asked.surface, plan.whole, apart, folds, images.edge, asked.options, plan.room,
                           start, context);
   };
-  Folds calm = bordered(even, Start::anywhere);
+  Folds calm = bordered(turned, Start::anywhere);
   if (rules.merge && !context.out_of_time()) {
     const Folds cut = with_ragged_pieces_cut(patch, asked.part.items(), calm, rules.weights, context);
     if (blame(patch, calm, cut, PieceReason::shape, parts.causes) > 0) {

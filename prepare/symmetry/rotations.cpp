@@ -2,23 +2,36 @@
 #include "prepare/symmetry/rotations.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "base/elementary.hpp"
 #include "prepare/symmetry/area_frame.hpp"
+#include "prepare/symmetry/correspondence.hpp"
+#include "prepare/symmetry/isometry.hpp"
+#include "prepare/symmetry/nearby_points.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
 /// Axes with a greater cosine between them are one.
 constexpr double same_axis = 1.0 - 1e-8;
-/// Mirror planes whose lines are looked at.
-constexpr std::size_t most_planes = 16;
+/// What lies nearer to an axis than this share of the extent hardly moves, and says nothing of turns.
+constexpr double near_axis = 0.05;
+/// Partial turns are tried up to so many folds: more than that are the sides of something round.
+constexpr unsigned most_folds = 12;
+/// A turn is looked at closely when of so many corners at most a share somewhat smaller than that asked for
+/// stays on corners.
+constexpr std::size_t most_samples = 150;
+constexpr double sample_reserve = 0.1;
+/// A turn of fewer folds has to lay so many times as much on itself to be taken instead.
+constexpr double clearly_more = 1.05;
+/// Edges that are folded less are lines within flat regions: 0.1 degrees.
+constexpr double flat_fold = 0.0017453;
 
 /// Turns about a line through a point (O. Rodrigues).
 Isometry turn_about_line(Vec3 point, Vec3 axis, double angle) {
@@ -32,81 +45,83 @@ Isometry turn_about_line(Vec3 point, Vec3 axis, double angle) {
   return turn;
 }
 
-/// Sorts values and calls each(first, last) for every range of them that goes on without a gap.
-template <class Each>
-void for_each_cluster(std::vector<std::pair<double, std::size_t>>& values, double gap, Each each) {
-  std::sort(values.begin(), values.end());
-  std::size_t first = 0;
-  for (std::size_t i = 1; i <= values.size(); ++i) {
-    if (i == values.size() || values[i].first - values[i - 1].first > gap) {
-      each(first, i);
-      first = i;
-    }
-  }
-}
+/// A line that partial turns are about, and those of the surface's corners that tell of them.
+struct SampledAxis {
+  Vec3 point;
+  Vec3 axis;
+  std::vector<Vec3> samples;
+};
 
-/// Every turn of a surface onto itself turns each ring of corners at one height and one distance from the
-/// axis onto itself: its folds divide their numbers.
-std::size_t common_divisor(const mesh::Surface& surface, Vec3 point, Vec3 axis, double exact) {
-  std::vector<std::pair<double, std::size_t>> heights;
-  for (const VertexId v : ids<VertexId>(surface.vertex_count())) {
-    heights.emplace_back(dot(surface.point(v) - point, axis), v.value());
-  }
-  std::size_t divisor = 0;
-  for_each_cluster(heights, exact, [&](std::size_t first, std::size_t last) {
-    std::vector<std::pair<double, std::size_t>> radii;
-    for (std::size_t i = first; i < last; ++i) {
-      const Vec3 p = surface.point(VertexId(heights[i].second));
-      radii.emplace_back(length(cross(p - point, axis)), heights[i].second);
+std::vector<SampledAxis> sampled_axes(const mesh::Surface& surface) {
+  const AreaFrame frame = area_frame(surface);
+  const Box3 box = surface.bounds();
+  std::vector<Vec3> axes{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+  for (const Vec3 axis : frame.axes) {
+    if (std::none_of(axes.begin(), axes.end(), [&](Vec3 a) { return std::abs(dot(a, axis)) > same_axis; })) {
+      axes.push_back(axis);
     }
-    for_each_cluster(radii, exact, [&](std::size_t begin, std::size_t end) {
-      if (radii[end - 1].first > 2.0 * exact) {
-        divisor = std::gcd(divisor, end - begin);
+  }
+  std::vector<SampledAxis> result;
+  for (const Vec3 axis : axes) {
+    for (const Vec3 point : {0.5 * (box.low + box.high), frame.centre}) {
+      std::vector<Vec3> far;
+      for (const VertexId v : ids<VertexId>(surface.vertex_count())) {
+        if (length(cross(surface.point(v) - point, axis)) > near_axis * box.largest_extent()) {
+          far.push_back(surface.point(v));
+        }
       }
-    });
-  });
-  return divisor;
+      const std::size_t step = far.size() / most_samples + 1;
+      std::vector<Vec3> samples;
+      for (std::size_t i = 0; i < far.size(); i += step) {
+        samples.push_back(far[i]);
+      }
+      result.push_back({point, axis, std::move(samples)});
+    }
+  }
+  return result;
 }
 
 }  // namespace
 
-std::vector<Rotation> find_rotations(const mesh::Surface& surface, const SymmetryTolerance& tolerance) {
-  std::vector<Rotation> found;
-  if (surface.face_count() == 0) {
-    return found;
+std::optional<PartialRotation> widest_rotation(const mesh::Surface& surface, double near,
+                                               double least_share) {
+  std::vector<Vec3> points;
+  std::vector<std::uint32_t> numbers;
+  for (const VertexId v : ids<VertexId>(surface.vertex_count())) {
+    numbers.push_back(static_cast<std::uint32_t>(points.size()));
+    points.push_back(surface.point(v));
   }
-  const double exact = tolerance.exact * surface.bounds().largest_extent();
-  const AreaFrame frame = area_frame(surface);
-  std::vector<Vec3> axes{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  axes.insert(axes.end(), frame.axes.begin(), frame.axes.end());
-  const std::vector<Mirror> mirrors = find_mirrors(surface, most_planes, tolerance);
-  for (std::size_t i = 0; i < mirrors.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (mirrors[i].exact && mirrors[k].exact) {
-        axes.push_back(normalized(cross(mirrors[i].plane.normal, mirrors[k].plane.normal)));
-      }
-    }
+  const NearbyPoints nearby(points, std::move(numbers));
+  IdVector<EdgeId, double> seen(surface.edge_count(), 0.0);
+  double all = 0.0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    seen[e] = std::abs(surface.fold_angle(e)) > flat_fold ? surface.length(e) : 0.0;
+    all += seen[e];
   }
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const bool known = std::any_of(axes.begin(), axes.begin() + static_cast<std::ptrdiff_t>(i),
-                                   [&](Vec3 a) { return std::abs(dot(a, axes[i])) > same_axis; });
-    const std::size_t divisor = known ? 0 : common_divisor(surface, frame.centre, axes[i], exact);
-    for (std::size_t n = divisor; n >= 2; --n) {
-      if (divisor % n != 0) {
+  const double radius = near * surface.bounds().largest_extent();
+  std::optional<PartialRotation> best;
+  double most = least_share * all;
+  for (const SampledAxis& line : sampled_axes(surface)) {
+    for (unsigned n = most_folds; n >= 2; --n) {
+      const Isometry turn = turn_about_line(line.point, line.axis, 2.0 * std::numbers::pi / n);
+      const auto stay = std::count_if(line.samples.begin(), line.samples.end(),
+                                      [&](Vec3 p) { return nearby.nearest(turn(p), radius) != no_point; });
+      if (static_cast<double>(stay) <
+          (least_share - sample_reserve) * static_cast<double>(line.samples.size())) {
         continue;
       }
-      const Isometry turn =
-          turn_about_line(frame.centre, axes[i], 2.0 * std::numbers::pi / static_cast<double>(n));
-      Correspondence maps = correspond(surface, surface, turn, exact);
-      if (maps.farthest <= exact) {
-        found.push_back({frame.centre, axes[i], static_cast<unsigned>(n), turn, std::move(maps)});
-        break;
+      IdVector<EdgeId, EdgeId> images = match_edges(surface, surface, turn, radius);
+      double length = 0.0;
+      for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+        length += images[e].valid() ? seen[e] : 0.0;
+      }
+      if (length > most) {
+        most = clearly_more * length;
+        best = {n, std::move(images)};
       }
     }
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Rotation& a, const Rotation& b) { return a.folds > b.folds; });
-  return found;
+  return best;
 }
 
 }  // namespace ridgecraft::prepare

@@ -1,29 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Axes that a surface can be turned about onto itself: petals, spokes, towers.
+// Turns that lay a surface on itself, or most of it: petals, spokes, towers, fins.
 #pragma once
 
-#include <vector>
+#include <optional>
 
+#include "base/id.hpp"
 #include "mesh/model/surface.hpp"
-#include "prepare/symmetry/correspondence.hpp"
-#include "prepare/symmetry/isometry.hpp"
-#include "prepare/symmetry/mirrors.hpp"
 
 namespace ridgecraft::prepare {
 
-/// A line, and the turn about it that all others of the surface are powers of.
-struct Rotation {
-  Vec3 point;
-  Vec3 axis;           ///< of length 1
-  unsigned folds = 2;  ///< the turn is one of so many of a full circle
-  Isometry turn;
-  Correspondence maps;  ///< of that turn; maps.whole as in Mirror
+/// A turn that lays much of a surface on itself, whatever else stands on it: a rocket's four fins beside its
+/// one door.
+struct PartialRotation {
+  unsigned folds = 2;             ///< the turn is one of so many of a full circle
+  IdVector<EdgeId, EdgeId> edge;  ///< of each edge the one that its image lies on (match_edges)
 };
 
-/// Exact axes (every corner has a partner within SymmetryTolerance::exact) among the axes of coordinates, the
-/// principal axes of the area, and the lines that exact mirror planes share; those with the most folds first.
-/// So those of cubes are found only as far as they have mirror planes. O(n log n) for each line and divisor.
-[[nodiscard]] std::vector<Rotation> find_rotations(const mesh::Surface& surface,
-                                                   const SymmetryTolerance& tolerance = {});
+/// Of the turns about lines through the middle of the surface's box or area, along an axis of coordinates or
+/// a principal axis of the area, that one which lays the greatest length of edges on edges, of about equal
+/// ones that of the most folds; edges within flat regions don't count. Nothing where no turn does so with
+/// `least_share` of the length. `near`: how far ends may be off, a share of the extent. O(n log n).
+[[nodiscard]] std::optional<PartialRotation> widest_rotation(const mesh::Surface& surface, double near,
+                                                             double least_share);
 
 }  // namespace ridgecraft::prepare

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Axes of rotation, with and without mirror planes.
+// Turns that lay a surface on itself, with and without mirror planes, and beside what isn't turned.
 #include "prepare/symmetry/rotations.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 
 using namespace ridgecraft;
-using prepare::find_rotations;
-using prepare::Rotation;
+using prepare::PartialRotation;
+using prepare::widest_rotation;
 
 namespace {
+
+constexpr double near = 0.02;
 
 /// A tower whose floors are turned against each other: no mirror plane.
 mesh::Surface twisted(int sides) {
@@ -26,36 +29,51 @@ Vec3 moved(Vec3 p) {
   return 12.0 * Vec3{0.6 * p.x - 0.8 * p.z, p.y, 0.8 * p.x + 0.6 * p.z} + Vec3{3, 2, 1};
 }
 
-}  // namespace
-
-TEST_CASE("turned bodies and towers have their axis and the map of their turn", "[symmetry]") {
-  for (const int sides : {5, 6, 12}) {
-    for (const mesh::Surface& s : {twisted(sides), test::mapped(test::shuffled(twisted(sides), 4), moved)}) {
-      const std::vector<Rotation> found = find_rotations(s);
-      REQUIRE_FALSE(found.empty());
-      CHECK(found[0].folds == static_cast<unsigned>(sides));
-      CHECK(found[0].maps.whole);
-      for (const FaceId f : ids<FaceId>(s.face_count())) {
-        FaceId g = f;
-        for (int i = 0; i < sides; ++i) {
-          g = found[0].maps.face[g];
-          CHECK((i + 1 == sides) == (g == f));
-        }
-      }
+/// Every edge comes back after so many turns, and no earlier unless it lies on the axis.
+void check_orbits(const PartialRotation& rotation) {
+  for (const EdgeId e : ids<EdgeId>(rotation.edge.size())) {
+    EdgeId at = e;
+    for (unsigned i = 1; i <= rotation.folds && at.valid(); ++i) {
+      at = rotation.edge[at];
+      CHECK((!at.valid() || (at == e) == (i == rotation.folds)));
     }
   }
 }
 
-TEST_CASE("a brick has three axes, a cube thirteen, a lopsided body none", "[symmetry]") {
+}  // namespace
+
+TEST_CASE("turned bodies and towers have their turn, wherever they stand", "[symmetry]") {
+  for (const int sides : {5, 6, 12}) {
+    for (const mesh::Surface& s : {twisted(sides), test::mapped(test::shuffled(twisted(sides), 4), moved)}) {
+      const std::optional<PartialRotation> found = widest_rotation(s, near, 0.5);
+      REQUIRE(found.has_value());
+      CHECK(found->folds == static_cast<unsigned>(sides));
+      check_orbits(*found);
+    }
+  }
+}
+
+TEST_CASE("a brick is turned by a half, a lopsided body not at all", "[symmetry]") {
   const mesh::Surface box = test::mapped(test::cube(), [](Vec3 p) { return Vec3{p.x, 2 * p.y, 3 * p.z}; });
-  CHECK(find_rotations(box).size() == 3);
-  const std::vector<Rotation> cube = find_rotations(test::mapped(test::cube(), moved));
-  CHECK(cube.size() == 13);
-  CHECK(cube[0].folds == 4);
-  CHECK(cube[3].folds == 3);
-  CHECK(cube[7].folds == 2);
-  const mesh::Surface odd = test::mapped(twisted(6), [](Vec3 p) {
-    return p.x > 0.9 ? p - Vec3{0.1, 0, 0} : p;
+  const std::optional<PartialRotation> half = widest_rotation(box, near, 0.5);
+  REQUIRE(half.has_value());
+  CHECK(half->folds == 2);
+  const mesh::Surface odd = test::mapped(
+      test::star_shaped(
+          [](Vec3 d) { return 1.0 + 0.3 * d.x + 0.2 * std::sin(3.0 * d.y + d.z) + 0.2 * d.z * d.x; }, 12, 7),
+      moved);
+  CHECK_FALSE(widest_rotation(odd, near, 0.5).has_value());
+}
+
+TEST_CASE("what stands on one side only doesn't hide a turn", "[symmetry]") {
+  const mesh::Surface tower = twisted(6);
+  const mesh::Surface door = test::mapped(test::cube(), [](Vec3 p) {
+    return 0.2 * p + Vec3{1.1, -0.1, 0.3};
   });
-  CHECK(find_rotations(odd).empty());
+  const std::optional<PartialRotation> found = widest_rotation(test::together({tower, door}), near, 0.5);
+  REQUIRE(found.has_value());
+  CHECK(found->folds == 6);
+  for (const EdgeId e : ids<EdgeId>(found->edge.size())) {
+    CHECK((e.value() < tower.edge_count()) == found->edge[e].valid());
+  }
 }

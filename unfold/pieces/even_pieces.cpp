@@ -7,15 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "base/disjoint_sets.hpp"
-#include "base/random.hpp"
 #include "unfold/energy/piece_cost.hpp"
-#include "unfold/patch/check.hpp"
-#include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/sub_patch.hpp"
+#include "unfold/pieces/carried_trees.hpp"
 #include "unfold/pieces/mirror_units.hpp"
-#include "unfold/search/one_piece.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -24,19 +20,6 @@ namespace {
 constexpr double cheaper_by = 1e-6;
 
 using Faces = std::vector<std::uint32_t>;
-
-/// Length of the cuts whose mirror image is no cut, mm.
-double unevenness(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                  const MirrorImages& images) {
-  const IdVector<EdgeId, InForest> edges = edges_in_forest(surface, patch, folds);
-  double sum = 0.0;
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    const EdgeId image = images.edge[e];
-    sum += image.valid() && edges[e] == InForest::cut && edges[image] == InForest::fold ? surface.length(e)
-                                                                                        : 0.0;
-  }
-  return sum;
-}
 
 class Evening {
  public:
@@ -49,11 +32,9 @@ class Evening {
         images_(images),
         weights_(weights),
         room_(room),
-        random_(seed),
-        context_(context),
         units_(surface, patch, images),
-        layout_(lay_out(patch, folds)) {
-    search_.tolerance = tolerance;
+        layout_(lay_out(patch, folds)),
+        trees_(surface, patch, folds_, layout_, room, tolerance, seed, context) {
     crosses_ = units_.crossing(patch, folds_, layout_.piece);
   }
 
@@ -93,8 +74,8 @@ class Evening {
     std::map<std::uint32_t, Faces> original;
     for (const auto& [label, faces] : pieces) {
       const std::optional<Folds> tree = label.is_image && original.count(label.of) != 0
-                                            ? image_of(original[label.of], faces, result)
-                                            : net_of(faces);
+                                            ? trees_.image_of(original[label.of], faces, result, images_.edge)
+                                            : trees_.tree_of(faces);
       if (!tree) {
         return std::nullopt;
       }
@@ -108,31 +89,9 @@ class Evening {
                : std::nullopt;
   }
 
-  /// A piece that was one before keeps its tree.
-  std::optional<Folds> net_of(const Faces& faces) {
-    const std::uint32_t before = layout_.piece[faces.front()];
-    const bool same =
-        layout_.faces[before].size() == faces.size() &&
-        std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return layout_.piece[f] == before; });
-    if (same) {
-      return sub_folds(patch_, folds_, faces);
-    }
-    return find_one_piece(sub_patch(patch_, faces), room_, search_, random_.next(), context_).tree;
-  }
-
-  std::optional<Folds> image_of(const Faces& original, const Faces& faces, const Folds& result) {
-    const Patch own = sub_patch(patch_, faces);
-    std::optional<Folds> tree = carried_over(surface_, sub_patch(patch_, original),
-                                             sub_folds(patch_, result, original), own, images_.edge);
-    // The image may be off by what the eye doesn't see, but a net may not.
-    if (tree && all_fit(own, *tree, room_) && find_overlaps(lay_out(own, *tree), search_.tolerance).empty()) {
-      return tree;
-    }
-    return find_one_piece(own, room_, search_, random_.next(), context_).tree;
-  }
-
   [[nodiscard]] double cost_of(const Folds& folds) const {
-    double sum = weights_.mirror * unevenness(surface_, patch_, folds, images_);
+    double sum =
+        weights_.mirror * unevenness(surface_, edges_in_forest(surface_, patch_, folds), images_.edge);
     for (Faces& faces : lay_out(patch_, folds).faces) {
       std::sort(faces.begin(), faces.end());
       // How parts lie is told by their borders: what isn't even of them would speak against evening pieces.
@@ -147,11 +106,9 @@ class Evening {
   const MirrorImages& images_;
   const Weights& weights_;
   const Room& room_;
-  Random random_;
-  const Context& context_;
-  OnePieceSearch search_;
   const MirrorUnits units_;
   const Layout layout_;
+  CarriedTrees trees_;
   std::vector<std::uint8_t> crosses_;  ///< per piece of the forest that was given: does it lie on both sides?
 };
 

@@ -117,6 +117,17 @@ IdVector<EdgeId, InForest> edges_in_forest(const mesh::Surface& surface, const P
   return result;
 }
 
+double unevenness(const mesh::Surface& surface, const IdVector<EdgeId, InForest>& edges,
+                  const IdVector<EdgeId, EdgeId>& images) {
+  double sum = 0.0;
+  for (const EdgeId e : ids<EdgeId>(images.size())) {
+    sum += images[e].valid() && edges[e] == InForest::cut && edges[images[e]] == InForest::fold
+               ? surface.length(e)
+               : 0.0;
+  }
+  return sum;
+}
+
 std::vector<std::int8_t> images_outside(const mesh::Surface& surface, const Patch& patch,
                                         const IdVector<EdgeId, EdgeId>& images,
                                         const IdVector<EdgeId, InForest>& edges) {

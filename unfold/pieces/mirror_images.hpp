@@ -38,14 +38,18 @@ enum class InForest : std::int8_t { fold = -1, fixed = 0, cut = 1 };
 [[nodiscard]] IdVector<EdgeId, InForest> edges_in_forest(const mesh::Surface& surface, const Patch& whole,
                                                          const Folds& folds);
 
+/// Length of the cuts whose image is a fold, mm. O(n).
+[[nodiscard]] double unevenness(const mesh::Surface& surface, const IdVector<EdgeId, InForest>& edges,
+                                const IdVector<EdgeId, EdgeId>& images);
+
 /// Per side of a patch: what the mirror image of its edge is, as InForest, where that lies outside the patch;
 /// 0 for all others. O(n log n).
 [[nodiscard]] std::vector<std::int8_t> images_outside(const mesh::Surface& surface, const Patch& patch,
                                                       const IdVector<EdgeId, EdgeId>& images,
                                                       const IdVector<EdgeId, InForest>& edges);
 
-/// The folds of a patch as they are in the tree of its mirror image: where each of its edges that could be a
-/// cut has its image there. Nothing where that isn't so, or isn't a tree. O(n log n).
+/// The folds of a patch as they are in the tree of its image, mirrored or turned: where each of its edges
+/// that could be a cut has its image there. Nothing where that isn't so, or isn't a tree. O(n log n).
 [[nodiscard]] std::optional<Folds> carried_over(const mesh::Surface& surface, const Patch& from,
                                                 const Folds& tree, const Patch& to,
                                                 const IdVector<EdgeId, EdgeId>& images);

@@ -2,29 +2,14 @@
 #include "unfold/pieces/mirror_units.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "base/disjoint_sets.hpp"
+#include "unfold/pieces/unit_images.hpp"
 
 namespace ridgecraft::unfold {
-namespace {
-
-/// A unit is the mirror image of another when so much of its outline is: its neighbours share an edge only.
-constexpr double share_of_outline = 0.9;
-
-}  // namespace
 
 MirrorUnits::MirrorUnits(const mesh::Surface& surface, const Patch& patch, const MirrorImages& images)
-    : unit_(patch.size()), image_(patch.size(), nothing), height_(patch.size(), 0.0) {
-  DisjointSets sets(patch.size());
-  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (patch.frozen[side] != 0) {
-      static_cast<void>(sets.join(side / 3, patch.twin[side] / 3));
-    }
-  }
-  for (std::uint32_t f = 0; f < patch.size(); ++f) {
-    unit_[f] = sets.find(f);
-  }
+    : unit_(units_of(patch)), image_(patch.size(), nothing), height_(patch.size(), 0.0) {
   find_heights(surface, patch, images.plane);
   find_images(surface, patch, images);
 }
@@ -41,36 +26,7 @@ void MirrorUnits::find_heights(const mesh::Surface& surface, const Patch& patch,
 }
 
 void MirrorUnits::find_images(const mesh::Surface& surface, const Patch& patch, const MirrorImages& images) {
-  // Of each unit: how much of its outline, and how much of that is the image of an edge of which unit.
-  std::vector<double> outline(patch.size(), 0.0);
-  std::vector<std::map<std::uint32_t, double>> votes(patch.size());
-  IdVector<EdgeId, std::vector<std::uint32_t>> units_at(surface.edge_count());
-  const auto edge_of = [&](std::uint32_t side) {
-    return surface.edge(mesh::corner(patch.face[side / 3], side % 3));
-  };
-  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (patch.frozen[side] == 0) {
-      units_at[edge_of(side)].push_back(unit_[side / 3]);
-    }
-  }
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    for (const std::uint32_t u : units_at[e]) {
-      outline[u] += surface.length(e);
-      if (images.edge[e].valid()) {
-        for (const std::uint32_t v : units_at[images.edge[e]]) {
-          votes[u][v] += surface.length(e);
-        }
-      }
-    }
-  }
-  std::vector<std::uint32_t> best(patch.size(), nothing);
-  for (std::uint32_t u = 0; u < patch.size(); ++u) {
-    for (const auto& [v, length] : votes[u]) {
-      if (length >= share_of_outline * outline[u]) {
-        best[u] = v;
-      }
-    }
-  }
+  const std::vector<std::uint32_t> best = unit_images(surface, patch, unit_, images.edge);
   for (std::uint32_t u = 0; u < patch.size(); ++u) {
     if (best[u] != nothing && best[best[u]] == u && (best[u] == u || is_above(u) != is_above(best[u]))) {
       image_[u] = best[u];

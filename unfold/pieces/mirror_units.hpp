@@ -22,8 +22,7 @@ struct MirrorLabel {
   friend auto operator<=>(const MirrorLabel&, const MirrorLabel&) = default;
 };
 
-/// Units are faces that stay together whatever the tree (flat regions), the others one by one; each with the
-/// unit that is its mirror image.
+/// The units of a patch (unit_images.hpp), each with the one that is its mirror image.
 class MirrorUnits {
  public:
   /// O(n log n).

@@ -28,8 +28,8 @@ bool has_choices(const Patch& patch, const std::vector<std::uint32_t>& faces) {
          faces.size() > 2;
 }
 
-/// A pair keeps equal by its mirror plane, if at all, and its borders may move together; of three, two would.
-constexpr std::size_t fewest_kept_apart = 4;
+/// A pair keeps equal by its mirror plane, if at all, and its borders may move together.
+constexpr std::size_t fewest_kept_apart = 3;
 /// In larger models equal pieces aren't looked for: nobody builds them, and there are thousands.
 constexpr std::size_t most_faces_of_twins = 20'000;
 

@@ -28,8 +28,8 @@ using TwinPieces = std::vector<std::vector<TwinPiece>>;
 [[nodiscard]] TwinPieces find_twin_pieces(const mesh::Surface& surface, const Patch& patch,
                                           const Folds& folds, const Context& context);
 
-/// The patch with borders around all twins that there are four or more of: they keep their faces, or they
-/// were equal no more. O(n).
+/// The patch with borders around all twins that there are three or more of: they keep their faces, or
+/// they were equal no more. O(n).
 [[nodiscard]] Patch with_twins_apart(const Patch& patch, const Folds& folds, const TwinPieces& twins);
 
 /// The tree that costs least (energy/piece_cost.hpp) of those that twins have for all of a kind, where it is

@@ -27,6 +27,12 @@ constexpr double most_overlap_mm = 2e-4;
 /// For each site of the first piece of a kind the same place on another: empty where there isn't exactly one.
 using Images = std::vector<std::uint32_t>;
 
+/// A piece of a kind: its sites, in the order of the first one's.
+struct Member {
+  Images sites;
+  bool mirrored = false;
+};
+
 Vec2 middle_of(const TabSite& site) {
   return site.own.out(Vec2{0.5 * site.length, 0.0});
 }
@@ -79,30 +85,41 @@ class TabCopier {
   TabCopier(const std::vector<TabSite>& sites, const TabOptions& options, std::span<const TabWish> wishes)
       : sites_(sites), options_(options), wishes_(wishes) {}
 
-  /// The tabs of one piece on another; nothing where a join would lose its tab, a tab would be in something's
-  /// way, or one would be another than is wished. `from`, `to`: sites of either that belong together.
-  [[nodiscard]] std::optional<Chosen> copied(const Chosen& chosen, const Images& from, const Images& to,
-                                             bool mirrored) const {
+  /// The tabs of one piece on others; nothing where a join would lose its tab or get two, a tab would be in
+  /// something's way, or one would be another than is wished. `from`: sites of the piece; `turned`: whether
+  /// it is mirrored.
+  [[nodiscard]] std::optional<Chosen> copied(const Chosen& chosen, const Images& from, bool turned,
+                                             std::span<const Member> others) const {
     Chosen result = chosen;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      const std::optional<ChosenTab>& tab = chosen[from[i] / 2];
-      std::optional<ChosenTab>& own = result[to[i] / 2];
-      if (tab && tab->site == from[i]) {
-        ChosenTab copy{to[i], tab->shape};
-        copy.shape.outline = fitted(copy.shape.outline, sites_[from[i]].length, sites_[to[i]].length);
-        if (mirrored) {
-          copy.shape.outline = turned_over(copy.shape.outline, sites_[to[i]].length);
+    std::vector<std::uint8_t> is_settled(chosen.size(), 0);
+    for (const std::uint32_t site : from) {
+      if (chosen[site / 2] && chosen[site / 2]->site == site) {
+        is_settled[site / 2] = 1;
+      }
+    }
+    for (const Member& other : others) {
+      for (std::size_t i = 0; i < from.size(); ++i) {
+        const std::uint32_t to = other.sites[i];
+        const std::optional<ChosenTab>& tab = chosen[from[i] / 2];
+        if (!tab || tab->site != from[i]) {
+          continue;
         }
-        if (!is_wished(from[i], to[i], own) || !is_clear(sites_[to[i]], copy.shape.outline)) {
+        const ConvexShape shape = copy_of(tab->shape.outline, from[i], to, other.mirrored != turned);
+        if (is_settled[to / 2] != 0 || !is_wished(from[i], to, chosen[to / 2]) ||
+            !is_clear(sites_[to], shape)) {
           return std::nullopt;
         }
-        own = copy;
-      } else if (const std::optional<ChosenTab>& before = chosen[to[i] / 2];
-                 before && before->site == to[i] && !gets_another(chosen, from[i])) {
+        is_settled[to / 2] = 1;
+        result[to / 2] = ChosenTab{to, tab->shape};
+        result[to / 2]->shape.outline = shape;
+      }
+    }
+    for (const Member& other : others) {
+      if (has_more(result, from, other.sites) || tabs_overlap(result, other.sites)) {
         return std::nullopt;
       }
     }
-    return tabs_overlap(result, to) ? std::nullopt : std::optional(std::move(result));
+    return result;
   }
 
  private:
@@ -134,9 +151,23 @@ class TabCopier {
     return false;
   }
 
-  /// Whether the join of a site has its tab at its other side, and both sides belong to one piece.
-  [[nodiscard]] bool gets_another(const Chosen& chosen, std::uint32_t site) const {
-    return chosen[site / 2] && sites_[site].piece == sites_[site].target_piece;
+  /// Whether a piece has a tab where the one that it is to be like has none. The join would have to lose it:
+  /// no other piece gives it one.
+  [[nodiscard]] static bool has_more(const Chosen& chosen, const Images& from, const Images& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const auto is_at = [&](std::uint32_t site) {
+        return chosen[site / 2] && chosen[site / 2]->site == site;
+      };
+      if (is_at(to[i]) && !is_at(from[i])) {
+        return true;
+      }
+    }
+    return false;
+  }
+  [[nodiscard]] ConvexShape copy_of(const ConvexShape& shape, std::uint32_t from, std::uint32_t to,
+                                    bool mirrored) const {
+    const ConvexShape copy = fitted(shape, sites_[from].length, sites_[to].length);
+    return mirrored ? turned_over(copy, sites_[to].length) : copy;
   }
   /// Whether what is wished of one site is wished of the other, too, where now `own` is the tab of the join.
   [[nodiscard]] bool is_wished(std::uint32_t from, std::uint32_t to,
@@ -193,24 +224,28 @@ void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector
   }
   const TabCopier copier(sites, options, wishes);
   for (const std::vector<EqualPiece>& kind : kinds) {
-    std::vector<std::pair<Images, bool>> members;  // in the order of the first one's sites, mirrored
+    std::vector<Member> members;
     for (const EqualPiece& equal : kind) {
       Images images = images_of(sites, of_piece[kind[0].piece], of_piece[equal.piece], equal);
       if (!images.empty()) {
-        members.emplace_back(std::move(images), equal.mirrored);
+        members.push_back({std::move(images), equal.mirrored});
       }
     }
     Chosen best = chosen;
     std::size_t most = 0;
     for (std::size_t m = 0; m < std::min(members.size(), most_models) && most + 1 < members.size(); ++m) {
+      const Member& model = members[m];
+      std::vector<Member> others = members;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(m));
+      // All at once: those that are joined to each other give and take tabs in a ring.
+      if (auto copies = copier.copied(chosen, model.sites, model.mirrored, others)) {
+        best = std::move(*copies);
+        break;
+      }
       Chosen evened = chosen;
       std::size_t alike = 0;
-      for (std::size_t i = 0; i < members.size(); ++i) {
-        if (i == m) {
-          continue;
-        }
-        const bool mirrored = members[i].second != members[m].second;
-        if (auto copy = copier.copied(evened, members[m].first, members[i].first, mirrored)) {
+      for (const Member& other : others) {
+        if (auto copy = copier.copied(evened, model.sites, model.mirrored, {&other, 1})) {
           evened = std::move(*copy);
           ++alike;
         }

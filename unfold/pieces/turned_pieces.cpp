@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/turned_pieces.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/disjoint_sets.hpp"
+#include "prepare/symmetry/rotations.hpp"
+#include "unfold/energy/piece_cost.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/sub_patch.hpp"
+#include "unfold/pieces/carried_trees.hpp"
+#include "unfold/pieces/mirror_images.hpp"
+#include "unfold/pieces/unit_images.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+/// How far what is turned may be off, as a share of the model's extent: hardly seen.
+constexpr double seen_as_turned = 0.02;
+/// Of the length of all edges so much has to be turned onto edges, at least.
+constexpr double least_share_turned = 0.5;
+/// What half a turn takes elsewhere is a pair, which mirror images tell of; more than two are told apart.
+constexpr unsigned fewest_folds = 3;
+/// Larger models are searched without regard to symmetry.
+constexpr std::size_t most_faces_turned = 20'000;
+/// Steps, and trials in each; the largest pieces come first.
+constexpr int most_steps = 6;
+constexpr std::size_t most_trials = 32;
+/// What is left of a piece goes on as one if it is more than this share of it.
+constexpr double goes_on = 0.5;
+/// Less than this is rounding, mm.
+constexpr double less_by = 1e-6;
+
+using TurnedFaces = std::vector<std::uint32_t>;
+
+/// A turn, one of `folds` of a full circle: what lies on what.
+struct Turn {
+  unsigned folds = 2;
+  IdVector<EdgeId, EdgeId> from;    ///< the edge that lies on this one after the turn
+  std::vector<std::uint32_t> unit;  ///< of each unit its image
+};
+
+/// Images of images, so often.
+IdVector<EdgeId, EdgeId> repeated(const IdVector<EdgeId, EdgeId>& images, unsigned times) {
+  IdVector<EdgeId, EdgeId> result(images.size());
+  for (const EdgeId e : ids<EdgeId>(images.size())) {
+    EdgeId at = e;
+    for (unsigned i = 0; i < times && at.valid(); ++i) {
+      at = images[at];
+    }
+    result[e] = at;
+  }
+  return result;
+}
+
+IdVector<EdgeId, EdgeId> inverse(const IdVector<EdgeId, EdgeId>& images) {
+  IdVector<EdgeId, EdgeId> result(images.size());
+  for (const EdgeId e : ids<EdgeId>(images.size())) {
+    if (images[e].valid()) {
+      result[images[e]] = e;
+    }
+  }
+  return result;
+}
+
+class Turning {
+ public:
+  Turning(const mesh::Surface& surface, const Patch& patch, const IdVector<EdgeId, EdgeId>& mirrored,
+          const prepare::PartialRotation& rotation, const Weights& weights, const Room& room,
+          double tolerance, std::uint64_t seed, const Context& context)
+      : surface_(surface),
+        patch_(patch),
+        mirrored_(mirrored),
+        turned_(rotation.edge),
+        weights_(weights),
+        room_(room),
+        tolerance_(tolerance),
+        seed_(seed),
+        context_(context),
+        unit_(units_of(patch)),
+        faces_of_unit_(patch.size()) {
+    for (std::uint32_t f = 0; f < patch.size(); ++f) {
+      faces_of_unit_[unit_[f]].push_back(f);
+    }
+    for (unsigned folds = rotation.folds; folds >= 2; --folds) {
+      if (rotation.folds % folds == 0) {
+        IdVector<EdgeId, EdgeId> edge = repeated(rotation.edge, rotation.folds / folds);
+        std::vector<std::uint32_t> unit = unit_images(surface, patch, unit_, edge);
+        turns_.push_back({folds, inverse(edge), std::move(unit)});
+      }
+    }
+  }
+
+  Folds run(const Folds& folds) {
+    Folds best = folds;
+    double least = cost_of(best);
+    for (int step = 0; step < most_steps && !context_.out_of_time(); ++step) {
+      const Folds before = best;
+      const Layout layout = lay_out(patch_, before);
+      std::vector<std::uint32_t> pieces = by_area(layout);
+      std::size_t trials = 0;
+      for (const Turn& turn : turns_) {
+        for (const std::uint32_t piece : pieces) {
+          if (trials == most_trials) {
+            break;
+          }
+          const std::optional<Folds> trial = carried_around(turn, before, layout, piece, trials);
+          const double cost = trial ? cost_of(*trial) : least;
+          if (cost < least - less_by) {
+            least = cost;
+            best = *trial;
+          }
+        }
+      }
+      if (best == before) {
+        break;
+      }
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::uint32_t> by_area(const Layout& layout) const {
+    std::vector<double> area;
+    std::vector<std::uint32_t> pieces;
+    for (std::uint32_t p = 0; p < layout.faces.size(); ++p) {
+      area.push_back(area_of(patch_, layout.faces[p]));
+      pieces.push_back(p);
+    }
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return area[a] > area[b]; });
+    return pieces;
+  }
+
+  /// Per face the number of the turns that take the piece there, `nothing` elsewhere; nothing at all where
+  /// faces of the piece have no image, or it meets its own images.
+  [[nodiscard]] std::optional<std::vector<std::uint32_t>> copies_of(const Turn& turn,
+                                                                    const TurnedFaces& piece) const {
+    std::vector<std::uint32_t> copy(patch_.size(), nothing);
+    for (const std::uint32_t f : piece) {
+      std::uint32_t u = unit_[f];
+      if (copy[u] == 0) {
+        continue;  // another face of a unit that is done
+      }
+      const std::uint32_t own = u;
+      for (std::uint32_t k = 0; k < turn.folds; ++k) {
+        if (u == nothing || copy[u] != nothing || faces_of_unit_[u].size() != faces_of_unit_[own].size()) {
+          return std::nullopt;
+        }
+        copy[u] = k;
+        u = turn.unit[u];
+      }
+      if (u != own) {
+        return std::nullopt;
+      }
+    }
+    std::vector<std::uint32_t> of_face(patch_.size(), nothing);
+    for (std::uint32_t f = 0; f < patch_.size(); ++f) {
+      of_face[f] = copy[unit_[f]];
+    }
+    return of_face;
+  }
+
+  /// Sets of faces of a new division; which of them are copies of the piece, by their number.
+  struct Division {
+    std::vector<TurnedFaces> sets;
+    std::vector<std::uint32_t> copy;  ///< per set: by how many turns, or nothing
+  };
+
+  /// The copies, and what is left of all pieces. Nothing where a copy would fall apart.
+  [[nodiscard]] std::optional<Division> divided(const Turn& turn, const Layout& layout,
+                                                const std::vector<std::uint32_t>& copy) const {
+    const auto label = [&](std::uint32_t f) {
+      return copy[f] != nothing ? copy[f] : turn.folds + layout.piece[f];
+    };
+    DisjointSets joined(patch_.size());
+    for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+      const std::uint32_t twin = patch_.twin[side];
+      if (twin != nothing && label(side / 3) == label(twin / 3)) {
+        static_cast<void>(joined.join(side / 3, twin / 3));
+      }
+    }
+    std::vector<std::uint32_t> copies_found(turn.folds, nothing);
+    for (std::uint32_t f = 0; f < patch_.size(); ++f) {
+      if (copy[f] != nothing) {
+        std::uint32_t& found = copies_found[copy[f]];
+        if (found != nothing && found != joined.find(f)) {
+          return std::nullopt;
+        }
+        found = joined.find(f);
+      }
+    }
+    if (!join_scraps(layout, copy, joined)) {
+      return std::nullopt;
+    }
+    Division result;
+    std::vector<std::uint32_t> place(patch_.size(), nothing);
+    for (std::uint32_t f = 0; f < patch_.size(); ++f) {
+      std::uint32_t& at = place[joined.find(f)];
+      if (at == nothing) {
+        at = static_cast<std::uint32_t>(result.sets.size());
+        result.sets.emplace_back();
+        result.copy.push_back(copy[f]);
+      }
+      result.sets[at].push_back(f);
+    }
+    return result;
+  }
+
+  /// What is too little of its piece to go on as one joins the set that it has most of its outline in common
+  /// with and that is no copy. False where there is none.
+  [[nodiscard]] bool join_scraps(const Layout& layout, const std::vector<std::uint32_t>& copy,
+                                 DisjointSets& joined) const {
+    std::map<std::uint32_t, double> area;  // of each set that is no copy
+    for (std::uint32_t f = 0; f < patch_.size(); ++f) {
+      if (copy[f] == nothing) {
+        area[joined.find(f)] += area_of(patch_.shape[f]);
+      }
+    }
+    std::vector<std::uint32_t> scraps;
+    for (const auto& [set, of_set] : area) {
+      if (of_set < goes_on * area_of(patch_, layout.faces[layout.piece[set]])) {
+        scraps.push_back(set);
+      }
+    }
+    for (const std::uint32_t scrap : scraps) {
+      const std::uint32_t own = joined.find(scrap);
+      std::map<std::uint32_t, double> border;
+      for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+        const std::uint32_t twin = patch_.twin[side];
+        if (twin != nothing && joined.find(side / 3) == own && joined.find(twin / 3) != own &&
+            copy[twin / 3] == nothing) {
+          border[joined.find(twin / 3)] += patch_.length[side];
+        }
+      }
+      const auto longest = std::max_element(border.begin(), border.end(),
+                                            [](const auto& a, const auto& b) { return a.second < b.second; });
+      if (longest == border.end()) {
+        return false;
+      }
+      static_cast<void>(joined.join(own, longest->first));
+    }
+    return true;
+  }
+
+  std::optional<Folds> carried_around(const Turn& turn, const Folds& folds, const Layout& layout,
+                                      std::uint32_t piece, std::size_t& trials) {
+    TurnedFaces faces = layout.faces[piece];
+    std::sort(faces.begin(), faces.end());
+    const std::optional<std::vector<std::uint32_t>> copy = copies_of(turn, faces);
+    std::optional<Division> division = copy ? divided(turn, layout, *copy) : std::nullopt;
+    if (!division || division->sets.size() > layout.faces.size() + 1) {
+      return std::nullopt;
+    }
+    ++trials;
+    CarriedTrees trees(surface_, patch_, folds, layout, room_, tolerance_, seed_, context_);
+    Folds result(folds.size(), 0);
+    put_back(patch_, faces, sub_folds(patch_, folds, faces), result);
+    for (std::size_t i = 0; i < division->sets.size(); ++i) {
+      const TurnedFaces& set = division->sets[i];
+      const std::uint32_t k = division->copy[i];
+      if (k == 0) {
+        continue;
+      }
+      std::optional<Folds> tree =
+          k == nothing ? trees.tree_of(set) : trees.image_of(faces, set, result, repeated(turn.from, k));
+      if (!tree) {
+        return std::nullopt;
+      }
+      put_back(patch_, set, *tree, result);
+    }
+    return all_fit(patch_, result, room_) || !all_fit(patch_, folds, room_) ? std::optional(std::move(result))
+                                                                            : std::nullopt;
+  }
+
+  [[nodiscard]] double cost_of(const Folds& folds) const {
+    const IdVector<EdgeId, InForest> edges = edges_in_forest(surface_, patch_, folds);
+    double sum =
+        weights_.mirror * (unevenness(surface_, edges, turned_) + unevenness(surface_, edges, mirrored_));
+    for (TurnedFaces& faces : lay_out(patch_, folds).faces) {
+      std::sort(faces.begin(), faces.end());
+      sum += cost_of_piece(sub_patch(patch_, faces), sub_folds(patch_, folds, faces), one_part, weights_);
+    }
+    return sum;
+  }
+
+  const mesh::Surface& surface_;
+  const Patch& patch_;
+  const IdVector<EdgeId, EdgeId>& mirrored_;
+  const IdVector<EdgeId, EdgeId>& turned_;
+  const Weights& weights_;
+  const Room& room_;
+  double tolerance_;
+  std::uint64_t seed_;
+  const Context& context_;
+  const std::vector<std::uint32_t> unit_;
+  std::vector<TurnedFaces> faces_of_unit_;
+  std::vector<Turn> turns_;
+};
+
+}  // namespace
+
+Folds turned_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+                    const IdVector<EdgeId, EdgeId>& mirrored, const Weights& weights, const Room& room,
+                    double tolerance, std::uint64_t seed, const Context& context) {
+  if (weights.mirror <= 0.0 || surface.face_count() > most_faces_turned || context.out_of_time()) {
+    return folds;
+  }
+  const std::optional<prepare::PartialRotation> rotation =
+      prepare::widest_rotation(surface, seen_as_turned, least_share_turned);
+  return rotation && rotation->folds >= fewest_folds
+             ? Turning(surface, patch, mirrored, *rotation, weights, room, tolerance, seed, context)
+                   .run(folds)
+             : folds;
+}
+
+}  // namespace ridgecraft::unfold
