@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Which libraries there are, on which others each stands, and which packages of others each needs. The build reads this,
 # and so does find_package(Ridgecraft): it is installed beside RidgecraftConfig.cmake.
-set(ridgecraft_all_components base mesh prepare segment solid unfold verify export job)
+set(ridgecraft_all_components base mesh prepare segment solid unfold verify export job session)
 
 set(ridgecraft_needs_base "")
 set(ridgecraft_needs_mesh base)
@@ -12,6 +12,7 @@ set(ridgecraft_needs_unfold prepare)
 set(ridgecraft_needs_verify base)
 set(ridgecraft_needs_export unfold)
 set(ridgecraft_needs_job export segment verify)
+set(ridgecraft_needs_session job)
 
 # What is linked, beside what those below need: whoever links an archive of ours needs it, too.
 set(ridgecraft_links_base Threads fmt mpfr gmp)
@@ -23,6 +24,7 @@ set(ridgecraft_links_unfold "")
 set(ridgecraft_links_verify pugixml qpdf)
 set(ridgecraft_links_export cairo qpdf ZLIB)
 set(ridgecraft_links_job "")
+set(ridgecraft_links_session "")
 
 # Headers that only the build reads.
 set(ridgecraft_reads_base CGAL Eigen3 Boost)
@@ -34,6 +36,7 @@ set(ridgecraft_reads_unfold "")
 set(ridgecraft_reads_verify nlohmann_json)
 set(ridgecraft_reads_export nlohmann_json)
 set(ridgecraft_reads_job "")
+set(ridgecraft_reads_session "")
 
 # How each package is found: as find_package takes it, or by the modules of pkg-config.
 set(ridgecraft_find_Threads Threads)

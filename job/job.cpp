@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/json_text.hpp"
 #include "base/version.hpp"
 #include "job/edge_wishes.hpp"
 #include "job/extent.hpp"
@@ -139,6 +140,9 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
   made.fold = clock("write", context, [&] {
     made.mark = {program_and_version(), model.name, model.digest,
                  with_searched(settings_of(made.options, made.seed), made.searched_with)};
+    if (!made.edits.empty()) {
+      made.mark.settings["edits"] = json_string(made.edits);
+    }
     const paper::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
     return paper::write_fold(made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
                              own ? paper::find_contacts(model.surface, made.nets) : made.drawn.contacts);
@@ -232,6 +236,16 @@ void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare
   }
 }
 
+/// Tabs anew, as the options ask for them.
+void give_new_tabs(Paper& made, StageClock& clock, const Context& context) {
+  clock("tabs", context, [&] {
+    unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels,
+                         unfold_options(made.options, made.prepared, {}), made.nets, context,
+                         made.options.tab_choice);
+    return true;
+  });
+}
+
 /// All that follows from nets that have changed.
 Paper with_new_nets(Paper made, StageClock clock, const Context& context) {
   made.drawn = {};
@@ -314,11 +328,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
                           unfold_options(options, made.prepared, std::move(wishes)), context);
   });
   if (options.tabs.wanted && options.tab_choice.any()) {
-    clock("tabs", context, [&] {
-      unfold::replace_tabs(surface, made.prepared.panels, unfold_options(options, made.prepared, {}),
-                           made.nets, context, options.tab_choice);
-      return true;
-    });
+    give_new_tabs(made, clock, context);
   }
   made.nets.notes.insert(made.nets.notes.begin(), notes.begin(), notes.end());
   made.assembly = clock("unfold", context, [&] { return paper::assembly_order(surface, made.nets); });
@@ -339,12 +349,17 @@ Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& conte
   made.options.tabs = tabs;
   made.options.tabs.split_pieces = were_split;
   StageClock clock = clock_of(made);
-  clock("tabs", context, [&] {
-    unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels,
-                         unfold_options(made.options, made.prepared, {}), made.nets, context,
-                         made.options.tab_choice);
-    return true;
-  });
+  give_new_tabs(made, clock, context);
+  return with_new_nets(std::move(made), std::move(clock), context);
+}
+
+Paper with_nets(Paper made, unfold::Nets nets, std::string edits, const Context& context) {
+  made.nets = std::move(nets);
+  made.edits = std::move(edits);
+  StageClock clock = clock_of(made);
+  give_new_tabs(made, clock, context);
+  made.assembly =
+      clock("unfold", context, [&] { return paper::assembly_order(made.prepared.model.surface, made.nets); });
   return with_new_nets(std::move(made), std::move(clock), context);
 }
 

@@ -3,6 +3,7 @@
 // this header first. The command line, other programs and tests all call this and nothing else.
 //
 //   Model + Options --paper--> Paper        Paper + TabOptions --with_tabs--> Paper (same folds and cuts)
+//                                           Paper + Nets       --with_nets--> Paper (same surface)
 //                                           Paper + paper      --with_pages--> Paper (same nets)
 #pragma once
 
@@ -35,6 +36,7 @@ struct Paper {
   Options options;
   std::uint64_t seed = 1;         ///< that the nets were searched with
   paper::Settings searched_with;  ///< what else they were: with_tabs and with_pages change `options` alone
+  std::string edits;  ///< what was done to the nets by hand (with_nets); kept as a setting of the file
   /// A ground that the model stands on (prepare::ground_name): leaving it out makes the rest larger.
   std::optional<std::string> ground;
   prepare::ReadyReport ready;  ///< of bodies before they were united
@@ -78,6 +80,12 @@ struct Paper {
 /// pages are laid out anew, since tabs take room. What the nets were searched with stays in the settings of
 /// the file (docs/formats.md), whatever this context's seed.
 [[nodiscard]] Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context);
+
+/// Other nets of the same surface, such as a person has made of these edge by edge
+/// (unfold/changed_folds.hpp): joins, tabs as the options ask for them, kinds of equal pieces, assembly and
+/// all that follows are made anew. `edits` tells what was done, one thing a line. Throws as paper(), but for
+/// what concerns the model.
+[[nodiscard]] Paper with_nets(Paper made, unfold::Nets nets, std::string edits, const Context& context);
 
 /// The same nets on other paper, or drawn in another style; colours only where they were wanted (Style::ink)
 /// when the job began. Throws Error(no_nets) where a piece is larger

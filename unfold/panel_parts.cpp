@@ -6,18 +6,11 @@
 #include <map>
 #include <vector>
 
+#include "unfold/net/area_of_faces.hpp"
 #include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
-
-double area_of(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
-  double area = 0.0;
-  for (const FaceId f : faces) {
-    area += surface.area(f);
-  }
-  return area;
-}
 
 /// What lies apart from the rest of its part: everything but each part's largest component, smallest first.
 std::vector<std::vector<FaceId>> crumbs(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part) {

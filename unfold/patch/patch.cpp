@@ -4,28 +4,10 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "unfold/patch/lay_across.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
-
-/// The neighbour's frame seen from the face's own: the neighbour's side (from, to) comes to lie on the
-/// face's, turned round. Middles of the sides are matched, so that a difference of lengths by rounding is
-/// shared by both ends.
-Rigid lay_across(Vec2 from, Vec2 to, Vec2 other_from, Vec2 other_to) {
-  const Vec2 along = from - to;
-  const Vec2 other = other_to - other_from;
-  const double size = length(along) * length(other);
-  Rigid r;
-  if (size > 0.0) {
-    r.cosine = dot(other, along) / size;
-    r.sine = cross(other, along) / size;
-    const double norm = std::sqrt(r.cosine * r.cosine + r.sine * r.sine);
-    r.cosine /= norm;
-    r.sine /= norm;
-  }
-  r.shift = 0.5 * (from + to) - r.turn(0.5 * (other_from + other_to));
-  return r;
-}
 
 std::uint32_t local_number(std::span<const FaceId> faces, FaceId f) {
   const auto at = std::lower_bound(faces.begin(), faces.end(), f);

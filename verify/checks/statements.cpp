@@ -242,7 +242,7 @@ class StatementCheck {
                             (piece.reason == "tabs" && !asks("all_tabs")) ||
                             (piece.reason == "faces" && any_faces) ||
                             (piece.reason == "request" && !asks("cuts") && !asks("keep") && !asks("from") &&
-                             !asks("fold_linear") && !asks("page_by"));
+                             !asks("fold_linear") && !asks("page_by") && !asks("edits"));
     if (impossible) {
       add({{"piece", i}}, fmt::format("the reason of {} can't be {}", name(), quote(piece.reason)));
     }

@@ -43,7 +43,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 34> known_settings{{
+constexpr std::array<Known, 35> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"bodies", Kind::bodies, Needed::never},
@@ -67,6 +67,7 @@ constexpr std::array<Known, 34> known_settings{{
     {"cuts", Kind::hash, Needed::never},
     {"keep", Kind::hash, Needed::never},
     {"from", Kind::hash, Needed::never},
+    {"edits", Kind::words, Needed::never},
     {"paper_mm", Kind::sheet, Needed::with_pages},
     {"margin_mm", Kind::number, Needed::with_pages, 0.0, max_coordinate_mm},
     {"gap_mm", Kind::number, Needed::with_pages, 0.0, max_coordinate_mm},

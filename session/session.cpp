@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "job/old_nets.hpp"
+#include "job/page_labels.hpp"
+#include "unfold/changed_folds.hpp"
+#include "verify/file/file.hpp"
+
+namespace ridgecraft::session {
+namespace {
+
+/// None where the surface has no such edge.
+std::optional<EdgeId> edge_of(const mesh::Surface& surface, const Edge& edge) {
+  if (edge.from.value() >= surface.vertex_count()) {
+    return std::nullopt;
+  }
+  for (const CornerId c : surface.corners_at(edge.from)) {
+    if (surface.vertex(mesh::next(c)) == edge.to) {
+      return surface.edge(c);
+    }
+    if (surface.vertex(mesh::previous(c)) == edge.to) {
+      return surface.edge(mesh::previous(c));
+    }
+  }
+  return std::nullopt;
+}
+
+/// What a piece has to keep to.
+unfold::Options rules_of(const job::Options& options) {
+  unfold::Options rules;
+  if (options.paper) {
+    const Vec2 area = paper::piece_area(*options.paper);
+    rules.sheet = unfold::Sheet{area.x, area.y};
+  }
+  rules.pieces = options.pieces;
+  return rules;
+}
+
+/// One edit after the other on the nets of one job.
+class Editor {
+ public:
+  Editor(const job::Paper& made, const Context& context)
+      : made_(made),
+        surface_(made.prepared.model.surface),
+        rules_(rules_of(made.options)),
+        labels_(job::page_labels(made.prepared.model, made.options.page_by)),
+        context_(context) {}
+
+  [[nodiscard]] unfold::ChangedNets changed(const unfold::Nets& nets, const Edit& edit) const {
+    const std::optional<EdgeId> edge =
+        edge_of(surface_, std::visit([](const auto& e) { return e.edge; }, edit));
+    if (!edge) {
+      return unfold::Refusal{"the model has no such edge", {}};
+    }
+    if (std::holds_alternative<Cut>(edit)) {
+      return unfold::cut_fold(surface_, made_.prepared.panels, made_.part, nets, *edge, context_);
+    }
+    if (parts_colours(*edge)) {
+      const auto [c, d] = surface_.sides(*edge);
+      return unfold::Refusal{"the faces beside this edge belong on different pages",
+                             {mesh::face_of(c), mesh::face_of(d)}};
+    }
+    return unfold::join_cut(surface_, made_.prepared.panels, made_.part, rules_, nets, *edge, context_);
+  }
+
+ private:
+  /// Whether paper of another colour begins at an edge.
+  [[nodiscard]] bool parts_colours(EdgeId edge) const {
+    const auto [c, d] = surface_.sides(edge);
+    return labels_.any() && d.valid() &&
+           labels_.of_face[mesh::face_of(c)] != labels_.of_face[mesh::face_of(d)];
+  }
+
+  const job::Paper& made_;
+  const mesh::Surface& surface_;
+  unfold::Options rules_;
+  job::PageLabels labels_;
+  const Context& context_;
+};
+
+/// The nets before the next step.
+const unfold::Nets& nets_of(const Project& project) {
+  return project.done == 0 ? project.start->nets : project.steps[project.done - 1].nets;
+}
+
+/// All steps that were done, one a line.
+std::string text_of_steps(const Project& project) {
+  std::string text;
+  for (std::size_t i = 0; i < project.done; ++i) {
+    text += (i == 0 ? "" : "\n") + text_of(project.steps[i].edits);
+  }
+  return text;
+}
+
+/// The same steps with the paper that follows from those that are done.
+Project with_paper(Project project, const Context& context) {
+  project.now = project.done == 0
+                    ? *project.start
+                    : job::with_nets(*project.start, nets_of(project), text_of_steps(project), context);
+  return project;
+}
+
+/// A project without the paper that follows, or why not.
+std::optional<Refusal> add_step(Project& project, std::span<const Edit> edits, const Context& context) {
+  const Editor editor(*project.start, context);
+  unfold::Nets nets = nets_of(project);
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    unfold::ChangedNets changed = editor.changed(nets, edits[i]);
+    if (auto* const refusal = std::get_if<unfold::Refusal>(&changed)) {
+      return Refusal{i, std::move(refusal->why), std::move(refusal->faces)};
+    }
+    nets = std::get<unfold::Nets>(std::move(changed));
+  }
+  project.steps.resize(project.done);
+  project.steps.push_back({{edits.begin(), edits.end()}, std::move(nets)});
+  ++project.done;
+  return std::nullopt;
+}
+
+/// Its steps without the paper, which is made anew.
+Project steps_alone(const Project& project) {
+  return {project.start, project.steps, project.done, {}};
+}
+
+}  // namespace
+
+Project open(job::Paper made) {
+  Project project;
+  project.start = std::make_shared<const job::Paper>(std::move(made));
+  project.now = *project.start;
+  return project;
+}
+
+Answer apply(const Project& project, std::span<const Edit> edits, const Context& context) {
+  if (edits.empty()) {
+    return project;
+  }
+  Project changed = steps_alone(project);
+  if (std::optional<Refusal> refusal = add_step(changed, edits, context)) {
+    return std::move(*refusal);
+  }
+  return with_paper(std::move(changed), context);
+}
+
+Project undo(const Project& project, const Context& context) {
+  if (!project.can_undo()) {
+    return project;
+  }
+  Project back = steps_alone(project);
+  --back.done;
+  return with_paper(std::move(back), context);
+}
+
+Project redo(const Project& project, const Context& context) {
+  if (!project.can_redo()) {
+    return project;
+  }
+  Project forth = steps_alone(project);
+  ++forth.done;
+  return with_paper(std::move(forth), context);
+}
+
+Answer reopen(job::Paper made, const std::string& fold_file, const Context& context) {
+  const verify::File saved = job::read_fold_file({"the saved project", fold_file});
+  const verify::Setting* const setting = saved.settings.find("edits");
+  const auto* const text = setting == nullptr ? nullptr : std::get_if<std::string>(setting);
+  Project project = open(std::move(made));
+  for (const std::vector<Edit>& step : text == nullptr ? std::vector<std::vector<Edit>>{} : steps_of(*text)) {
+    if (std::optional<Refusal> refusal = add_step(project, step, context)) {
+      return std::move(*refusal);
+    }
+  }
+  return with_paper(std::move(project), context);
+}
+
+}  // namespace ridgecraft::session

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edits by hand: what comes out is sound, what can't be is refused, and every state comes back byte by byte.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/error.hpp"
+#include "base/random.hpp"
+#include "export/export.hpp"
+#include "mesh/mesh.hpp"
+#include "session/session.hpp"
+#include "verify/verify.hpp"
+
+using namespace ridgecraft;
+using session::Cut;
+using session::Edge;
+using session::Edit;
+using session::Join;
+using session::Project;
+
+namespace {
+
+job::Paper sample(const std::string& name) {
+  return job::paper(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + name, {}, {}), {}, {});
+}
+
+/// A cube that A4 holds as one cross.
+job::Paper cube() {
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  const std::vector<std::vector<std::uint32_t>> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                      {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  job::Options options;
+  options.size.largest_extent_mm = 50.0;
+  return job::paper(mesh::repair(points, faces, {}, {}), options, {});
+}
+
+/// Everything that a maker gets but the guide.
+std::string bytes_of(const job::Paper& made) {
+  std::string text = made.fold;
+  for (const paper::Drawing& page : made.drawings) {
+    text += paper::write_svg(page, {});
+  }
+  return text;
+}
+
+const mesh::Surface& surface_of(const Project& project) {
+  return project.now.prepared.model.surface;
+}
+
+Edge name_of(const mesh::Surface& surface, EdgeId edge) {
+  const CornerId side = surface.sides(edge)[0];
+  return {surface.vertex(side), surface.vertex(mesh::next(side))};
+}
+
+/// Edges between two flat regions that are used so now.
+std::vector<Edge> edges_used(const Project& project, unfold::EdgeUse use) {
+  const mesh::Surface& surface = surface_of(project);
+  const auto& panel = project.now.prepared.panels.panel;
+  std::vector<Edge> found;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    const auto [c, d] = surface.sides(e);
+    if (project.now.nets.use[e] == use && d.valid() && panel[mesh::face_of(c)] != panel[mesh::face_of(d)]) {
+      found.push_back(name_of(surface, e));
+    }
+  }
+  return found;
+}
+
+Project done(const Project& project, const std::vector<Edit>& edits) {
+  session::Answer answer = session::apply(project, edits, {});
+  if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
+    FAIL("refused: " << refusal->why);
+  }
+  return std::get<Project>(std::move(answer));
+}
+
+session::Refusal refused(const Project& project, const std::vector<Edit>& edits) {
+  const session::Answer answer = session::apply(project, edits, {});
+  REQUIRE(std::holds_alternative<session::Refusal>(answer));
+  return std::get<session::Refusal>(answer);
+}
+
+/// Cuts and joins at random edges. After each one the file is sound, and the way back and forth gives the
+/// bytes from before and after; so does the way back to the start and forth again, and so does reopening.
+void edit_at_random(job::Paper made, std::uint64_t seed, std::size_t edits) {
+  Project project = session::open(std::move(made));
+  const mesh::Surface surface = surface_of(project);
+  std::vector<std::string> bytes{bytes_of(project.now)};
+  Random random(seed);
+  std::size_t cuts = 0;
+  std::size_t joins = 0;
+  for (std::size_t i = 0; i < edits; ++i) {
+    const EdgeId e(random.below(static_cast<std::uint32_t>(surface.edge_count())));
+    const Edge edge = name_of(surface, e);
+    const bool folded = project.now.nets.use[e] == unfold::EdgeUse::fold;
+    const std::array<Edit, 1> edit{folded ? Edit(Cut{edge}) : Edit(Join{edge})};
+    const session::Answer answer = session::apply(project, edit, {});
+    if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
+      CHECK_FALSE(refusal->why.empty());
+      CHECK_FALSE(refusal->faces.empty());
+      continue;
+    }
+    const Project& changed = std::get<Project>(answer);
+    INFO(session::text_of(edit));
+    CHECK(verify::verify(changed.now.fold, {}, {}).sound());
+    CHECK(changed.now.nets.pieces.size() ==
+          project.now.nets.pieces.size() + (folded ? 1 : 0) - (folded ? 0 : 1));
+    const Project back = session::undo(changed, {});
+    CHECK(bytes_of(back.now) == bytes.back());
+    bytes.push_back(bytes_of(changed.now));
+    CHECK(bytes_of(session::redo(back, {}).now) == bytes.back());
+    project = changed;
+    (folded ? cuts : joins) += 1;
+  }
+  CHECK(cuts > 0);
+  CHECK(joins > 0);
+  const session::Answer again = session::reopen(*project.start, project.now.fold, {});
+  REQUIRE(std::holds_alternative<Project>(again));
+  project = std::get<Project>(again);
+  CHECK(bytes_of(project.now) == bytes.back());
+  for (std::size_t i = bytes.size(); i-- > 1;) {
+    project = session::undo(project, {});
+    CHECK(bytes_of(project.now) == bytes[i - 1]);
+  }
+  CHECK_FALSE(project.can_undo());
+  CHECK(project.steps.size() == bytes.size() - 1);
+}
+
+}  // namespace
+
+TEST_CASE("a face of a cube is cut off, and joined elsewhere", "[session]") {
+  const Project start = session::open(cube());
+  REQUIRE(start.now.nets.pieces.size() == 1);
+  const Edge fold = edges_used(start, unfold::EdgeUse::fold).front();
+  const Project apart = done(start, {Cut{fold}});
+  CHECK(apart.now.nets.pieces.size() == 2);
+  CHECK(apart.now.nets.joins.size() == start.now.nets.joins.size() + 1);
+  CHECK(apart.now.nets.pieces[PieceId(1)].reason == unfold::PieceReason::request);
+  CHECK(apart.now.figures.overlaps == 0);
+  std::size_t ways = 0;
+  for (const Edge& cut : edges_used(apart, unfold::EdgeUse::cut)) {
+    const session::Answer answer = session::apply(apart, std::vector<Edit>{Join{cut}}, {});
+    if (const auto* const joined = std::get_if<Project>(&answer)) {
+      CHECK(joined->now.nets.pieces.size() == 1);
+      ++ways;
+    }
+  }
+  CHECK(ways > 1);
+}
+
+TEST_CASE("what can't be is refused with a sentence and a place", "[session]") {
+  const Project start = session::open(cube());
+  const Edge fold = edges_used(start, unfold::EdgeUse::fold).front();
+  const Edge cut = edges_used(start, unfold::EdgeUse::cut).front();
+  CHECK(refused(start, {Cut{cut}}).why == "this edge is cut already");
+  CHECK(refused(start, {Join{fold}}).why == "this edge is a fold already");
+  const session::Refusal loop = refused(start, {Join{cut}});
+  CHECK(loop.why.find("both sides of this edge belong to piece A") != std::string::npos);
+  CHECK(loop.faces.size() == 2);
+  CHECK(refused(start, {Cut{{VertexId(0), VertexId(99)}}}).why == "the model has no such edge");
+  CHECK(refused(start, {Cut{{VertexId(99), VertexId(0)}}}).why == "the model has no such edge");
+  const mesh::Surface& surface = surface_of(start);
+  const auto& panel = start.now.prepared.panels.panel;
+  std::size_t inside = 0;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    const auto [c, d] = surface.sides(e);
+    if (panel[mesh::face_of(c)] == panel[mesh::face_of(d)]) {
+      CHECK(refused(start, {Cut{name_of(surface, e)}}).why ==
+            "this edge lies inside a flat region, which stays whole");
+      ++inside;
+    }
+  }
+  CHECK(inside == 6);
+}
+
+TEST_CASE("edits that are done together are done all or none", "[session]") {
+  const Project start = session::open(cube());
+  const std::vector<Edge> folds = edges_used(start, unfold::EdgeUse::fold);
+  REQUIRE(folds.size() == 5);
+  const Project both = done(start, {Cut{folds[0]}, Cut{folds[1]}});
+  CHECK(both.now.nets.pieces.size() == 3);
+  CHECK(both.done == 1);
+  CHECK(bytes_of(session::undo(both, {}).now) == bytes_of(start.now));
+  CHECK(refused(start, {Cut{folds[0]}, Cut{folds[0]}}).edit == 1);
+  CHECK(done(start, {}).done == 0);
+}
+
+TEST_CASE("a new edit forgets what had been undone", "[session]") {
+  const Project start = session::open(cube());
+  const std::vector<Edge> folds = edges_used(start, unfold::EdgeUse::fold);
+  const Project back = session::undo(done(start, {Cut{folds[0]}}), {});
+  CHECK(back.can_redo());
+  const Project other = done(back, {Cut{folds[1]}});
+  CHECK_FALSE(other.can_redo());
+  CHECK(bytes_of(session::redo(other, {}).now) == bytes_of(other.now));
+  CHECK(bytes_of(other.now) == bytes_of(done(start, {Cut{folds[1]}}).now));
+}
+
+TEST_CASE("a join that would overlap names the faces", "[session]") {
+  Project project = session::open(sample("mug.obj"));
+  std::size_t overlaps = 0;
+  for (const Edge& cut : edges_used(project, unfold::EdgeUse::cut)) {
+    const session::Answer answer = session::apply(project, std::vector<Edit>{Join{cut}}, {});
+    const auto* const refusal = std::get_if<session::Refusal>(&answer);
+    if (refusal != nullptr && refusal->why.find("would overlap") != std::string::npos) {
+      CHECK(refusal->faces.size() > 1);
+      ++overlaps;
+    }
+    if (overlaps == 3) {
+      break;
+    }
+  }
+  CHECK(overlaps == 3);
+}
+
+TEST_CASE("random edits leave sound nets, and every state comes back", "[session]") {
+  edit_at_random(cube(), 1, 60);
+  edit_at_random(sample("mug.obj"), 2, 25);
+  edit_at_random(sample("torus.off"), 3, 25);
+}
+
+TEST_CASE("edits are text and come back from it", "[session]") {
+  const std::vector<Edit> step{Cut{{VertexId(3), VertexId(17)}}, Join{{VertexId(5), VertexId(0)}}};
+  CHECK(session::text_of(step) == "cut 3 17; join 5 0");
+  CHECK(session::steps_of("cut 3 17; join 5 0\njoin 1 2") ==
+        std::vector<std::vector<Edit>>{step, {Join{{VertexId(1), VertexId(2)}}}});
+  CHECK(session::steps_of("").empty());
+  for (const char* const wrong : {"cut", "cut 1", "cut 1 2 3", "cut 1 -2", "cut 1 2;join 3 4", "turn 1 2",
+                                  "cut 1 4294967296", "join  1 2"}) {
+    INFO(wrong);
+    CHECK_THROWS_AS(session::steps_of(wrong), Error);
+  }
+}

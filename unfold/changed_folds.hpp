@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finished nets with one fold less or one more, as a person asks for it edge by edge. All other pieces stay
+// as they lie.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/context.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "unfold/net/nets.hpp"
+#include "unfold/net/options.hpp"
+
+namespace ridgecraft::unfold {
+
+/// Why an edge can't become what was asked for.
+struct Refusal {
+  std::string why;            ///< a sentence for people, without its full stop
+  std::vector<FaceId> faces;  ///< where to look: those that would lie on each other, or have the edge
+};
+
+/// Nets without joins, tabs, kinds of equal pieces and notes: replace_tabs() gives them all but the notes,
+/// which told of the search.
+using ChangedNets = std::variant<Nets, Refusal>;
+
+/// The piece with this fold becomes two; both lie as they lay. Refused where nothing is to be cut: at
+/// borders, at cuts, inside flat regions, and where the paper holds together around the edge. `part`: as for
+/// unfold(). O(n log n) but for the order in which both are folded.
+[[nodiscard]] ChangedNets cut_fold(const mesh::Surface& surface, const prepare::Panels& panels,
+                                   const IdVector<FaceId, PartId>& part, const Nets& nets, EdgeId edge,
+                                   const Context& context);
+
+/// The two pieces beside this cut become one; the larger one lies as it lay. Refused where both faces lie in
+/// one piece, where the two would overlap deeper than overlap_tolerance_mm, and where the options' sheet or
+/// rules don't hold what would come out. O(n log n) but for pairs of faces that are near each other and the
+/// order in which the piece is folded.
+[[nodiscard]] ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels,
+                                   const IdVector<FaceId, PartId>& part, const Options& options,
+                                   const Nets& nets, EdgeId edge, const Context& context);
+
+}  // namespace ridgecraft::unfold
