@@ -155,6 +155,8 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
       calm = bordered(cut, Start::near);
     }
   }
+  calm = even_pieces(asked.surface, patch, calm, images, rules.weights, plan.room,
+                     net_tolerance(patch.extent), context.seed, context);
   const Folds better =
       better_trees(asked.surface, plan.whole, patch, calm, images.edge, asked.options, plan.room, context);
   return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
