@@ -308,6 +308,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   }
   made.slivers = prepare::count_narrow_faces(surface, made.prepared.panels, sliver_mm);
   if (options.paper) {
+    tell(listener, many_bodies(surface));
     tell(listener, short_folds(made.prepared, options.style.hidden_fold_angle));
     told_of_pages =
         told_of_pages ||

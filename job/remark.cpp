@@ -18,6 +18,9 @@ constexpr double easy_fold_mm = 6.0;
 constexpr double warned_pages = 100.0;
 /// From here on that is certain before the model is brought to its size, which takes a while then.
 constexpr double certain_pages = 1000.0;
+/// Tiny bodies come about so many to a page, counting those with lists of names and numbers (59, 70 and 77
+/// with 1000, 3000 and 10,000 tetrahedra).
+constexpr double bodies_on_page = 80.0;
 /// As many pages as a maker finishes.
 constexpr double few_pages = 10.0;
 /// A model of this extent and area, in mm. Paper grows with the square of the size. A model on few pages has
@@ -66,6 +69,12 @@ std::optional<ManyPages> many_pages(const mesh::Model& model, const prepare::Siz
     return std::nullopt;
   }
   return many_pages(factor * extent, area, printable, pages, false);
+}
+
+std::optional<ManyBodies> many_bodies(const mesh::Surface& surface) {
+  const ManyBodies many{surface.component_count(),
+                        static_cast<double>(surface.component_count()) / bodies_on_page};
+  return many.pages < warned_pages ? std::nullopt : std::optional(many);
 }
 
 std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared, double hidden_fold_angle) {

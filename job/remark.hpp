@@ -2,6 +2,7 @@
 // What a user may want to know before the long work, as figures; whoever runs the job words them.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <variant>
@@ -23,6 +24,13 @@ struct ManyPages {
   double size_for_fewer = 0.0;  ///< ... and about the largest extent that takes no more, mm
 };
 
+/// So many separate bodies that their pieces and the lists of what found no room on them fill many pages,
+/// whatever their size.
+struct ManyBodies {
+  std::size_t bodies = 0;
+  double pages = 0.0;  ///< about, at least
+};
+
 /// Half of the folds that are drawn are too short for fingers.
 struct ShortFolds {
   double median_mm = 0.0;
@@ -30,7 +38,7 @@ struct ShortFolds {
   double size_for_easy = 0.0;  ///< ... this largest extent, mm, half of them are as long
 };
 
-using Remark = std::variant<ManyPages, ShortFolds>;
+using Remark = std::variant<ManyPages, ManyBodies, ShortFolds>;
 /// Called while the job goes on, from its thread. May be empty.
 using Listener = std::function<void(const Remark&)>;
 
@@ -40,6 +48,9 @@ using Listener = std::function<void(const Remark&)>;
 /// The same before the model is brought to its size, by its area alone; nothing where that isn't certain.
 [[nodiscard]] std::optional<ManyPages> many_pages(const mesh::Model& model, const prepare::SizeOptions& size,
                                                   Vec2 printable);
+
+/// Where pages are many because bodies are. O(1).
+[[nodiscard]] std::optional<ManyBodies> many_bodies(const mesh::Surface& surface);
 
 /// Where half of the folds of at least `hidden_fold_angle` (radians) are too short. O(edges).
 [[nodiscard]] std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared,

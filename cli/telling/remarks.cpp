@@ -35,6 +35,11 @@ std::string text_of(const job::ManyPages& many) {
                      two_digits(many.size_for_fewer), many.fewer_pages);
 }
 
+std::string text_of(const job::ManyBodies& many) {
+  return fmt::format("this takes about {:.0f} pages or more, for {} separate bodies", two_digits(many.pages),
+                     many.bodies);
+}
+
 std::string text_of(const job::ShortFolds& folds) {
   return fmt::format(
       "half of the folds are shorter than {:.1f} mm, too short for fingers; --size {:.0f}mm makes half of "
@@ -46,6 +51,19 @@ std::string text_of(const job::ShortFolds& folds) {
 
 std::string sentence(const job::Remark& remark) {
   return std::visit([](const auto& told) { return text_of(told); }, remark);
+}
+
+std::optional<std::string> too_many_bodies(const job::Remark& remark, std::uint64_t most_pages) {
+  const auto* many = std::get_if<job::ManyBodies>(&remark);
+  if (many == nullptr || many->pages <= static_cast<double>(most_pages)) {
+    return std::nullopt;
+  }
+  const double pages = two_digits(many->pages);
+  return fmt::format(
+      "the model has {} separate bodies, which take about {:.0f} pages at any size, and more than {} aren't "
+      "made unasked: --only NAME takes some of them, ridgecraft unfold makes their nets without pages, "
+      "--most-pages {:.0f} goes on",
+      many->bodies, pages, most_pages, two_digits(most_pages_factor * many->pages));
 }
 
 std::optional<std::string> too_many_pages(const job::Remark& remark, std::uint64_t most_pages) {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/near_boxes.hpp"
 #include "base/solid_angle.hpp"
 
 namespace ridgecraft::paper {
@@ -52,15 +53,21 @@ std::vector<std::size_t> inner_groups_first(const mesh::Surface& surface, const 
   // In how many others each lies: what lies in a body lies in all that the body lies in, so the deepest
   // may come first.
   std::vector<std::size_t> depth(bodies.size(), 0);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    for (std::size_t outer = 0; outer < bodies.size(); ++outer) {
-      if (outer != i && bodies[outer].closed && !bodies[i].faces.empty() &&
-          holds_box(bodies[outer].box, bodies[i].box) &&
-          is_inside(surface, surface.point(surface.vertices(bodies[i].faces.front())[0]), bodies[outer])) {
-        ++depth[i];
-      }
-    }
+  std::vector<Box3> boxes;
+  for (const GroupBody& body : bodies) {
+    boxes.push_back(body.faces.empty() ? Box3{{}, {}} : body.box);
   }
+  const auto compare = [&](std::size_t inner, std::size_t outer) {
+    if (bodies[outer].closed && !bodies[inner].faces.empty() &&
+        holds_box(bodies[outer].box, bodies[inner].box) &&
+        is_inside(surface, surface.point(surface.vertices(bodies[inner].faces.front())[0]), bodies[outer])) {
+      ++depth[inner];
+    }
+  };
+  NearBoxes(boxes).for_pairs([&](std::size_t a, std::size_t b) {
+    compare(a, b);
+    compare(b, a);
+  });
   std::vector<std::size_t> order(bodies.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto area = [&](std::size_t group) {

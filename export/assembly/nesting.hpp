@@ -9,8 +9,8 @@
 namespace ridgecraft::paper {
 
 /// The groups of the graph in an order in which each comes after those that lie inside it, and else
-/// the larger first, by its area. A group with a border encloses nothing. O(groups^2 + faces of groups whose
-/// boxes hold others).
+/// the larger first, by its area. A group with a border encloses nothing. O(groups log groups + pairs of
+/// boxes that meet + faces of groups whose boxes hold others).
 [[nodiscard]] std::vector<std::size_t> inner_groups_first(const mesh::Surface& surface,
                                                           const unfold::Nets& nets, const SeamGraph& graph);
 

@@ -2,6 +2,10 @@
 #include "export/guide/words.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
 
 #include "base/utf8.hpp"
 #include "export/style/stroke_font.hpp"
@@ -50,17 +54,24 @@ std::vector<std::string> wrapped(std::string_view words, double width, double he
 }
 
 std::string shortened(std::string_view words, double width, double height) {
-  std::string whole(words);
-  std::vector<char32_t> codes = code_points(words);
-  while (!codes.empty() && text_width(whole, height) > width) {
-    codes.pop_back();
-    whole.clear();
-    for (const char32_t code : codes) {
-      append_utf8(whole, code);
-    }
-    whole += "…";
+  if (text_width(words, height) <= width) {
+    return std::string(words);
   }
-  return whole;
+  const std::vector<char32_t> codes = code_points(words);
+  const auto first_codes = [&](std::size_t count) {
+    std::string first;
+    for (const char32_t code : std::span(codes).subspan(0, count)) {
+      append_utf8(first, code);
+    }
+    return first + "…";
+  };
+  // By halves: the words may be a list of ten thousand names.
+  std::size_t fitting = 0;
+  for (std::size_t too_many = codes.size(); fitting + 1 < too_many;) {
+    const std::size_t middle = std::midpoint(fitting, too_many);
+    (text_width(first_codes(middle), height) <= width ? fitting : too_many) = middle;
+  }
+  return first_codes(fitting);
 }
 
 }  // namespace ridgecraft::paper

@@ -117,6 +117,28 @@ TEST_CASE("more pages than a person would print are refused before the long work
             .exit_code == 2);
 }
 
+TEST_CASE("thousands of separate bodies are refused before the long work, and unfolded without pages",
+          "[summaries]") {
+  const TemporaryFolder folder;
+  std::string off = "OFF\n32400 32400 0\n";
+  for (int i = 0; i < 8100; ++i) {
+    const int x = 2 * (i % 90);
+    const int y = 2 * (i / 90);
+    off += fmt::format("{0} {1} 0\n{2} {1} 0\n{0} {3} 0\n{0} {1} 1\n", x, y, x + 1, y + 1);
+  }
+  for (int i = 0; i < 32400; i += 4) {
+    off +=
+        fmt::format("3 {0} {2} {1}\n3 {0} {1} {3}\n3 {0} {3} {2}\n3 {1} {2} {3}\n", i, i + 1, i + 2, i + 3);
+  }
+  write_bytes(folder / "dust.off", off);
+  const Outcome outcome = run_program({"dust.off", "--most-pages", "100", "-o", "dust.pdf"}, in(folder));
+  check_refusal(outcome, 2, "dust.off: the model has 8100 separate bodies, which take about 100 pages");
+  CHECK(folder.names() == std::set<std::string>{"dust.off"});
+  const Outcome nets = run_program({"unfold", "dust.off", "-o", "dust.fold"}, in(folder));
+  CHECK(nets.exit_code == 0);
+  CHECK(nets.out.find("8100") != std::string::npos);
+}
+
 TEST_CASE("faces too thin for a knife are counted, loose bodies listed", "[summaries]") {
   const TemporaryFolder folder;
   // A bar of 100 x 0.5 x 20 with closed ends, and a triangle that stands beside it.

@@ -12,27 +12,55 @@
 namespace ridgecraft::verify {
 namespace {
 
-/// Looks on while the parser works: depth, and the keys of the objects that are open.
+/// Reads along without keeping anything: depth, and the keys of the objects that are open. The library's
+/// callback would look through all of a list after each object in it.
 class Watch {
  public:
-  bool operator()(int depth, Json::parse_event_t event, const Json& value) {
-    if (depth > max_json_depth) {
-      refuse("the file is not in the form of the contract: lists are nested deeper than {}", max_json_depth);
+  bool null() { return value(); }
+  bool boolean(bool /*unused*/) { return value(); }
+  bool number_integer(std::int64_t /*unused*/) { return value(); }
+  bool number_unsigned(std::uint64_t /*unused*/) { return value(); }
+  bool number_float(double /*unused*/, const std::string& /*unused*/) { return value(); }
+  bool string(std::string& /*unused*/) { return value(); }
+  bool binary(Json::binary_t& /*unused*/) { return value(); }
+  bool start_object(std::size_t /*unused*/) {
+    static_cast<void>(value());
+    if (keys_.size() <= ++depth_) {
+      keys_.resize(depth_ + 1);
     }
-    const auto level = static_cast<std::size_t>(depth);
-    if (event == Json::parse_event_t::object_start) {
-      keys_.resize(std::max(keys_.size(), level + 2));
-      keys_[level + 1].clear();
-    } else if (event == Json::parse_event_t::key) {
-      const auto& key = value.get_ref<const std::string&>();
-      if (!keys_[level].insert(key).second) {
-        refuse("the file has the key {} twice in one object", quote(key));
-      }
+    keys_[depth_].clear();
+    return true;
+  }
+  bool key(std::string& key) {
+    if (!keys_[depth_].insert(key).second) {
+      refuse("the file has the key {} twice in one object", quote(key));
+    }
+    return true;
+  }
+  bool end_object() {
+    --depth_;
+    return true;
+  }
+  bool start_array(std::size_t /*unused*/) {
+    static_cast<void>(value());
+    ++depth_;
+    return true;
+  }
+  bool end_array() { return end_object(); }
+  /// Whoever parses next throws what is wrong.
+  bool parse_error(std::size_t /*unused*/, const std::string& /*unused*/, const Json::exception& /*unused*/) {
+    return false;
+  }
+
+ private:
+  [[nodiscard]] bool value() const {
+    if (depth_ > max_json_depth) {
+      refuse("the file is not in the form of the contract: lists are nested deeper than {}", max_json_depth);
     }
     return true;
   }
 
- private:
+  std::size_t depth_ = 0;  ///< lists and objects that are open
   std::vector<std::set<std::string>> keys_;
 };
 
@@ -58,9 +86,8 @@ Json parse_json(std::string_view bytes) {
   }
   try {
     Watch watch;
-    return Json::parse(
-        bytes.begin(), bytes.end(),
-        [&watch](int depth, Json::parse_event_t event, Json& value) { return watch(depth, event, value); });
+    Json::sax_parse(bytes.begin(), bytes.end(), &watch);
+    return Json::parse(bytes.begin(), bytes.end());
   } catch (const Json::parse_error& error) {
     const Place place = place_of(bytes, error.byte);
     refuse("the file is not JSON: {} at line {}, column {}",
