@@ -97,23 +97,39 @@ SurfaceTree::SurfaceTree(const Surface& surface, double spacing)
 }
 
 double SurfaceTree::distance(Vec3 p, double enough) const {
+  FaceId near;
+  return search(p, enough, near);
+}
+
+double SurfaceTree::distance(Vec3 p, double enough, FaceId& near) const {
+  const double at_last = near.valid() ? squared_distance_of(near, p) : double{INFINITY};
+  return at_last <= enough * enough ? std::sqrt(at_last) : search(p, enough, near);
+}
+
+double SurfaceTree::squared_distance_of(FaceId f, Vec3 p) const {
+  const auto [a, b, c] = surface_.vertices(f);
+  return squared_distance(surface_.point(a), surface_.point(b), surface_.point(c), p);
+}
+
+double SurfaceTree::search(Vec3 p, double enough, FaceId& near) const {
   const double stop = enough * enough;
   const double best = tree_.nearest_first(
       p, double{INFINITY},
       [stop](double found, std::uint32_t, double distance) { return found > stop && distance < found; },
       [&](double& found, std::uint32_t i) {
-        const auto [a, b, c] = surface_.vertices(FaceId(tree_.order()[i]));
-        found = std::min(found, squared_distance(surface_.point(a), surface_.point(b), surface_.point(c), p));
+        const FaceId f(tree_.order()[i]);
+        if (const double distance = squared_distance_of(f, p); distance < found) {
+          found = distance;
+          near = f;
+        }
       });
   return std::sqrt(best);
 }
 
 NearField::NearField(const SurfaceTree& tree, double distance)
-    : tree_(tree), distance_(distance), cell_(0.25 * distance) {}
+    : tree_(tree), distance_(distance), cell_(0.25 * distance), blocks_(1024) {}
 
 bool NearField::contains(Vec3 p) {
-  // No point of a cell is farther from its middle than this.
-  const double half_diagonal = 0.5 * std::numbers::sqrt3 * cell_;
   // Larger numbers don't fit into the key.
   constexpr double range = 1 << 20;
   const Vec3 number{std::floor(p.x / cell_), std::floor(p.y / cell_), std::floor(p.z / cell_)};
@@ -121,30 +137,74 @@ bool NearField::contains(Vec3 p) {
     return tree_.distance(p, distance_) <= distance_;
   }
   const auto part = [](double x) { return static_cast<std::uint64_t>(x + range); };
-  const std::uint64_t key = (part(number.x) << 42U) | (part(number.y) << 21U) | part(number.z);
-  const auto [entry, is_new] = middles_.try_emplace(key, 0.0);
-  if (is_new) {
-    const Vec3 middle = cell_ * (number + Vec3{0.5, 0.5, 0.5});
-    entry->second = tree_.distance(middle, distance_ - half_diagonal);
+  const std::array<std::uint64_t, 3> cell{part(number.x), part(number.y), part(number.z)};
+  // A block has four cells each way: two bits of each number say which one, the others which block.
+  Block& block = block_of(((cell[0] >> 2U) << 42U) | ((cell[1] >> 2U) << 21U) | (cell[2] >> 2U));
+  const std::uint64_t place = ((cell[0] & 3U) << 4U) | ((cell[1] & 3U) << 2U) | (cell[2] & 3U);
+  std::uint64_t& word = block.cells[place >> 5U];
+  const std::uint64_t shift = 2U * (place & 31U);
+  auto state = static_cast<Cell>((word >> shift) & 3U);
+  if (state == Cell::unknown) {
+    state = look(number);
+    word |= static_cast<std::uint64_t>(state) << shift;
   }
-  if (entry->second <= distance_ - half_diagonal) {
-    return true;
+  return state == Cell::inside || (state == Cell::either && tree_.distance(p, distance_) <= distance_);
+}
+
+NearField::Cell NearField::look(Vec3 number) const {
+  // No point of a cell is farther from its middle than this.
+  const double half_diagonal = 0.5 * std::numbers::sqrt3 * cell_;
+  const Vec3 middle = cell_ * (number + Vec3{0.5, 0.5, 0.5});
+  const double found = tree_.distance(middle, distance_ - half_diagonal);
+  return found <= distance_ - half_diagonal  ? Cell::inside
+         : found > distance_ + half_diagonal ? Cell::outside
+                                             : Cell::either;
+}
+
+std::size_t NearField::place_of(std::uint64_t key) const {
+  // Fibonacci hashing (Knuth, volume 3, section 6.4): the upper bits depend on all of the key.
+  constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U;
+  const std::size_t mask = blocks_.size() - 1;
+  std::size_t at = static_cast<std::size_t>((key * golden) >> 32U) & mask;
+  while (blocks_[at].key != key && blocks_[at].key != no_key) {
+    at = (at + 1) & mask;
   }
-  if (entry->second > distance_ + half_diagonal) {
-    return false;
+  return at;
+}
+
+NearField::Block& NearField::block_of(std::uint64_t key) {
+  std::size_t at = place_of(key);
+  if (blocks_[at].key == no_key) {
+    if (2 * (used_ + 1) > blocks_.size()) {
+      grow();
+      at = place_of(key);
+    }
+    blocks_[at].key = key;
+    ++used_;
   }
-  return tree_.distance(p, distance_) <= distance_;
+  return blocks_[at];
+}
+
+void NearField::grow() {
+  std::vector<Block> before(2 * blocks_.size());
+  before.swap(blocks_);
+  for (const Block& block : before) {
+    if (block.key != no_key) {
+      blocks_[place_of(block.key)] = block;
+    }
+  }
 }
 
 double greatest_distance(const SurfaceTree& a, const SurfaceTree& b, double limit, const Context& context) {
   double greatest = 0.0;
   std::size_t done = 0;
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    FaceId near;
     for (const Vec3 p : from->samples()) {
       if (++done % 4096 == 0) {
         context.check();
       }
-      greatest = std::max(greatest, to->distance(p, greatest));
+      greatest = std::max(greatest, to->distance(p, greatest, near));
       if (greatest > limit) {
         return greatest;
       }

@@ -2,8 +2,9 @@
 // How far one surface is from another.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "base/box_tree.hpp"
@@ -24,16 +25,22 @@ class SurfaceTree {
 
   /// Distance of a point from the surface, or anything up to `enough` where it isn't farther than that.
   [[nodiscard]] double distance(Vec3 p, double enough) const;
+  /// The same, for points that follow each other: where the face that was near the last one is near enough,
+  /// nothing is searched. `near`: none at first.
+  [[nodiscard]] double distance(Vec3 p, double enough, FaceId& near) const;
   [[nodiscard]] const std::vector<Vec3>& samples() const { return samples_; }
 
  private:
+  [[nodiscard]] double squared_distance_of(FaceId f, Vec3 p) const;
+  double search(Vec3 p, double enough, FaceId& near) const;
+
   const Surface& surface_;
   BoxTree<Box3> tree_;  ///< of its faces
   std::vector<Vec3> samples_;
 };
 
-/// Answers very often whether points are within one distance of a surface: remembers how far the middles of
-/// small cells are, which decides most questions. Answers are those of the tree.
+/// Answers very often whether points are within one distance of a surface: remembers of small cells whether
+/// all their points are, or none, which decides most questions. Answers are those of the tree.
 class NearField {
  public:
   /// The tree must outlive it.
@@ -41,10 +48,26 @@ class NearField {
   [[nodiscard]] bool contains(Vec3 p);
 
  private:
+  /// What is known of a cell.
+  enum class Cell : unsigned { unknown = 0, inside = 1, outside = 2, either = 3 };
+  /// 4 x 4 x 4 cells lie beside each other in memory, as questions do in space: two bits each.
+  struct Block {
+    std::uint64_t key = no_key;
+    std::array<std::uint64_t, 2> cells{};
+  };
+  static constexpr std::uint64_t no_key = ~std::uint64_t{0};
+
+  [[nodiscard]] Cell look(Vec3 number) const;
+  /// The block of this key, which is made where there is none.
+  Block& block_of(std::uint64_t key);
+  [[nodiscard]] std::size_t place_of(std::uint64_t key) const;
+  void grow();
+
   const SurfaceTree& tree_;
   double distance_;
   double cell_;
-  std::unordered_map<std::uint64_t, double> middles_;  ///< asked by key only
+  std::vector<Block> blocks_;  ///< by their keys' hashes, or behind; a power of two, at most half full
+  std::size_t used_ = 0;
 };
 
 /// Greatest distance between samples of each surface and the other surface, both ways; some distance above

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/model/surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <catch2/catch.hpp>
 
+#include "base/random.hpp"
+#include "mesh/model/surface_distance.hpp"
 #include "support/shapes.hpp"
 
 using namespace ridgecraft;
@@ -74,4 +77,36 @@ TEST_CASE("an open tube has two borders", "[surface]") {
 TEST_CASE("coordinates come through bit for bit", "[surface]") {
   const Surface s({{0.1, 0.2, 0.3}, {1, 0, 0}, {0, 1, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   CHECK(s.point(VertexId(0)) == Vec3{0.1, 0.2, 0.3});
+}
+
+TEST_CASE("what is remembered of near places changes no distance", "[surface]") {
+  const mesh::Surface ball = test::sphere(24, 12);
+  const mesh::Surface fine = test::sphere(60, 30);
+  const mesh::SurfaceTree tree(ball, 0.2);
+  const mesh::SurfaceTree others(fine, 0.05);
+  Random random(18);
+  mesh::NearField field(tree, 0.1);
+  FaceId near;
+  std::size_t inside = 0;
+  for (int i = 0; i < 200000; ++i) {
+    // Far ones have no cell.
+    const double far = i % 1000 == 0 ? 1e6 : 1.3;
+    const Vec3 p{far * (2.0 * random.unit() - 1.0), far * (2.0 * random.unit() - 1.0),
+                 far * (2.0 * random.unit() - 1.0)};
+    const double distance = tree.distance(p, 0.0);
+    REQUIRE(field.contains(p) == (distance <= 0.1));
+    inside += distance <= 0.1 ? 1U : 0U;
+    const double found = tree.distance(p, 0.2, near);
+    REQUIRE((found == distance || (distance <= found && found <= 0.2)));
+  }
+  CHECK(inside > 20000);
+  CHECK(inside < 100000);
+  double greatest = 0.0;
+  for (const Vec3 p : others.samples()) {
+    greatest = std::max(greatest, tree.distance(p, 0.0));
+  }
+  for (const Vec3 p : tree.samples()) {
+    greatest = std::max(greatest, others.distance(p, 0.0));
+  }
+  CHECK(mesh::greatest_distance(others, tree, 1.0, {}) == greatest);
 }
