@@ -22,6 +22,8 @@ namespace {
 constexpr double same_point_mm = 0.03;
 /// A rim that is narrower isn't worth its ink, mm.
 constexpr double narrowest_bleed_mm = 0.05;
+/// Where something lies near a part of an edge, its rim is as wide as there is room for every so many mm.
+constexpr double strip_mm = 1.0;
 /// Outlines that run back beside an edge bound no rim, radians.
 constexpr double smallest_gap = 0.02;
 
@@ -70,30 +72,51 @@ class RimMaker {
     }
   }
 
-  /// Beyond an edge whose face lies on its left; empty where there is no room.
-  [[nodiscard]] std::vector<Vec2> beyond(const Segment2& edge) const {
+  /// Beyond an edge whose face lies on its left: one strip, or, where something lies near a part of it,
+  /// several of different width; none where there is no room.
+  [[nodiscard]] std::vector<std::vector<Vec2>> beyond(const Segment2& edge) const {
     const double size = length(edge.b - edge.a);
     if (!(size > 0.0)) {
       return {};
     }
-    const Vec2 along = (edge.b - edge.a) / size;
-    const Vec2 out = -perpendicular(along);
-    const double reach = reach_of(edge, out);
-    if (reach < narrowest_bleed_mm) {
-      return {};
+    const std::vector<Segment2> near = outlines_in_front(edge);
+    const auto count =
+        reach_of(edge, near) < bleed_mm ? static_cast<std::size_t>(std::ceil(size / strip_mm)) : 1;
+    const auto at = [&](std::size_t i) {
+      return i == count ? edge.b
+                        : edge.a + (static_cast<double>(i) / static_cast<double>(count)) * (edge.b - edge.a);
+    };
+    // How wide it is at the ends of these parts: as on the narrower side.
+    std::vector<double> width(count + 1, bleed_mm);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double reach = reach_of({at(i), at(i + 1)}, near);
+      width[i] = std::min(width[i], reach);
+      width[i + 1] = reach;
     }
-    std::vector<Vec2> rim{edge.b + reach * along, edge.a - reach * along, edge.a + reach * (out - along),
-                          edge.b + reach * (out + along)};
-    rim = cut_at_corner(std::move(rim), edge.a, along, -1.0, reach);
-    return cut_at_corner(std::move(rim), edge.b, -along, 1.0, reach);
+    std::vector<std::vector<Vec2>> strips;
+    for (std::size_t i = 0; i < count;) {
+      const std::size_t first = i++;
+      while (i < count && width[first] == width[i] && width[i] == width[i + 1]) {
+        ++i;
+      }
+      if (std::max(width[first], width[i]) < narrowest_bleed_mm) {
+        continue;
+      }
+      std::vector<Vec2> strip = strip_beyond(edge, {at(first), at(i)}, width[first], width[i]);
+      if (!strip.empty()) {
+        strips.push_back(std::move(strip));
+      }
+    }
+    return strips;
   }
 
  private:
-  /// Half the way to the nearest outline in front.
-  [[nodiscard]] double reach_of(const Segment2& edge, Vec2 out) const {
+  /// What could bound the edge's rim but for what meets its ends: there rims share the gap.
+  [[nodiscard]] std::vector<Segment2> outlines_in_front(const Segment2& edge) const {
     const double far = 2.0 * bleed_mm;
     const Box2 box = box_of(std::array{edge.a, edge.b});
-    double reach = bleed_mm;
+    const Vec2 out = -perpendicular(edge.b - edge.a) / length(edge.b - edge.a);
+    std::vector<Segment2> found;
     for (const Segment2& other : all_) {
       if (std::max(other.a.x, other.b.x) < box.low.x - far ||
           std::min(other.a.x, other.b.x) > box.high.x + far ||
@@ -103,10 +126,32 @@ class RimMaker {
         continue;
       }
       if (const auto front = in_front(other, edge.a, out)) {
-        reach = std::min(reach, 0.5 * distance(edge, *front));
+        found.push_back(*front);
       }
     }
+    return found;
+  }
+
+  /// Half the way to the nearest of them.
+  [[nodiscard]] static double reach_of(const Segment2& part, const std::vector<Segment2>& in_front) {
+    double reach = bleed_mm;
+    for (const Segment2& other : in_front) {
+      reach = std::min(reach, 0.5 * distance(part, other));
+    }
     return reach;
+  }
+
+  /// Beyond a part of an edge, so wide at its two ends; where these are the edge's, it goes on round the
+  /// corner.
+  [[nodiscard]] std::vector<Vec2> strip_beyond(const Segment2& edge, const Segment2& part, double at_a,
+                                               double at_b) const {
+    const Vec2 along = (edge.b - edge.a) / length(edge.b - edge.a);
+    const Vec2 out = -perpendicular(along);
+    const Vec2 begin = part.a == edge.a ? edge.a - at_a * along : part.a;
+    const Vec2 end = part.b == edge.b ? edge.b + at_b * along : part.b;
+    std::vector<Vec2> strip{end, begin, begin + at_a * out, end + at_b * out};
+    strip = cut_at_corner(std::move(strip), edge.a, along, -1.0, at_a);
+    return cut_at_corner(std::move(strip), edge.b, -along, 1.0, at_b);
   }
 
   static std::optional<Segment2> in_front(Segment2 s, Vec2 at, Vec2 out) {
@@ -226,7 +271,9 @@ std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& net
       const auto tab = tab_at.find(side);
       if (tab == tab_at.end() || !surface.twin(side).valid()) {
         // A tab at a border is covered by nothing: the face's own colours reach onto it.
-        rest.push_back({CellKind::bleed, rims.beyond(edge), f, face.at, {}});
+        for (std::vector<Vec2>& strip : rims.beyond(edge)) {
+          rest.push_back({CellKind::bleed, std::move(strip), f, face.at, {}});
+        }
         continue;
       }
       rest.push_back(strip_on(*tab->second, edge, surface, nets, placement));

@@ -10,6 +10,7 @@
 #include "mesh/look/look.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
+#include "unfold/net/outline.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::test;
@@ -109,6 +110,46 @@ TEST_CASE("Faces bear their own colour, and tabs that of the face that covers th
     return std::any_of(page.groups.begin(), page.groups.end(),
                        [](const paper::Group& group) { return !group.images.empty(); });
   }));
+}
+
+TEST_CASE("Something near one place of an edge takes its colours beyond the cut only there") {
+  const SamplePages sample = sample_pages(cube(), 50.0, 0.0, all_edges(cube()), "Sample", {}, 0.2);
+  const mesh::Surface& surface = sample.model.model.surface;
+  const PieceId piece(0);
+  const paper::Placement& place = sample.pages.placements[piece];
+  std::vector<Vec2> outline;
+  const auto cuts = unfold::cut_lines(surface, sample.nets, piece);
+  REQUIRE(cuts.loops.size() == 1);
+  for (const Vec2 p : cuts.loops[0]) {
+    outline.push_back(place(p));
+  }
+  REQUIRE(outline.size() == 4);
+  const Vec2 a = outline[0];
+  const Vec2 along = (outline[1] - a) / length(outline[1] - a);
+  const Vec2 out = -perpendicular(along);
+  const Vec2 tip = a + 25.0 * along + 0.08 * out;
+  std::vector<paper::PieceDrawing> page(2);
+  page[0].group.lines.push_back({Layer::cut, outline, true});
+  page[1].group.lines.push_back(
+      {Layer::cut, {tip, tip + 20.0 * out + 5.0 * along, tip + 20.0 * out - 5.0 * along}, true});
+  const auto contents = paper::piece_contents(surface, sample.nets);
+  const auto cells = paper::cells_of(surface, sample.nets, piece, contents[piece], place, page, 0);
+  const auto is_coloured = [&](double at, double beyond) {
+    return std::ranges::any_of(cells, [&](const paper::Cell& cell) {
+      return cell.kind == paper::CellKind::bleed && inside(cell.polygon, a + at * along + beyond * out);
+    });
+  };
+  for (const double at : {0.5, 5.0, 12.3, 20.0, 30.0, 37.7, 45.0, 49.5}) {
+    CHECK(is_coloured(at, 0.05));
+    CHECK(is_coloured(at, 1.9));
+  }
+  for (const double at : {22.0, 23.0, 27.0, 28.0}) {
+    CAPTURE(at);
+    const double room = std::abs(at - 25.0);
+    CHECK(is_coloured(at, 0.25 * (room - 0.9)));
+    CHECK_FALSE(is_coloured(at, 0.5 * room + 0.1));
+  }
+  CHECK_FALSE(is_coloured(25.0, 0.06));
 }
 
 TEST_CASE("Colours reach beyond cut edges, but not to other pieces") {
