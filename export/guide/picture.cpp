@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -17,6 +18,8 @@ namespace {
 
 /// Smaller things than this aren't drawn, mm on the page.
 constexpr double smallest_drawn_mm = 0.04;
+/// What is narrower than this is a stroke, mm on the page: a needle, or a face that the eye has edge-on.
+constexpr double stroke_mm = 0.4;
 constexpr Color white{0xff, 0xff, 0xff};
 constexpr Color ink{0x33, 0x33, 0x38};
 
@@ -50,8 +53,30 @@ void add_areas(const Scene& scene, const unfold::Nets& nets, const View& view, c
   }
 }
 
-void add_lines(const Scene& scene, const unfold::Nets& nets, const View& view, const Fit& fit,
-               const std::optional<Box2>& frame, const LookOf& look, Group& group) {
+/// How wide the widest face of each flat region is seen, mm on the page.
+std::vector<double> widths_of_regions(const Scene& scene, const Camera& camera, const Fit& fit) {
+  std::vector<double> widths;
+  for (const FaceId face : ids<FaceId>(scene.surface->face_count())) {
+    if (!scene.has(face)) {
+      continue;
+    }
+    std::array<Vec2, 3> seen;
+    for (unsigned k = 0; k < 3; ++k) {
+      seen[k] = fit(camera(scene.surface->point(scene.surface->vertices(face)[k])));
+    }
+    const double longest =
+        std::max({length(seen[1] - seen[0]), length(seen[2] - seen[1]), length(seen[0] - seen[2])});
+    const double width =
+        longest > 0.0 ? std::abs(cross(seen[1] - seen[0], seen[2] - seen[0])) / longest : 0.0;
+    const std::uint32_t region = scene.region[face];
+    widths.resize(std::max(widths.size(), std::size_t{region} + 1), 0.0);
+    widths[region] = std::max(widths[region], width);
+  }
+  return widths;
+}
+
+void add_lines(const Scene& scene, const unfold::Nets& nets, const View& view, const Camera& camera,
+               const Fit& fit, const std::optional<Box2>& frame, const LookOf& look, Group& group) {
   const mesh::Surface& surface = *scene.surface;
   // Of each line the look of the piece that draws it.
   std::vector<std::pair<const PieceLook*, const VisibleLine*>> lines;
@@ -65,6 +90,13 @@ void add_lines(const Scene& scene, const unfold::Nets& nets, const View& view, c
     }
     lines.emplace_back(best, &line);
   }
+  const std::vector<double> widths = widths_of_regions(scene, camera, fit);
+  const auto is_stroke = [&](const VisibleLine& line) {
+    return std::ranges::all_of(surface.sides(line.edge), [&](CornerId side) {
+      return !side.valid() || !scene.has(mesh::face_of(side)) ||
+             widths[scene.region[mesh::face_of(side)]] < stroke_mm;
+    });
+  };
   const auto is_fold = [&](const VisibleLine& line) {
     return !line.outline && nets.use[line.edge] == unfold::EdgeUse::fold;
   };
@@ -78,7 +110,9 @@ void add_lines(const Scene& scene, const unfold::Nets& nets, const View& view, c
     }
     if (seen) {
       Line drawn{Layer::picture, {seen->a, seen->b}};
-      drawn.pen = line->outline ? piece->outline : is_fold(*line) ? piece->fold : piece->seam;
+      drawn.pen = is_fold(*line) || is_stroke(*line) ? piece->fold
+                  : line->outline                    ? piece->outline
+                                                     : piece->seam;
       group.lines.push_back(std::move(drawn));
     }
   }
@@ -162,7 +196,7 @@ void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& cam
                  const std::optional<Box2>& frame, const LookOf& look, Group& group) {
   const View view = look_at(scene, camera, smallest_drawn_mm / fit.scale);
   add_areas(scene, nets, view, camera, fit, frame, look, group);
-  add_lines(scene, nets, view, fit, frame, look, group);
+  add_lines(scene, nets, view, camera, fit, frame, look, group);
 }
 
 void add_coloured_picture(const prepare::Prepared& model, const Scene& scene, const unfold::Nets& nets,
@@ -173,7 +207,8 @@ void add_coloured_picture(const prepare::Prepared& model, const Scene& scene, co
   const Pen fold{0.06, {0x55, 0x55, 0x5a}};
   const PieceLook plain{white, white, 0.0, {0.2, ink}, fold, fold, 0};
   add_lines(
-      scene, nets, view, fit, std::nullopt, [&](PieceId) -> const PieceLook& { return plain; }, group);
+      scene, nets, view, camera, fit, std::nullopt, [&](PieceId) -> const PieceLook& { return plain; },
+      group);
 }
 
 }  // namespace ridgecraft::paper

@@ -175,7 +175,7 @@ class StepPages {
     Group group;
     const Box2 box = box_of_step(index);
     const double top = add_head(index, box, step.turned, group);
-    const std::vector<PieceId> behind = partners_behind(index, step);
+    const std::vector<PieceId> behind = pieces_behind(index, step);
     const double bottom = add_sentences(index, box, behind, group);
     Box2 picture{{box.low.x, bottom}, {box.high.x, top}};
     add_net(index, picture, group);
@@ -184,12 +184,14 @@ class StepPages {
     return group;
   }
 
-  /// Of what is glued to in this step, the pieces that nothing is seen of.
-  [[nodiscard]] std::vector<PieceId> partners_behind(std::size_t index, const StepScene& step) const {
+  /// Of what is added and glued to in this step, the pieces that nothing is seen of.
+  [[nodiscard]] std::vector<PieceId> pieces_behind(std::size_t index, const StepScene& step) const {
     const CoarseView coarse = look_coarsely(step.scene, step.camera, name_pixels);
     const std::vector<double> areas = seen_areas(coarse, guide_.nets->pieces.size(),
                                                  [&](FaceId face) { return guide_.piece_of_face[face]; });
     std::vector<PieceId> behind = glued_before(guide_.surface(), *guide_.nets, steps_[index]);
+    behind.insert(behind.end(), steps_[index].pieces.begin(), steps_[index].pieces.end());
+    std::sort(behind.begin(), behind.end());
     std::erase_if(behind, [&](PieceId piece) { return areas[piece.value()] > 0.0; });
     return behind;
   }
@@ -253,7 +255,8 @@ class StepPages {
     }
     if (rows.size() > grid_.most_rows) {
       rows.resize(grid_.most_rows);
-      rows.back() = shortened(rows.back() + " and all other equal numbers", box.size().x, height);
+      const bool ended = rows[rows.size() - 2].ends_with('.');
+      rows.back() = ended ? "And all other equal numbers." : "and all other equal numbers.";
     }
     double y = box.low.y + row_step_share * height * static_cast<double>(rows.size());
     const double top = y + 2.5;

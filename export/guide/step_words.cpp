@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/sentence.hpp"
 #include "export/page/neighbours.hpp"
 
 namespace ridgecraft::paper {
@@ -72,6 +73,35 @@ void add_gluing(const mesh::Surface& surface, const unfold::Nets& nets, const As
   }
 }
 
+/// Where the step's bodies belong that nothing holds yet: "A and H belong beside B, J beside E: no number
+/// joins them."
+void add_places_of_bodies(const unfold::Nets& nets, const Assembly& assembly, std::size_t index,
+                          std::span<const Body> bodies, std::vector<std::string>& sentences) {
+  const auto stands = [&](PieceId piece) {
+    return std::any_of(assembly.steps.begin(), assembly.steps.begin() + static_cast<std::ptrdiff_t>(index),
+                       [&](const AssemblyStep& before) { return is_in(before, piece); });
+  };
+  std::map<PieceId, std::vector<std::string>> beside;
+  std::size_t count = 0;
+  for (const PieceId piece : assembly.steps[index].pieces) {
+    for (const Body& body : bodies) {
+      if (body.beside.valid() && stands(body.beside) &&
+          std::binary_search(body.pieces.begin(), body.pieces.end(), piece)) {
+        beside[body.beside].push_back(nets.pieces[piece].name);
+        ++count;
+      }
+    }
+  }
+  std::string words;
+  for (const auto& [other, names] : beside) {
+    const char* verb = !words.empty() ? " " : names.size() > 1 ? " belong " : " belongs ";
+    words += (words.empty() ? "" : ", ") + listed(names, "and") + verb + "beside " + nets.pieces[other].name;
+  }
+  if (count > 0) {
+    sentences.push_back(words + (count > 1 ? ": no number joins them." : ": no number joins it."));
+  }
+}
+
 }  // namespace
 
 std::string step_title(const unfold::Nets& nets, const AssemblyStep& step) {
@@ -98,19 +128,7 @@ std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfo
   }
   add_gluing(surface, nets, step, sentences);
   if (step.starts) {
-    const auto stands = [&](PieceId piece) {
-      return std::any_of(assembly.steps.begin(), assembly.steps.begin() + static_cast<std::ptrdiff_t>(index),
-                         [&](const AssemblyStep& before) { return is_in(before, piece); });
-    };
-    for (const PieceId piece : step.pieces) {
-      for (const Body& body : bodies) {
-        if (body.beside.valid() && stands(body.beside) &&
-            std::binary_search(body.pieces.begin(), body.pieces.end(), piece)) {
-          sentences.push_back(fmt::format("{} begins a body that no number joins; it belongs beside {}.",
-                                          nets.pieces[piece].name, nets.pieces[body.beside].name));
-        }
-      }
-    }
+    add_places_of_bodies(nets, assembly, index, bodies, sentences);
   }
   if (step.closes && !step.joins.empty()) {
     sentences.emplace_back("This closes the body: begin at the longest edge.");
