@@ -83,7 +83,7 @@ class Editor {
 
 /// The nets before the next step.
 const unfold::Nets& nets_of(const Project& project) {
-  return project.done == 0 ? project.start->nets : project.steps[project.done - 1].nets;
+  return project.done == 0 ? project.start->nets : *project.steps[project.done - 1].nets;
 }
 
 /// All steps that were done, one a line.
@@ -103,8 +103,9 @@ Project with_paper(Project project, const Context& context) {
   return project;
 }
 
-/// A project without the paper that follows, or why not.
-std::optional<Refusal> add_step(Project& project, std::span<const Edit> edits, const Context& context) {
+/// The nets that edits leave, or why not.
+std::variant<unfold::Nets, Refusal> nets_after(const Project& project, std::span<const Edit> edits,
+                                               const Context& context) {
   const Editor editor(*project.start, context);
   unfold::Nets nets = nets_of(project);
   for (std::size_t i = 0; i < edits.size(); ++i) {
@@ -114,8 +115,18 @@ std::optional<Refusal> add_step(Project& project, std::span<const Edit> edits, c
     }
     nets = std::get<unfold::Nets>(std::move(changed));
   }
+  return nets;
+}
+
+/// Does a step but for the paper that follows, or says why not.
+std::optional<Refusal> add_step(Project& project, std::span<const Edit> edits, const Context& context) {
+  std::variant<unfold::Nets, Refusal> after = nets_after(project, edits, context);
+  if (auto* const refusal = std::get_if<Refusal>(&after)) {
+    return std::move(*refusal);
+  }
   project.steps.resize(project.done);
-  project.steps.push_back({{edits.begin(), edits.end()}, std::move(nets)});
+  project.steps.push_back({{edits.begin(), edits.end()},
+                           std::make_shared<const unfold::Nets>(std::get<unfold::Nets>(std::move(after)))});
   ++project.done;
   return std::nullopt;
 }
@@ -143,6 +154,12 @@ Answer apply(const Project& project, std::span<const Edit> edits, const Context&
     return std::move(*refusal);
   }
   return with_paper(std::move(changed), context);
+}
+
+std::optional<Refusal> why_not(const Project& project, std::span<const Edit> edits, const Context& context) {
+  std::variant<unfold::Nets, Refusal> after = nets_after(project, edits, context);
+  auto* const refusal = std::get_if<Refusal>(&after);
+  return refusal == nullptr ? std::nullopt : std::optional(std::move(*refusal));
 }
 
 Project undo(const Project& project, const Context& context) {
@@ -174,6 +191,18 @@ Answer reopen(job::Paper made, const std::string& fold_file, const Context& cont
     }
   }
   return with_paper(std::move(project), context);
+}
+
+Repeated repeat(job::Paper made, std::span<const std::vector<Edit>> steps, const Context& context) {
+  Repeated repeated;
+  Project project = open(std::move(made));
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (add_step(project, steps[i], context)) {
+      repeated.left_out.push_back(i);
+    }
+  }
+  repeated.project = with_paper(std::move(project), context);
+  return repeated;
 }
 
 }  // namespace ridgecraft::session

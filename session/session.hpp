@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,10 +30,10 @@ namespace ridgecraft::session {
 /// Edits that are undone together, and the nets that they left.
 struct Step {
   std::vector<Edit> edits;
-  unfold::Nets nets;  ///< without joins and tabs, which follow from them
+  std::shared_ptr<const unfold::Nets> nets;  ///< never null; without joins and tabs, which follow from them
 };
 
-/// A job and its edits. Memory grows by some 100 bytes a face with each step.
+/// A job and its edits. Memory grows by some 100 bytes a face with each step; copies share them.
 struct Project {
   std::shared_ptr<const job::Paper> start;  ///< never null; before the first edit
   std::vector<Step> steps;                  ///< those that were done, then those that were undone
@@ -52,6 +53,12 @@ struct Refusal {
 
 using Answer = std::variant<Project, Refusal>;
 
+/// A project with steps that were done elsewhere before, and those that couldn't be done here.
+struct Repeated {
+  Project project;
+  std::vector<std::size_t> left_out;  ///< which of the steps, from 0
+};
+
 /// A project without edits.
 [[nodiscard]] Project open(job::Paper made);
 
@@ -59,6 +66,10 @@ using Answer = std::variant<Project, Refusal>;
 /// the paper doesn't hold what comes out, Error(interrupted), and Error(internal) where the result fails its
 /// check. Takes the time of unfold/changed_folds.hpp for each, and once that of tabs, layout and drawing.
 [[nodiscard]] Answer apply(const Project& project, std::span<const Edit> edits, const Context& context);
+
+/// Why apply() would refuse; none where it wouldn't. Takes the time of unfold/changed_folds.hpp for each.
+[[nodiscard]] std::optional<Refusal> why_not(const Project& project, std::span<const Edit> edits,
+                                             const Context& context);
 
 /// The project one step back or forth, with the bytes that it had there; as it is where there is no such
 /// step. Takes the time of tabs, layout and drawing; there is nothing to draw where undo comes back to the
@@ -70,5 +81,10 @@ using Answer = std::variant<Project, Refusal>;
 /// again. Refused as apply() would: where the job isn't the one that was saved. Throws
 /// Error(unreadable_input) where the bytes are no such file or tell edits that aren't in form.
 [[nodiscard]] Answer reopen(job::Paper made, const std::string& fold_file, const Context& context);
+
+/// Another job with such steps, one after the other: perhaps the same model with other options. Steps that
+/// would be refused are left out. Throws as apply(), and takes its time once for all.
+[[nodiscard]] Repeated repeat(job::Paper made, std::span<const std::vector<Edit>> steps,
+                              const Context& context);
 
 }  // namespace ridgecraft::session

@@ -191,6 +191,32 @@ TEST_CASE("edits that are done together are done all or none", "[session]") {
   CHECK(done(start, {}).done == 0);
 }
 
+TEST_CASE("what would be refused is told before", "[session]") {
+  const Project start = session::open(cube());
+  const Edge fold = edges_used(start, unfold::EdgeUse::fold).front();
+  CHECK_FALSE(session::why_not(start, std::vector<Edit>{Cut{fold}}, {}));
+  const auto refusal = session::why_not(start, std::vector<Edit>{Cut{fold}, Cut{fold}}, {});
+  REQUIRE(refusal);
+  CHECK(refusal->edit == 1);
+  CHECK(refusal->why == refused(start, {Cut{fold}, Cut{fold}}).why);
+  CHECK(refusal->faces == refused(start, {Cut{fold}, Cut{fold}}).faces);
+}
+
+TEST_CASE("steps are repeated on another job as far as they can be done", "[session]") {
+  const Project start = session::open(cube());
+  const std::vector<Edge> folds = edges_used(start, unfold::EdgeUse::fold);
+  const std::vector<std::vector<Edit>> steps{
+      {Cut{folds[0]}}, {Cut{folds[1]}, Cut{folds[0]}}, {Join{folds[0]}}, {Cut{folds[1]}}};
+  const session::Repeated repeated = session::repeat(cube(), steps, {});
+  CHECK(repeated.left_out == std::vector<std::size_t>{1});
+  Project by_hand = done(start, steps[0]);
+  by_hand = done(by_hand, steps[2]);
+  by_hand = done(by_hand, steps[3]);
+  CHECK(bytes_of(repeated.project.now) == bytes_of(by_hand.now));
+  CHECK(bytes_of(session::undo(repeated.project, {}).now) == bytes_of(session::undo(by_hand, {}).now));
+  CHECK(bytes_of(session::repeat(cube(), {}, {}).project.now) == bytes_of(start.now));
+}
+
 TEST_CASE("a new edit forgets what had been undone", "[session]") {
   const Project start = session::open(cube());
   const std::vector<Edge> folds = edges_used(start, unfold::EdgeUse::fold);
