@@ -24,6 +24,7 @@
 #include "cli/telling/remarks.hpp"
 #include "cli/telling/summary.hpp"
 #include "export/export.hpp"
+#include "session/session.hpp"
 
 // Hands what happens on to whoever made the module: Module.told(kind, text, share).
 EM_JS(void, ridgecraft_tell, (const char* kind, const char* text, double share), {
@@ -40,7 +41,8 @@ std::string answer;
 
 struct Project {
   PaperJob job;
-  PaperResult result;
+  PaperResult result;                      ///< with what was done by hand
+  std::optional<session::Project> edited;  ///< from the first edit on
 };
 std::optional<Project> project;
 
@@ -75,6 +77,23 @@ int guarded(const Work& work) {
   }
 }
 
+Context context_of(const PaperJob& job) {
+  Context context;
+  context.seed = job.common.seed;
+  context.progress = [](std::string_view stage, double share) {
+    ridgecraft_tell("progress", std::string(stage).c_str(), share);
+  };
+  return context;
+}
+
+/// What there is; throws where there is nothing yet.
+Project& present() {
+  if (!project) {
+    throw Error(ErrorKind::usage, "there is no paper yet");
+  }
+  return *project;
+}
+
 void make(const std::vector<std::string>& words) {
   Job parsed = parse_arguments(words);
   if (!std::holds_alternative<PaperJob>(parsed)) {
@@ -85,11 +104,7 @@ void make(const std::vector<std::string>& words) {
   project.reset();
   PaperJob job = std::get<PaperJob>(std::move(parsed));
   job.common.threads = 1;
-  Context context;
-  context.seed = job.common.seed;
-  context.progress = [](std::string_view stage, double share) {
-    ridgecraft_tell("progress", std::string(stage).c_str(), share);
-  };
+  const Context context = context_of(job);
   for (const auto& warning :
        {narrow_margin_warning(*job.options.paper), assumed_unit_warning(job.size_asked, job.options.size)}) {
     if (warning) {
@@ -104,7 +119,7 @@ void make(const std::vector<std::string>& words) {
     say_note(line);
   }
   answer = summary(job, result).json();
-  project.emplace(Project{std::move(job), std::move(result)});
+  project.emplace(Project{std::move(job), std::move(result), std::nullopt});
 }
 
 /// What is to be written under this name: "whale.svg" means as many files as there are pages.
@@ -118,13 +133,72 @@ Target target_of(const PaperJob& job, const std::string& name) {
       .front();
 }
 
+session::Project& by_hand(Project& of) {
+  if (!of.edited) {
+    of.edited = session::open(of.result.made);
+  }
+  return *of.edited;
+}
+
+/// Takes over what came of an edit, and answers with the summary.
+void take(Project& into, session::Project changed, nlohmann::json told) {
+  files.reset();
+  into.result.made = changed.now;
+  into.edited = std::move(changed);
+  told["summary"] = nlohmann::json::parse(summary(into.job, into.result).json());
+  told["undo"] = into.edited->can_undo();
+  answer = told.dump();
+}
+
+nlohmann::json refusal_json(const session::Refusal& refusal) {
+  nlohmann::json faces = nlohmann::json::array();
+  for (const FaceId f : refusal.faces) {
+    faces.push_back(f.value());
+  }
+  return {{"refused", {{"edit", refusal.edit}, {"why", refusal.why}, {"faces", std::move(faces)}}}};
+}
+
+/// Edits of one step, or an error: what is in the text comes from our own page.
+std::vector<session::Edit> one_step(const std::string& line) {
+  std::vector<std::vector<session::Edit>> steps = session::steps_of(line);
+  if (steps.size() != 1) {
+    throw Error(ErrorKind::usage, "one step at a time");
+  }
+  return std::move(steps.front());
+}
+
+void apply(const std::string& line) {
+  Project& now = present();
+  session::Answer done = session::apply(by_hand(now), one_step(line), context_of(now.job));
+  if (const auto* const refusal = std::get_if<session::Refusal>(&done)) {
+    answer = refusal_json(*refusal).dump();
+  } else {
+    take(now, std::get<session::Project>(std::move(done)), nlohmann::json::object());
+  }
+}
+
+void preview(const std::string& line) {
+  Project& now = present();
+  const auto refusal = session::why_not(by_hand(now), one_step(line), context_of(now.job));
+  answer = (refusal ? refusal_json(*refusal) : nlohmann::json::object()).dump();
+}
+
+void undo() {
+  Project& now = present();
+  take(now, session::undo(by_hand(now), context_of(now.job)), nlohmann::json::object());
+}
+
+void repeat(const std::string& lines) {
+  Project& now = present();
+  session::Repeated repeated =
+      session::repeat(*by_hand(now).start, session::steps_of(lines), context_of(now.job));
+  take(now, std::move(repeated.project), {{"left_out", repeated.left_out}});
+}
+
 /// The names of all files that this name stands for; none of a guide that wasn't made.
 void plan(const std::string& name) {
-  if (!project) {
-    throw Error(ErrorKind::usage, "there is no paper yet");
-  }
-  const PaperJob& job = project->job;
-  const job::Paper& made = project->result.made;
+  const PaperJob& job = present().job;
+  const job::Paper& made = present().result.made;
   Target target = target_of(job, name);
   if (target.format == Format::pdf) {
     paper::check_pdf_size(job.options.paper->size);
@@ -150,6 +224,27 @@ extern "C" {
 /// answer, or the program's exit code and a sentence.
 EMSCRIPTEN_KEEPALIVE int ridgecraft_make(const char* words) {
   return cli::guarded([&] { cli::make(nlohmann::json::parse(words).get<std::vector<std::string>>()); });
+}
+
+/// Does the edits of one step (session/edit.hpp): the new summary as "summary" of the answer, or as "refused"
+/// why not, and the faces to look at. Results as above.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_apply(const char* line) {
+  return cli::guarded([&] { cli::apply(line); });
+}
+
+/// Whether that would be refused; nothing changes.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_preview(const char* line) {
+  return cli::guarded([&] { cli::preview(line); });
+}
+
+/// Takes the last step back; an answer as of a step that was done.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_undo() {
+  return cli::guarded([] { cli::undo(); });
+}
+
+/// Does such steps, one a line, from the start on; "left_out" lists those that can't be done.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_repeat(const char* lines) {
+  return cli::guarded([&] { cli::repeat(lines); });
 }
 
 /// A JSON list of the names of files that `name`, after -o, stands for: "whale.pdf", "whale-guide.pdf",

@@ -3,7 +3,7 @@
 
 import {foldShare, Folding, smooth} from "./folding.js";
 import {Guide} from "./guide.js";
-import {hasLine, readNets} from "./nets.js";
+import {hasLine, modelEnds, readNets} from "./nets.js";
 import {byId, Menu, sayAll, sayCheck, sayFacts, showKeys} from "./panel.js";
 import {Printer} from "./print.js";
 import {Scene} from "./scene.js";
@@ -23,16 +23,34 @@ const mostPixels = 16e6;
 
 const blank = byId("app").cloneNode(true);
 
+/**
+ * How a result is looked at.
+ * @typedef {object} View
+ * @property {{azimuth: number, elevation: number, zoom: number, pan: number[]}} camera
+ * @property {{x: number, y: number, scale: number} | null} plan of the sheets; null where all are shown
+ * @property {string} sheets the sizes of the sheets
+ * @property {number} folded
+ * @property {boolean} freeView
+ * @property {boolean} through
+ * @property {boolean} painted
+ * @property {number} speed
+ * @property {string} split width of the views
+ * @property {string} side that is shown where there is room for one
+ */
+
 export class App {
   /**
    * @param {Backend} backend
    * @param {State} state
+   * @param {View | null} [view] of the result before, to go on with
+   * @param {(spot: Spot | null) => void} [chosen] told what is chosen by hand
    */
-  constructor(backend, state) {
+  constructor(backend, state, view = null, chosen = () => {}) {
     /** Ends what listens outside of the page's own elements. */
     this.ending = new AbortController();
     const ended = {signal: this.ending.signal};
     this.backend = backend;
+    this.heedChosen = chosen;
     this.nets = readNets(state.fold);
     this.folding = new Folding(this.nets);
     /** @type {Spot | null} */
@@ -42,6 +60,8 @@ export class App {
     this.chosenEdge = -1;
     /** Seams that the guide points at. @type {number[]} */
     this.pointed = [];
+    /** Edges that are in the way of what was to be done. @type {number[]} */
+    this.inTheWay = [];
     /** The slider: 0 flat, 1 built. */
     this.folded = 1;
     this.playing = 0;
@@ -94,13 +114,51 @@ export class App {
     resized.observe(byId("model"));
     resized.observe(byId("paper"));
     ended.signal.addEventListener("abort", () => resized.disconnect());
+    if (view) {
+      this.#goOn(view);
+    }
     if (this.drawer.painted) {
       this.#paint();
     }
-    if (!this.calm.matches) {
+    if (!this.calm.matches && !view) {
       this.turnTo(this.scene.camera.azimuth, this.scene.camera.elevation, 1400, -0.9);
     }
     this.frame(performance.now());
+  }
+
+  /** @returns {View} */
+  view() {
+    const {azimuth, elevation, zoom, pan} = this.scene.camera;
+    return {camera: {azimuth, elevation, zoom, pan}, plan: this.plan.fitted ? null : this.plan.view, sheets: this.#sheetSizes(),
+      folded: this.folded, freeView: this.freeView, through: this.scene.through, painted: byId("colours").getAttribute("aria-pressed") === "true",
+      speed: this.speed, split: /** @type {HTMLElement} */ (byId("divider").parentElement).style.getPropertyValue("--split"),
+      side: byId("app").dataset.view ?? ""};
+  }
+
+  #sheetSizes() {
+    return Array.from({length: this.drawer.count}, (_, p) => this.drawer.size(p).join(" ")).join();
+  }
+
+  /** Looks as the one before did. @param {View} view */
+  #goOn(view) {
+    Object.assign(this.scene.camera, view.camera);
+    this.freeView = view.freeView;
+    this.speed = view.speed;
+    this.saySpeed();
+    byId("colours").setAttribute("aria-pressed", String(view.painted));
+    if (!view.through) {
+      this.toggleThrough();
+    }
+    if (view.split) {
+      this.splitAt(parseFloat(view.split));
+    }
+    if (view.side) {
+      this.show(view.side);
+    }
+    if (view.plan && view.sheets === this.#sheetSizes()) {
+      this.plan.look(view.plan);
+    }
+    this.setMoment(view.folded);
   }
 
   /** Lets go of the page, so that another App can have it: its elements are made anew. */
@@ -222,17 +280,38 @@ export class App {
       this.chosenEdge = again ? -1 : spot.edge;
     }
     this.hovered = null;
+    this.inTheWay = [];
     this.light();
     if (spot && this.chosen.size > 0 && byId("app").dataset.view !== "sheets") {
       this.showOnSheets(spot);
     }
+    this.heedChosen(this.chosen.size === 1 && this.chosenEdge >= 0 ? {piece: [...this.chosen][0], edge: this.chosenEdge} : null);
+  }
+
+  /** The edge between these vertices of the model lights up, wherever it lies now. @param {number[]} ends */
+  markEdge(ends) {
+    const e = this.nets.edges.findIndex((_, i) => modelEnds(this.nets, i).every((v) => ends.includes(v)));
+    if (e >= 0) {
+      this.chosen = new Set([this.nets.edges[e].piece]);
+      this.chosenEdge = e;
+      this.light();
+    }
+  }
+
+  /** These faces of the model are in the way. @param {number[]} modelFaces */
+  markFaces(modelFaces) {
+    const faces = new Set(modelFaces);
+    this.inTheWay = this.nets.edges.map((_, e) => e).filter((e) => this.nets.edges[e].faces.some((f) => faces.has(this.nets.modelFace[f])));
+    this.light();
   }
 
   /** @param {number[]} pieces */
   chooseMany(pieces) {
     this.chosen = new Set(pieces);
     this.chosenEdge = -1;
+    this.inTheWay = [];
     this.light();
+    this.heedChosen(null);
   }
 
   /** Scrolls the sheets where what was clicked can't be seen. @param {Spot} spot */
@@ -254,7 +333,7 @@ export class App {
     }
     const join = spot.edge >= 0 ? this.nets.edges[spot.edge].join : -1;
     const pieces = join >= 0 ? new Set(this.nets.joins[join].pieces) : this.hovered ? new Set([spot.piece]) : new Set(this.chosen);
-    return {spot, pieces, edges: join >= 0 ? this.nets.joins[join].edges : spot.edge >= 0 ? [spot.edge] : []};
+    return {spot, pieces, edges: [...(join >= 0 ? this.nets.joins[join].edges : spot.edge >= 0 ? [spot.edge] : []), ...this.inTheWay]};
   }
 
   light() {
@@ -275,8 +354,10 @@ export class App {
   visit(spot) {
     this.chosen = new Set([spot.piece]);
     this.chosenEdge = spot.edge;
+    this.inTheWay = [];
     this.light();
     this.plan.goTo(spot);
+    this.heedChosen(spot.edge >= 0 ? spot : null);
     const join = spot.edge >= 0 ? this.nets.edges[spot.edge].join : -1;
     const faces = join >= 0 ? this.nets.joins[join].edges.flatMap((e) => this.nets.edges[e].faces)
       : spot.edge >= 0 ? this.nets.edges[spot.edge].faces : this.nets.pieces[spot.piece].faces;
@@ -427,6 +508,8 @@ export class App {
     this.hovered = null;
     this.chosen.clear();
     this.chosenEdge = -1;
+    this.inTheWay = [];
+    this.heedChosen(null);
     this.guide.show();
     if (open) {
       this.scene.camera.home();
@@ -611,26 +694,17 @@ export class App {
       this.setMoment(Number(slider.value) / 1000);
     });
     slider.style.setProperty("--share", "1");
-    const views = /** @type {const} */ ([["show-model", "model"], ["show-sheets", "sheets"]]);
-    for (const [id, view] of views) {
-      act(id, () => {
-        byId("app").dataset.view = view;
-        views.forEach(([other]) => byId(other).setAttribute("aria-pressed", String(other === id)));
-        this.scene.resize();
-        this.plan.resize();
+    for (const view of ["model", "sheets"]) {
+      act(`show-${view}`, () => {
+        this.show(view);
         const lit = this.lit();
         if (view === "sheets" && lit.pieces.size > 0) {
           this.plan.goTo(lit.spot ?? {piece: [...lit.pieces][0], edge: -1});
         }
-        this.request();
       });
     }
     const divider = byId("divider");
-    const split = (/** @type {number} */ percent) => {
-      const kept = Math.round(Math.min(80, Math.max(20, percent)));
-      divider.setAttribute("aria-valuenow", String(kept));
-      /** @type {HTMLElement} */ (divider.parentElement).style.setProperty("--split", `${kept}%`);
-    };
+    const split = (/** @type {number} */ percent) => this.splitAt(percent);
     divider.addEventListener("pointerdown", (event) => divider.setPointerCapture(event.pointerId));
     divider.addEventListener("pointermove", (event) => {
       if (divider.hasPointerCapture(event.pointerId)) {
@@ -648,6 +722,23 @@ export class App {
       }
     });
     divider.addEventListener("dblclick", () => split(50));
+  }
+
+  /** One of the views, where there is room for one: "model" or "sheets". @param {string} side */
+  show(side) {
+    byId("app").dataset.view = side;
+    ["model", "sheets"].forEach((other) => byId(`show-${other}`).setAttribute("aria-pressed", String(other === side)));
+    this.scene.resize();
+    this.plan.resize();
+    this.request();
+  }
+
+  /** @param {number} percent of the width, for the model */
+  splitAt(percent) {
+    const kept = Math.round(Math.min(80, Math.max(20, percent)));
+    const divider = byId("divider");
+    divider.setAttribute("aria-valuenow", String(kept));
+    /** @type {HTMLElement} */ (divider.parentElement).style.setProperty("--split", `${kept}%`);
   }
 
   #listenKeys() {
@@ -740,6 +831,7 @@ export class App {
     }
     return {
       title: nets.title, pieces: nets.pieces.length, joins: nets.joins.map((join) => ({number: join.number, edges: join.edges, pieces: join.pieces})),
+      folds: nets.edges.map((_, e) => e).filter((e) => nets.edges[e].kind !== "B" && hasLine(nets, e)), camera: this.view().camera,
       steps: nets.steps, simple: scene.simple, painted: scene.painted, language: reader.language,
       folded: this.folded, playing: this.playing, building: this.guide.open, step: this.guide.step, at: this.guide.at,
       done: [...this.guide.ticks.done], spot, lit: [...pieces], marked: edges, chosen: [...this.chosen],

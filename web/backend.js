@@ -14,6 +14,8 @@
  * @property {boolean} canRedo
  * @property {boolean} busy
  *
+ * @typedef {{kind: "cut"|"join", edge: number[]}} Edit an edge by its two model vertices
+ *
  * @typedef {object} Capabilities
  * @property {boolean} edit
  * @property {string[]} export formats
@@ -23,10 +25,11 @@
  * @property {() => Capabilities} capabilities
  * @property {(name: string, bytes: Uint8Array, sidecars: Record<string, Uint8Array>) => Promise<State>} open
  * @property {(options: Record<string, string | boolean>) => Promise<State>} set
- * @property {(edits: object[]) => Promise<State>} apply all of them, or none
+ * @property {(edits: Edit[]) => Promise<State>} apply all of them, or none
  * @property {() => Promise<State>} undo
  * @property {() => Promise<State>} redo
- * @property {(edit: object) => Promise<{ok: boolean, why?: string, pieces?: object[]}>} preview
+ * @property {(edit: Edit) => Promise<{ok: boolean, why?: string, faces?: number[]}>} preview would it be refused, and which faces of
+ *   the model are to be looked at
  * @property {(format: string) => Promise<Uint8Array>} export
  * @property {() => void} cancel
  * @property {(listener: (stage: string, share: number) => void) => void} onProgress

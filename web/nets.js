@@ -64,6 +64,7 @@
  * @property {Step[]} steps
  * @property {Float64Array} modelPoints three a vertex
  * @property {Uint32Array} modelFaces three model vertices a net face, corner by corner
+ * @property {Int32Array} modelFace of each face
  * @property {number[]} size of the model along x, y, z
  */
 
@@ -196,10 +197,9 @@ export function readNets(text) {
   const pages = fold["ridgecraft:pages"].map((/** @type {any} */ told, /** @type {number} */ p) => ({
     x: told.origin[0], y: told.origin[1], width: told.size?.[0] ?? 0, height: told.size?.[1] ?? 0,
     pieces: pieces.filter((piece) => piece.page === p).map((piece) => piece.index)}));
+  const modelFace = Int32Array.from(fold["ridgecraft:faces_model"]);
   const modelFaces = new Uint32Array(3 * count);
-  fold["ridgecraft:faces_model"].forEach((/** @type {number} */ m, /** @type {number} */ f) => {
-    modelFaces.set(frame.faces_vertices[m], 3 * f);
-  });
+  modelFace.forEach((m, f) => modelFaces.set(frame.faces_vertices[m], 3 * f));
   const modelPoints = Float64Array.from(frame.vertices_coords.flat());
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -211,7 +211,7 @@ export function readNets(text) {
     title: fold.file_title ?? "", digest: fold["ridgecraft:model_digest"] ?? "", creator: fold.file_creator ?? "",
     up: fold["ridgecraft:up"] ?? "y", hiddenAngle: (fold["ridgecraft:settings"]?.hide_folds_deg ?? 3) * degree, points,
     faces, faceEdges, facePiece, edges, pieces, joins, tabs, pages, steps: readSteps(fold, pieces, edges, joins),
-    modelPoints, modelFaces, size: high.map((value, k) => value - low[k]),
+    modelPoints, modelFaces, modelFace, size: high.map((value, k) => value - low[k]),
   };
 }
 
@@ -223,6 +223,17 @@ export function readNets(text) {
 export function hasLine(nets, e) {
   const edge = nets.edges[e];
   return edge.kind === "B" || (edge.kind !== "F" && Math.abs(edge.angle) >= nets.hiddenAngle);
+}
+
+/**
+ * The two model vertices of an edge: its name, which outlives all edits.
+ * @param {Nets} nets
+ * @param {number} e
+ */
+export function modelEnds(nets, e) {
+  const [f] = nets.edges[e].faces;
+  const k = [0, 1, 2].find((side) => nets.faceEdges[3 * f + side] === e) ?? 0;
+  return [nets.modelFaces[3 * f + k], nets.modelFaces[3 * f + (k + 1) % 3]];
 }
 
 /**

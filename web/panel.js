@@ -121,7 +121,7 @@ export function showKeys(painted) {
     : {space: "Space", home: "Home", tab: "Tab", escape: "Esc"};
   const rows = [[spoken.space, "key_space"], ["B", "key_build"], ["← →", "key_steps"], ["D", "key_done"], [spoken.home, "key_home"],
     ["F", "key_f"], ["X", "key_x"], ...(painted ? [["T", "key_t"]] : []), [spoken.tab, "key_tab"], [spoken.escape, "key_escape"],
-    ["Ctrl+P", "key_print"], ["?", "key_help"]];
+    ["Ctrl+P", "key_print"], ...(document.getElementById("undo") ? [["Ctrl+Z", "key_undo"]] : []), ["?", "key_help"]];
   const close = htmlElement("button", {type: "button", class: "strong"}, [say("close")]);
   close.addEventListener("click", () => dialog.close());
   dialog.setAttribute("aria-label", say("all_keys"));

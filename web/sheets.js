@@ -444,6 +444,13 @@ export class Plan {
     svg.classList.toggle("very-far", view.scale < 0.9);
   }
 
+  /** @param {{x: number, y: number, scale: number}} view */
+  look(view) {
+    this.view = {...view};
+    this.fitted = false;
+    this.#apply();
+  }
+
   /** Shows a piece, or the seam of an edge. @param {Spot} spot */
   goTo(spot) {
     const join = spot.edge >= 0 ? this.nets.edges[spot.edge].join : -1;

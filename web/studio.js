@@ -3,6 +3,7 @@
 // what is told of the work; the result itself is the app's.
 
 import {App} from "./app.js";
+import {EdgeOffer} from "./edit.js";
 import {htmlElement} from "./guide.js";
 import {byId, Menu, sayAll} from "./panel.js";
 import {wishes, wishesOf} from "./wishes.js";
@@ -33,7 +34,10 @@ export class Studio {
     this.running = 0;
     this.timer = 0;
     this.error = "";
+    this.editing = false;
+    this.offer = new EdgeOffer(backend, (edit) => this.edit(() => backend.apply([edit]), edit));
     this.#listenFiles();
+    this.#listenEdits();
     this.#buildPanel();
     for (const name of Object.keys(samples)) {
       const button = htmlElement("button", {type: "button", "data-say": `sample_${name}`});
@@ -50,7 +54,12 @@ export class Studio {
     this.ready = 0;
     backend.warm().then(() => {
       this.ready = performance.now();
-    }).catch((error) => this.refuse(say("no_program", {why: error.message})));
+    }).catch((error) => {
+      // Whoever opens a model before the program has started ends that start, and gets another one.
+      if (!(error instanceof Cancelled)) {
+        this.refuse(say("no_program", {why: error.message}));
+      }
+    });
   }
 
   // ---- files
@@ -118,13 +127,66 @@ export class Studio {
    * @param {string[]} [rest] words of a command line that are no wishes of the panel
    */
   open(name, bytes, beside, options, rest = []) {
-    return this.run(() => this.backend.open(name, bytes, beside, options, rest), options);
+    return this.run(() => this.backend.open(name, bytes, beside, options, rest), options, null);
+  }
+
+  // ---- edits by hand
+
+  #listenEdits() {
+    byId("undo").addEventListener("click", () => this.undo());
+    byId("redo").addEventListener("click", () => this.redo());
+    document.addEventListener("keydown", (event) => {
+      // Where text is written these keys take back what was written.
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || /** @type {Element} */ (event.target).matches("input[type=text]")) {
+        return;
+      }
+      const key = event.key.toLowerCase();
+      const act = key === "z" ? () => (event.shiftKey ? this.redo() : this.undo()) : key === "y" ? () => this.redo() : null;
+      if (act) {
+        act();
+        event.preventDefault();
+      }
+    });
+  }
+
+  undo() {
+    if (this.state?.canUndo) {
+      this.edit(() => this.backend.undo());
+    }
+  }
+
+  redo() {
+    if (this.state?.canRedo) {
+      this.edit(() => this.backend.redo());
+    }
+  }
+
+  /**
+   * One at a time: whoever is faster than the program waits for what it shows.
+   * @param {() => Promise<State>} work
+   * @param {import("./backend.js").Edit} [edit] whose edge is lit after it
+   */
+  async edit(work, edit) {
+    if (this.editing) {
+      return;
+    }
+    this.editing = true;
+    this.offer.hide();
+    await this.run(work, this.options, this.app?.view() ?? null);
+    this.editing = false;
+    if (edit) {
+      this.app?.markEdge(edit.edge);
+    }
   }
 
   // ---- work
 
-  /** @param {() => Promise<State>} work @param {Record<string, string | boolean>} options that it is done with */
-  async run(work, options) {
+  /**
+   * @param {() => Promise<State>} work
+   * @param {Record<string, string | boolean>} options that it is done with
+   * @param {import("./app.js").View | null} view to go on with
+   */
+  async run(work, options, view) {
     const run = ++this.running;
     this.refuse("");
     const bar = byId("busy");
@@ -136,7 +198,7 @@ export class Studio {
       const state = await work();
       if (run === this.running) {
         this.options = options;
-        this.show(state);
+        this.show(state, view);
       }
     } catch (error) {
       if (run === this.running) {
@@ -164,13 +226,18 @@ export class Studio {
     }
   }
 
-  /** @param {State} state */
-  show(state) {
+  /** @param {State} state @param {import("./app.js").View | null} view to go on with */
+  show(state, view) {
     this.state = state;
+    this.offer.hide();
     this.app?.stop();
     byId("welcome").hidden = true;
     byId("panel").hidden = false;
-    this.app = new App(this.backend, state);
+    const app = new App(this.backend, state, view, (spot) => this.offer.show(app, spot));
+    this.app = app;
+    for (const [id, can] of /** @type {const} */ ([["undo", state.canUndo], ["redo", state.canRedo]])) {
+      /** @type {HTMLButtonElement} */ (byId(id)).disabled = !can;
+    }
     byId("panel-name").textContent = this.backend.project?.name ?? "";
     this.fillPanel();
     this.#showNotes(state.notes.map(({text}) => text));
@@ -208,7 +275,7 @@ export class Studio {
   /** @param {Record<string, string | boolean>} changed */
   wish(changed) {
     const options = {...this.options, ...changed};
-    return this.run(() => this.backend.set(options), options);
+    return this.run(() => this.backend.set(options), options, this.app?.view() ?? null);
   }
 
   /** Formats that make sense for a printer, or for the machine that was chosen. */
@@ -251,7 +318,7 @@ export class Studio {
       }
     }
     const reset = htmlElement("button", {type: "button", id: "reset", "data-say": "reset"});
-    reset.addEventListener("click", () => this.run(() => this.backend.set(Object.fromEntries(wishes.map(({key, usual}) => [key, usual]))), {}));
+    reset.addEventListener("click", () => this.run(() => this.backend.set(Object.fromEntries(wishes.map(({key, usual}) => [key, usual]))), {}, this.app?.view() ?? null));
     form.append(more, reset);
     form.addEventListener("submit", (event) => event.preventDefault());
     form.addEventListener("change", () => this.#heard());
@@ -334,6 +401,7 @@ export class Studio {
   /** For whoever tests the page. @param {any} about */
   inspect(about) {
     return {...(this.app ? this.app.inspect(about) : {}), ready: this.ready, project: this.backend.project?.name ?? null, options: this.options,
-      figures: this.state?.figures ?? null, busy: this.backend.calls.size > 0, error: this.error, notes: this.state?.notes ?? []};
+      figures: this.state?.figures ?? null, busy: this.backend.calls.size > 0 || this.editing, canUndo: this.state?.canUndo ?? false,
+      canRedo: this.state?.canRedo ?? false, offer: this.offer.box.hidden ? null : {edit: this.offer.button.hidden ? null : this.offer.edit, words: this.offer.words.textContent}, error: this.error, notes: this.state?.notes ?? []};
   }
 }

@@ -28,6 +28,16 @@ Object.assign(texts, {
   format_eps: ["EPS", "EPS"],
   format_plt: ["HPGL for roll plotters", "HPGL für Rollenplotter"],
   format_png: ["PNG pictures", "PNG-Bilder"],
+  undo: ["Undo", "Rückgängig"],
+  redo: ["Redo", "Wiederholen"],
+  undo_title: ["Undo (Ctrl+Z)", "Rückgängig (Strg+Z)"],
+  redo_title: ["Redo (Ctrl+Shift+Z)", "Wiederholen (Strg+Umschalt+Z)"],
+  edit_edge: ["At this edge", "An dieser Kante"],
+  cut_here: ["Cut here", "Hier schneiden"],
+  join_here: ["Join here", "Hier verbinden"],
+  key_undo: ["Undo what was done by hand; with Shift: redo", "Änderung von Hand rückgängig machen; mit Umschalt: wiederholen"],
+  edits_left_out_1: ["{n} change by hand can't be made on these nets and was left out.", "{n} Änderung von Hand ist an diesen Abwicklungen nicht möglich und entfällt."],
+  edits_left_out_n: ["{n} changes by hand can't be made on these nets and were left out.", "{n} Änderungen von Hand sind an diesen Abwicklungen nicht möglich und entfallen."],
   group_size: ["Size", "Größe"],
   group_paper: ["Paper", "Papier"],
   group_pieces: ["Pieces", "Teile"],
@@ -138,3 +148,20 @@ Object.assign(texts, {
   stage_verify: ["Checking", "Prüfen"],
   stage_write: ["Writing", "Schreiben"],
 });
+
+/** The program's sentences on why an edge isn't cut or joined, in English and German (session/, unfold/changed_folds). */
+export const refusals = [
+  ["the model has no such edge", "das Modell hat keine solche Kante"],
+  ["the faces beside this edge belong on different pages", "die Flächen an dieser Kante gehören auf verschiedene Seiten"],
+  ["the model ends at this edge, so there is nothing to cut", "das Modell endet an dieser Kante, zu schneiden ist hier nichts"],
+  ["the model ends at this edge, so there is nothing to join", "das Modell endet an dieser Kante, zu verbinden ist hier nichts"],
+  ["this edge is cut already", "hier ist schon geschnitten"],
+  ["this edge is a fold already", "hier ist schon gefaltet"],
+  ["this edge lies inside a flat region, which stays whole", "diese Kante liegt in einer ebenen Fläche, und die bleibt ganz"],
+  ["the paper holds together around this edge, so a cut here parts nothing", "das Papier hängt um diese Kante herum zusammen, ein Schnitt hier trennt nichts"],
+  ["both sides of this edge belong to piece {a}, and as a fold it would close a loop that doesn't lie flat", "beide Seiten dieser Kante gehören zu Teil {a}; als Falz schlösse sie einen Ring, der nicht flach liegt"],
+  ["joined here pieces {a} and {b} would overlap", "hier verbunden lägen die Teile {a} und {b} übereinander"],
+  ["pieces {a} and {b} stay apart: joined they would be larger than the paper", "die Teile {a} und {b} bleiben getrennt: zusammen sind sie größer als das Papier"],
+  ["pieces {a} and {b} stay apart: joined they would have more than {n} faces", "die Teile {a} und {b} bleiben getrennt: zusammen hätten sie mehr als {n} Flächen"],
+  ["pieces {a} and {b} stay apart: joined they wouldn't fold with all creases together", "die Teile {a} und {b} bleiben getrennt: zusammen ließen sie sich nicht mit allen Falzen zugleich falten"],
+];

@@ -2,7 +2,10 @@
 // What runs in the worker, behind the glue of the module (wasm/): it keeps one project and answers one call at a time.
 //
 //   {id, call: "start", module}            the compiled WebAssembly
-//   {id, call: "make", files, words}       files by name, and the words of a command line: the summary, nets and sheets
+//   {id, call: "make", files, words, steps}  files by name, the words of a command line, and what was done by hand: the
+//                                          summary, nets and sheets; which steps were left out
+//   {id, call: "apply" | "preview", line}  edits of one step: the same; or why they are refused
+//   {id, call: "undo"}
 //   {id, call: "write", name}              the files that this name after -o stands for: [{name, bytes}]
 //
 // Answers are {id, ...} with `error: {code, sentence}` where a call fails; between them {stage, share} and {note}.
@@ -59,16 +62,27 @@ function writtenAs(name) {
     ({name: file, bytes: answerOf("ridgecraft_write", i)}));
 }
 
-/** @param {Record<string, Uint8Array>} files @param {string[]} words */
-function makePaper(files, words) {
+/** @param {Record<string, Uint8Array>} files @param {string[]} words @param {string[]} steps */
+function makePaper(files, words, steps) {
   for (const name of core.FS.readdir(".").filter((/** @type {string} */ n) => n !== "." && n !== "..")) {
     core.FS.unlink(name);
   }
   for (const [name, bytes] of Object.entries(files)) {
     core.FS.writeFile(name, bytes);
   }
-  const summary = textOf("ridgecraft_make", JSON.stringify(words));
-  return {summary, fold: new TextDecoder().decode(writtenAs("result.fold")[0].bytes), sheets: textOf("ridgecraft_sheets")};
+  const summary = JSON.parse(textOf("ridgecraft_make", JSON.stringify(words)));
+  return steps.length > 0 ? changedPaper(textOf("ridgecraft_repeat", steps.join("\n"))) : shown({summary});
+}
+
+/** With what the page shows. @param {Record<string, any>} told */
+function shown(told) {
+  return {...told, fold: new TextDecoder().decode(writtenAs("result.fold")[0].bytes), sheets: textOf("ridgecraft_sheets")};
+}
+
+/** @param {string} answer to an edit */
+function changedPaper(answer) {
+  const told = JSON.parse(answer);
+  return told.refused ? told : shown(told);
 }
 
 worker.onmessage = async (/** @type {MessageEvent} */ {data}) => {
@@ -76,7 +90,13 @@ worker.onmessage = async (/** @type {MessageEvent} */ {data}) => {
     if (data.call === "start") {
       worker.postMessage({id: data.id, ...await startCore(data.module)});
     } else if (data.call === "make") {
-      worker.postMessage({id: data.id, ...makePaper(data.files, data.words)});
+      worker.postMessage({id: data.id, ...makePaper(data.files, data.words, data.steps)});
+    } else if (data.call === "apply") {
+      worker.postMessage({id: data.id, ...changedPaper(textOf("ridgecraft_apply", data.line))});
+    } else if (data.call === "preview") {
+      worker.postMessage({id: data.id, ...JSON.parse(textOf("ridgecraft_preview", data.line))});
+    } else if (data.call === "undo") {
+      worker.postMessage({id: data.id, ...changedPaper(textOf("ridgecraft_undo"))});
     } else {
       const files = writtenAs(data.name);
       worker.postMessage({id: data.id, files}, files.map((/** @type {{bytes: Uint8Array}} */ file) => file.bytes.buffer));

@@ -5,7 +5,7 @@
 import {zipOf} from "./archive.js";
 import {NotEditable} from "./backend.js";
 import {wordsOf} from "./wishes.js";
-import {say} from "./words.js";
+import {say, sayCount} from "./words.js";
 
 /** @typedef {import("./backend.js").State} State */
 
@@ -33,10 +33,15 @@ export class Cancelled extends Error {
  * @property {Record<string, Uint8Array>} files it, and those beside it
  * @property {Record<string, string | boolean>} options
  * @property {string[]} rest words of a command line that are no wishes of the panel
+ * @property {string[]} steps what was done by hand, in the words of session/edit.hpp
+ * @property {string[]} undone of these, the last one first to come back
  */
 
 /** What the program is told: names that could be options or verbs are paths. @param {string} name */
 const asModel = (name) => (/^[^-].*\./.test(name) ? name : `./${name}`);
+
+/** @param {import("./backend.js").Edit[]} edits */
+const lineOf = (edits) => edits.map(({kind, edge}) => `${kind} ${edge.join(" ")}`).join("; ");
 
 /** No folders in the module's file system. @param {string} name */
 const bareName = (name) => name.replace(/^.*[\\/]/, "") || "model";
@@ -73,7 +78,7 @@ export class WorkerBackend {
   }
 
   capabilities() {
-    return {edit: false, export: ["pdf", "guide", "svg", "html", "fold", "dxf", "png", "lbrn2", "eps", "plt"], version: this.version};
+    return {edit: true, export: ["pdf", "guide", "svg", "html", "fold", "dxf", "png", "lbrn2", "eps", "plt"], version: this.version};
   }
 
   /** @param {(stage: string, share: number) => void} listener */
@@ -106,7 +111,7 @@ export class WorkerBackend {
       files[bareName(beside)] = content;
     }
     files[bareName(name)] = bytes;
-    return this.#make({name: bareName(name), files, options, rest});
+    return this.#make({name: bareName(name), files, options, rest, steps: [], undone: []});
   }
 
   /** @param {Record<string, string | boolean>} options those that change @returns {Promise<State>} */
@@ -117,24 +122,29 @@ export class WorkerBackend {
     return this.#make({...this.project, options: {...this.project.options, ...options}});
   }
 
-  /** @returns {Promise<State>} */
-  apply() {
-    return Promise.reject(new NotEditable());
+  /** @param {import("./backend.js").Edit[]} edits @returns {Promise<State>} */
+  apply(edits) {
+    const line = lineOf(edits);
+    return this.#change({call: "apply", line}, ({steps}) => ({steps: [...steps, line], undone: []}));
   }
 
   /** @returns {Promise<State>} */
   undo() {
-    return Promise.reject(new NotEditable());
+    return this.#change({call: "undo"}, ({steps, undone}) => ({steps: steps.slice(0, -1), undone: [...undone, ...steps.slice(-1)]}));
   }
 
   /** @returns {Promise<State>} */
   redo() {
-    return Promise.reject(new NotEditable());
+    const line = this.project?.undone.at(-1);
+    // Equal edits give equal bytes, so what was undone is done again.
+    return this.#change({call: "apply", line}, ({steps, undone}) => ({steps: [...steps, ...undone.slice(-1)], undone: undone.slice(0, -1)}));
   }
 
-  /** @returns {Promise<{ok: boolean}>} */
-  preview() {
-    return Promise.reject(new NotEditable());
+  /** @param {import("./backend.js").Edit} edit @returns {Promise<{ok: boolean, why?: string, faces?: number[]}>} */
+  async preview(edit) {
+    await this.#remade();
+    const {refused} = await this.#call({call: "preview", line: lineOf([edit])});
+    return refused ? {ok: false, why: refused.why, faces: refused.faces} : {ok: true};
   }
 
   /** @param {string} format @returns {Promise<Uint8Array>} */
@@ -148,14 +158,8 @@ export class WorkerBackend {
    * @returns {Promise<{name: string, bytes: Uint8Array}>}
    */
   async exportFile(format) {
-    if (!this.project) {
-      throw new NotEditable();
-    }
-    const title = this.project.name.replace(/\.[^.]*$/, "");
-    if (!this.made) {
-      // The worker that had it was ended.
-      await this.#make(this.project);
-    }
+    const {name} = await this.#remade();
+    const title = name.replace(/\.[^.]*$/, "");
     const {files} = await this.#call({call: "write", name: format === "guide" ? `${title}-guide.pdf` : `${title}.${format}`});
     return files.length === 1 ? files[0] : {name: `${title}-${format}.zip`, bytes: zipOf(files)};
   }
@@ -169,19 +173,55 @@ export class WorkerBackend {
 
   // ---- the worker
 
+  /** The project, whose paper the worker has: it may have been ended. @returns {Promise<Project>} */
+  async #remade() {
+    if (!this.project) {
+      throw new NotEditable();
+    }
+    if (!this.made) {
+      await this.#make(this.project);
+    }
+    return this.project;
+  }
+
   /** @param {Project} project @returns {Promise<State>} */
   async #make(project) {
     // A newer wish ends the one before.
     this.cancel();
     this.notes = [];
     this.made = false;
-    const {summary, fold, sheets} = await this.#call({call: "make", files: project.files,
-      words: [asModel(project.name), ...project.rest, ...wordsOf(project.options)]});
+    const told = await this.#call({call: "make", files: project.files, words: [asModel(project.name), ...project.rest, ...wordsOf(project.options)],
+      steps: project.steps});
     this.made = true;
+    /** @type {number[]} */
+    const leftOut = told.left_out ?? [];
+    if (leftOut.length > 0) {
+      this.notes.push({text: sayCount("edits_left_out", leftOut.length)});
+    }
+    return this.#state({...project, steps: project.steps.filter((_, i) => !leftOut.includes(i))}, told);
+  }
+
+  /**
+   * @param {Record<string, unknown>} message
+   * @param {(project: Project) => {steps: string[], undone: string[]}} after how it is told when it is done
+   * @returns {Promise<State>}
+   */
+  async #change(message, after) {
+    await this.#remade();
+    const told = await this.#call(message);
+    if (told.refused) {
+      throw new Refusal(told.refused.why, 3);
+    }
+    const project = /** @type {Project} */ (this.project);
+    return this.#state({...project, ...after(project)}, told);
+  }
+
+  /** @param {Project} project @param {any} told @returns {State} */
+  #state(project, told) {
     this.project = project;
     this.revision += 1;
-    return {revision: this.revision, options: project.options, fold, sheets, notes: this.notes, figures: JSON.parse(summary),
-      canUndo: false, canRedo: false, busy: false};
+    return {revision: this.revision, options: project.options, fold: told.fold, sheets: told.sheets, notes: this.notes, figures: told.summary,
+      canUndo: project.steps.length > 0, canRedo: project.undone.length > 0, busy: false};
   }
 
   /** @param {Record<string, unknown>} message @returns {Promise<any>} */

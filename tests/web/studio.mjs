@@ -149,6 +149,93 @@ async function makesPaper() {
   await context.close();
 }
 
+/** Edges are cut and joined by hand, and it is undone and done again. */
+async function editsByHand() {
+  const {context, page, heard, inspect, idle, exported, shot} = await open(values.page, {locale: "de-DE"});
+  await page.click("#samples button");
+  await page.waitForFunction(() => globalThis.ridgecraft?.inspect().figures, null, {timeout: 120000});
+  const start = await idle();
+  const before = await exported("fold");
+  /** Clicks an edge on one side, and waits for what is offered there. */
+  const offered = async (edge, side) => {
+    await page.keyboard.press("Escape");
+    const [x, y] = (await inspect({edge})).places[side];
+    await page.mouse.click(x, y);
+    await page.waitForFunction(() => globalThis.ridgecraft.inspect().offer, null, {timeout: 20000});
+    return (await idle()).offer;
+  };
+  /** Presses the button of what is offered. */
+  const takes = async () => {
+    await page.click("#edit button");
+    return idle();
+  };
+  // The camera stays where somebody has turned it.
+  await page.mouse.move(500, 400);
+  await page.mouse.down();
+  await page.mouse.move(560, 380, {steps: 3});
+  await page.mouse.up();
+  await page.mouse.wheel(0, -100);
+  const {camera} = await inspect();
+  check(camera.zoom > 1, "the wheel doesn't zoom");
+
+  // The middle of a fold on the sheet, where nothing else is near it.
+  const fold = start.folds[Math.floor(start.folds.length / 2)];
+  const cut = await offered(fold, "sheet");
+  check(cut.edit?.kind === "cut", `at a fold there is offered ${JSON.stringify(cut)}`);
+  check(await page.textContent("#edit button") === "Hier schneiden", "the offer isn't German");
+  check((await inspect()).error === "", `a sample that is opened at once is shown with "${(await inspect()).error}"`);
+  await shot("edit-offer");
+  const clicked = performance.now();
+  const parted = await takes();
+  console.log(`    a cut of the whale after ${(performance.now() - clicked).toFixed(0)} ms`);
+  check(parted.error === "", `the cut is refused: ${parted.error}`);
+  check(parted.pieces === start.pieces + 1, `a cut makes ${parted.pieces} pieces of ${start.pieces}`);
+  check(JSON.stringify(parted.camera) === JSON.stringify(camera), `the camera has moved: ${JSON.stringify(parted.camera)}`);
+  check(parted.canUndo && !parted.canRedo, "a cut can't be undone");
+  check(parted.marked.length === 2, "the new seam isn't lit");
+  const after = await exported("fold");
+  writeFileSync(`${out}/edited.fold`, after);
+  execFileSync(values.program, ["verify", `${out}/edited.fold`, "--quiet"], {stdio: ["ignore", "ignore", "inherit"]});
+  await shot("edit-cut");
+
+  // Back and forth, by keys and by buttons, with the same bytes.
+  await page.keyboard.press("Control+z");
+  const back = await idle();
+  check(back.pieces === start.pieces && !back.canUndo && back.canRedo, "Ctrl+Z doesn't take the cut back");
+  check((await exported("fold")).equals(before), "after undo: other bytes than before");
+  await page.keyboard.press("Control+Shift+Z");
+  await idle();
+  check((await exported("fold")).equals(after), "after redo: other bytes than those of the cut");
+  await page.click("#undo");
+  await idle();
+  check((await exported("fold")).equals(before), "after undo by its button: other bytes than before");
+  await page.click("#redo");
+  const again = await idle();
+
+  // Joined again where it was cut, on the model's side of the page or on the sheets.
+  const [seam] = again.marked.length > 0 ? again.marked : parted.marked;
+  const join = await offered(seam, "sheet");
+  check(join.edit?.kind === "join", `at a seam there is offered ${JSON.stringify(join)}`);
+  const joined = await takes();
+  check(joined.pieces === start.pieces, `a join makes ${joined.pieces} pieces`);
+
+  // What can't be joined: a seam of a piece with itself.
+  const own = joined.joins.find(({pieces}) => pieces[0] === pieces[1]);
+  const refused = await offered(own.edges[0], "sheet");
+  check(refused.edit === null && /^Beide Seiten dieser Kante gehören zu Teil/.test(refused.words), `a loop is offered: ${JSON.stringify(refused)}`);
+  await shot("edit-refused");
+  check((await inspect()).pieces === joined.pieces, "a refusal changes the nets");
+
+  // A change of the wishes keeps what was done by hand, where it can be, and so does a worker that was ended.
+  await page.keyboard.press("Escape");
+  await page.selectOption("#wish-paper", "A3");
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().options.paper === "A3", null, {timeout: 120000});
+  const larger = await idle();
+  check(larger.canUndo || larger.notes.some(({text}) => text.includes("von Hand")), "a wish forgets what was done by hand, without a word");
+  check(heard.length === 0, `the page says or asks: ${heard.slice(0, 5)}`);
+  await context.close();
+}
+
 /** A page with a model in it, as `ridgecraft studio` writes it. */
 async function beginsWithAModel() {
   const words = ["studio", `${values.samples}/fox_head.obj`, "--paper", "A3", "--no-browser"];
@@ -177,7 +264,7 @@ async function otherScreens() {
   }
 }
 
-for (const [name, run] of [["makes paper", makesPaper], ["begins with a model", beginsWithAModel], ["other screens", otherScreens]]) {
+for (const [name, run] of [["makes paper", makesPaper], ["edits by hand", editsByHand], ["begins with a model", beginsWithAModel], ["other screens", otherScreens]]) {
   const before = faults.length;
   try {
     await run();
