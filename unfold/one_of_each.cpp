@@ -165,13 +165,22 @@ std::optional<OneOfEach> one_of_each(const Asked& whole) {
   return each;
 }
 
-MirrorImages mirror_images_of(const Asked& whole, const OneOfEach& each) {
-  const Weights& weights = whole.options.pieces.weights;
-  IdVector<EdgeId, EdgeId> number(
-      whole.surface.edge_count());  // in the kept surface, of an edge of the whole
+namespace {
+
+/// Of each edge of the whole its number in the kept surface; none of those that aren't kept.
+IdVector<EdgeId, EdgeId> numbers_kept(const Asked& whole, const OneOfEach& each) {
+  IdVector<EdgeId, EdgeId> number(whole.surface.edge_count());
   for (const EdgeId e : ids<EdgeId>(each.kept.edge.size())) {
     number[each.kept.edge[e]] = e;
   }
+  return number;
+}
+
+}  // namespace
+
+MirrorImages mirror_images_of(const Asked& whole, const OneOfEach& each) {
+  const Weights& weights = whole.options.pieces.weights;
+  const IdVector<EdgeId, EdgeId> number = numbers_kept(whole, each);
   MirrorImages result;
   result.edge = IdVector<EdgeId, EdgeId>(each.kept.edge.size());
   bool any = false;
@@ -199,6 +208,20 @@ MirrorImages mirror_images_of(const Asked& whole, const OneOfEach& each) {
     }
   }
   return any ? result : MirrorImages();
+}
+
+std::optional<prepare::PartialRotation> turn_of(const Asked& whole, const OneOfEach& each) {
+  const std::optional<prepare::PartialRotation> turn = turn_of(whole.surface, whole.options.pieces.weights);
+  if (!turn) {
+    return std::nullopt;
+  }
+  const IdVector<EdgeId, EdgeId> number = numbers_kept(whole, each);
+  prepare::PartialRotation result{turn->order, IdVector<EdgeId, EdgeId>(each.kept.edge.size())};
+  for (const EdgeId e : ids<EdgeId>(each.kept.edge.size())) {
+    const EdgeId image = turn->edge[each.kept.edge[e]];
+    result.edge[e] = image.valid() ? number[image] : EdgeId();
+  }
+  return result;
 }
 
 }  // namespace ridgecraft::unfold

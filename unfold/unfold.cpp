@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "prepare/symmetry/rotations.hpp"
 #include "unfold/all_tabs.hpp"
 #include "unfold/foldable_pieces.hpp"
 #include "unfold/folding/fold_order.hpp"
@@ -21,6 +22,7 @@
 #include "unfold/one_of_each.hpp"
 #include "unfold/part_notes.hpp"
 #include "unfold/patch/check.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/pieces/better_borders.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
@@ -120,10 +122,11 @@ void move_borders_of(const Asked& asked, const Plan& plan, const Patch& patch, c
   }
 }
 
-/// `mirrored`: which edges are mirror images of each other; asked for when it is needed.
-template <class FindImages>
-Search search(const Asked& asked, const Plan& plan, const Patch& patch, const FindImages& mirror_images_here,
-              const Context& context) {
+/// `find_mirrored`, `find_turned`: which edges are mirror images of each other, and which lie on which after
+/// a turn; asked for when it is needed.
+template <class FindMirrored, class FindTurned>
+Search search(const Asked& asked, const Plan& plan, const Patch& patch, const FindMirrored& find_mirrored,
+              const FindTurned& find_turned, const Context& context) {
   UnfoldedParts parts = unfold_parts(asked, plan, context);
   const PieceRules& rules = asked.options.pieces;
   if (rules.merge) {
@@ -135,11 +138,23 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
   if (rules.merge && rules.mode == PieceMode::few) {
     merged = fewer_pieces(asked.surface, plan.whole, patch, merged, asked.options, plan.room, context);
   }
-  const MirrorImages images = context.out_of_time() ? MirrorImages() : mirror_images_here();
-  const Folds even = even_pieces(asked.surface, patch, merged, images, rules.weights, plan.room,
-                                 net_tolerance(patch.extent), context.seed, context);
-  const Folds turned = turned_pieces(asked.surface, patch, even, images.edge, rules.weights, plan.room,
-                                     net_tolerance(patch.extent), context.seed, context);
+  const double tolerance = net_tolerance(patch.extent);
+  const MirrorImages images = context.out_of_time() ? MirrorImages() : find_mirrored();
+  const std::optional<prepare::PartialRotation> turn = context.out_of_time() ? std::nullopt : find_turned();
+  const IdVector<EdgeId, EdgeId> turned_edges = turn ? turn->edge : IdVector<EdgeId, EdgeId>();
+  const auto evened = [&](const Folds& folds) {
+    return even_pieces(asked.surface, patch, folds, images, turned_edges, rules.weights, plan.room, tolerance,
+                       context.seed, context);
+  };
+  Folds even = evened(merged);
+  if (turn) {
+    Folds turned = turned_pieces(asked.surface, patch, even, *turn, images.edge, rules.weights, plan.room,
+                                 tolerance, context.seed, context);
+    if (lay_out(patch, turned).faces.size() > lay_out(patch, even).faces.size()) {
+      blame(patch, even, turned, PieceReason::shape, parts.causes);
+    }
+    even = std::move(turned);
+  }
   const auto twins_of = [&](const Folds& folds) {
     return context.out_of_time() ? TwinPieces() : find_twin_pieces(asked.surface, patch, folds, context);
   };
@@ -148,15 +163,14 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
     return better_borders(asked.surface, plan.whole, apart, folds, images.edge, asked.options, plan.room,
                           start, context);
   };
-  Folds calm = bordered(turned, Start::anywhere);
+  Folds calm = bordered(even, Start::anywhere);
   if (rules.merge && !context.out_of_time()) {
     const Folds cut = with_ragged_pieces_cut(patch, asked.part.items(), calm, rules.weights, context);
     if (blame(patch, calm, cut, PieceReason::shape, parts.causes) > 0) {
       calm = bordered(cut, Start::near);
     }
   }
-  calm = even_pieces(asked.surface, patch, calm, images, rules.weights, plan.room,
-                     net_tolerance(patch.extent), context.seed, context);
+  calm = evened(calm);
   const Folds better =
       better_trees(asked.surface, plan.whole, patch, calm, images.edge, asked.options, plan.room, context);
   return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
@@ -189,7 +203,10 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   const auto mirror_images_here = [&] {
     return each ? mirror_images_of(whole, *each) : mirror_images(surface, options.pieces.weights);
   };
-  Search found = search(asked, plan, patch, mirror_images_here, for_searches(plan, context));
+  const auto turn_here = [&] {
+    return each ? turn_of(whole, *each) : turn_of(surface, options.pieces.weights);
+  };
+  Search found = search(asked, plan, patch, mirror_images_here, turn_here, for_searches(plan, context));
   std::vector<std::string> notes = plan.notes;
   if (options.tabs.wanted && context.out_of_time()) {
     notes.emplace_back("the time given was up before all nets with more tabs were tried");

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -14,24 +15,25 @@
 #include "prepare/symmetry/correspondence.hpp"
 #include "prepare/symmetry/isometry.hpp"
 #include "prepare/symmetry/nearby_points.hpp"
+#include "prepare/symmetry/seen_edges.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
 /// Axes with a greater cosine between them are one.
 constexpr double same_axis = 1.0 - 1e-8;
+/// Lines along one axis that are nearer to each other than this share of the extent are one.
+constexpr double same_line = 1e-4;
 /// What lies nearer to an axis than this share of the extent hardly moves, and says nothing of turns.
 constexpr double near_axis = 0.05;
-/// Partial turns are tried up to so many folds: more than that are the sides of something round.
-constexpr unsigned most_folds = 12;
+/// Turns are tried up to this order: more turns than that are about the sides of something round.
+constexpr unsigned highest_order = 12;
 /// A turn is looked at closely when of so many corners at most a share somewhat smaller than that asked for
 /// stays on corners.
 constexpr std::size_t most_samples = 150;
 constexpr double sample_reserve = 0.1;
-/// A turn of fewer folds has to lay so many times as much on itself to be taken instead.
+/// A turn of lower order has to lay so many times as much on itself to be taken instead.
 constexpr double clearly_more = 1.05;
-/// Edges that are folded less are lines within flat regions: 0.1 degrees.
-constexpr double flat_fold = 0.0017453;
 
 /// Turns about a line through a point (O. Rodrigues).
 Isometry turn_about_line(Vec3 point, Vec3 axis, double angle) {
@@ -63,7 +65,12 @@ std::vector<SampledAxis> sampled_axes(const mesh::Surface& surface) {
   }
   std::vector<SampledAxis> result;
   for (const Vec3 axis : axes) {
-    for (const Vec3 point : {0.5 * (box.low + box.high), frame.centre}) {
+    const Vec3 middle = 0.5 * (box.low + box.high);
+    std::vector<Vec3> points{middle};
+    if (length(cross(frame.centre - middle, axis)) > same_line * box.largest_extent()) {
+      points.push_back(frame.centre);
+    }
+    for (const Vec3 point : points) {
       std::vector<Vec3> far;
       for (const VertexId v : ids<VertexId>(surface.vertex_count())) {
         if (length(cross(surface.point(v) - point, axis)) > near_axis * box.largest_extent()) {
@@ -83,8 +90,8 @@ std::vector<SampledAxis> sampled_axes(const mesh::Surface& surface) {
 
 }  // namespace
 
-std::optional<PartialRotation> widest_rotation(const mesh::Surface& surface, double near,
-                                               double least_share) {
+std::optional<PartialRotation> widest_rotation(const mesh::Surface& surface, double near, double least_share,
+                                               unsigned least_order) {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> numbers;
   for (const VertexId v : ids<VertexId>(surface.vertex_count())) {
@@ -92,18 +99,14 @@ std::optional<PartialRotation> widest_rotation(const mesh::Surface& surface, dou
     points.push_back(surface.point(v));
   }
   const NearbyPoints nearby(points, std::move(numbers));
-  IdVector<EdgeId, double> seen(surface.edge_count(), 0.0);
-  double all = 0.0;
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    seen[e] = std::abs(surface.fold_angle(e)) > flat_fold ? surface.length(e) : 0.0;
-    all += seen[e];
-  }
+  const IdVector<EdgeId, double> seen = seen_lengths(surface);
+  const double least = least_share * std::accumulate(seen.begin(), seen.end(), 0.0);
   const double radius = near * surface.bounds().largest_extent();
-  std::optional<PartialRotation> best;
-  double most = least_share * all;
+  PartialRotation best;
+  double most = 0.0;
   for (const SampledAxis& line : sampled_axes(surface)) {
-    for (unsigned n = most_folds; n >= 2; --n) {
-      const Isometry turn = turn_about_line(line.point, line.axis, 2.0 * std::numbers::pi / n);
+    for (unsigned order = highest_order; order >= least_order; --order) {
+      const Isometry turn = turn_about_line(line.point, line.axis, 2.0 * std::numbers::pi / order);
       const auto stay = std::count_if(line.samples.begin(), line.samples.end(),
                                       [&](Vec3 p) { return nearby.nearest(turn(p), radius) != no_point; });
       if (static_cast<double>(stay) <
@@ -111,17 +114,16 @@ std::optional<PartialRotation> widest_rotation(const mesh::Surface& surface, dou
         continue;
       }
       IdVector<EdgeId, EdgeId> images = match_edges(surface, surface, turn, radius);
-      double length = 0.0;
-      for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-        length += images[e].valid() ? seen[e] : 0.0;
-      }
-      if (length > most) {
-        most = clearly_more * length;
-        best = {n, std::move(images)};
+      const double length = length_with_image(seen, images);
+      const bool is_better =
+          order > best.order ? clearly_more * length >= most : length > clearly_more * most;
+      if (length >= least && length > 0.0 && is_better) {
+        most = length;
+        best = {order, std::move(images)};
       }
     }
   }
-  return best;
+  return best.edge.empty() ? std::nullopt : std::optional(std::move(best));
 }
 
 }  // namespace ridgecraft::prepare

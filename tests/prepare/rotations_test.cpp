@@ -29,13 +29,14 @@ Vec3 moved(Vec3 p) {
   return 12.0 * Vec3{0.6 * p.x - 0.8 * p.z, p.y, 0.8 * p.x + 0.6 * p.z} + Vec3{3, 2, 1};
 }
 
-/// Every edge comes back after so many turns, and no earlier unless it lies on the axis.
+/// Every edge comes back after so many turns, and no earlier.
 void check_orbits(const PartialRotation& rotation) {
   for (const EdgeId e : ids<EdgeId>(rotation.edge.size())) {
     EdgeId at = e;
-    for (unsigned i = 1; i <= rotation.folds && at.valid(); ++i) {
+    for (unsigned i = 1; i <= rotation.order; ++i) {
       at = rotation.edge[at];
-      CHECK((!at.valid() || (at == e) == (i == rotation.folds)));
+      REQUIRE(at.valid());
+      CHECK((at == e) == (i == rotation.order));
     }
   }
 }
@@ -45,9 +46,9 @@ void check_orbits(const PartialRotation& rotation) {
 TEST_CASE("turned bodies and towers have their turn, wherever they stand", "[symmetry]") {
   for (const int sides : {5, 6, 12}) {
     for (const mesh::Surface& s : {twisted(sides), test::mapped(test::shuffled(twisted(sides), 4), moved)}) {
-      const std::optional<PartialRotation> found = widest_rotation(s, near, 0.5);
+      const std::optional<PartialRotation> found = widest_rotation(s, near, 0.5, 2);
       REQUIRE(found.has_value());
-      CHECK(found->folds == static_cast<unsigned>(sides));
+      CHECK(found->order == static_cast<unsigned>(sides));
       check_orbits(*found);
     }
   }
@@ -55,14 +56,33 @@ TEST_CASE("turned bodies and towers have their turn, wherever they stand", "[sym
 
 TEST_CASE("a brick is turned by a half, a lopsided body not at all", "[symmetry]") {
   const mesh::Surface box = test::mapped(test::cube(), [](Vec3 p) { return Vec3{p.x, 2 * p.y, 3 * p.z}; });
-  const std::optional<PartialRotation> half = widest_rotation(box, near, 0.5);
+  const std::optional<PartialRotation> half = widest_rotation(box, near, 0.5, 2);
   REQUIRE(half.has_value());
-  CHECK(half->folds == 2);
+  CHECK(half->order == 2);
   const mesh::Surface odd = test::mapped(
       test::star_shaped(
           [](Vec3 d) { return 1.0 + 0.3 * d.x + 0.2 * std::sin(3.0 * d.y + d.z) + 0.2 * d.z * d.x; }, 12, 7),
       moved);
-  CHECK_FALSE(widest_rotation(odd, near, 0.5).has_value());
+  CHECK_FALSE(widest_rotation(odd, near, 0.5, 2).has_value());
+}
+
+TEST_CASE("half turns don't hide the turn of a wheel, however it lies", "[symmetry]") {
+  const mesh::Surface wheel =
+      test::mapped(test::revolve({{0, 0}, {1, 0}, {1, 0.4}, {0, 0.4}}, 3), [](Vec3 p) {
+        return Vec3{p.x, p.y, p.z - 0.2};
+      });
+  for (const auto& laid : {+[](Vec3 p) { return p; },
+                           +[](Vec3 p) {
+                             return Vec3{p.z, p.x, p.y};
+                           },
+                           +[](Vec3 p) {
+                             return Vec3{p.y, p.z, p.x};
+                           },
+                           +[](Vec3 p) { return moved(p); }}) {
+    const std::optional<PartialRotation> found = widest_rotation(test::mapped(wheel, laid), near, 0.5, 2);
+    REQUIRE(found.has_value());
+    CHECK(found->order == 3);
+  }
 }
 
 TEST_CASE("what stands on one side only doesn't hide a turn", "[symmetry]") {
@@ -70,9 +90,9 @@ TEST_CASE("what stands on one side only doesn't hide a turn", "[symmetry]") {
   const mesh::Surface door = test::mapped(test::cube(), [](Vec3 p) {
     return 0.2 * p + Vec3{1.1, -0.1, 0.3};
   });
-  const std::optional<PartialRotation> found = widest_rotation(test::together({tower, door}), near, 0.5);
+  const std::optional<PartialRotation> found = widest_rotation(test::together({tower, door}), near, 0.5, 2);
   REQUIRE(found.has_value());
-  CHECK(found->folds == 6);
+  CHECK(found->order == 6);
   for (const EdgeId e : ids<EdgeId>(found->edge.size())) {
     CHECK((e.value() < tower.edge_count()) == found->edge[e].valid());
   }

@@ -141,8 +141,8 @@ TEST_CASE("evened pieces are clean nets, no more of them, each the image of one"
     if (!unfold::find_overlaps(unfold::lay_out(patch, folds), tolerance).empty()) {
       continue;
     }
-    const Folds even = unfold::even_pieces(surface, patch, folds, images, weights, unfold::Room(), tolerance,
-                                           seed, Context());
+    const Folds even = unfold::even_pieces(surface, patch, folds, images, {}, weights, unfold::Room(),
+                                           tolerance, seed, Context());
     const unfold::Layout before = unfold::lay_out(patch, folds);
     const unfold::Layout after = unfold::lay_out(patch, even);
     CHECK(after.faces.size() <= before.faces.size());

@@ -2,12 +2,12 @@
 #include "unfold/pieces/even_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/carried_trees.hpp"
@@ -16,20 +16,18 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// Less than this is rounding, mm.
-constexpr double cheaper_by = 1e-6;
-
 using Faces = std::vector<std::uint32_t>;
 
 class Evening {
  public:
   Evening(const mesh::Surface& surface, const Patch& patch, const Folds& folds, const MirrorImages& images,
-          const Weights& weights, const Room& room, double tolerance, std::uint64_t seed,
-          const Context& context)
+          const IdVector<EdgeId, EdgeId>& turned, const Weights& weights, const Room& room, double tolerance,
+          std::uint64_t seed, const Context& context)
       : surface_(surface),
         patch_(patch),
         folds_(folds),
         images_(images),
+        turned_(turned),
         weights_(weights),
         room_(room),
         units_(surface, patch, images),
@@ -45,7 +43,7 @@ class Evening {
       const std::optional<Folds> even = evened(above);
       if (even) {
         const double cost = cost_of(*even);
-        if (cost < least - cheaper_by) {
+        if (cost < least - same_cost_mm) {
           least = cost;
           best = *even;
         }
@@ -90,20 +88,15 @@ class Evening {
   }
 
   [[nodiscard]] double cost_of(const Folds& folds) const {
-    double sum =
-        weights_.mirror * unevenness(surface_, edges_in_forest(surface_, patch_, folds), images_.edge);
-    for (Faces& faces : lay_out(patch_, folds).faces) {
-      std::sort(faces.begin(), faces.end());
-      // How parts lie is told by their borders: what isn't even of them would speak against evening pieces.
-      sum += cost_of_piece(sub_patch(patch_, faces), sub_folds(patch_, folds, faces), one_part, weights_);
-    }
-    return sum;
+    const std::array images{&images_.edge, &turned_};
+    return cost_of_forest(surface_, patch_, folds, images, weights_);
   }
 
   const mesh::Surface& surface_;
   const Patch& patch_;
   const Folds& folds_;
   const MirrorImages& images_;
+  const IdVector<EdgeId, EdgeId>& turned_;
   const Weights& weights_;
   const Room& room_;
   const MirrorUnits units_;
@@ -115,12 +108,12 @@ class Evening {
 }  // namespace
 
 Folds even_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                  const MirrorImages& images, const Weights& weights, const Room& room, double tolerance,
-                  std::uint64_t seed, const Context& context) {
+                  const MirrorImages& images, const IdVector<EdgeId, EdgeId>& turned, const Weights& weights,
+                  const Room& room, double tolerance, std::uint64_t seed, const Context& context) {
   if (images.edge.empty() || context.out_of_time()) {
     return folds;
   }
-  return Evening(surface, patch, folds, images, weights, room, tolerance, seed, context).run();
+  return Evening(surface, patch, folds, images, turned, weights, room, tolerance, seed, context).run();
 }
 
 }  // namespace ridgecraft::unfold

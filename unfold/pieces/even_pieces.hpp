@@ -19,9 +19,11 @@ namespace ridgecraft::unfold {
 /// makes no more pieces and costs no more than the forest as it was, every piece has a net without overlap
 /// (deeper than `tolerance`, mm), and those that fitted the room do. Faces without a mirror image stay with
 /// what they were with. The patch is the whole surface. Deterministic for one seed but for the deadline. O(n
-/// log n) beside the search for nets of the pieces that change.
+/// log n) beside the search for nets of the pieces that change. `turned`: the edges' images by a turn of the
+/// model, or empty: cuts that have none there cost the same.
 [[nodiscard]] Folds even_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                                const MirrorImages& images, const Weights& weights, const Room& room,
-                                double tolerance, std::uint64_t seed, const Context& context);
+                                const MirrorImages& images, const IdVector<EdgeId, EdgeId>& turned,
+                                const Weights& weights, const Room& room, double tolerance,
+                                std::uint64_t seed, const Context& context);
 
 }  // namespace ridgecraft::unfold

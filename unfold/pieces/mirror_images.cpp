@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unfold/pieces/mirror_images.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "prepare/symmetry/mirrors.hpp"
+#include "prepare/symmetry/seen_edges.hpp"
+#include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/forest.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/sub_patch.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// How far a mirror image may be off, as a share of the model's extent, for cuts to be carried over: hardly
-/// seen.
-constexpr double seen_as_mirrored = 0.02;
 /// Of the length of all edges so much has a mirror image, at least, where cuts are carried over.
 constexpr double least_share_mirrored = 0.4;
-/// Edges that are folded less are lines within flat regions (prepare/prepared/panels.hpp): 0.1 degrees.
-constexpr double flat = 0.0017453;
-/// Larger models are searched without regard to symmetry: finding it would take as long as all else.
-constexpr std::size_t most_faces_mirrored = 20'000;
-
 EdgeId edge_of(const mesh::Surface& surface, const Patch& patch, std::uint32_t side) {
   return surface.edge(mesh::corner(patch.face[side / 3], side % 3));
 }
@@ -54,7 +51,7 @@ bool is_tree(const Patch& patch, const Folds& folds) {
 }  // namespace
 
 MirrorImages mirror_images(const mesh::Surface& surface, const Weights& weights) {
-  if (weights.mirror <= 0.0 || surface.face_count() > most_faces_mirrored) {
+  if (weights.mirror <= 0.0 || surface.face_count() > most_faces_of_images) {
     return {};
   }
   // People model along axes, and what isn't symmetric as a whole, such as a face with one scar, mostly is in
@@ -64,24 +61,16 @@ MirrorImages mirror_images(const mesh::Surface& surface, const Weights& weights)
   for (const Vec3 normal : {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
     planes.push_back({normal, 0.5 * dot(box.low + box.high, normal)});
   }
-  for (const prepare::Mirror& mirror : prepare::find_mirrors(surface, 1, {.near = seen_as_mirrored})) {
+  for (const prepare::Mirror& mirror : prepare::find_mirrors(surface, 1, {.near = seen_as_image})) {
     planes.push_back(mirror.plane);
   }
-  // Lines within flat regions are no edges to those who see the model.
-  IdVector<EdgeId, double> seen(surface.edge_count(), 0.0);
-  double all = 0.0;
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    seen[e] = std::abs(surface.fold_angle(e)) > flat ? surface.length(e) : 0.0;
-    all += seen[e];
-  }
+  const IdVector<EdgeId, double> seen = prepare::seen_lengths(surface);
+  const double all = std::accumulate(seen.begin(), seen.end(), 0.0);
   MirrorImages best;
   double most = least_share_mirrored * all;
   for (const prepare::MirrorPlane& plane : planes) {
-    IdVector<EdgeId, EdgeId> images = prepare::mirror_edges(surface, plane, seen_as_mirrored);
-    double length = 0.0;
-    for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-      length += images[e].valid() ? seen[e] : 0.0;
-    }
+    IdVector<EdgeId, EdgeId> images = prepare::mirror_edges(surface, plane, seen_as_image);
+    const double length = prepare::length_with_image(seen, images);
     if (length > most) {
       // A later plane has to be clearly better.
       most = 1.02 * length;
@@ -124,6 +113,21 @@ double unevenness(const mesh::Surface& surface, const IdVector<EdgeId, InForest>
     sum += images[e].valid() && edges[e] == InForest::cut && edges[images[e]] == InForest::fold
                ? surface.length(e)
                : 0.0;
+  }
+  return sum;
+}
+
+double cost_of_forest(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+                      std::span<const IdVector<EdgeId, EdgeId>* const> images, const Weights& weights) {
+  const IdVector<EdgeId, InForest> edges = edges_in_forest(surface, patch, folds);
+  double sum = 0.0;
+  for (const IdVector<EdgeId, EdgeId>* const image : images) {
+    sum += weights.mirror * unevenness(surface, edges, *image);
+  }
+  for (std::vector<std::uint32_t>& faces : lay_out(patch, folds).faces) {
+    std::sort(faces.begin(), faces.end());
+    // How parts lie is told by their borders: what isn't even of them would speak against even pieces.
+    sum += cost_of_piece(sub_patch(patch, faces), sub_folds(patch, folds, faces), one_part, weights);
   }
   return sum;
 }

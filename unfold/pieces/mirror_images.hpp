@@ -3,8 +3,10 @@
 // other.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/id.hpp"
@@ -14,6 +16,14 @@
 #include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
+
+/// How far an image, mirrored or turned, may be off for cuts to be carried over, as a share of the model's
+/// extent: hardly seen.
+inline constexpr double seen_as_image = 0.02;
+/// Larger models are searched without regard to symmetry: finding it would take as long as all else.
+inline constexpr std::size_t most_faces_of_images = 20'000;
+/// Forests whose costs differ by less, mm, differ by rounding.
+inline constexpr double same_cost_mm = 1e-6;
 
 /// What lies on what at the plane of a model.
 struct MirrorImages {
@@ -41,6 +51,12 @@ enum class InForest : std::int8_t { fold = -1, fixed = 0, cut = 1 };
 /// Length of the cuts whose image is a fold, mm. O(n).
 [[nodiscard]] double unevenness(const mesh::Surface& surface, const IdVector<EdgeId, InForest>& edges,
                                 const IdVector<EdgeId, EdgeId>& images);
+
+/// What all pieces of a forest cost (energy/piece_cost.hpp), and Weights::mirror for each mm of cut whose
+/// image is none, by each of `images`. O(n log n).
+[[nodiscard]] double cost_of_forest(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+                                    std::span<const IdVector<EdgeId, EdgeId>* const> images,
+                                    const Weights& weights);
 
 /// Per side of a patch: what the mirror image of its edge is, as InForest, where that lies outside the patch;
 /// 0 for all others. O(n log n).

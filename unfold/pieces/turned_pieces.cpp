@@ -2,6 +2,7 @@
 #include "unfold/pieces/turned_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -9,8 +10,6 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
-#include "prepare/symmetry/rotations.hpp"
-#include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/carried_trees.hpp"
@@ -20,27 +19,20 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// How far what is turned may be off, as a share of the model's extent: hardly seen.
-constexpr double seen_as_turned = 0.02;
 /// Of the length of all edges so much has to be turned onto edges, at least.
 constexpr double least_share_turned = 0.5;
-/// What half a turn takes elsewhere is a pair, which mirror images tell of; more than two are told apart.
-constexpr unsigned fewest_folds = 3;
-/// Larger models are searched without regard to symmetry.
-constexpr std::size_t most_faces_turned = 20'000;
+/// What half a turn takes elsewhere is a pair.
+constexpr unsigned least_order_turned = 3;
 /// Steps, and trials in each; the largest pieces come first.
 constexpr int most_steps = 6;
 constexpr std::size_t most_trials = 32;
 /// What is left of a piece goes on as one if it is more than this share of it.
 constexpr double goes_on = 0.5;
-/// Less than this is rounding, mm.
-constexpr double less_by = 1e-6;
-
 using TurnedFaces = std::vector<std::uint32_t>;
 
-/// A turn, one of `folds` of a full circle: what lies on what.
+/// A power of the model's turn: what lies on what.
 struct Turn {
-  unsigned folds = 2;
+  unsigned order = 2;
   IdVector<EdgeId, EdgeId> from;    ///< the edge that lies on this one after the turn
   std::vector<std::uint32_t> unit;  ///< of each unit its image
 };
@@ -71,12 +63,12 @@ IdVector<EdgeId, EdgeId> inverse(const IdVector<EdgeId, EdgeId>& images) {
 class Turning {
  public:
   Turning(const mesh::Surface& surface, const Patch& patch, const IdVector<EdgeId, EdgeId>& mirrored,
-          const prepare::PartialRotation& rotation, const Weights& weights, const Room& room,
-          double tolerance, std::uint64_t seed, const Context& context)
+          const prepare::PartialRotation& turn, const Weights& weights, const Room& room, double tolerance,
+          std::uint64_t seed, const Context& context)
       : surface_(surface),
         patch_(patch),
         mirrored_(mirrored),
-        turned_(rotation.edge),
+        turned_(turn.edge),
         weights_(weights),
         room_(room),
         tolerance_(tolerance),
@@ -87,11 +79,11 @@ class Turning {
     for (std::uint32_t f = 0; f < patch.size(); ++f) {
       faces_of_unit_[unit_[f]].push_back(f);
     }
-    for (unsigned folds = rotation.folds; folds >= 2; --folds) {
-      if (rotation.folds % folds == 0) {
-        IdVector<EdgeId, EdgeId> edge = repeated(rotation.edge, rotation.folds / folds);
+    for (unsigned order = turn.order; order >= 2; --order) {
+      if (turn.order % order == 0) {
+        const IdVector<EdgeId, EdgeId> edge = repeated(turn.edge, turn.order / order);
         std::vector<std::uint32_t> unit = unit_images(surface, patch, unit_, edge);
-        turns_.push_back({folds, inverse(edge), std::move(unit)});
+        turns_.push_back({order, inverse(edge), std::move(unit)});
       }
     }
   }
@@ -106,12 +98,12 @@ class Turning {
       std::size_t trials = 0;
       for (const Turn& turn : turns_) {
         for (const std::uint32_t piece : pieces) {
-          if (trials == most_trials) {
+          if (trials == most_trials || context_.out_of_time()) {
             break;
           }
           const std::optional<Folds> trial = carried_around(turn, before, layout, piece, trials);
           const double cost = trial ? cost_of(*trial) : least;
-          if (cost < least - less_by) {
+          if (cost < least - same_cost_mm) {
             least = cost;
             best = *trial;
           }
@@ -148,7 +140,7 @@ class Turning {
         continue;  // another face of a unit that is done
       }
       const std::uint32_t own = u;
-      for (std::uint32_t k = 0; k < turn.folds; ++k) {
+      for (std::uint32_t k = 0; k < turn.order; ++k) {
         if (u == nothing || copy[u] != nothing || faces_of_unit_[u].size() != faces_of_unit_[own].size()) {
           return std::nullopt;
         }
@@ -176,7 +168,7 @@ class Turning {
   [[nodiscard]] std::optional<Division> divided(const Turn& turn, const Layout& layout,
                                                 const std::vector<std::uint32_t>& copy) const {
     const auto label = [&](std::uint32_t f) {
-      return copy[f] != nothing ? copy[f] : turn.folds + layout.piece[f];
+      return copy[f] != nothing ? copy[f] : turn.order + layout.piece[f];
     };
     DisjointSets joined(patch_.size());
     for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
@@ -185,7 +177,7 @@ class Turning {
         static_cast<void>(joined.join(side / 3, twin / 3));
       }
     }
-    std::vector<std::uint32_t> copies_found(turn.folds, nothing);
+    std::vector<std::uint32_t> copies_found(turn.order, nothing);
     for (std::uint32_t f = 0; f < patch_.size(); ++f) {
       if (copy[f] != nothing) {
         std::uint32_t& found = copies_found[copy[f]];
@@ -222,28 +214,29 @@ class Turning {
         area[joined.find(f)] += area_of(patch_.shape[f]);
       }
     }
-    std::vector<std::uint32_t> scraps;
+    std::map<std::uint32_t, std::map<std::uint32_t, double>> border;  // of each scrap with each such set
     for (const auto& [set, of_set] : area) {
       if (of_set < goes_on * area_of(patch_, layout.faces[layout.piece[set]])) {
-        scraps.push_back(set);
+        border[set];
       }
     }
-    for (const std::uint32_t scrap : scraps) {
-      const std::uint32_t own = joined.find(scrap);
-      std::map<std::uint32_t, double> border;
-      for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-        const std::uint32_t twin = patch_.twin[side];
-        if (twin != nothing && joined.find(side / 3) == own && joined.find(twin / 3) != own &&
-            copy[twin / 3] == nothing) {
-          border[joined.find(twin / 3)] += patch_.length[side];
-        }
+    for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+      const std::uint32_t twin = patch_.twin[side];
+      if (twin == nothing || copy[side / 3] != nothing || copy[twin / 3] != nothing) {
+        continue;
       }
-      const auto longest = std::max_element(border.begin(), border.end(),
+      const auto scrap = border.find(joined.find(side / 3));
+      if (scrap != border.end() && joined.find(twin / 3) != scrap->first) {
+        scrap->second[joined.find(twin / 3)] += patch_.length[side];
+      }
+    }
+    for (const auto& [scrap, neighbours] : border) {
+      const auto longest = std::max_element(neighbours.begin(), neighbours.end(),
                                             [](const auto& a, const auto& b) { return a.second < b.second; });
-      if (longest == border.end()) {
+      if (longest == neighbours.end()) {
         return false;
       }
-      static_cast<void>(joined.join(own, longest->first));
+      static_cast<void>(joined.join(scrap, longest->first));
     }
     return true;
   }
@@ -253,11 +246,14 @@ class Turning {
     TurnedFaces faces = layout.faces[piece];
     std::sort(faces.begin(), faces.end());
     const std::optional<std::vector<std::uint32_t>> copy = copies_of(turn, faces);
-    std::optional<Division> division = copy ? divided(turn, layout, *copy) : std::nullopt;
-    if (!division || division->sets.size() > layout.faces.size() + 1) {
+    if (!copy) {
       return std::nullopt;
     }
     ++trials;
+    const std::optional<Division> division = divided(turn, layout, *copy);
+    if (!division || division->sets.size() > layout.faces.size() + 1) {
+      return std::nullopt;
+    }
     CarriedTrees trees(surface_, patch_, folds, layout, room_, tolerance_, seed_, context_);
     Folds result(folds.size(), 0);
     put_back(patch_, faces, sub_folds(patch_, folds, faces), result);
@@ -279,14 +275,8 @@ class Turning {
   }
 
   [[nodiscard]] double cost_of(const Folds& folds) const {
-    const IdVector<EdgeId, InForest> edges = edges_in_forest(surface_, patch_, folds);
-    double sum =
-        weights_.mirror * (unevenness(surface_, edges, turned_) + unevenness(surface_, edges, mirrored_));
-    for (TurnedFaces& faces : lay_out(patch_, folds).faces) {
-      std::sort(faces.begin(), faces.end());
-      sum += cost_of_piece(sub_patch(patch_, faces), sub_folds(patch_, folds, faces), one_part, weights_);
-    }
-    return sum;
+    const std::array images{&turned_, &mirrored_};
+    return cost_of_forest(surface_, patch_, folds, images, weights_);
   }
 
   const mesh::Surface& surface_;
@@ -305,18 +295,18 @@ class Turning {
 
 }  // namespace
 
-Folds turned_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                    const IdVector<EdgeId, EdgeId>& mirrored, const Weights& weights, const Room& room,
-                    double tolerance, std::uint64_t seed, const Context& context) {
-  if (weights.mirror <= 0.0 || surface.face_count() > most_faces_turned || context.out_of_time()) {
-    return folds;
+std::optional<prepare::PartialRotation> turn_of(const mesh::Surface& surface, const Weights& weights) {
+  if (weights.mirror <= 0.0 || surface.face_count() > most_faces_of_images) {
+    return std::nullopt;
   }
-  const std::optional<prepare::PartialRotation> rotation =
-      prepare::widest_rotation(surface, seen_as_turned, least_share_turned);
-  return rotation && rotation->folds >= fewest_folds
-             ? Turning(surface, patch, mirrored, *rotation, weights, room, tolerance, seed, context)
-                   .run(folds)
-             : folds;
+  return prepare::widest_rotation(surface, seen_as_image, least_share_turned, least_order_turned);
+}
+
+Folds turned_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+                    const prepare::PartialRotation& turn, const IdVector<EdgeId, EdgeId>& mirrored,
+                    const Weights& weights, const Room& room, double tolerance, std::uint64_t seed,
+                    const Context& context) {
+  return Turning(surface, patch, mirrored, turn, weights, room, tolerance, seed, context).run(folds);
 }
 
 }  // namespace ridgecraft::unfold
