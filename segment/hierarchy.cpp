@@ -92,7 +92,7 @@ class Joiner {
         const std::uint32_t p = finest.part[FaceId(f)].value();
         const std::uint32_t q = finest.part[FaceId(g)].value();
         if (p != q) {
-          borders_.between(p, q).add_side(weights_, std::size_t{3} * f + k);
+          borders_.between(p, q).add_side(scaled_, weights_, std::size_t{3} * f + k);
         }
       }
     }

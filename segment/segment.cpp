@@ -47,13 +47,24 @@ ScaledSurface scaled_and_whole(const mesh::Surface& surface, std::span<const std
   return scaled;
 }
 
+/// What is taken from the surface.
+struct Form {
+  bool closed;
+  std::size_t real_facets;
+  ScaledSurface scaled;
+};
+
+Form form_of(const mesh::Surface& surface, std::span<const std::uint32_t> polygon, const Options& options) {
+  const bool closed = closes_holes(surface, options);
+  return {closed, surface.face_count(), scaled_and_whole(surface, polygon, closed, options.components)};
+}
+
 /// The surface in the forms that all phases look at and none changes.
 struct Ground {
-  Ground(const mesh::Surface& surface, std::span<const std::uint32_t> polygon, const Options& options,
-         std::span<const std::uint32_t> label)
-      : closed(closes_holes(surface, options)),
-        real_facets(surface.face_count()),
-        scaled(scaled_and_whole(surface, polygon, closed, options.components)),
+  Ground(Form form, const Options& options, std::span<const std::uint32_t> label)
+      : closed(form.closed),
+        real_facets(form.real_facets),
+        scaled(std::move(form.scaled)),
         rules(rules_of(options.reading)),
         weights(weigh_edges(scaled, rules, label)),
         graph(build_vertex_graph(scaled, arc_sagitta_share * options.concavity)) {}
@@ -237,11 +248,7 @@ void require_possible(const Options& options) {
   }
 }
 
-/// A surface as it is.
-Segmentation segment_surface(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
-                             const Options& options, std::span<const std::uint32_t> label,
-                             const Context& context) {
-  const Ground ground(surface, polygon, options, label);
+std::vector<Part> parts_of(const Ground& ground, const Options& options, const Context& context) {
   PartWorkers workers(ground.scaled, ground.graph, ground.weights, options.concavity, context, ground.rules);
   PartWorker& worker = workers.first();
   std::optional<Assembly> assembly;
@@ -253,7 +260,18 @@ Segmentation segment_surface(const mesh::Surface& surface, std::span<const std::
   if (ground.closed) {
     absorb_crumbs(ground, worker, parts, context);
   }
-  return segmentation_of(std::move(parts), ground);
+  return parts;
+}
+
+Segmentation segment_ground(const Ground& ground, const Options& options, const Context& context) {
+  return segmentation_of(parts_of(ground, options, context), ground);
+}
+
+/// A surface as it is.
+Segmentation segment_surface(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                             const Options& options, std::span<const std::uint32_t> label,
+                             const Context& context) {
+  return segment_ground(Ground(form_of(surface, polygon, options), options, label), options, context);
 }
 
 /// Parts of a surface that another one stands for, with the numbers of that one: `to_given_numbers` changes a
@@ -275,7 +293,7 @@ Segmentation renumbered(Segmentation s, std::size_t face_count, const ToGivenNum
 Segmentation segment_with_valleys(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
                                   const Options& options, std::span<const std::uint32_t> label,
                                   const Context& context) {
-  const DividedValleys divided = divide_valleys(surface, polygon, shortest_valley_share * options.concavity);
+  DividedValleys divided = divide_valleys(surface, polygon, shortest_valley_share * options.concavity);
   if (!divided.any()) {
     return segment_surface(surface, polygon, options, label, context);
   }
@@ -285,8 +303,13 @@ Segmentation segment_with_valleys(const mesh::Surface& surface, std::span<const 
       divided_label.push_back(label[f.value()]);
     }
   }
-  return renumbered(segment_surface(divided.surface, divided.polygon, options, divided_label, context),
-                    surface.face_count(), [&](Part& part) { divided.to_given_numbers(part); });
+  Form form = form_of(divided.surface, divided.polygon, options);
+  // All that follows looks at the form: of millions of faces this is a fifth of the memory.
+  divided.surface = {};
+  divided.polygon = {};
+  const Ground ground(std::move(form), options, divided_label);
+  return renumbered(segment_ground(ground, options, context), surface.face_count(),
+                    [&](Part& part) { divided.to_given_numbers(part); });
 }
 
 }  // namespace

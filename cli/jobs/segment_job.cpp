@@ -104,7 +104,11 @@ void require_own_labels(const SegmentJob& job, std::size_t polygons) {
 
 void add_files(const SegmentJob& job, const std::string& labels, SegmentResult& result,
                PendingFiles& pending) {
-  const mesh::Surface surface = mesh::surface_in_file_numbers(result.model);
+  std::optional<mesh::Surface> in_file_numbers;
+  if (result.model.file_scale != 1.0) {
+    in_file_numbers = mesh::surface_in_file_numbers(result.model);
+  }
+  const mesh::Surface& surface = in_file_numbers ? *in_file_numbers : result.model.surface;
   const mesh::FaceColours colours = part_colours(result.segmentation);
   for (const std::string& output : job.outputs) {
     const std::string comment =

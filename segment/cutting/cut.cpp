@@ -168,7 +168,7 @@ void Cutter::narrow_down(const PartGraph& part, std::uint32_t ridge) {
   coarse_graph_.reset(nodes_.size());
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
     const auto inner = [&](unsigned k, std::uint32_t other, std::int64_t capacity) {
-      coarse_graph_.sides[i][k] = {capacity, other, weights_->smoothness[3 * nodes_[i] + k] < 1.0};
+      coarse_graph_.sides[i][k] = {capacity, other, weights_->smoothness(3 * nodes_[i] + k) < 1.0};
     };
     for_sides(part, ridge, i, inner, coarse_graph_.source[i], coarse_graph_.sink[i]);
   }

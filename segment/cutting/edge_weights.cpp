@@ -11,9 +11,6 @@ namespace {
 constexpr double alpha = 0.8;
 /// More than any cosine: no edge is too flat to be concave.
 constexpr double no_dead_zone = 2.0;
-constexpr double concave_smoothness = 0.3;
-/// Where the artist drew a border, a cut is as cheap as in a hollow, and in a hollow cheaper still.
-constexpr double border_smoothness = 0.3;
 /// cos 5 degrees: flatter concave edges are noise of the mesh, no place to cut.
 constexpr double dead_zone_cosine = 0.99619469809174555;
 /// Relative height of the neighbour's centroid above a facet from which the edge is concave: rounding of
@@ -58,8 +55,7 @@ EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules, std::span<co
   const double flattest_cosine = rules.folds_by_length ? dead_zone_cosine : no_dead_zone;
   EdgeWeights w;
   const std::size_t sides = 3 * s.facet_count();
-  w.length.assign(sides, 0.0);
-  w.smoothness.assign(sides, 0.0);
+  w.kind.assign(sides, EdgeKind::rim);
   w.capacity.assign(sides, 0);
   std::vector<std::uint32_t> first_side;
   std::vector<std::uint32_t> second_side;
@@ -73,7 +69,6 @@ EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules, std::span<co
       if (g == none || g < f) {
         continue;
       }
-      const std::uint32_t from = s.corners[f][k];
       const std::uint32_t to = s.corners[f][(k + 1) % 3];
       std::uint32_t j = 0;
       while (j < 2 && !(s.neighbors[g][j] == f && s.corners[g][j] == to)) {
@@ -81,12 +76,12 @@ EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules, std::span<co
       }
       const std::uint32_t side = 3 * f + k;
       const std::uint32_t twin = 3 * g + j;
-      w.length[side] = w.length[twin] = length(s.points[to] - s.points[from]);
-      w.smoothness[side] = w.smoothness[twin] =
-          (is_concave(s, f, g, flattest_cosine) ? concave_smoothness : 1.0) *
-          (at_border(s, label, f, g) ? border_smoothness : 1.0);
-      length_sum += w.length[side];
-      smoothness_sum += w.smoothness[side];
+      const bool concave = is_concave(s, f, g, flattest_cosine);
+      w.kind[side] = w.kind[twin] = at_border(s, label, f, g)
+                                        ? (concave ? EdgeKind::drawn_in_hollow : EdgeKind::drawn)
+                                        : (concave ? EdgeKind::hollow : EdgeKind::smooth);
+      length_sum += s.side_length(side);
+      smoothness_sum += w.smoothness(side);
       first_side.push_back(side);
       second_side.push_back(twin);
     }
@@ -99,8 +94,8 @@ EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules, std::span<co
   const double mean_smoothness = smoothness_sum / count;
   for (std::size_t e = 0; e < first_side.size(); ++e) {
     const std::uint32_t side = first_side[e];
-    const double fold = alpha * w.smoothness[side] / mean_smoothness;
-    const double relative_length = w.length[side] / mean_length;
+    const double fold = alpha * w.smoothness(side) / mean_smoothness;
+    const double relative_length = s.side_length(side) / mean_length;
     const double weight = rules.folds_by_length ? (fold + 1.0 - alpha) * relative_length
                                                 : fold + (1.0 - alpha) * relative_length;
     w.capacity[side] = w.capacity[second_side[e]] =

@@ -3,6 +3,8 @@
 // "Price of an edge").
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,10 +14,27 @@
 
 namespace ridgecraft::segment {
 
-/// Per side, 3 f + k, of both facets of an edge alike; 0 at borders.
+/// Why it is cheap to cut along an edge; a byte, as millions of faces have three sides each.
+enum class EdgeKind : std::uint8_t {
+  rim,              ///< of the surface
+  smooth,           ///< no reason
+  hollow,           ///< concave
+  drawn,            ///< the artist drew a border
+  drawn_in_hollow,  ///< both
+};
+
+/// Per side, 3 f + k, of both facets of an edge alike; 0 at rims.
 struct EdgeWeights {
-  std::vector<double> length;
-  std::vector<double> smoothness;      ///< Theta: small on concave edges, 1 elsewhere
+  /// Theta: small on concave edges, 1 elsewhere.
+  [[nodiscard]] double smoothness(std::size_t side) const {
+    constexpr double in_hollow = 0.3;
+    // Where the artist drew a border, a cut is as cheap as in a hollow, and in a hollow cheaper still.
+    constexpr double on_border = 0.3;
+    constexpr std::array theta{0.0, 1.0, in_hollow, on_border, in_hollow * on_border};
+    return theta[static_cast<std::size_t>(kind[side])];
+  }
+
+  std::vector<EdgeKind> kind;
   std::vector<std::int64_t> capacity;  ///< w(e) in steps of 2^-20, at least 1: flows are exact in integers
 };
 

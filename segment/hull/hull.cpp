@@ -23,6 +23,10 @@ constexpr double sign_bound = 1e-14;
 /// Facets that may be more than a hull's final ones while it grows.
 constexpr std::size_t spare_facets = 1024;
 
+/// After hulls of so many points the room for them is given back: parts are smaller than the whole, and there
+/// are gigabytes of other things.
+constexpr std::size_t most_kept = 1U << 18U;
+
 double greatest_coordinate(Vec3 v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
@@ -96,6 +100,9 @@ void HullBuilder::build(std::span<const std::uint32_t> ids, Hull& out, double li
   merge_coplanar();
   emit();
   connect(out);
+  if (ids.size() > most_kept) {
+    *this = HullBuilder(all_points_);
+  }
 }
 
 int HullBuilder::side_of(const Facet& f, std::uint32_t p) const {

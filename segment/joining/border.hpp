@@ -20,9 +20,10 @@ struct Border {
   double smoothness = 0.0;  ///< Theta (edge_weights.hpp) times length, summed over the edges
 
   /// Adds the edge at side 3 f + k.
-  void add_side(const EdgeWeights& weights, std::size_t side) {
-    length += weights.length[side];
-    smoothness += weights.smoothness[side] * weights.length[side];
+  void add_side(const ScaledSurface& surface, const EdgeWeights& weights, std::size_t side) {
+    const double size = surface.side_length(side);
+    length += size;
+    smoothness += weights.smoothness(side) * size;
   }
   void add(const Border& other) {
     length += other.length;

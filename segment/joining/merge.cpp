@@ -26,7 +26,7 @@ BorderGraph<Border> borders_of(const std::vector<MergePart>& parts, const Scaled
           !(parts[part_of[f]].open || parts[part_of[g]].open)) {
         continue;
       }
-      borders.between(part_of[f], part_of[g]).add_side(weights, std::size_t{3} * f + k);
+      borders.between(part_of[f], part_of[g]).add_side(s, weights, std::size_t{3} * f + k);
     }
   }
   return borders;

@@ -36,7 +36,7 @@ void Partition::find_borders() {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = s.neighbors[f][k];
       if (g != none && piece_of[f] != none && piece_of[g] != none && piece_of[f] != piece_of[g]) {
-        beside_[piece_of[f]][piece_of[g]].add_side(*weights_, std::size_t{3} * f + k);
+        beside_[piece_of[f]][piece_of[g]].add_side(s, *weights_, std::size_t{3} * f + k);
       }
     }
   }

@@ -97,8 +97,8 @@ std::vector<std::array<VertexId, 3>> pieces(const std::array<VertexId, 3>& v,
 /// Halves the edges whose both ends are in valleys and that aren't convex: the valleys, and what leads from
 /// one to the next. Along a wall of many faces these points would have no way between each other but the
 /// rims.
-void halve(DividedValleys& divided, const std::vector<bool>& in_valley) {
-  const mesh::Surface& surface = divided.surface;
+void halve(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+           const std::vector<bool>& in_valley, DividedValleys& divided) {
   std::vector<Vec3> points(surface.points().begin(), surface.points().end());
   IdVector<EdgeId, VertexId> middle;
   middle.resize(surface.edge_count());
@@ -110,20 +110,16 @@ void halve(DividedValleys& divided, const std::vector<bool>& in_valley) {
     }
   }
   std::vector<std::array<VertexId, 3>> faces;
-  std::vector<FaceId> face_of;
-  std::vector<std::uint32_t> polygon;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     const auto on_side = [&](unsigned k) { return middle[surface.edge(mesh::corner(f, k))]; };
     for (const std::array<VertexId, 3>& piece :
          pieces(surface.vertices(f), {on_side(0), on_side(1), on_side(2)})) {
       faces.push_back(piece);
-      face_of.push_back(divided.face_of[f.value()]);
-      polygon.push_back(divided.polygon[f.value()]);
+      divided.face_of.push_back(f);
+      divided.polygon.push_back(polygon.empty() ? f.value() : polygon[f.value()]);
     }
   }
   divided.surface = mesh::Surface(std::move(points), std::move(faces));
-  divided.face_of = std::move(face_of);
-  divided.polygon = std::move(polygon);
 }
 
 }  // namespace
@@ -143,17 +139,12 @@ DividedValleys divide_valleys(const mesh::Surface& surface, std::span<const std:
   if (ends.empty()) {
     return divided;
   }
-  divided.surface = surface;
   divided.given_vertices = surface.vertex_count();
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    divided.face_of.push_back(f);
-    divided.polygon.push_back(polygon.empty() ? f.value() : polygon[f.value()]);
-  }
   std::vector<bool> in_valley(surface.vertex_count(), false);
   for (const VertexId v : ends) {
     in_valley[v.value()] = true;
   }
-  halve(divided, in_valley);
+  halve(surface, polygon, in_valley, divided);
   return divided;
 }
 

@@ -45,6 +45,11 @@ struct ScaledSurface {
   double unit = 1.0;  ///< length of the ball's radius in the surface's unit
 
   [[nodiscard]] std::size_t facet_count() const { return corners.size(); }
+  /// Of the side 3 f + k: from corner k of facet f to the next one.
+  [[nodiscard]] double side_length(std::size_t side) const {
+    const std::array<std::uint32_t, 3>& facet = corners[side / 3];
+    return length(points[facet[(side + 1) % 3]] - points[facet[side % 3]]);
+  }
   [[nodiscard]] std::size_t vertex_count() const { return points.size(); }
   [[nodiscard]] std::span<const std::uint32_t> facets_at(std::uint32_t v) const {
     return {vertex_facets.data() + vertex_first[v], vertex_first[v + 1] - vertex_first[v]};

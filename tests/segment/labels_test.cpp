@@ -58,8 +58,8 @@ TEST_CASE("edges where labels meet are as cheap to cut as hollows", "[labels]") 
     const auto [c, d] = ball.sides(e);
     const bool border = label[mesh::face_of(c).value()] != label[mesh::face_of(d).value()];
     borders += border ? 1U : 0U;
-    CHECK(weights.smoothness[c.value()] == (border ? 0.3 : 1.0));
-    CHECK(weights.smoothness[d.value()] == weights.smoothness[c.value()]);
+    CHECK(weights.smoothness(c.value()) == (border ? 0.3 : 1.0));
+    CHECK(weights.smoothness(d.value()) == weights.smoothness(c.value()));
     CHECK(weights.capacity[d.value()] == weights.capacity[c.value()]);
   }
   CHECK(borders == 24);
