@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/json_text.hpp"
 #include "base/version.hpp"
+#include "export/view/stance.hpp"
 #include "job/edge_wishes.hpp"
 #include "job/extent.hpp"
 #include "job/model_of_nets.hpp"
@@ -123,7 +124,8 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
   if (made.options.guide) {
     made.guide = clock("guide", context, [&] {
       return paper::draw_guide(made.prepared, nets_on_pages(made), made.pages, made.assembly,
-                               made.drawings.size(), made.drawn.bodies, made.options.style, context);
+                               made.drawings.size(), made.drawn.bodies, made.stance, made.options.style,
+                               context);
     });
   }
 }
@@ -269,6 +271,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   std::vector<std::string> notes;
   model = prepare::select(std::move(model), options.selection);
   made.ground = prepare::ground_name(model);
+  made.stance = paper::stance_of(model);
   if (options.extent) {
     made.options.size.adapts = false;
     made.options.size.largest_extent_mm = options.extent->mm * largest_share(model, options.extent->kind);

@@ -39,6 +39,7 @@ struct Paper {
   std::string edits;  ///< what was done to the nets by hand (with_nets); kept as a setting of the file
   /// A ground that the model stands on (prepare::ground_name): leaving it out makes the rest larger.
   std::optional<std::string> ground;
+  paper::Stance stance;        ///< how the model stands, judged before anything of it was changed
   prepare::ReadyReport ready;  ///< of bodies before they were united
   prepare::SkinReport skin;    ///< of uniting them
   prepare::Prepared prepared;

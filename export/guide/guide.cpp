@@ -8,13 +8,12 @@
 #include "export/guide/guide_model.hpp"
 #include "export/guide/hues.hpp"
 #include "export/guide/step_pages.hpp"
-#include "export/view/stance.hpp"
 
 namespace ridgecraft::paper {
 
 Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
                  const Assembly& assembly, std::size_t sheets, std::span<const Body> bodies,
-                 const Style& style, const Context& context) {
+                 const Stance& stance, const Style& style, const Context& context) {
   GuideModel guide;
   guide.model = &model;
   guide.nets = &nets;
@@ -25,7 +24,7 @@ Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const
   guide.hidden_fold_angle = style.hidden_fold_angle;
   guide.title = printable_utf8(model.model.name);
   guide.sheet = guide_sheet(pages.paper);
-  guide.stance = stance_of(model.model);
+  guide.stance = stance;
   guide.effort = effort_of(model.model.surface, nets, style.hidden_fold_angle);
   guide.scene = scene_of(model, nets, style.hidden_fold_angle);
   guide.in_colour = model.look != nullptr && style.ink != Ink::lines;

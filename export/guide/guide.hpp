@@ -12,6 +12,7 @@
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/pages.hpp"
+#include "export/view/camera.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
@@ -25,10 +26,11 @@ struct Guide {
 };
 
 /// A cover, where each piece is, and the steps in the order of the assembly. `sheets` is how many pages of
-/// nets and lists there are, `bodies` those that draw() has found. Deterministic, whatever the number of
+/// nets and lists there are, `bodies` those that draw() has found; pictures show the model as it
+/// stands. Deterministic, whatever the number of
 /// threads. Throws Error(interrupted). About O(steps faces log faces), less where that would be long.
 [[nodiscard]] Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
                                const Assembly& assembly, std::size_t sheets, std::span<const Body> bodies,
-                               const Style& style, const Context& context);
+                               const Stance& stance, const Style& style, const Context& context);
 
 }  // namespace ridgecraft::paper

@@ -16,8 +16,10 @@ constexpr double level_cosine = 0.98;
 constexpr double flat_weight = 2.0;
 /// What doesn't stand lies or swims: along the longer one of two axes whose extents differ by this share.
 constexpr double longer_share = 0.75;
-/// Shares of the footprint that differ by less tell nothing.
-constexpr double telling_difference = 0.15;
+/// Standing shares that differ by less tell nothing.
+constexpr double better = 0.15;
+/// Against what is usual for the format it takes so much more.
+constexpr double much_better = 0.6;
 
 double coordinate(Vec3 p, mesh::Axis axis) {
   return axis == mesh::Axis::x ? p.x : axis == mesh::Axis::y ? p.y : p.z;
@@ -73,19 +75,21 @@ mesh::Axis up_axis_of(const mesh::Model& model) {
   if (model.frame.up) {
     return *model.frame.up;
   }
-  const double on_y = standing_share(model.surface, mesh::Axis::y);
-  const double on_z = standing_share(model.surface, mesh::Axis::z);
-  if (on_y > on_z + telling_difference) {
-    return mesh::Axis::y;
+  const mesh::Axis usual = usual_up(model.format);
+  const mesh::Axis other = usual == mesh::Axis::y ? mesh::Axis::z : mesh::Axis::y;
+  const double on_usual = standing_share(model.surface, usual);
+  const double on_other = standing_share(model.surface, other);
+  if (on_other > on_usual + much_better) {
+    return other;
   }
-  if (on_z > on_y + telling_difference) {
-    return mesh::Axis::z;
+  if (on_usual > on_other + better) {
+    return usual;
   }
   const Vec3 size = model.surface.bounds().size();
   if (std::min(size.y, size.z) < longer_share * std::max(size.y, size.z)) {
     return size.y < size.z ? mesh::Axis::y : mesh::Axis::z;
   }
-  return usual_up(model.format);
+  return usual;
 }
 
 Stance stance_of(const mesh::Model& model) {

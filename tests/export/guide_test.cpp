@@ -20,6 +20,7 @@
 #include "export/style/stroke_font.hpp"
 #include "export/view/stance.hpp"
 #include "sample_pages.hpp"
+#include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft {
@@ -45,7 +46,8 @@ Drawn draw(const Surface& surface, double scale, bool every_panel_a_piece = true
   Context context;
   context.threads = threads;
   drawn.guide = paper::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages, drawn.assembly,
-                                  drawn.sample.pages.count, {}, {}, context);
+                                  drawn.sample.pages.count, {}, paper::stance_of(drawn.sample.model.model),
+                                  {}, context);
   return drawn;
 }
 
@@ -147,7 +149,7 @@ TEST_CASE("the cover shows the model in its own colours, unless lines are all th
     paper::Style style;
     style.ink = ink;
     const paper::Guide guide = paper::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages,
-                                                 drawn.assembly, drawn.sample.pages.count, {}, style, {});
+                                                 drawn.assembly, drawn.sample.pages.count, {}, {}, style, {});
     std::set<char> found;
     for (const paper::Area& area : guide.pages[0].groups[0].areas) {
       const paper::Color c = *area.color;
@@ -263,6 +265,15 @@ TEST_CASE("a model stands as its file says, or on its feet", "[guide]") {
   ball.surface = test::sphere(12, 9);
   ball.format = mesh::FileFormat::stl_ascii;
   CHECK(paper::stance_of(ball).up == Vec3{0.0, 0.0, 1.0});
+  // A lid that would stand on a small flat place at its back, too.
+  mesh::Model lid;
+  lid.format = mesh::FileFormat::obj;
+  lid.surface = test::mapped(test::sphere(32, 32), [](Vec3 p) {
+    return Vec3{1.7 * p.x, p.y, 1.5 * std::max(p.z, -0.95)};
+  });
+  CHECK(paper::stance_of(lid).up == Vec3{0.0, 1.0, 0.0});
+  lid.format = mesh::FileFormat::stl_ascii;
+  CHECK(paper::stance_of(lid).up == Vec3{0.0, 0.0, 1.0});
 }
 
 TEST_CASE("lines to names of one column don't cross, and words don't meet", "[guide]") {
