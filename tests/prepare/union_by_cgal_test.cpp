@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One skin of two bodies against CGAL's own boolean, with exact points.
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
 #include "base/random.hpp"
+#include "mesh/mesh.hpp"
 #include "prepare/skin/skin.hpp"
 #include "support/soups.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace ridgecraft;
 
@@ -83,17 +92,114 @@ ExactMesh exact(const mesh::Surface& surface) {
   return result;
 }
 
-double area_of(const ExactMesh& mesh) {
+struct Measures {
   double area = 0.0;
+  double volume = 0.0;
+};
+
+/// Of what can be seen from outside: a cavity between two bodies is a part of CGAL's union, and of no use on
+/// paper.
+Measures outer_measures(ExactMesh& mesh) {
+  const auto component = mesh.add_property_map<ExactMesh::Face_index, std::size_t>("f:component").first;
+  std::vector<Measures> of(CGAL::Polygon_mesh_processing::connected_components(mesh, component));
   for (const auto f : mesh.faces()) {
     std::vector<Vec3> corners;
     for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
       const Kernel::Point_3& p = mesh.point(v);
       corners.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     }
-    area += 0.5 * length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    of[component[f]].area += 0.5 * length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    of[component[f]].volume += dot(corners[0], cross(corners[1], corners[2])) / 6.0;
   }
-  return area;
+  Measures sum;
+  for (const Measures& one : of) {
+    if (one.volume > 0.0) {
+      sum.area += one.area;
+      sum.volume += one.volume;
+    }
+  }
+  return sum;
+}
+
+/// Both in one model, as bodies of their own.
+mesh::Model side_by_side(const mesh::Surface& first, const mesh::Surface& second) {
+  mesh::Soup together = test::soup_of(first);
+  const mesh::Soup other = test::soup_of(second);
+  const auto offset = static_cast<std::uint32_t>(together.points.size());
+  together.points.insert(together.points.end(), other.points.begin(), other.points.end());
+  for (const std::uint32_t p : other.corner_point) {
+    together.corner_point.push_back(offset + p);
+  }
+  while (together.first_corner.back() < together.corner_point.size()) {
+    together.first_corner.push_back(together.first_corner.back() + 3);
+  }
+  return test::repaired(std::move(together));
+}
+
+/// The components of a model that are closed and don't run into themselves.
+std::vector<mesh::Surface> sound_bodies(const mesh::Surface& surface) {
+  std::vector<std::vector<std::array<VertexId, 3>>> faces(surface.component_count());
+  std::vector<bool> closed(surface.component_count(), true);
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const std::size_t component = surface.component(f).value();
+    faces[component].push_back(surface.vertices(f));
+    for (unsigned k = 0; k < 3; ++k) {
+      closed[component] = closed[component] && surface.twin(mesh::corner(f, k)).valid();
+    }
+  }
+  std::vector<mesh::Surface> bodies;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (!closed[i]) {
+      continue;
+    }
+    std::map<VertexId, VertexId> number;
+    std::vector<Vec3> points;
+    for (std::array<VertexId, 3>& face : faces[i]) {
+      for (VertexId& v : face) {
+        const auto [entry, is_new] = number.try_emplace(v, VertexId(points.size()));
+        if (is_new) {
+          points.push_back(surface.point(v));
+        }
+        v = entry->second;
+      }
+    }
+    mesh::Surface body(std::move(points), std::move(faces[i]));
+    const ExactMesh mesh = exact(body);
+    if (!CGAL::Polygon_mesh_processing::does_self_intersect(mesh) && test::volume(body) > 0.0) {
+      bodies.push_back(std::move(body));
+    }
+  }
+  return bodies;
+}
+
+bool boxes_meet(const Box3& a, const Box3& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y &&
+         a.low.z < b.high.z && b.low.z < a.high.z;
+}
+
+/// CGAL's union of two bodies; nothing where its corefinement refuses: their union would touch itself.
+std::optional<ExactMesh> union_by_cgal(const mesh::Surface& first, const mesh::Surface& second) {
+  ExactMesh a = exact(first);
+  ExactMesh b = exact(second);
+  ExactMesh both;
+  if (!CGAL::Polygon_mesh_processing::corefine_and_compute_union(a, b, both)) {
+    return std::nullopt;
+  }
+  return both;
+}
+
+/// Whether ours of the same two is of one piece, and then of CGAL's volume and area.
+bool agrees(const mesh::Surface& first, const mesh::Surface& second, ExactMesh& both) {
+  mesh::Model model = side_by_side(first, second);
+  const prepare::SkinReport report = prepare::unite_bodies(model, {});
+  test::check_invariants(model.surface);
+  if (report.united != 2 || report.united_into != 1) {
+    return false;
+  }
+  const Measures wanted = outer_measures(both);
+  CHECK(test::area(model.surface) == Approx(wanted.area).epsilon(1e-4));
+  CHECK(test::volume(model.surface) == Approx(wanted.volume).epsilon(1e-4));
+  return true;
 }
 
 }  // namespace
@@ -105,30 +211,46 @@ TEST_CASE("volume and surface of twenty unions are those of CGAL's boolean", "[s
     INFO("pair " << pair);
     const mesh::Model first = random_body(random);
     const mesh::Model second = random_body(random);
-    ExactMesh a = exact(first.surface);
-    ExactMesh b = exact(second.surface);
-    ExactMesh both;
-    REQUIRE(CGAL::Polygon_mesh_processing::corefine_and_compute_union(a, b, both));
-    mesh::Soup together = test::soup_of(first.surface);
-    const mesh::Soup other = test::soup_of(second.surface);
-    const auto offset = static_cast<std::uint32_t>(together.points.size());
-    together.points.insert(together.points.end(), other.points.begin(), other.points.end());
-    for (const std::uint32_t p : other.corner_point) {
-      together.corner_point.push_back(offset + p);
-    }
-    while (together.first_corner.back() < together.corner_point.size()) {
-      together.first_corner.push_back(together.first_corner.back() + 3);
-    }
-    mesh::Model model = test::repaired(std::move(together));
-    const prepare::SkinReport report = prepare::unite_bodies(model, {});
-    united += report.united == 2 ? 1 : 0;
-    test::check_invariants(model.surface);
-    // What nobody can see isn't kept: a cavity between two bodies is a part of CGAL's union.
-    if (report.united == 2 && report.united_into == 1) {
-      CHECK(test::area(model.surface) == Approx(area_of(both)).epsilon(1e-4));
-      CHECK(test::volume(model.surface) ==
-            Approx(CGAL::to_double(CGAL::Polygon_mesh_processing::volume(both))).epsilon(1e-4));
-    }
+    std::optional<ExactMesh> both = union_by_cgal(first.surface, second.surface);
+    REQUIRE(both);
+    united += agrees(first.surface, second.surface, *both) ? 1 : 0;
   }
   CHECK(united >= 15);
+}
+
+TEST_CASE("volume and surface of twenty unions of people's bodies are those of CGAL's boolean", "[skin]") {
+  const auto archive = std::filesystem::path(RIDGECRAFT_SHARED_DIR) / "models" / "wild.tar.xz";
+  if (!std::filesystem::exists(archive)) {
+    WARN("skipped: no models at " << archive.string());
+    return;
+  }
+  const test::TemporaryFolder folder;
+  REQUIRE(std::system(("tar xJf '" + archive.string() + "' -C '" + folder.path().string() + "'").c_str()) ==
+          0);
+  constexpr int most_of_one_model = 6;
+  int compared = 0;
+  for (const char* const name :
+       {"KayKit_Med__building_castle_blue.obj", "KayKit_Med__building_tavern_green.obj",
+        "KayKit_Med__building_home_B_red.obj", "KayKit_Med__building_archeryrange_green.obj",
+        "KayKit_Cit__car_police.obj", "KayKit_Dun__candle_triple.obj", "KayKit_Dun__pillar_decorated.obj",
+        "KayKit_Dun__table_medium_decorated_A.obj"}) {
+    const mesh::Model model = mesh::read(folder.path() / "wild" / name, {}, {});
+    const std::vector<mesh::Surface> bodies = sound_bodies(model.surface);
+    int of_this = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      for (std::size_t k = 0; k < i && of_this < most_of_one_model; ++k) {
+        INFO(name << ", bodies " << k << " and " << i);
+        if (!boxes_meet(bodies[i].bounds(), bodies[k].bounds())) {
+          continue;
+        }
+        std::optional<ExactMesh> both = union_by_cgal(bodies[i], bodies[k]);
+        if (both && agrees(bodies[i], bodies[k], *both)) {
+          ++of_this;
+        }
+      }
+    }
+    compared += of_this;
+  }
+  INFO(compared << " pairs");
+  CHECK(compared >= 20);
 }
