@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/edit.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <system_error>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -14,11 +19,19 @@ namespace ridgecraft::session {
 namespace {
 
 constexpr std::string_view between_edits = "; ";
+/// In the order of the variant's alternatives.
+constexpr std::array<std::string_view, std::variant_size_v<Edit>> verbs{"cut", "join", "tab-from", "no-tab"};
+
+template <std::size_t... I>
+Edit edit_with(std::size_t verb, const Edge& edge, std::index_sequence<I...> /*all*/) {
+  Edit edit;
+  ((verb == I ? static_cast<void>(edit.emplace<I>(std::variant_alternative_t<I, Edit>{edge})) : void()), ...);
+  return edit;
+}
 
 std::string words_of(const Edit& edit) {
   const Edge edge = std::visit([](const auto& e) { return e.edge; }, edit);
-  return fmt::format("{} {} {}", std::holds_alternative<Cut>(edit) ? "cut" : "join", edge.from.value(),
-                     edge.to.value());
+  return fmt::format("{} {} {}", verbs.at(edit.index()), edge.from.value(), edge.to.value());
 }
 
 /// What comes before the next separator; `text` goes on behind it.
@@ -37,14 +50,14 @@ std::optional<VertexId> vertex_of(std::string_view word) {
 }
 
 std::optional<Edit> edit_of(std::string_view words) {
-  const std::string_view verb = next_of(words, " ");
+  const auto verb = std::find(verbs.begin(), verbs.end(), next_of(words, " "));
   const auto from = vertex_of(next_of(words, " "));
   const auto to = vertex_of(words);
-  if (!from || !to || (verb != "cut" && verb != "join")) {
+  if (!from || !to || verb == verbs.end()) {
     return std::nullopt;
   }
-  const Edge edge{*from, *to};
-  return verb == "cut" ? Edit(Cut{edge}) : Edit(Join{edge});
+  return edit_with(static_cast<std::size_t>(verb - verbs.begin()), {*from, *to},
+                   std::make_index_sequence<verbs.size()>());
 }
 
 }  // namespace

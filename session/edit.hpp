@@ -34,9 +34,23 @@ struct Join {
   friend bool operator==(const Join&, const Join&) = default;
 };
 
-using Edit = std::variant<Cut, Join>;
+/// The tab of this cut grows from the face whose side runs from `from` to `to`, counterclockwise.
+struct TabFrom {
+  Edge edge;
 
-/// "cut 3 17; join 5 9": edits of one step, in one line.
+  friend bool operator==(const TabFrom&, const TabFrom&) = default;
+};
+
+/// This cut has no tab.
+struct NoTab {
+  Edge edge;
+
+  friend bool operator==(const NoTab&, const NoTab&) = default;
+};
+
+using Edit = std::variant<Cut, Join, TabFrom, NoTab>;
+
+/// "cut 3 17; join 5 9; tab-from 4 8; no-tab 2 6": edits of one step, in one line.
 [[nodiscard]] std::string text_of(std::span<const Edit> edits);
 
 /// The steps of such lines. Throws Error(unreadable_input) that names the first line that isn't in form.

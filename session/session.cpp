@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -55,18 +57,39 @@ class Editor {
     if (!edge) {
       return unfold::Refusal{"the model has no such edge", {}};
     }
+    if (std::holds_alternative<TabFrom>(edit) || std::holds_alternative<NoTab>(edit)) {
+      return with_tab(nets, *edge);
+    }
     if (std::holds_alternative<Cut>(edit)) {
       return unfold::cut_fold(surface_, made_.prepared.panels, made_.part, nets, *edge, context_);
     }
     if (parts_colours(*edge)) {
-      const auto [c, d] = surface_.sides(*edge);
-      return unfold::Refusal{"the faces beside this edge belong on different pages",
-                             {mesh::face_of(c), mesh::face_of(d)}};
+      return unfold::Refusal{"the faces beside this edge belong on different pages", faces_at(*edge)};
     }
     return unfold::join_cut(surface_, made_.prepared.panels, made_.part, rules_, nets, *edge, context_);
   }
 
  private:
+  /// The same nets, whose tab will follow, where there can be one.
+  [[nodiscard]] unfold::ChangedNets with_tab(const unfold::Nets& nets, EdgeId edge) const {
+    if (!made_.options.tabs.wanted) {
+      return unfold::Refusal{"these nets are made without tabs", faces_at(edge)};
+    }
+    if (nets.use[edge] != unfold::EdgeUse::cut) {
+      return unfold::Refusal{"only an edge that is glued has a tab", faces_at(edge)};
+    }
+    return nets;
+  }
+
+  [[nodiscard]] std::vector<FaceId> faces_at(EdgeId edge) const {
+    const auto [c, d] = surface_.sides(edge);
+    std::vector<FaceId> faces{mesh::face_of(c)};
+    if (d.valid()) {
+      faces.push_back(mesh::face_of(d));
+    }
+    return faces;
+  }
+
   /// Whether paper of another colour begins at an edge.
   [[nodiscard]] bool parts_colours(EdgeId edge) const {
     const auto [c, d] = surface_.sides(edge);
@@ -95,12 +118,56 @@ std::string text_of_steps(const Project& project) {
   return text;
 }
 
+/// What an edit asks of the tab at its edge; none where it asks nothing.
+std::optional<unfold::TabAt> tab_of(const mesh::Surface& surface, const Edit& edit) {
+  const auto* const from = std::get_if<TabFrom>(&edit);
+  const auto* const none = std::get_if<NoTab>(&edit);
+  if (from == nullptr && none == nullptr) {
+    return std::nullopt;
+  }
+  const Edge& named = from == nullptr ? none->edge : from->edge;
+  const EdgeId edge = edge_of(surface, named).value();
+  const bool first = surface.vertex(surface.sides(edge)[0]) == named.from;
+  return unfold::TabAt{edge, from != nullptr, static_cast<std::uint8_t>(first ? 0 : 1)};
+}
+
 /// The same steps with the paper that follows from those that are done.
 Project with_paper(Project project, const Context& context) {
-  project.now = project.done == 0
-                    ? *project.start
-                    : job::with_nets(*project.start, nets_of(project), text_of_steps(project), context);
+  if (project.done == 0) {
+    project.now = *project.start;
+    return project;
+  }
+  job::Paper before = *project.start;
+  for (std::size_t i = 0; i < project.done; ++i) {
+    for (const Edit& edit : project.steps[i].edits) {
+      if (const auto tab = tab_of(before.prepared.model.surface, edit)) {
+        before.options.tab_choice.at.push_back(*tab);
+      }
+    }
+  }
+  project.now = job::with_nets(std::move(before), nets_of(project), text_of_steps(project), context);
+  project.now.options.tab_choice.at = project.start->options.tab_choice.at;
   return project;
+}
+
+/// Which edit of the last step asked for a tab for which there is no room; none where all got theirs.
+std::optional<Refusal> missing_tab(const Project& project) {
+  const mesh::Surface& surface = project.now.prepared.model.surface;
+  const unfold::Nets& nets = project.now.nets;
+  const std::vector<Edit>& edits = project.steps[project.done - 1].edits;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const auto tab = tab_of(surface, edits[i]);
+    if (!tab || !tab->wanted) {
+      continue;
+    }
+    const auto join = std::find_if(nets.joins.begin(), nets.joins.end(),
+                                   [&](const unfold::Join& j) { return j.edge == tab->edge; });
+    const CornerId side = surface.sides(tab->edge)[tab->side];
+    if (join != nets.joins.end() && (!join->tab.valid() || nets.tabs[join->tab].side != side)) {
+      return Refusal{i, "there is no room for a usable tab on this side", {mesh::face_of(side)}};
+    }
+  }
+  return std::nullopt;
 }
 
 /// The nets that edits leave, or why not.
@@ -153,7 +220,11 @@ Answer apply(const Project& project, std::span<const Edit> edits, const Context&
   if (std::optional<Refusal> refusal = add_step(changed, edits, context)) {
     return std::move(*refusal);
   }
-  return with_paper(std::move(changed), context);
+  changed = with_paper(std::move(changed), context);
+  if (std::optional<Refusal> refusal = missing_tab(changed)) {
+    return std::move(*refusal);
+  }
+  return changed;
 }
 
 std::optional<Refusal> why_not(const Project& project, std::span<const Edit> edits, const Context& context) {

@@ -67,7 +67,8 @@ struct Repeated {
 /// check. Takes the time of unfold/changed_folds.hpp for each, and once that of tabs, layout and drawing.
 [[nodiscard]] Answer apply(const Project& project, std::span<const Edit> edits, const Context& context);
 
-/// Why apply() would refuse; none where it wouldn't. Takes the time of unfold/changed_folds.hpp for each.
+/// Why apply() would refuse, but for tabs, whose room is known when they are made; none where it wouldn't.
+/// Takes the time of unfold/changed_folds.hpp for each.
 [[nodiscard]] std::optional<Refusal> why_not(const Project& project, std::span<const Edit> edits,
                                              const Context& context);
 

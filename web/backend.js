@@ -14,7 +14,8 @@
  * @property {boolean} canRedo
  * @property {boolean} busy
  *
- * @typedef {{kind: "cut"|"join", edge: number[]}} Edit an edge by its two model vertices
+ * @typedef {{kind: "cut"|"join"|"tab-from"|"no-tab", edge: number[]}} Edit an edge by its two model vertices, in the order in which
+ *   the face has them that a tab is to grow from
  *
  * @typedef {object} Capabilities
  * @property {boolean} edit

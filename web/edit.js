@@ -1,33 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done by hand: somebody chooses an edge, and beside it stands what can be done there, or why it can't.
 
+import {htmlElement} from "./guide.js";
 import {modelEnds} from "./nets.js";
 import {byId} from "./panel.js";
-import {refusals} from "./studio_words.js";
-import {reader, say} from "./words.js";
+import {sayRefusal} from "./studio_words.js";
+import {say} from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
 /** @typedef {import("./backend.js").Backend} Backend */
 /** @typedef {import("./backend.js").Edit} Edit */
+/** @typedef {import("./nets.js").Nets} Nets */
 /** @typedef {import("./scene.js").Spot} Spot */
 
 /** Pixels from the pointer. */
 const offset = 14;
 
-/** A sentence of the program's about an edit, for the reader. @param {string} why */
-export function sayRefusal(why) {
-  let told = why;
-  for (const [english, german] of reader.language === "de" ? refusals : []) {
-    const gaps = [...english.matchAll(/\{(\w+)\}/g)].map(([, name]) => name);
-    const found = new RegExp(`^${english.replace(/\{\w+\}/g, "(.+?)")}$`).exec(why);
-    if (found) {
-      told = german.replace(/\{(\w+)\}/g, (_, name) => found[gaps.indexOf(name) + 1]);
+/** What may be done at an edge, the main thing first, with what its button says. @param {Nets} nets @param {number} e
+ * @returns {{edit: Edit, text: string}[]} */
+function editsAt(nets, e) {
+  const edge = nets.edges[e];
+  if (edge.kind !== "B") {
+    return [{edit: {kind: "cut", edge: modelEnds(nets, e)}, text: say("cut_here")}];
+  }
+  if (edge.join < 0) {
+    return [];
+  }
+  const join = nets.joins[edge.join];
+  /** @type {{edit: Edit, text: string}[]} */
+  const edits = [{edit: {kind: "join", edge: modelEnds(nets, e)}, text: say("join_here")}];
+  const giver = join.tab < 0 ? -1 : join.edges.find((side) => nets.edges[side].tab === join.tab) ?? -1;
+  for (const side of join.edges) {
+    if (side !== giver) {
+      const own = join.pieces[0] === join.pieces[1];
+      const key = giver < 0 ? "tab_on_again" : own ? "tab_over_own" : "tab_over";
+      edits.push({edit: {kind: "tab-from", edge: modelEnds(nets, side)}, text: say(key, {name: nets.pieces[nets.edges[side].piece].name})});
     }
   }
-  return `${told.charAt(0).toUpperCase()}${told.slice(1)}.`;
+  if (giver >= 0) {
+    edits.push({edit: {kind: "no-tab", edge: modelEnds(nets, giver)}, text: say("tab_off")});
+  }
+  return edits;
 }
 
-/** What is offered at an edge: to cut a fold, to join what is cut. */
+/** What is offered at an edge: to cut a fold, to join what is cut, where its tab is to be. */
 export class EdgeOffer {
   /**
    * @param {Backend} backend
@@ -37,44 +53,46 @@ export class EdgeOffer {
     this.backend = backend;
     this.box = byId("edit");
     this.words = /** @type {HTMLElement} */ (this.box.querySelector("p"));
-    this.button = /** @type {HTMLButtonElement} */ (this.box.querySelector("button"));
-    /** @type {Edit | null} what is offered */
-    this.edit = null;
+    this.buttons = /** @type {HTMLElement} */ (this.box.querySelector("div"));
+    this.act = act;
+    /** What is offered. @type {Edit[]} */
+    this.edits = [];
     this.pointer = {x: 0, y: 0, time: -1};
     document.addEventListener("pointerup", (event) => {
       this.pointer = {x: event.clientX, y: event.clientY, time: performance.now()};
     }, {capture: true});
-    this.button.addEventListener("click", () => {
-      const {edit} = this;
-      this.hide();
-      if (edit) {
-        act(edit);
-      }
-    });
   }
 
   hide() {
-    this.edit = null;
+    this.edits = [];
     this.box.hidden = true;
   }
 
   /** @param {App} app @param {Spot | null} spot */
   async show(app, spot) {
     this.hide();
-    const edge = spot && app.nets.edges[spot.edge];
-    if (!edge || (edge.kind === "B" && edge.join < 0)) {
+    const offers = spot ? editsAt(app.nets, spot.edge) : [];
+    if (!spot || offers.length === 0) {
       return;
     }
-    /** @type {Edit} */
-    const edit = {kind: edge.kind === "B" ? "join" : "cut", edge: modelEnds(app.nets, spot.edge)};
-    this.edit = edit;
-    const {ok, why, faces} = await this.backend.preview(edit).catch((error) => ({ok: false, why: error.message, faces: []}));
-    if (this.edit !== edit) {
+    const [main, ...others] = offers;
+    const asked = offers.map(({edit}) => edit);
+    this.edits = asked;
+    const {ok, why, faces} = await this.backend.preview(main.edit).catch((error) => ({ok: false, why: error.message, faces: []}));
+    if (this.edits !== asked) {
       return;
     }
+    const possible = ok ? offers : others;
+    this.edits = possible.map(({edit}) => edit);
     this.words.textContent = ok ? "" : sayRefusal(why ?? "");
-    this.button.hidden = !ok;
-    this.button.textContent = say(edit.kind === "cut" ? "cut_here" : "join_here");
+    this.buttons.replaceChildren(...possible.map(({edit, text}) => {
+      const button = htmlElement("button", {type: "button", class: edit === main.edit ? "strong" : ""}, [text]);
+      button.addEventListener("click", () => {
+        this.hide();
+        this.act(edit);
+      });
+      return button;
+    }));
     this.box.hidden = false;
     if (!ok) {
       app.markFaces(faces ?? []);
@@ -90,8 +108,8 @@ export class EdgeOffer {
     const most = {x: innerWidth - width - 8, y: innerHeight - height - 8};
     this.box.style.left = `${Math.max(8, Math.min(most.x, x + offset))}px`;
     this.box.style.top = `${Math.max(8, y + offset > most.y ? y - offset - height : y + offset)}px`;
-    if (!byPointer && !this.button.hidden) {
-      this.button.focus();
+    if (!byPointer) {
+      this.buttons.querySelector("button")?.focus();
     }
   }
 }

@@ -8,7 +8,7 @@ import {htmlElement} from "./guide.js";
 import {byId, Menu, sayAll} from "./panel.js";
 import {wishes, wishesOf} from "./wishes.js";
 import {say} from "./words.js";
-import {Cancelled} from "./worker_backend.js";
+import {Cancelled, Refusal} from "./worker_backend.js";
 
 /** @typedef {import("./wishes.js").Wish} Wish */
 /** @typedef {import("./backend.js").State} State */
@@ -174,7 +174,7 @@ export class Studio {
     this.offer.hide();
     await this.run(work, this.options, this.app?.view() ?? null);
     this.editing = false;
-    if (edit) {
+    if (edit && this.error === "") {
       this.app?.markEdge(edit.edge);
     }
   }
@@ -203,6 +203,9 @@ export class Studio {
     } catch (error) {
       if (run === this.running) {
         this.fillPanel();
+        if (error instanceof Refusal && error.faces.length > 0) {
+          this.app?.markFaces(error.faces);
+        }
         this.refuse(error instanceof Cancelled ? (this.state ? say("cancelled") : "") : error instanceof Error ? error.message : String(error));
       }
     } finally {
@@ -402,6 +405,6 @@ export class Studio {
   inspect(about) {
     return {...(this.app ? this.app.inspect(about) : {}), ready: this.ready, project: this.backend.project?.name ?? null, options: this.options,
       figures: this.state?.figures ?? null, busy: this.backend.calls.size > 0 || this.editing, canUndo: this.state?.canUndo ?? false,
-      canRedo: this.state?.canRedo ?? false, offer: this.offer.box.hidden ? null : {edit: this.offer.button.hidden ? null : this.offer.edit, words: this.offer.words.textContent}, error: this.error, notes: this.state?.notes ?? []};
+      canRedo: this.state?.canRedo ?? false, offer: this.offer.box.hidden ? null : {edits: this.offer.edits, words: this.offer.words.textContent}, error: this.error, notes: this.state?.notes ?? []};
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Texts of the studio, which a page with one result doesn't need.
 
-import {texts} from "./words.js";
+import {reader, texts} from "./words.js";
 
 Object.assign(texts, {
   studio_title: ["Ridgecraft: a model becomes paper", "Ridgecraft: aus einem Modell wird Papier"],
@@ -35,6 +35,10 @@ Object.assign(texts, {
   edit_edge: ["At this edge", "An dieser Kante"],
   cut_here: ["Cut here", "Hier schneiden"],
   join_here: ["Join here", "Hier verbinden"],
+  tab_over: ["Tab to piece {name}", "Lasche an Teil {name}"],
+  tab_over_own: ["Tab to the other side", "Lasche auf die andere Seite"],
+  tab_on_again: ["Tab on piece {name}", "Mit Lasche an Teil {name}"],
+  tab_off: ["No tab", "Ohne Lasche"],
   key_undo: ["Undo what was done by hand; with Shift: redo", "Änderung von Hand rückgängig machen; mit Umschalt: wiederholen"],
   edits_left_out_1: ["{n} change by hand can't be made on these nets and was left out.", "{n} Änderung von Hand ist an diesen Abwicklungen nicht möglich und entfällt."],
   edits_left_out_n: ["{n} changes by hand can't be made on these nets and were left out.", "{n} Änderungen von Hand sind an diesen Abwicklungen nicht möglich und entfallen."],
@@ -150,7 +154,7 @@ Object.assign(texts, {
 });
 
 /** The program's sentences on why an edge isn't cut or joined, in English and German (session/, unfold/changed_folds). */
-export const refusals = [
+const refusals = [
   ["the model has no such edge", "das Modell hat keine solche Kante"],
   ["the faces beside this edge belong on different pages", "die Flächen an dieser Kante gehören auf verschiedene Seiten"],
   ["the model ends at this edge, so there is nothing to cut", "das Modell endet an dieser Kante, zu schneiden ist hier nichts"],
@@ -161,7 +165,23 @@ export const refusals = [
   ["the paper holds together around this edge, so a cut here parts nothing", "das Papier hängt um diese Kante herum zusammen, ein Schnitt hier trennt nichts"],
   ["both sides of this edge belong to piece {a}, and as a fold it would close a loop that doesn't lie flat", "beide Seiten dieser Kante gehören zu Teil {a}; als Falz schlösse sie einen Ring, der nicht flach liegt"],
   ["joined here pieces {a} and {b} would overlap", "hier verbunden lägen die Teile {a} und {b} übereinander"],
+  ["there is no room for a usable tab on this side", "auf dieser Seite ist kein Platz für eine brauchbare Lasche"],
+  ["these nets are made without tabs", "diese Abwicklungen sind ohne Laschen"],
+  ["only an edge that is glued has a tab", "eine Lasche hat nur eine Kante, die geklebt wird"],
   ["pieces {a} and {b} stay apart: joined they would be larger than the paper", "die Teile {a} und {b} bleiben getrennt: zusammen sind sie größer als das Papier"],
   ["pieces {a} and {b} stay apart: joined they would have more than {n} faces", "die Teile {a} und {b} bleiben getrennt: zusammen hätten sie mehr als {n} Flächen"],
   ["pieces {a} and {b} stay apart: joined they wouldn't fold with all creases together", "die Teile {a} und {b} bleiben getrennt: zusammen ließen sie sich nicht mit allen Falzen zugleich falten"],
 ];
+
+/** A sentence of the program's about an edit, for the reader. @param {string} why */
+export function sayRefusal(why) {
+  let told = why;
+  for (const [english, german] of reader.language === "de" ? refusals : []) {
+    const gaps = [...english.matchAll(/\{(\w+)\}/g)].map(([, name]) => name);
+    const found = new RegExp(`^${english.replace(/\{\w+\}/g, "(.+?)")}$`).exec(why);
+    if (found) {
+      told = german.replace(/\{(\w+)\}/g, (_, name) => found[gaps.indexOf(name) + 1]);
+    }
+  }
+  return `${told.charAt(0).toUpperCase()}${told.slice(1)}.`;
+}

@@ -4,6 +4,7 @@
 
 import {zipOf} from "./archive.js";
 import {NotEditable} from "./backend.js";
+import {sayRefusal} from "./studio_words.js";
 import {wordsOf} from "./wishes.js";
 import {say, sayCount} from "./words.js";
 
@@ -11,11 +12,12 @@ import {say, sayCount} from "./words.js";
 
 /** What the program says in a sentence of its own. */
 export class Refusal extends Error {
-  /** @param {string} sentence @param {number} code */
-  constructor(sentence, code) {
+  /** @param {string} sentence @param {number} code @param {number[]} [faces] of the model, that are to be looked at */
+  constructor(sentence, code, faces = []) {
     super(sentence);
     this.name = "Refusal";
     this.code = code;
+    this.faces = faces;
   }
 }
 
@@ -210,7 +212,7 @@ export class WorkerBackend {
     await this.#remade();
     const told = await this.#call(message);
     if (told.refused) {
-      throw new Refusal(told.refused.why, 3);
+      throw new Refusal(sayRefusal(told.refused.why), 3, told.refused.faces);
     }
     const project = /** @type {Project} */ (this.project);
     return this.#state({...project, ...after(project)}, told);

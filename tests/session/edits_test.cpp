@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits by hand: what comes out is sound, what can't be is refused, and every state comes back byte by byte.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -21,7 +22,9 @@ using session::Cut;
 using session::Edge;
 using session::Edit;
 using session::Join;
+using session::NoTab;
 using session::Project;
+using session::TabFrom;
 
 namespace {
 
@@ -202,6 +205,59 @@ TEST_CASE("what would be refused is told before", "[session]") {
   CHECK(refusal->faces == refused(start, {Cut{fold}, Cut{fold}}).faces);
 }
 
+TEST_CASE("a tab goes over to the other side of its edge, and away", "[session]") {
+  const Project start = session::open(cube());
+  const mesh::Surface& surface = surface_of(start);
+  const unfold::Join& join = start.now.nets.joins[JoinId(0)];
+  const auto tab_at = [&](const Project& project) -> CornerId {
+    const auto& joins = project.now.nets.joins;
+    const auto found =
+        std::find_if(joins.begin(), joins.end(), [&](const unfold::Join& j) { return j.edge == join.edge; });
+    return found->tab.valid() ? project.now.nets.tabs[found->tab].side : CornerId();
+  };
+  const CornerId here = tab_at(start);
+  REQUIRE(here.valid());
+  const CornerId there = surface.sides(join.edge)[surface.sides(join.edge)[0] == here ? 1 : 0];
+  const Edge other{surface.vertex(there), surface.vertex(mesh::next(there))};
+  const Project over = done(start, {TabFrom{other}});
+  CHECK(tab_at(over) == there);
+  CHECK(over.now.nets.pieces.size() == start.now.nets.pieces.size());
+  CHECK(verify::verify(over.now.fold, {}, {}).sound());
+  CHECK(bytes_of(session::undo(over, {}).now) == bytes_of(start.now));
+  CHECK(tab_at(done(over, {TabFrom{{other.to, other.from}}})) == here);
+  const Project without = done(over, {NoTab{other}});
+  CHECK_FALSE(tab_at(without).valid());
+  // It stays so, whatever is cut elsewhere; and the saved file tells it.
+  const Project cut = done(over, {Cut{edges_used(over, unfold::EdgeUse::fold).front()}});
+  CHECK(tab_at(cut) == there);
+  const session::Answer again = session::reopen(*start.start, cut.now.fold, {});
+  REQUIRE(std::holds_alternative<Project>(again));
+  CHECK(bytes_of(std::get<Project>(again).now) == bytes_of(cut.now));
+  const Edge fold = edges_used(start, unfold::EdgeUse::fold).front();
+  CHECK(refused(start, {TabFrom{fold}}).why == "only an edge that is glued has a tab");
+}
+
+TEST_CASE("a tab that has no room on the other side stays, and why is told", "[session]") {
+  const Project start = session::open(sample("mug.obj"));
+  const mesh::Surface& surface = surface_of(start);
+  std::size_t refusals = 0;
+  for (const unfold::Join& join : start.now.nets.joins) {
+    if (!join.tab.valid() || refusals > 0) {
+      continue;
+    }
+    const auto sides = surface.sides(join.edge);
+    const CornerId there = sides[sides[0] == start.now.nets.tabs[join.tab].side ? 1 : 0];
+    const session::Answer answer = session::apply(
+        start, std::vector<Edit>{TabFrom{{surface.vertex(there), surface.vertex(mesh::next(there))}}}, {});
+    if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
+      CHECK(refusal->why == "there is no room for a usable tab on this side");
+      CHECK(refusal->faces == std::vector<FaceId>{mesh::face_of(there)});
+      ++refusals;
+    }
+  }
+  CHECK(refusals == 1);
+}
+
 TEST_CASE("steps are repeated on another job as far as they can be done", "[session]") {
   const Project start = session::open(cube());
   const std::vector<Edge> folds = edges_used(start, unfold::EdgeUse::fold);
@@ -256,6 +312,9 @@ TEST_CASE("edits are text and come back from it", "[session]") {
   CHECK(session::text_of(step) == "cut 3 17; join 5 0");
   CHECK(session::steps_of("cut 3 17; join 5 0\njoin 1 2") ==
         std::vector<std::vector<Edit>>{step, {Join{{VertexId(1), VertexId(2)}}}});
+  const std::vector<Edit> tabs{TabFrom{{VertexId(3), VertexId(17)}}, NoTab{{VertexId(5), VertexId(0)}}};
+  CHECK(session::text_of(tabs) == "tab-from 3 17; no-tab 5 0");
+  CHECK(session::steps_of("tab-from 3 17; no-tab 5 0") == std::vector<std::vector<Edit>>{tabs});
   CHECK(session::steps_of("").empty());
   for (const char* const wrong : {"cut", "cut 1", "cut 1 2 3", "cut 1 -2", "cut 1 2;join 3 4", "turn 1 2",
                                   "cut 1 4294967296", "join  1 2"}) {

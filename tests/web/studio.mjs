@@ -164,9 +164,9 @@ async function editsByHand() {
     await page.waitForFunction(() => globalThis.ridgecraft.inspect().offer, null, {timeout: 20000});
     return (await idle()).offer;
   };
-  /** Presses the button of what is offered. */
-  const takes = async () => {
-    await page.click("#edit button");
+  /** Presses a button of what is offered. */
+  const takes = async (n = 1) => {
+    await page.click(`#edit button:nth-child(${n})`);
     return idle();
   };
   // The camera stays where somebody has turned it.
@@ -181,7 +181,7 @@ async function editsByHand() {
   // The middle of a fold on the sheet, where nothing else is near it.
   const fold = start.folds[Math.floor(start.folds.length / 2)];
   const cut = await offered(fold, "sheet");
-  check(cut.edit?.kind === "cut", `at a fold there is offered ${JSON.stringify(cut)}`);
+  check(cut.edits.map(({kind}) => kind).join() === "cut", `at a fold there is offered ${JSON.stringify(cut)}`);
   check(await page.textContent("#edit button") === "Hier schneiden", "the offer isn't German");
   check((await inspect()).error === "", `a sample that is opened at once is shown with "${(await inspect()).error}"`);
   await shot("edit-offer");
@@ -215,14 +215,39 @@ async function editsByHand() {
   // Joined again where it was cut, on the model's side of the page or on the sheets.
   const [seam] = again.marked.length > 0 ? again.marked : parted.marked;
   const join = await offered(seam, "sheet");
-  check(join.edit?.kind === "join", `at a seam there is offered ${JSON.stringify(join)}`);
+  check(join.edits.map(({kind}) => kind).join() === "join,tab-from,no-tab", `at a seam there is offered ${JSON.stringify(join)}`);
   const joined = await takes();
   check(joined.pieces === start.pieces, `a join makes ${joined.pieces} pieces`);
+
+  // The tab goes over to the other piece, is left out, and comes back.
+  const pair = joined.joins.find(({pieces, number}) => pieces[0] !== pieces[1] && number > 3);
+  const giver = async () => /Lasche an (\w+)/.exec((await inspect()).foot)?.[1];
+  await offered(pair.edges[0], "sheet");
+  const gave = await giver();
+  const to = (await page.textContent("#edit button:nth-child(2)")).replace("Lasche an Teil ", "");
+  await shot("edit-tab");
+  const over = await takes(2);
+  if (over.error === "") {
+    check(await giver() === to && to !== gave, `the tab of join ${pair.number} goes from ${gave} to ${await giver()}, not to ${to}`);
+  } else {
+    check(/kein Platz/.test(over.error), `a tab is refused: ${over.error}`);
+    await page.click("#dismiss");
+  }
+  const seamOver = over.joins.find(({number}) => number === pair.number).edges[0];
+  await offered(seamOver, "sheet");
+  await takes(3);
+  check(/ohne Lasche/.test((await inspect()).foot), `a tab that is taken off is told as "${(await inspect()).foot}"`);
+  await shot("edit-no-tab");
+  writeFileSync(`${out}/edited.fold`, await exported("fold"));
+  execFileSync(values.program, ["verify", `${out}/edited.fold`, "--quiet"], {stdio: ["ignore", "ignore", "inherit"]});
+  await page.keyboard.press("Control+z");
+  const given = await idle();
+  check(given.pieces === joined.pieces, "Ctrl+Z doesn't give a tab back");
 
   // What can't be joined: a seam of a piece with itself.
   const own = joined.joins.find(({pieces}) => pieces[0] === pieces[1]);
   const refused = await offered(own.edges[0], "sheet");
-  check(refused.edit === null && /^Beide Seiten dieser Kante gehören zu Teil/.test(refused.words), `a loop is offered: ${JSON.stringify(refused)}`);
+  check(!refused.edits.some(({kind}) => kind === "join") && /^Beide Seiten dieser Kante gehören zu Teil/.test(refused.words), `a loop is offered: ${JSON.stringify(refused)}`);
   await shot("edit-refused");
   check((await inspect()).pieces === joined.pieces, "a refusal changes the nets");
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/id.hpp"
+
 namespace ridgecraft::unfold {
 
 /// Heights that may be asked for, mm: the lowest is as low as tabs get, and nobody folds a higher one.
@@ -39,6 +41,14 @@ struct EdgeTab {
   std::optional<double> angle;  ///< radians
 };
 
+/// What is asked for the edge between two faces, whatever number it has.
+struct TabAt {
+  EdgeId edge;
+  bool wanted = true;  ///< no tab otherwise
+  /// Of mesh::Surface::sides(edge): 0 or 1, from which it grows where there is room.
+  std::uint8_t side = 0;
+};
+
 /// Which tabs are asked for, in all and edge by edge.
 struct TabChoice {
   TabSides sides = TabSides::best;
@@ -46,10 +56,12 @@ struct TabChoice {
   std::vector<FromLength> heights_mm;  ///< instead of TabOptions::height_mm; ascending, the first from 0 on
   std::vector<FromLength> angles;      ///< instead of TabOptions::angle, radians; the same
   std::vector<EdgeTab> edges;          ///< what is asked for some edges; the last one counts
+  std::vector<TabAt> at;  ///< the same, and counts more; nothing is asked for edges that aren't cut
 
   /// Whether anything is asked beyond TabOptions.
   [[nodiscard]] bool any() const {
-    return sides != TabSides::best || borders || !heights_mm.empty() || !angles.empty() || !edges.empty();
+    return sides != TabSides::best || borders || !heights_mm.empty() || !angles.empty() || !edges.empty() ||
+           !at.empty();
   }
 };
 

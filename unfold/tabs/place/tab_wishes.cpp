@@ -45,6 +45,7 @@ class WishMaker {
       alternate();
     }
     heed(choice.edges);
+    heed(choice.at);
     return std::move(wishes_);
   }
 
@@ -106,6 +107,21 @@ class WishMaker {
       if (!met.contains(edge.number)) {
         throw Error(ErrorKind::unreadable_input,
                     fmt::format("{}: no edge that is glued has the number {}", edge.where, edge.number));
+      }
+    }
+  }
+
+  void heed(const std::vector<TabAt>& asked) {
+    std::map<EdgeId, const TabAt*> last;
+    for (const TabAt& at : asked) {
+      last[at.edge] = &at;
+    }
+    for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
+      if (const auto found = last.find(nets_.joins[j].edge); found != last.end()) {
+        TabWish& wish = wishes_[j.value()];
+        wish.wanted = found->second->wanted;
+        wish.side = found->second->side;
+        wish.no_other_side = false;
       }
     }
   }
