@@ -268,13 +268,22 @@ std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& net
         continue;
       }
       const Segment2 edge{on_page(side), on_page(mesh::next(side))};
-      const auto tab = tab_at.find(side);
-      if (tab == tab_at.end() || !surface.twin(side).valid()) {
-        // A tab at a border is covered by nothing: the face's own colours reach onto it.
-        for (std::vector<Vec2>& strip : rims.beyond(edge)) {
+      const auto add_rim = [&](const Segment2& cut) {
+        for (std::vector<Vec2>& strip : rims.beyond(cut)) {
           rest.push_back({CellKind::bleed, std::move(strip), f, face.at, {}});
         }
+      };
+      const auto tab = tab_at.find(side);
+      if (tab == tab_at.end() || !surface.twin(side).valid()) {
+        add_rim(edge);  // a tab at a border is covered by nothing: the face's own colours reach onto it
         continue;
+      }
+      // A tab's base runs against the face's side, and may be shorter.
+      const Segment2 base{placement(tab->second->polygon[1]), placement(tab->second->polygon[0])};
+      for (const Segment2& bare : {Segment2{edge.a, base.a}, {base.b, edge.b}}) {
+        if (length(bare.b - bare.a) > same_point_mm) {
+          add_rim(bare);
+        }
       }
       rest.push_back(strip_on(*tab->second, edge, surface, nets, placement));
     }

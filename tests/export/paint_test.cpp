@@ -152,6 +152,34 @@ TEST_CASE("Something near one place of an edge takes its colours beyond the cut 
   CHECK_FALSE(is_coloured(25.0, 0.06));
 }
 
+TEST_CASE("Where a tab is shorter than its edge, colours reach beyond the rest of it") {
+  SamplePages sample = sample_pages(cube(), 50.0, 6.0);
+  REQUIRE_FALSE(sample.nets.tabs.empty());
+  unfold::Tab& tab = sample.nets.tabs[TabId(0)];
+  const Vec2 base = tab.polygon[1] - tab.polygon[0];
+  const Vec2 corner = tab.polygon[0];
+  tab.polygon[0] = corner + 0.3 * base;
+  tab.polygon[1] = corner + 0.8 * base;
+  const FaceId face = mesh::face_of(tab.side);
+  const PieceId piece = sample.nets.piece[face];
+  const paper::Placement& place = sample.pages.placements[piece];
+  const auto contents = paper::piece_contents(sample.model.model.surface, sample.nets);
+  const auto cells = paper::cells_of(sample.model.model.surface, sample.nets, piece, contents[piece], place,
+                                     std::vector<paper::PieceDrawing>(1), 0);
+  const Vec2 out = perpendicular(base) / length(base);  // a tab runs against the clock, from its base
+  for (const auto& [share, kind] : {std::pair{0.05, paper::CellKind::bleed},
+                                    {0.25, paper::CellKind::bleed},
+                                    {0.55, paper::CellKind::tab},
+                                    {0.9, paper::CellKind::bleed}}) {
+    CAPTURE(share);
+    const Vec2 p = place(corner + share * base + 0.3 * out);
+    CHECK(std::ranges::any_of(cells, [&, wanted = kind](const paper::Cell& cell) {
+      return cell.kind == wanted && (wanted == paper::CellKind::tab || cell.face == face) &&
+             inside(cell.polygon, p);
+    }));
+  }
+}
+
 TEST_CASE("Colours reach beyond cut edges, but not to other pieces") {
   SamplePages sample = sample_pages(cube(), 50.0, 0.0, all_edges(cube()), "Sample", {}, 0.2);
   sample.model.look = look_of(sample, {{200, 30, 30}, {30, 160, 50}, {20, 30, 120}});
