@@ -32,14 +32,17 @@ namespace ridgecraft::paper {
 /// Packs the pieces by their true outlines, tabs included, with the gap between them (more where a page has
 /// room), on as few pages as it can. Pieces of one part stay together where that costs no page and leaves no
 /// page half empty; those of different `sort` never share a page, and pages come in the order of these.
+/// Where the paper's grain is to be heeded, pieces lie with the directions of their folds (fold_directions())
+/// within 15 degrees of it, those at least that fit so; equal ones don't lie in rows then.
 /// Deterministic, unless the context's deadline passes: then the best so far is taken. Throws Error(no_nets)
 /// naming a piece that fits no page.
 [[nodiscard]] Pages layout(const unfold::Nets& nets, const Paper& paper, const Context& context,
-                           const IdVector<PieceId, std::uint32_t>& sort = {});
+                           const IdVector<PieceId, std::uint32_t>& sort = {},
+                           const IdVector<PieceId, Vec2>& fold_directions = {});
 
 /// The largest of a few sizes below the present one, as a share of it, at which these pieces would take a
 /// page less, with a reserve of 4 %, since tabs don't shrink with the model and nets come out otherwise; none
-/// where even the smallest of them wouldn't do. Takes a tenth of what layout() does.
+/// where even the smallest of them wouldn't do. Heeds no grain. Takes a tenth of what layout() does.
 [[nodiscard]] std::optional<double> share_that_saves_a_page(const unfold::Nets& nets, const Pages& pages,
                                                             const Context& context);
 

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "export/export.hpp"
 #include "export/packing/clearance.hpp"
@@ -110,6 +112,22 @@ void separate_collisions(const std::vector<PackingShape>& shapes, Pages& pages) 
   }
 }
 
+/// Turns in which a line of a net runs along the grain, or nearly so, which leaves the packer some choice.
+std::vector<Turn> turns_along_grain(Vec2 line, const Paper& paper) {
+  constexpr std::array<double, 7> degrees{0.0, 5.0, -5.0, 10.0, -10.0, 15.0, -15.0};
+  const bool upright = paper.size.y >= paper.size.x;
+  const Vec2 grain = upright == (paper.grain == Grain::long_side) ? Vec2{0.0, 1.0} : Vec2{1.0, 0.0};
+  const Vec2 straight{dot(line, grain), cross(line, grain)};
+  std::vector<Turn> turns;
+  for (const double more : degrees) {
+    const double angle = more * std::numbers::pi / 180.0;
+    const Vec2 by{elementary::cos(angle), elementary::sin(angle)};
+    const Turn turn{straight.x * by.x - straight.y * by.y, straight.y * by.x + straight.x * by.y};
+    turns.insert(turns.end(), {turn, {-turn.cosine, -turn.sine}});
+  }
+  return turns;
+}
+
 PackingTask task_of(const Nets& nets, const Paper& paper) {
   PackingTask task;
   task.shapes = shapes_of(nets);
@@ -184,9 +202,15 @@ std::vector<AlikeShapes> part_of(const std::vector<AlikeShapes>& kinds,
 }  // namespace
 
 Pages layout(const Nets& nets, const Paper& paper, const Context& context,
-             const IdVector<PieceId, std::uint32_t>& sort) {
+             const IdVector<PieceId, std::uint32_t>& sort, const IdVector<PieceId, Vec2>& fold_directions) {
   check_paper(paper);
-  const PackingTask task = task_of(nets, paper);
+  PackingTask task = task_of(nets, paper);
+  const bool heeds_grain = paper.grain != Grain::any && !fold_directions.empty();
+  for (const PieceId piece : ids<PieceId>(heeds_grain ? nets.pieces.size() : 0)) {
+    if (const Vec2 line = fold_directions[piece]; line != Vec2{}) {
+      task.shapes[piece.value()].along_grain = turns_along_grain(line, paper);
+    }
+  }
   check_fit(nets, task.shapes, paper, task.area);
   Pages pages;
   pages.paper = paper;
@@ -196,7 +220,8 @@ Pages layout(const Nets& nets, const Paper& paper, const Context& context,
   for (const std::vector<std::uint32_t>& shapes : sorts_of(sort, task.shapes.size())) {
     const std::size_t first_page = pages.count;
     const PackingTask part = part_of(task, shapes);
-    std::vector<Packed> packed = pack_in_rows(part, part_of(alike, shapes), context);
+    std::vector<Packed> packed =
+        heeds_grain ? pack(part, context) : pack_in_rows(part, part_of(alike, shapes), context);
     pack_tighter(part, work_of(paper.packing), context, packed);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       Placement& placement = pages.placements[PieceId(shapes[i])];

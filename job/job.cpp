@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/json_text.hpp"
 #include "base/version.hpp"
+#include "export/sheet/fold_directions.hpp"
 #include "export/view/stance.hpp"
 #include "job/edge_wishes.hpp"
 #include "job/extent.hpp"
@@ -94,7 +95,8 @@ const unfold::Nets& nets_on_pages(const Paper& made) {
 /// The nets on pages, each of one label where that is wanted.
 paper::Pages laid_out(const Paper& made, const unfold::Nets& nets, const Context& context) {
   const PageLabels labels = page_labels(made.prepared.model, made.options.page_by);
-  paper::Pages pages = paper::layout(nets, *made.options.paper, context, labels_of_pieces(labels, made.nets));
+  paper::Pages pages = paper::layout(nets, *made.options.paper, context, labels_of_pieces(labels, made.nets),
+                                     paper::fold_directions(made.prepared.model.surface, nets));
   pages.names = names_of_pages(labels, made.nets, pages);
   return pages;
 }

@@ -121,6 +121,9 @@ void add_pages(const Options& options, paper::Settings& settings) {
   if (options.paper->packing != paper::PackingEffort::fast) {
     settings["pack"] = json_string(std::string(paper::word(options.paper->packing)));
   }
+  if (options.paper->grain != paper::Grain::any) {
+    settings["grain"] = json_string(std::string(paper::word(options.paper->grain)));
+  }
   if (options.page_by != PageBy::any) {
     settings["page_by"] = json_string(options.page_by == PageBy::material ? "material" : "object");
   }

@@ -61,6 +61,7 @@ struct PaperTexts {
   std::string skins = "outer";
   std::string page_by = "any";
   std::string pack = "fast";
+  std::string grain = "any";
 
   void add_to(Verb& verb, PaperJob& job) {
     verb.option("Paper", "--paper", paper, "NAME|WxH",
@@ -83,6 +84,10 @@ struct PaperTexts {
         "Paper", "--pack", pack, "fast|good|best",
         "How long places are looked for that save a sheet: hundredths of a second, about ten seconds, "
         "or a minute for each sheet that might be saved (fast).");
+    verb.option(
+        "Paper", "--grain", grain, "any|long|short",
+        "Lay pieces so that most of their folds run along the sheet's long or short side, as the paper's "
+        "grain does: folds across it crack. Takes more sheets at times (any).");
     tabs.add_to(verb, job);
     verb.option("Tabs and lines", "--hide-folds", hide, "DEGREES",
                 "Draw no line where the surface is folded by less than this (3).");
@@ -184,6 +189,9 @@ struct PaperTexts {
                                                            {{"fast", paper::PackingEffort::fast},
                                                             {"good", paper::PackingEffort::good},
                                                             {"best", paper::PackingEffort::best}});
+    sheet.grain = choice_or_refuse<paper::Grain>(
+        "--grain", grain,
+        {{"any", paper::Grain::any}, {"long", paper::Grain::long_side}, {"short", paper::Grain::short_side}});
     machines.fit_paper(job, !paper.empty(), !margin.empty(), sheet);
     job.options.paper = sheet;
     job.paper_name = sheet.size == asked ? (paper.empty() ? standard : paper)

@@ -43,7 +43,7 @@ PackingFill::PackingFill(const PackingTask& task, const PackingDetail& detail, c
     : task_(&task), context_(&context), grid_(task.area, cell_size(task.area, detail.cells)) {
   for (const PackingShape& shape : task.shapes) {
     std::vector<Raster> rasters;
-    for (const Turn& turn : promising_turns(shape.hull, task.area, detail.turns)) {
+    for (const Turn& turn : turns_to_try(shape, task.area, detail.turns)) {
       rasters.push_back(rasterize(shape, turn, grid_.cell, task.gap));
     }
     RIDGECRAFT_ASSERT(!rasters.empty());

@@ -167,4 +167,15 @@ std::vector<Turn> promising_turns(std::span<const Vec2> hull, Vec2 area, std::si
   return turns;
 }
 
+std::vector<Turn> turns_to_try(const PackingShape& shape, Vec2 area, std::size_t most) {
+  std::vector<Turn> turns;
+  for (const Turn& turn : shape.along_grain) {
+    const Vec2 size = extent(shape.hull, turn);
+    if (turns.size() < most && size.x <= area.x + fit_tolerance_mm && size.y <= area.y + fit_tolerance_mm) {
+      turns.push_back(turn);
+    }
+  }
+  return turns.empty() ? promising_turns(shape.hull, area, most) : turns;
+}
+
 }  // namespace ridgecraft::paper

@@ -18,8 +18,9 @@ inline constexpr double fit_tolerance_mm = 1e-4;
 /// The outline's interior as convex polygons; they may overlap each other.
 struct PackingShape {
   std::vector<std::vector<Vec2>> convex;
-  std::vector<Vec2> hull;  ///< of all of them, counterclockwise
-  double area = 0.0;       ///< sum of the polygons' areas, mm2
+  std::vector<Vec2> hull;         ///< of all of them, counterclockwise
+  double area = 0.0;              ///< sum of the polygons' areas, mm2
+  std::vector<Turn> along_grain;  ///< turns to be kept to, where it fits in one of them; none: any will do
 };
 
 [[nodiscard]] PackingShape packing_shape(std::vector<std::vector<Vec2>> convex);
@@ -38,5 +39,8 @@ struct PackingShape {
 /// enclosing rectangles along the page's sides, in all four directions, and some between. Empty where it fits
 /// in none.
 [[nodiscard]] std::vector<Turn> promising_turns(std::span<const Vec2> hull, Vec2 area, std::size_t most);
+
+/// At most `most` turns in which the shape fits the rectangle: those along the grain, else promising ones.
+[[nodiscard]] std::vector<Turn> turns_to_try(const PackingShape& shape, Vec2 area, std::size_t most);
 
 }  // namespace ridgecraft::paper

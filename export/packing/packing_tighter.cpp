@@ -65,7 +65,7 @@ class Tightening {
     std::vector<std::vector<Turn>> turns;
     for (std::size_t i = 0; i < packed.size(); ++i) {
       std::vector<Turn>& of_shape = turns.emplace_back(std::vector<Turn>{packed[i].turn});
-      for (const Turn& turn : promising_turns(task.shapes[i].hull, task.area, turns_besides)) {
+      for (const Turn& turn : turns_to_try(task.shapes[i], task.area, turns_besides)) {
         of_shape.push_back(turn);
       }
     }

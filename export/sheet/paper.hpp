@@ -24,6 +24,14 @@ enum class PackingEffort {
 };
 [[nodiscard]] std::string_view word(PackingEffort effort);
 
+/// Which way the paper's fibres run. Folds and rolls along them come out clean; across them paper cracks.
+enum class Grain {
+  any,         ///< not heeded
+  long_side,   ///< along the sheet's long side, as of most paper that is sold cut
+  short_side,  ///< along its short side
+};
+[[nodiscard]] std::string_view word(Grain grain);
+
 /// A sheet of paper, mm.
 struct Paper {
   Vec2 size{210.0, 297.0};
@@ -33,6 +41,7 @@ struct Paper {
   double head = 0.0;               ///< the same at the top
   bool furniture = true;           ///< whether title, scale bar and legend stand at the foot
   PackingEffort packing = PackingEffort::fast;
+  Grain grain = Grain::any;
 };
 
 /// "A4", "letter", "jis-b5", "a3-landscape", "210x297mm", "8.5x11in", "210x297" (mm); letter case doesn't

@@ -34,6 +34,16 @@ TEST_CASE("what --pack says counts for pages", "[options]") {
   CHECK(refusal({"whale.obj", "--pack", "slow"}).find("--pack") != std::string::npos);
 }
 
+TEST_CASE("what --grain says counts for pages", "[options]") {
+  const auto grain = [](const std::string& word) {
+    return std::get<PaperJob>(parse_arguments({"whale.obj", "--grain", word})).options.paper->grain;
+  };
+  CHECK(grain("any") == paper::Grain::any);
+  CHECK(grain("long") == paper::Grain::long_side);
+  CHECK(grain("short") == paper::Grain::short_side);
+  CHECK(refusal({"whale.obj", "--grain", "up"}).find("--grain") != std::string::npos);
+}
+
 TEST_CASE("a model alone gets the defaults that a maker would choose", "[options]") {
   const Job job = parse_arguments({"whale.obj"});
   const auto& paper = std::get<PaperJob>(job);

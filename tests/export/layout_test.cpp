@@ -10,8 +10,11 @@
 #include "base/random.hpp"
 #include "base/rectangle.hpp"
 #include "export/export.hpp"
+#include "export/sheet/fold_directions.hpp"
 #include "layout_promises.hpp"
 #include "plain_pieces.hpp"
+#include "sample_pages.hpp"
+#include "support/shapes.hpp"
 
 using namespace ridgecraft;
 using test::blob;
@@ -241,6 +244,69 @@ TEST_CASE("other papers, margins and gaps", "[layout]") {
       CHECK(pages.count <= shelf_pages(pieces.nets(), paper));
     }
   }
+}
+
+TEST_CASE("folds run along the paper's grain wherever a piece fits so", "[layout]") {
+  // Blobs with a direction of their own each, and a strip that is longer than a sheet is wide.
+  test::PlainPieces pieces;
+  IdVector<PieceId, Vec2> lines;
+  Random random(3);
+  for (std::uint32_t i = 0; i < 14; ++i) {
+    pieces.add_fan(blob(random, 12.0 + 20.0 * random.unit()), i / 4);
+    const double angle = 2.0 * std::numbers::pi * random.unit();
+    lines.push_back({std::cos(angle), std::sin(angle)});
+  }
+  pieces.add_boxes({{0, 0, 250, 20}}, 5);
+  lines.push_back({0.0, 1.0});
+  for (const auto& [grain, size] : {std::pair{paper::Grain::long_side, Vec2{210, 297}},
+                                    {paper::Grain::short_side, Vec2{210, 297}},
+                                    {paper::Grain::long_side, Vec2{297, 210}}}) {
+    CAPTURE(paper::word(grain), size.x);
+    paper::Paper sheet;
+    sheet.size = size;
+    sheet.grain = grain;
+    const auto pages = paper::layout(pieces.nets(), sheet, {}, {}, lines);
+    check_promises(pieces.nets(), pages);
+    const bool upright = (size.y > size.x) == (grain == paper::Grain::long_side);
+    for (const PieceId piece : ids<PieceId>(14)) {
+      const Vec2 placed = pages.placements[piece](lines[piece]) - pages.placements[piece]({});
+      CHECK(std::abs(upright ? placed.x : placed.y) <= std::sin(15.1 * std::numbers::pi / 180.0));
+    }
+    // The strip's folds lie across it: it fits these sheets only along their long side, or nearly.
+    const PieceId strip(14);
+    const Vec2 placed = pages.placements[strip](lines[strip]) - pages.placements[strip]({});
+    CHECK(std::abs(size.y > size.x ? placed.x : placed.y) > 0.7);
+    // Not heeded, the same as without directions.
+    sheet.grain = paper::Grain::any;
+    const auto with = paper::layout(pieces.nets(), sheet, {}, {}, lines);
+    const auto without = paper::layout(pieces.nets(), sheet, {});
+    for (const PieceId piece : ids<PieceId>(15)) {
+      CHECK(with.placements[piece]({1, 2}) == without.placements[piece]({1, 2}));
+    }
+  }
+}
+
+TEST_CASE("the direction of folds is that in which most of them run, by length and angle") {
+  // A tube: its folds run along its axis, those within its flat sides count for nothing.
+  const test::SamplePages sample = test::sample_pages(test::revolve({{20, 0}, {20, 200}}, 18), 1.0, 0.0);
+  const mesh::Surface& surface = sample.model.model.surface;
+  const auto directions = paper::fold_directions(surface, sample.nets);
+  REQUIRE(directions.size() == sample.nets.pieces.size());
+  std::size_t along_axis = 0;
+  for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
+    const CornerId side = surface.sides(edge)[0];
+    const FaceId face = mesh::face_of(side);
+    if (sample.nets.use[edge] == unfold::EdgeUse::fold && surface.length(edge) > 199.0 &&
+        std::abs(surface.fold_angle(edge)) > 0.1) {
+      const Vec2 a = sample.nets.flat[face][side.value() % 3];
+      const Vec2 b = sample.nets.flat[face][mesh::next(side).value() % 3];
+      const Vec2 direction = directions[sample.nets.piece[face]];
+      CHECK(length(direction) == Approx(1.0));
+      CHECK(std::abs(cross(direction, (b - a) / length(b - a))) < 1e-6);
+      ++along_axis;
+    }
+  }
+  CHECK(along_axis > 3);
 }
 
 TEST_CASE("no pieces, no pages", "[layout]") {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pages of one material or object each.
+#include <cmath>
 #include <set>
 #include <string>
 
 #include <catch2/catch.hpp>
 
+#include "export/sheet/fold_directions.hpp"
 #include "job/job.hpp"
 #include "mesh/mesh.hpp"
 
@@ -58,6 +60,20 @@ TEST_CASE("pages of one material hold nothing else, and say so", "[job]") {
   }
   CHECK(front > 0.0);
   CHECK(pieces.size() == 2);
+}
+
+TEST_CASE("pages along the paper's grain pass the check of their files, which tell of it", "[job]") {
+  job::Options options;
+  paper::Paper sheet;
+  sheet.grain = paper::Grain::long_side;
+  options.paper = sheet;
+  const job::Paper paper = job::paper(house(), options, {});
+  CHECK(paper.fold.find("\"grain\": \"long\"") != std::string::npos);
+  const auto lines = paper::fold_directions(paper.prepared.model.surface, paper.nets);
+  for (const PieceId piece : ids<PieceId>(lines.size())) {
+    const paper::Placement& place = paper.pages.placements[piece];
+    CHECK(std::abs((place(lines[piece]) - place({})).x) < 0.26);  // sine of 15 degrees
+  }
 }
 
 TEST_CASE("pages of one object", "[job]") {

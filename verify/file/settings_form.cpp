@@ -43,7 +43,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 35> known_settings{{
+constexpr std::array<Known, 36> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"bodies", Kind::bodies, Needed::never},
@@ -74,6 +74,7 @@ constexpr std::array<Known, 35> known_settings{{
     {"pieces", Kind::piece_mode, Needed::with_pages},
     {"max_faces", Kind::whole_number, Needed::with_pages, 0.0, any},
     {"pack", Kind::words, Needed::never},
+    {"grain", Kind::words, Needed::never},
     {"page_by", Kind::page_by, Needed::never},
     {"hide_folds_deg", Kind::number, Needed::with_pages, 0.0, 180.0},
     {"thickness_mm", Kind::number, Needed::never, 0.0, 20.0},
