@@ -126,8 +126,8 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
   if (made.options.guide) {
     made.guide = clock("guide", context, [&] {
       return paper::draw_guide(made.prepared, nets_on_pages(made), made.pages, made.assembly,
-                               made.drawings.size(), made.drawn.bodies, made.stance, made.options.style,
-                               context);
+                               made.drawings.size(), made.drawn.bodies, paper::stance_of(made.up),
+                               made.options.style, context);
     });
   }
 }
@@ -149,7 +149,8 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
     }
     const paper::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
     return paper::write_fold(made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
-                             own ? paper::find_contacts(model.surface, made.nets) : made.drawn.contacts);
+                             own ? paper::find_contacts(model.surface, made.nets) : made.drawn.contacts,
+                             made.up);
   });
   made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
 }
@@ -273,7 +274,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   std::vector<std::string> notes;
   model = prepare::select(std::move(model), options.selection);
   made.ground = prepare::ground_name(model);
-  made.stance = paper::stance_of(model);
+  made.up = paper::up_axis_of(model);
   if (options.extent) {
     made.options.size.adapts = false;
     made.options.size.largest_extent_mm = options.extent->mm * largest_share(model, options.extent->kind);

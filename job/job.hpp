@@ -39,9 +39,9 @@ struct Paper {
   std::string edits;  ///< what was done to the nets by hand (with_nets); kept as a setting of the file
   /// A ground that the model stands on (prepare::ground_name): leaving it out makes the rest larger.
   std::optional<std::string> ground;
-  paper::Stance stance;        ///< how the model stands, judged before anything of it was changed
-  prepare::ReadyReport ready;  ///< of bodies before they were united
-  prepare::SkinReport skin;    ///< of uniting them
+  mesh::Axis up = mesh::Axis::y;  ///< that points up, judged before anything of the model was changed
+  prepare::ReadyReport ready;     ///< of bodies before they were united
+  prepare::SkinReport skin;       ///< of uniting them
   prepare::Prepared prepared;
   std::size_t slivers = 0;        ///< faces of it thinner than sliver_mm
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions

@@ -2,6 +2,7 @@
 // From drawings and nets to the bytes of files.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,10 +61,11 @@ void check_pdf_size(Vec2 page_mm);
 [[nodiscard]] std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch = 150.0);
 
 /// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own. `contacts` are those that
-/// the pages show.
+/// the pages show; `up` is the axis that points up, where it isn't given that of the model (view/stance.hpp).
 [[nodiscard]] std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
                                      const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
-                                     const Mark& mark, const std::vector<Contact>& contacts = {});
+                                     const Mark& mark, const std::vector<Contact>& contacts = {},
+                                     std::optional<mesh::Axis> up = std::nullopt);
 
 /// Of drawings what a page for browsers can't tell from the nets: texts, leaders, the foot of each page,
 /// colours and pictures. The second document of docs/page.md. O(size).

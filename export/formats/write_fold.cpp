@@ -295,7 +295,7 @@ void write_head(JsonText& json, const Mark& mark) {
 
 std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
                        const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
-                       const Mark& mark, const std::vector<Contact>& contacts) {
+                       const Mark& mark, const std::vector<Contact>& contacts, std::optional<mesh::Axis> up) {
   const Surface& surface = model.model.surface;
   RIDGECRAFT_ASSERT(part.size() == surface.face_count());
   const NetFrame frame = net_frame(surface, nets, pages);
@@ -304,7 +304,7 @@ std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, Pa
   json.raw("{");
   write_head(json, mark);
   json.key("ridgecraft:up");
-  json.string(mesh::axis_name(up_axis_of(model.model)));
+  json.string(mesh::axis_name(up.value_or(up_axis_of(model.model))));
   json.list("vertices_coords", frame.points.size(), [&](std::size_t i) { json.point(frame.points[i]); });
   write_edges(json, surface, frame);
   json.list("faces_vertices", frame.faces.size(),

@@ -25,26 +25,34 @@ double coordinate(Vec3 p, mesh::Axis axis) {
   return axis == mesh::Axis::x ? p.x : axis == mesh::Axis::y ? p.y : p.z;
 }
 
-/// How well a model stands, were this axis up: the area of its flat ground, and the box round all that is
-/// near the ground (feet), both as shares of its footprint.
+/// How well a model stands, were this axis up: the area of its flat ground, less that of a flat top (walls
+/// have another one across from them, ground mostly hasn't), and the box round all that is near the ground
+/// (feet), both as shares of its footprint.
 double standing_share(const mesh::Surface& surface, mesh::Axis axis) {
   const Box3& box = surface.bounds();
   const double bottom = coordinate(box.low, axis);
   const double height = coordinate(box.size(), axis);
-  const double limit = bottom + ground_share * height;
-  double area = 0.0;
+  const double near = ground_share * height;
   Box3 feet;
   for (const Vec3 p : surface.points()) {
     if (coordinate(p, axis) <= bottom + feet_share * height) {
       feet.add(p);
     }
   }
+  double ground = 0.0;
+  double top = 0.0;
   for (const FaceId face : ids<FaceId>(surface.face_count())) {
     const auto vertices = surface.vertices(face);
-    const bool low = coordinate(surface.point(vertices[0]), axis) <= limit &&
-                     coordinate(surface.point(vertices[1]), axis) <= limit &&
-                     coordinate(surface.point(vertices[2]), axis) <= limit;
-    area += low && coordinate(surface.normal(face), axis) < -level_cosine ? surface.area(face) : 0.0;
+    const double up = coordinate(surface.normal(face), axis);
+    if (up < -level_cosine && std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
+          return coordinate(surface.point(v), axis) <= bottom + near;
+        })) {
+      ground += surface.area(face);
+    } else if (up > level_cosine && std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
+                 return coordinate(surface.point(v), axis) >= bottom + height - near;
+               })) {
+      top += surface.area(face);
+    }
   }
   const auto level = [axis](Vec3 size) {
     return axis == mesh::Axis::x   ? size.y * size.z
@@ -52,7 +60,7 @@ double standing_share(const mesh::Surface& surface, mesh::Axis axis) {
                                    : size.x * size.y;
   };
   const double footprint = level(box.size());
-  return footprint > 0.0 ? (flat_weight * area + level(feet.size())) / footprint : 0.0;
+  return footprint > 0.0 ? (flat_weight * std::max(0.0, ground - top) + level(feet.size())) / footprint : 0.0;
 }
 
 mesh::Axis usual_up(mesh::FileFormat format) {
@@ -93,7 +101,11 @@ mesh::Axis up_axis_of(const mesh::Model& model) {
 }
 
 Stance stance_of(const mesh::Model& model) {
-  switch (up_axis_of(model)) {
+  return stance_of(up_axis_of(model));
+}
+
+Stance stance_of(mesh::Axis up) {
+  switch (up) {
     case mesh::Axis::x:
       return {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
     case mesh::Axis::z:

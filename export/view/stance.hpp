@@ -16,5 +16,7 @@ namespace ridgecraft::paper {
 /// That axis, and the front, which looks along z where y is up and against y where z is, as modelling
 /// programs have it. O(faces).
 [[nodiscard]] Stance stance_of(const mesh::Model& model);
+/// The same where it is known which axis points up.
+[[nodiscard]] Stance stance_of(mesh::Axis up);
 
 }  // namespace ridgecraft::paper
