@@ -117,35 +117,6 @@ RowList list_beside_pieces(const Paper& paper, const std::vector<std::vector<Pie
       left.clear();
     }
   }
-  // Row by row, here and there, where that spares the page of lists; looking for places costs time.
-  constexpr std::size_t most_tried = 60;
-  if (!left.empty() && left.size() * pieces.size() <= most_tried) {
-    const std::vector<std::vector<Text>> before = indices;
-    std::vector<std::string> rows = left;
-    for (std::size_t page = 0; page < pieces.size() && !rows.empty(); ++page) {
-      std::vector<std::string> here;
-      const auto room_for = [&](const std::string& row) {
-        std::vector<std::string> more = here;
-        more.push_back(row);
-        return list_beside(paper, pieces[page], indices[page], {heading, more}).has_value();
-      };
-      std::erase_if(rows, [&](const std::string& row) {
-        const bool found = room_for(row);
-        if (found) {
-          here.push_back(row);
-        }
-        return found;
-      });
-      if (!here.empty()) {
-        listed(page, here);
-      }
-    }
-    if (rows.empty()) {
-      left.clear();
-    } else {
-      indices = before;
-    }
-  }
   return {heading, std::move(left)};
 }
 
