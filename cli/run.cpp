@@ -228,9 +228,6 @@ ExitCode do_job(const PaperJob& job) {
       if (const auto refusal = too_many_pages(remark, job.most_pages)) {
         throw Error(ErrorKind::usage, shown_name(job.model) + ": " + *refusal);
       }
-      if (const auto refusal = too_many_bodies(remark, job.most_pages)) {
-        throw Error(ErrorKind::usage, shown_name(job.model) + ": " + *refusal);
-      }
       session.warn(sentence(remark));
     });
   });

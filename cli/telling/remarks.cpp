@@ -47,36 +47,40 @@ std::string text_of(const job::ShortFolds& folds) {
       folds.median_mm, std::ceil(folds.size_for_easy), folds.easy_mm);
 }
 
+std::optional<std::string> refusal_of(const job::ManyPages& many, std::uint64_t most_pages) {
+  if (many.counted || many.pages <= static_cast<double>(most_pages)) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "at {} the model takes about {:.0f} pages, and more than {} aren't made unasked: --size {:.0f}mm takes "
+      "about {:.0f}, --most-pages {:.0f} goes on",
+      handy_size(many.size_mm), two_digits(many.pages), most_pages, two_digits(many.size_for_fewer),
+      many.fewer_pages, two_digits(most_pages_factor * many.pages));
+}
+
+std::optional<std::string> refusal_of(const job::ManyBodies& many, std::uint64_t most_pages) {
+  if (many.pages <= static_cast<double>(most_pages)) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "the model has {} separate bodies, which take about {:.0f} pages at any size, and more than {} aren't "
+      "made unasked: --only NAME takes some of them, ridgecraft unfold makes their nets without pages, "
+      "--most-pages {:.0f} goes on",
+      many.bodies, two_digits(many.pages), most_pages, two_digits(most_pages_factor * many.pages));
+}
+
+std::optional<std::string> refusal_of(const job::ShortFolds& /*folds*/, std::uint64_t /*most_pages*/) {
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string sentence(const job::Remark& remark) {
   return std::visit([](const auto& told) { return text_of(told); }, remark);
 }
 
-std::optional<std::string> too_many_bodies(const job::Remark& remark, std::uint64_t most_pages) {
-  const auto* many = std::get_if<job::ManyBodies>(&remark);
-  if (many == nullptr || many->pages <= static_cast<double>(most_pages)) {
-    return std::nullopt;
-  }
-  const double pages = two_digits(many->pages);
-  return fmt::format(
-      "the model has {} separate bodies, which take about {:.0f} pages at any size, and more than {} aren't "
-      "made unasked: --only NAME takes some of them, ridgecraft unfold makes their nets without pages, "
-      "--most-pages {:.0f} goes on",
-      many->bodies, pages, most_pages, two_digits(most_pages_factor * many->pages));
-}
-
 std::optional<std::string> too_many_pages(const job::Remark& remark, std::uint64_t most_pages) {
-  const auto* many = std::get_if<job::ManyPages>(&remark);
-  if (many == nullptr || many->counted || many->pages <= static_cast<double>(most_pages)) {
-    return std::nullopt;
-  }
-  const double pages = two_digits(many->pages);
-  return fmt::format(
-      "at {} the model takes about {:.0f} pages, and more than {} aren't made unasked: --size {:.0f}mm takes "
-      "about {:.0f}, --most-pages {:.0f} goes on",
-      handy_size(many->size_mm), pages, most_pages, two_digits(many->size_for_fewer), many->fewer_pages,
-      two_digits(most_pages_factor * many->pages));
+  return std::visit([&](const auto& told) { return refusal_of(told, most_pages); }, remark);
 }
 
 std::optional<std::string> assumed_unit_warning(const AskedSize& asked, const prepare::SizeOptions& size) {

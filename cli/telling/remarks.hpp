@@ -17,11 +17,9 @@ namespace ridgecraft::cli {
 /// counted ones all.
 [[nodiscard]] std::string sentence(const job::Remark& remark);
 
-/// What a model that is expected to take more pages than these is refused with; nothing for others.
+/// What a model that is expected to take more pages than these, for its size or its bodies, is refused with;
+/// nothing for others.
 [[nodiscard]] std::optional<std::string> too_many_pages(const job::Remark& remark, std::uint64_t most_pages);
-
-/// The same where its separate bodies are the reason.
-[[nodiscard]] std::optional<std::string> too_many_bodies(const job::Remark& remark, std::uint64_t most_pages);
 
 /// Where a size without a unit makes a tiny model: whoever wrote it may have meant centimetres.
 [[nodiscard]] std::optional<std::string> assumed_unit_warning(const AskedSize& asked,
