@@ -109,13 +109,23 @@ const unfold::Nets& nets_of(const Project& project) {
   return project.done == 0 ? project.start->nets : *project.steps[project.done - 1].nets;
 }
 
-/// All steps that were done, one a line.
+/// All steps that were done, one a line, those first that the paper came with.
 std::string text_of_steps(const Project& project) {
-  std::string text;
+  std::string text = project.start->edits;
   for (std::size_t i = 0; i < project.done; ++i) {
-    text += (i == 0 ? "" : "\n") + text_of(project.steps[i].edits);
+    text += (text.empty() ? "" : "\n") + text_of(project.steps[i].edits);
   }
   return text;
+}
+
+/// Whether two files tell of one job but for edits: the same model and the same settings give the same nets.
+bool of_one_job(const verify::File& a, const verify::File& b) {
+  const auto but_for_edits = [](const verify::File& file) {
+    auto settings = file.settings.all;
+    std::erase_if(settings, [](const auto& setting) { return setting.first == "edits"; });
+    return settings;
+  };
+  return a.digest == b.digest && but_for_edits(a) == but_for_edits(b);
 }
 
 /// What an edit asks of the tab at its edge; none where it asks nothing.
@@ -253,6 +263,9 @@ Project redo(const Project& project, const Context& context) {
 
 Answer reopen(job::Paper made, const std::string& fold_file, const Context& context) {
   const verify::File saved = job::read_fold_file({"the saved project", fold_file});
+  if (!of_one_job(saved, job::read_fold_file({"the job", made.fold}))) {
+    return Refusal{0, "the file was saved from another model, or made with other options", {}};
+  }
   const verify::Setting* const setting = saved.settings.find("edits");
   const auto* const text = setting == nullptr ? nullptr : std::get_if<std::string>(setting);
   Project project = open(std::move(made));

@@ -79,7 +79,7 @@ struct Repeated {
 [[nodiscard]] Project redo(const Project& project, const Context& context);
 
 /// The same job again with the edits that its saved FOLD file tells (setting `edits`), each step a step
-/// again. Refused as apply() would: where the job isn't the one that was saved. Throws
+/// again. Refused where the file tells of another model or other settings than the job. Throws
 /// Error(unreadable_input) where the bytes are no such file or tell edits that aren't in form.
 [[nodiscard]] Answer reopen(job::Paper made, const std::string& fold_file, const Context& context);
 

@@ -322,3 +322,35 @@ TEST_CASE("edits are text and come back from it", "[session]") {
     CHECK_THROWS_AS(session::steps_of(wrong), Error);
   }
 }
+
+TEST_CASE("a saved project is refused by a job of another model or with other options", "[session]") {
+  const Project start = session::open(sample("mug.obj"));
+  const Project cut = done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
+  const auto is_refused = [&](job::Paper made) {
+    const session::Answer answer = session::reopen(std::move(made), cut.now.fold, {});
+    return std::holds_alternative<session::Refusal>(answer);
+  };
+  CHECK_FALSE(is_refused(*start.start));
+  CHECK(is_refused(sample("gem.stl")));
+  unfold::TabOptions lower = start.start->options.tabs;
+  lower.height_mm *= 0.5;
+  CHECK(is_refused(job::with_tabs(*start.start, lower, {})));
+}
+
+TEST_CASE("edits of a paper that goes on with other tabs are told with those that follow", "[session]") {
+  const Project start = session::open(sample("mug.obj"));
+  const Project cut = done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
+  unfold::TabOptions lower = start.start->options.tabs;
+  lower.height_mm *= 0.5;
+  const Project on = session::open(job::with_tabs(cut.now, lower, {}));
+  const std::vector<Edge> folds = edges_used(on, unfold::EdgeUse::fold);
+  const auto next = std::find_if(folds.begin(), folds.end(), [&](const Edge& edge) {
+    return !session::why_not(on, std::array<Edit, 1>{Cut{edge}}, {});
+  });
+  REQUIRE(next != folds.end());
+  const Project twice = done(on, {Cut{*next}});
+  CHECK(twice.now.edits.starts_with(cut.now.edits + "\n"));
+  const session::Answer again = session::reopen(job::with_tabs(*start.start, lower, {}), twice.now.fold, {});
+  REQUIRE(std::holds_alternative<Project>(again));
+  CHECK(bytes_of(std::get<Project>(again).now) == bytes_of(twice.now));
+}
