@@ -2,29 +2,22 @@
 // Pieces onto pages: shapes for the packer, its answer as placements, and an exact check of it.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <map>
-#include <numbers>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "export/export.hpp"
 #include "export/packing/clearance.hpp"
 #include "export/packing/packing.hpp"
 #include "export/packing/packing_tighter.hpp"
 #include "export/packing/rows.hpp"
+#include "export/piece_shapes.hpp"
 
 namespace ridgecraft::paper {
 namespace {
 
 using unfold::Nets;
-
-/// Rounding in the distances that the check measures, mm.
-constexpr double gap_rounding_mm = 1e-6;
 
 /// What a search for a page less may cost. A second of one thread is some 40 million sides with pieces of few
 /// corners, 200 million with those of many.
@@ -32,61 +25,6 @@ std::uint64_t work_of(PackingEffort effort) {
   constexpr std::uint64_t good = 500'000'000;
   constexpr std::uint64_t best = 3'000'000'000;
   return effort == PackingEffort::fast ? 0 : effort == PackingEffort::good ? good : best;
-}
-
-std::vector<PackingShape> shapes_of(const Nets& nets) {
-  std::vector<std::vector<std::vector<Vec2>>> convex(nets.pieces.size());
-  for (const FaceId f : ids<FaceId>(nets.piece.size())) {
-    const auto& corners = nets.flat[f];
-    convex[nets.piece[f].value()].emplace_back(corners.begin(), corners.end());
-  }
-  for (const unfold::Tab& tab : nets.tabs) {
-    convex[nets.piece[mesh::face_of(tab.side)].value()].push_back(tab.polygon);
-  }
-  std::vector<PackingShape> shapes;
-  for (auto& polygons : convex) {
-    shapes.push_back(packing_shape(std::move(polygons)));
-  }
-  return shapes;
-}
-
-/// The smallest rectangle around the hull: one side of it lies along a side of the hull (Freeman and Shapira
-/// 1975).
-Vec2 smallest_rectangle(const std::vector<Vec2>& hull) {
-  Vec2 smallest = extent(hull, {});
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
-    const double size = length(side);
-    const Vec2 box = extent(hull, {side.x / size, -side.y / size});
-    if (box.x * box.y < smallest.x * smallest.y) {
-      smallest = box;
-    }
-  }
-  return smallest;
-}
-
-void check_fit(const Nets& nets, const std::vector<PackingShape>& shapes, const Paper& paper, Vec2 area) {
-  for (const PieceId p : ids<PieceId>(shapes.size())) {
-    const auto& hull = shapes[p.value()].hull;
-    if (promising_turns(hull, area, 1).empty()) {
-      const Vec2 size = smallest_rectangle(hull);
-      throw Error(
-          ErrorKind::no_nets,
-          fmt::format("piece {} of {:.1f} x {:.1f} mm doesn't fit the {:.1f} x {:.1f} mm that paper of "
-                      "{:.1f} x {:.1f} mm leaves for pieces",
-                      nets.pieces[p].name, size.x, size.y, area.x, area.y, paper.size.x, paper.size.y));
-    }
-  }
-}
-
-std::vector<std::vector<Vec2>> placed(const PackingShape& shape, const Placement& placement) {
-  std::vector<std::vector<Vec2>> polygons = shape.convex;
-  for (auto& polygon : polygons) {
-    for (Vec2& corner : polygon) {
-      corner = placement(corner);
-    }
-  }
-  return polygons;
 }
 
 /// The packer keeps its promise by construction; should it ever not, the offending piece gets a page of its
@@ -110,33 +48,6 @@ void separate_collisions(const std::vector<PackingShape>& shapes, Pages& pages) 
       }
     }
   }
-}
-
-/// Turns in which a line of a net runs along the grain, or nearly so, which leaves the packer some choice.
-std::vector<Turn> turns_along_grain(Vec2 line, const Paper& paper) {
-  constexpr std::array<double, 7> degrees{0.0, 5.0, -5.0, 10.0, -10.0, 15.0, -15.0};
-  const bool upright = paper.size.y >= paper.size.x;
-  const Vec2 grain = upright == (paper.grain == Grain::long_side) ? Vec2{0.0, 1.0} : Vec2{1.0, 0.0};
-  const Vec2 straight{dot(line, grain), cross(line, grain)};
-  std::vector<Turn> turns;
-  for (const double more : degrees) {
-    const double angle = more * std::numbers::pi / 180.0;
-    const Vec2 by{elementary::cos(angle), elementary::sin(angle)};
-    const Turn turn{straight.x * by.x - straight.y * by.y, straight.y * by.x + straight.x * by.y};
-    turns.insert(turns.end(), {turn, {-turn.cosine, -turn.sine}});
-  }
-  return turns;
-}
-
-PackingTask task_of(const Nets& nets, const Paper& paper) {
-  PackingTask task;
-  task.shapes = shapes_of(nets);
-  task.area = piece_area(paper);
-  task.gap = paper.gap;
-  for (const unfold::Piece& piece : nets.pieces) {
-    task.group.push_back(piece.parts.empty() ? 0 : piece.parts.front().value());
-  }
-  return task;
 }
 
 /// Equal pieces as the packer sees them.
@@ -167,17 +78,6 @@ std::vector<std::vector<std::uint32_t>> sorts_of(const IdVector<PieceId, std::ui
   return result;
 }
 
-PackingTask part_of(const PackingTask& task, const std::vector<std::uint32_t>& shapes) {
-  PackingTask part;
-  part.area = task.area;
-  part.gap = task.gap;
-  for (const std::uint32_t shape : shapes) {
-    part.shapes.push_back(task.shapes[shape]);
-    part.group.push_back(task.group[shape]);
-  }
-  return part;
-}
-
 /// Kinds of which there is more than one among these shapes (ascending), by their new numbers.
 std::vector<AlikeShapes> part_of(const std::vector<AlikeShapes>& kinds,
                                  const std::vector<std::uint32_t>& shapes) {
@@ -204,14 +104,9 @@ std::vector<AlikeShapes> part_of(const std::vector<AlikeShapes>& kinds,
 Pages layout(const Nets& nets, const Paper& paper, const Context& context,
              const IdVector<PieceId, std::uint32_t>& sort, const IdVector<PieceId, Vec2>& fold_directions) {
   check_paper(paper);
-  PackingTask task = task_of(nets, paper);
+  const PackingTask task = packing_task(nets, paper, fold_directions);
   const bool heeds_grain = paper.grain != Grain::any && !fold_directions.empty();
-  for (const PieceId piece : ids<PieceId>(heeds_grain ? nets.pieces.size() : 0)) {
-    if (const Vec2 line = fold_directions[piece]; line != Vec2{}) {
-      task.shapes[piece.value()].along_grain = turns_along_grain(line, paper);
-    }
-  }
-  check_fit(nets, task.shapes, paper, task.area);
+  check_fit(nets, task, paper);
   Pages pages;
   pages.paper = paper;
   pages.placements = IdVector<PieceId, Placement>(task.shapes.size());
@@ -248,7 +143,7 @@ std::optional<double> share_that_saves_a_page(const Nets& nets, const Pages& pag
   if (pages.count < 2) {
     return best;
   }
-  PackingTask task = task_of(nets, pages.paper);
+  PackingTask task = packing_task(nets, pages.paper);
   double used = 0.0;
   for (const PackingShape& shape : task.shapes) {
     used += shape.area;

@@ -11,14 +11,15 @@
 #include "base/error.hpp"
 #include "base/json_text.hpp"
 #include "base/version.hpp"
-#include "export/sheet/fold_directions.hpp"
 #include "export/view/stance.hpp"
 #include "job/edge_wishes.hpp"
 #include "job/extent.hpp"
 #include "job/model_of_nets.hpp"
 #include "job/page_labels.hpp"
+#include "job/page_layout.hpp"
 #include "job/parts.hpp"
 #include "job/settings.hpp"
+#include "job/unfold_options.hpp"
 #include "job/verdict.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/expected_pages.hpp"
@@ -31,33 +32,9 @@
 namespace ridgecraft::job {
 namespace {
 
-/// A face of this size fits every sheet; for nets without pages.
-constexpr double boundless_mm = 1e9;
-
-/// What pieces must fit, mm.
-Vec2 room_for_pieces(const Options& options) {
-  return options.paper ? paper::piece_area(*options.paper) : Vec2{boundless_mm, boundless_mm};
-}
-
 prepare::PanelRoom panel_room(const Options& options) {
   const Vec2 area = room_for_pieces(options);
   return {{area.x, area.y}, options.paper && options.tabs.wanted ? options.tabs.height_mm : 0.0};
-}
-
-unfold::Options unfold_options(const Options& options, const prepare::Prepared& prepared,
-                               unfold::EdgeWishes wishes) {
-  unfold::Options unfolding;
-  if (options.paper) {
-    const Vec2 area = room_for_pieces(options);
-    unfolding.sheet = unfold::Sheet{area.x, area.y};
-  }
-  unfolding.tabs = options.tabs;
-  unfolding.panel_cuts = options.panel_cuts;
-  unfolding.pieces = options.pieces;
-  unfolding.wishes = std::move(wishes);
-  unfolding.labels = author_labels(prepared.model);
-  unfolding.twins = prepared.twins;
-  return unfolding;
 }
 
 void note_divided_panels(const prepare::Prepared& prepared, std::vector<std::string>& notes) {
@@ -92,15 +69,6 @@ const unfold::Nets& nets_on_pages(const Paper& made) {
   return made.nets_of_board ? *made.nets_of_board : made.nets;
 }
 
-/// The nets on pages, each of one label where that is wanted.
-paper::Pages laid_out(const Paper& made, const unfold::Nets& nets, const Context& context) {
-  const PageLabels labels = page_labels(made.prepared.model, made.options.page_by);
-  paper::Pages pages = paper::layout(nets, *made.options.paper, context, labels_of_pieces(labels, made.nets),
-                                     paper::fold_directions(made.prepared.model.surface, nets));
-  pages.names = names_of_pages(labels, made.nets, pages);
-  return pages;
-}
-
 void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
   made.nets_of_board.reset();
   made.thickened = {};
@@ -109,11 +77,14 @@ void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
       return paper::thick_nets(made.prepared, made.nets, made.options.board, &made.thickened);
     });
   }
-  made.pages = clock("lay out", context, [&] { return laid_out(made, nets_on_pages(made), context); });
+  made.pages = clock("lay out", context,
+                     [&] { return laid_out(made.prepared, made.options, nets_on_pages(made), context); });
 }
 
 void draw_pages(Paper& made, StageClock& clock, const Context& context) {
-  if (made.options.page_by == PageBy::any) {
+  // By hand pages may be filled as nobody would fill them to save one.
+  made.share_saving_a_page.reset();
+  if (made.options.page_by == PageBy::any && made.edits.empty()) {
     made.share_saving_a_page = clock("hint", context, [&] {
       return paper::share_that_saves_a_page(nets_on_pages(made), made.pages, context);
     });
@@ -139,7 +110,8 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
   // their own.
   std::optional<paper::Pages> own;
   if (made.nets_of_board) {
-    own = clock("lay out", context, [&] { return laid_out(made, made.nets, context); });
+    own =
+        clock("lay out", context, [&] { return laid_out(made.prepared, made.options, made.nets, context); });
   }
   made.fold = clock("write", context, [&] {
     made.mark = {program_and_version(), model.name, model.digest,
@@ -251,11 +223,21 @@ void give_new_tabs(Paper& made, StageClock& clock, const Context& context) {
   });
 }
 
-/// All that follows from nets that have changed.
-Paper with_new_nets(Paper made, StageClock clock, const Context& context) {
+/// All that was done by hand, and that the pages are those of the program again.
+std::string with_new_pages(const std::string& edits) {
+  return edits.empty() ? edits : edits + "\n" + std::string(laid_out_anew);
+}
+
+/// All that follows from nets that have changed. `pages`: where they lie already.
+Paper with_new_nets(Paper made, StageClock clock, const Context& context,
+                    std::optional<paper::Pages> pages = std::nullopt) {
   made.drawn = {};
   if (made.options.paper) {
-    lay_out_pages(made, clock, context);
+    if (pages) {
+      made.pages = std::move(*pages);
+    } else {
+      lay_out_pages(made, clock, context);
+    }
     draw_pages(made, clock, context);
   }
   finish(made, clock, context);
@@ -330,14 +312,16 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   made.part = std::move(parts.of_face);
   made.parts_given_up = parts.given_up;
   made.part_count = count_parts(made.part);
+  made.wishes = std::move(wishes);
   made.nets = clock("unfold", context, [&] {
     return unfold::unfold(surface, made.prepared.panels, made.part,
-                          unfold_options(options, made.prepared, std::move(wishes)), context);
+                          unfold_options(options, made.prepared, made.wishes), context);
   });
   if (options.tabs.wanted && options.tab_choice.any()) {
     give_new_tabs(made, clock, context);
   }
   made.nets.notes.insert(made.nets.notes.begin(), notes.begin(), notes.end());
+  made.early_notes = std::move(notes);
   made.assembly = clock("unfold", context, [&] { return paper::assembly_order(surface, made.nets); });
   if (options.paper) {
     lay_out_pages(made, clock, context);
@@ -355,24 +339,34 @@ Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& conte
   const bool were_split = made.options.tabs.split_pieces;
   made.options.tabs = tabs;
   made.options.tabs.split_pieces = were_split;
+  made.edits = with_new_pages(made.edits);
   StageClock clock = clock_of(made);
   give_new_tabs(made, clock, context);
   return with_new_nets(std::move(made), std::move(clock), context);
 }
 
-Paper with_nets(Paper made, unfold::Nets nets, std::string edits, const Context& context) {
+unfold::Nets tabbed(const Paper& made, unfold::Nets nets, const unfold::TabChoice& choice,
+                    const Context& context) {
+  unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels,
+                       unfold_options(made.options, made.prepared, {}), nets, context, choice);
+  nets.notes = made.early_notes;
+  return nets;
+}
+
+Paper with_nets(Paper made, unfold::Nets nets, std::optional<paper::Pages> pages, std::string edits,
+                const Context& context) {
   made.nets = std::move(nets);
   made.edits = std::move(edits);
   StageClock clock = clock_of(made);
-  give_new_tabs(made, clock, context);
   made.assembly =
       clock("unfold", context, [&] { return paper::assembly_order(made.prepared.model.surface, made.nets); });
-  return with_new_nets(std::move(made), std::move(clock), context);
+  return with_new_nets(std::move(made), std::move(clock), context, std::move(pages));
 }
 
 Paper with_pages(Paper made, const paper::Paper& paper, const paper::Style& style, const Context& context) {
   made.options.paper = paper;
   made.options.style = style;
+  made.edits = with_new_pages(made.edits);
   StageClock clock = clock_of(made);
   return with_new_nets(std::move(made), std::move(clock), context);
 }

@@ -3,7 +3,7 @@
 // this header first. The command line, other programs and tests all call this and nothing else.
 //
 //   Model + Options --paper--> Paper        Paper + TabOptions --with_tabs--> Paper (same folds and cuts)
-//                                           Paper + Nets       --with_nets--> Paper (same surface)
+//                                           Paper + Nets       --tabbed, with_nets--> Paper (same surface)
 //                                           Paper + paper      --with_pages--> Paper (same nets)
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/context.hpp"
@@ -22,12 +23,17 @@
 #include "prepare/prepared/narrow_faces.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "prepare/prepared/ready_report.hpp"
+#include "unfold/net/edge_wishes.hpp"
 #include "unfold/net/nets.hpp"
+#include "unfold/net/tab_choice.hpp"
 #include "verify/verify.hpp"
 
 namespace ridgecraft::job {
 
 using prepare::sliver_mm;
+
+/// In the words of session/edit.hpp.
+inline constexpr std::string_view laid_out_anew = "pack";
 
 /// A finished job with all that was made on the way; every value is complete in itself.
 struct Paper {
@@ -36,7 +42,9 @@ struct Paper {
   Options options;
   std::uint64_t seed = 1;         ///< that the nets were searched with
   paper::Settings searched_with;  ///< what else they were: with_tabs and with_pages change `options` alone
-  std::string edits;  ///< what was done to the nets by hand (with_nets); kept as a setting of the file
+  /// What was done to the nets by hand, a step a line (with_nets); kept as a setting of the file. Where
+  /// with_tabs() or with_pages() lay them out anew, that is the step `laid_out_anew`.
+  std::string edits;
   /// A ground that the model stands on (prepare::ground_name): leaving it out makes the rest larger.
   std::optional<std::string> ground;
   mesh::Axis up = mesh::Axis::y;  ///< that points up, judged before anything of the model was changed
@@ -48,9 +56,11 @@ struct Paper {
   std::size_t part_count = 0;
   /// The deadline left no time to find parts, so each component is one; whoever set it says so.
   bool parts_given_up = false;
-  unfold::Nets nets;         ///< its notes begin with those of the stages before
-  paper::Assembly assembly;  ///< in which order the pieces are put together
-  paper::Pages pages;        ///< none where Options::paper is none
+  unfold::EdgeWishes wishes;  ///< of each edge, which cuts and folds were wanted; none where none were
+  std::vector<std::string> early_notes;  ///< of the stages before the nets
+  unfold::Nets nets;                     ///< its notes begin with those
+  paper::Assembly assembly;              ///< in which order the pieces are put together
+  paper::Pages pages;                    ///< none where Options::paper is none
   /// What lies on the pages where Options::board is as thick as to matter; else none: `nets` do.
   std::optional<unfold::Nets> nets_of_board;
   paper::ThickReport thickened;
@@ -83,10 +93,18 @@ struct Paper {
 [[nodiscard]] Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context);
 
 /// Other nets of the same surface, such as a person has made of these edge by edge
-/// (unfold/changed_folds.hpp): joins, tabs as the options ask for them, kinds of equal pieces, assembly and
-/// all that follows are made anew. `edits` tells what was done, one thing a line. Throws as paper(), but for
-/// what concerns the model.
-[[nodiscard]] Paper with_nets(Paper made, unfold::Nets nets, std::string edits, const Context& context);
+/// (unfold/changed_folds.hpp), with joins, tabs as `choice` asks for them, kinds of equal pieces, and the
+/// notes of the stages before. Throws Error(interrupted), and Error(unreadable_input) where the choice names
+/// an edge that isn't there.
+[[nodiscard]] unfold::Nets tabbed(const Paper& made, unfold::Nets nets, const unfold::TabChoice& choice,
+                                  const Context& context);
+
+/// The job with these nets, which are finished: tabbed(), or others with all that they have. Assembly and all
+/// that follows are made anew. `pages`: where the nets lie (job/page_layout.hpp); none: they are laid out,
+/// too, and so are nets of board. `edits` tells what was done, one step a line; told nothing, nothing was.
+/// Throws as paper(), but for what concerns the model.
+[[nodiscard]] Paper with_nets(Paper made, unfold::Nets nets, std::optional<paper::Pages> pages,
+                              std::string edits, const Context& context);
 
 /// The same nets on other paper, or drawn in another style; colours only where they were wanted (Style::ink)
 /// when the job began. Throws Error(no_nets) where a piece is larger

@@ -1,37 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/edit.hpp"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <system_error>
-#include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "job/job.hpp"
 
 namespace ridgecraft::session {
 namespace {
 
 constexpr std::string_view between_edits = "; ";
-/// In the order of the variant's alternatives.
-constexpr std::array<std::string_view, std::variant_size_v<Edit>> verbs{"cut", "join", "tab-from", "no-tab"};
 
-template <std::size_t... I>
-Edit edit_with(std::size_t verb, const Edge& edge, std::index_sequence<I...> /*all*/) {
-  Edit edit;
-  ((verb == I ? static_cast<void>(edit.emplace<I>(std::variant_alternative_t<I, Edit>{edge})) : void()), ...);
-  return edit;
+std::string words_with(std::string_view verb, const Edge& edge) {
+  return fmt::format("{} {} {}", verb, edge.from.value(), edge.to.value());
 }
 
-std::string words_of(const Edit& edit) {
-  const Edge edge = std::visit([](const auto& e) { return e.edge; }, edit);
-  return fmt::format("{} {} {}", verbs.at(edit.index()), edge.from.value(), edge.to.value());
+std::string words_of(const Cut& edit) {
+  return words_with("cut", edit.edge);
+}
+std::string words_of(const Join& edit) {
+  return words_with("join", edit.edge);
+}
+std::string words_of(const TabFrom& edit) {
+  return words_with("tab-from", edit.edge);
+}
+std::string words_of(const NoTab& edit) {
+  return words_with("no-tab", edit.edge);
+}
+std::string words_of(const Place& edit) {
+  return fmt::format("place {} {} {} {} {}", edit.face.value(), edit.page + 1, edit.at.x, edit.at.y,
+                     edit.degrees);
+}
+std::string words_of(const Pin& edit) {
+  return fmt::format("pin {}", edit.face.value());
+}
+std::string words_of(const Unpin& edit) {
+  return fmt::format("unpin {}", edit.face.value());
+}
+std::string words_of(const Retry& edit) {
+  return fmt::format("retry {} {}", edit.face.value(), edit.seed);
+}
+std::string words_of(const Pack& edit) {
+  std::string words(job::laid_out_anew);
+  for (const FaceId face : edit.faces) {
+    words += fmt::format(" {}", face.value());
+  }
+  return words;
 }
 
 /// What comes before the next separator; `text` goes on behind it.
@@ -42,22 +62,91 @@ std::string_view next_of(std::string_view& text, std::string_view separator) {
   return found;
 }
 
-std::optional<VertexId> vertex_of(std::string_view word) {
-  std::uint32_t number = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, number);
-  return error == std::errc() && stop == end ? std::optional(VertexId(number)) : std::nullopt;
+/// The numbers of one edit, one after the other. What isn't in form is remembered, not thrown.
+class Numbers {
+ public:
+  explicit Numbers(std::string_view words) : rest_(words) {}
+
+  template <class Number>
+  Number next() {
+    Number number{};
+    const std::string_view word = next_of(rest_, " ");
+    const char* const end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, number);
+    good_ = good_ && error == std::errc() && stop == end;
+    return number;
+  }
+  double next_finite() {
+    const double number = next<double>();
+    good_ = good_ && std::isfinite(number);
+    return number;
+  }
+  FaceId next_face() { return FaceId(next<std::uint32_t>()); }
+  Edge next_edge() {
+    const VertexId from(next<std::uint32_t>());
+    return {from, VertexId(next<std::uint32_t>())};
+  }
+  std::uint32_t next_page() {
+    const auto page = next<std::uint32_t>();
+    good_ = good_ && page > 0;
+    return page - 1;
+  }
+  [[nodiscard]] bool more() const { return !rest_.empty(); }
+  [[nodiscard]] bool all_read() const { return good_ && rest_.empty(); }
+
+ private:
+  std::string_view rest_;
+  bool good_ = true;
+};
+
+/// None for a verb that isn't one.
+std::optional<Edit> edit_with(std::string_view verb, Numbers& numbers) {
+  if (verb == "cut") {
+    return Cut{numbers.next_edge()};
+  }
+  if (verb == "join") {
+    return Join{numbers.next_edge()};
+  }
+  if (verb == "tab-from") {
+    return TabFrom{numbers.next_edge()};
+  }
+  if (verb == "no-tab") {
+    return NoTab{numbers.next_edge()};
+  }
+  if (verb == "place") {
+    Place place;
+    place.face = numbers.next_face();
+    place.page = numbers.next_page();
+    place.at.x = numbers.next_finite();
+    place.at.y = numbers.next_finite();
+    place.degrees = numbers.next_finite();
+    return place;
+  }
+  if (verb == "pin") {
+    return Pin{numbers.next_face()};
+  }
+  if (verb == "unpin") {
+    return Unpin{numbers.next_face()};
+  }
+  if (verb == "retry") {
+    const FaceId face = numbers.next_face();
+    return Retry{face, numbers.next<std::uint64_t>()};
+  }
+  if (verb == job::laid_out_anew) {
+    Pack pack;
+    while (numbers.more()) {
+      pack.faces.push_back(numbers.next_face());
+    }
+    return pack;
+  }
+  return std::nullopt;
 }
 
 std::optional<Edit> edit_of(std::string_view words) {
-  const auto verb = std::find(verbs.begin(), verbs.end(), next_of(words, " "));
-  const auto from = vertex_of(next_of(words, " "));
-  const auto to = vertex_of(words);
-  if (!from || !to || verb == verbs.end()) {
-    return std::nullopt;
-  }
-  return edit_with(static_cast<std::size_t>(verb - verbs.begin()), {*from, *to},
-                   std::make_index_sequence<verbs.size()>());
+  const std::string_view verb = next_of(words, " ");
+  Numbers numbers(words);
+  std::optional<Edit> edit = edit_with(verb, numbers);
+  return numbers.all_read() ? edit : std::nullopt;
 }
 
 }  // namespace
@@ -66,7 +155,7 @@ std::string text_of(std::span<const Edit> edits) {
   std::string text;
   for (const Edit& edit : edits) {
     text += text.empty() ? "" : between_edits;
-    text += words_of(edit);
+    text += std::visit([](const auto& e) { return words_of(e); }, edit);
   }
   return text;
 }

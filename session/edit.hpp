@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person does to nets by hand, as values and as text.
+// What a person does to nets and pages by hand, as values and as text.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "base/id.hpp"
+#include "base/vector.hpp"
 
 namespace ridgecraft::session {
 
@@ -48,9 +50,49 @@ struct NoTab {
   friend bool operator==(const NoTab&, const NoTab&) = default;
 };
 
-using Edit = std::variant<Cut, Join, TabFrom, NoTab>;
+/// A piece, by any of its faces, is laid somewhere: the first corner of this face comes to lie at a point of
+/// the page, and the side from there to the second corner runs in a direction. So a place means the same
+/// whatever was done before. Faces and their corners are those of the second frame of the FOLD file.
+struct Place {
+  FaceId face;
+  std::uint32_t page = 0;  ///< from 0; the number of pages means a new one behind them
+  Vec2 at;                 ///< mm from the lower left corner of the page
+  double degrees = 0.0;    ///< counterclockwise from the page's lower side
 
-/// "cut 3 17; join 5 9; tab-from 4 8; no-tab 2 6": edits of one step, in one line.
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// The piece with this face keeps its net and its place until it is unpinned.
+struct Pin {
+  FaceId face;
+
+  friend bool operator==(const Pin&, const Pin&) = default;
+};
+struct Unpin {
+  FaceId face;
+
+  friend bool operator==(const Unpin&, const Unpin&) = default;
+};
+
+/// The piece with this face gets another net.
+struct Retry {
+  FaceId face;
+  std::uint64_t seed = 1;
+
+  friend bool operator==(const Retry&, const Retry&) = default;
+};
+
+/// The pieces with these faces, or all where none are named, are placed anew, but for those that are pinned.
+struct Pack {
+  std::vector<FaceId> faces;
+
+  friend bool operator==(const Pack&, const Pack&) = default;
+};
+
+using Edit = std::variant<Cut, Join, TabFrom, NoTab, Place, Pin, Unpin, Retry, Pack>;
+
+/// "cut 3 17; join 5 9; tab-from 4 8; no-tab 2 6; place 12 1 55.5 80 90; pin 12; unpin 12; retry 4 7; pack":
+/// edits of one step, in one line. Pages count from 1 there.
 [[nodiscard]] std::string text_of(std::span<const Edit> edits);
 
 /// The steps of such lines. Throws Error(unreadable_input) that names the first line that isn't in form.

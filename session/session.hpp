@@ -20,35 +20,30 @@
 #include <vector>
 
 #include "base/context.hpp"
-#include "base/id.hpp"
 #include "job/job.hpp"
 #include "session/edit.hpp"
-#include "unfold/net/nets.hpp"
+#include "session/state.hpp"
 
 namespace ridgecraft::session {
 
-/// Edits that are undone together, and the nets that they left.
+/// Edits that are undone together, and where they left the project.
 struct Step {
   std::vector<Edit> edits;
-  std::shared_ptr<const unfold::Nets> nets;  ///< never null; without joins and tabs, which follow from them
+  State after;
 };
 
-/// A job and its edits. Memory grows by some 100 bytes a face with each step; copies share them.
+/// A job and its edits. Memory grows by some 300 bytes a face with each step; copies share them.
 struct Project {
   std::shared_ptr<const job::Paper> start;  ///< never null; before the first edit
+  State first;                              ///< the same
   std::vector<Step> steps;                  ///< those that were done, then those that were undone
   std::size_t done = 0;                     ///< how many of the steps
   job::Paper now;                           ///< with all that was done
 
   [[nodiscard]] bool can_undo() const { return done > 0; }
   [[nodiscard]] bool can_redo() const { return done < steps.size(); }
-};
-
-/// Why something isn't done.
-struct Refusal {
-  std::size_t edit = 0;       ///< which of those that were to be done together, from 0
-  std::string why;            ///< a sentence for people, without its full stop
-  std::vector<FaceId> faces;  ///< of the prepared surface, where to look; none where the edge isn't there
+  /// Of `now`.
+  [[nodiscard]] const State& state() const { return done == 0 ? first : steps[done - 1].after; }
 };
 
 using Answer = std::variant<Project, Refusal>;
@@ -62,19 +57,20 @@ struct Repeated {
 /// A project without edits.
 [[nodiscard]] Project open(job::Paper made);
 
-/// Does all of the edits or none, as one step; what had been undone is forgotten. Throws Error(no_nets) where
-/// the paper doesn't hold what comes out, Error(interrupted), and Error(internal) where the result fails its
-/// check. Takes the time of unfold/changed_folds.hpp for each, and once that of tabs, layout and drawing.
+/// Does all of the edits or none, as one step; what had been undone is forgotten. Pieces that it doesn't
+/// change stay where they lie; the others stay, too, where there is room, or are placed around them. Throws
+/// Error(interrupted), and Error(internal) where the result fails its check. The context's deadline isn't
+/// heeded, here and below. Takes the time of unfold/changed_folds.hpp for each edit, and once that of tabs,
+/// places and drawing; tabs aren't made anew where only places change.
 [[nodiscard]] Answer apply(const Project& project, std::span<const Edit> edits, const Context& context);
 
-/// Why apply() would refuse, but for tabs, whose room is known when they are made; none where it wouldn't.
-/// Takes the time of unfold/changed_folds.hpp for each.
+/// Why apply() would refuse; none where it wouldn't. Where nets or tabs change, room for tabs and on pages is
+/// left out, which are known when they are made. Takes the time of apply() without tabs and drawing.
 [[nodiscard]] std::optional<Refusal> why_not(const Project& project, std::span<const Edit> edits,
                                              const Context& context);
 
 /// The project one step back or forth, with the bytes that it had there; as it is where there is no such
-/// step. Takes the time of tabs, layout and drawing; there is nothing to draw where undo comes back to the
-/// start.
+/// step. Takes the time of drawing; there is nothing to draw where undo comes back to the start.
 [[nodiscard]] Project undo(const Project& project, const Context& context);
 [[nodiscard]] Project redo(const Project& project, const Context& context);
 
@@ -84,7 +80,7 @@ struct Repeated {
 [[nodiscard]] Answer reopen(job::Paper made, const std::string& fold_file, const Context& context);
 
 /// Another job with such steps, one after the other: perhaps the same model with other options. Steps that
-/// would be refused are left out. Throws as apply(), and takes its time once for all.
+/// would be refused are left out. Throws as apply(), and takes its time but for drawing, which is done once.
 [[nodiscard]] Repeated repeat(job::Paper made, std::span<const std::vector<Edit>> steps,
                               const Context& context);
 

@@ -9,16 +9,14 @@
 #include "base/convex_hull.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/motion.hpp"
-#include "unfold/folding/fold_order.hpp"
 #include "unfold/net/area_of_faces.hpp"
+#include "unfold/net/edge_wishes.hpp"
 #include "unfold/net/tolerance.hpp"
-#include "unfold/nets_of_folds.hpp"
+#include "unfold/nets_of_uses.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/lay_across.hpp"
-#include "unfold/patch/patch.hpp"
 #include "unfold/patch/room.hpp"
 #include "unfold/pieces/closing.hpp"
-#include "unfold/unfolded_parts.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -32,58 +30,25 @@ std::vector<FaceId> faces_at(const mesh::Surface& surface, EdgeId edge) {
   return faces;
 }
 
-/// What reasons are found from: each piece that isn't the one that stands for its part was cut off whole.
-Causes causes_of(const Nets& nets) {
-  Causes causes(nets.piece.size());
-  for (const Piece& piece : nets.pieces) {
-    for (const FaceId f : piece.faces) {
-      causes[f.value()] = {piece.reason, piece.faces.front().value()};
-    }
-  }
-  return causes;
-}
-
-/// The pieces that `changed.use` says, in their order, each face where `changed.flat` has it. Pieces that
-/// were there before are folded as before.
-Nets nets_of_uses(const mesh::Surface& surface, const prepare::Panels& panels,
-                  const IdVector<FaceId, PartId>& part, const Nets& before, const Nets& changed,
-                  const Causes& causes, const Context& context) {
-  std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    faces.push_back(f);
-  }
-  Folds folds(surface.corner_count(), 0);
-  for (const CornerId c : ids<CornerId>(surface.corner_count())) {
-    folds[c.value()] = changed.use[surface.edge(c)] == EdgeUse::fold ? 1 : 0;
-  }
-  Nets nets = nets_of_folds(surface, part, make_patch(surface, panels, faces), folds, causes);
-  nets.flat = changed.flat;
-  nets.broken_wishes = before.broken_wishes;
-  count_holes(surface, nets);
-  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
-    const Piece& old = before.pieces[before.piece[nets.pieces[p].faces.front()]];
-    nets.pieces[p].folding =
-        old.faces == nets.pieces[p].faces ? old.folding : find_fold_order(surface, nets, p, context);
-  }
-  return nets;
-}
-
 /// The motion of the plane that lays the second side on the first, end to start.
 Rigid onto(const Nets& nets, CornerId stays, CornerId moves) {
   const auto at = [&](CornerId c) { return nets.flat[mesh::face_of(c)][c.value() % 3]; };
   return lay_across(at(stays), at(mesh::next(stays)), at(moves), at(mesh::next(moves)));
 }
 
-/// Edges that were cut within one piece stay so: somebody wanted it, or the paper gapes there.
-EdgeWishes slits_of(const mesh::Surface& surface, const Nets& nets) {
-  EdgeWishes wishes(surface.edge_count(), EdgeWish::none);
+/// Edges that stay cut, should they come to lie within one piece: those that were to be cut, and those that
+/// are cut within a piece already, as the paper gapes there.
+EdgeWishes slits_of(const mesh::Surface& surface, const EdgeWishes& wishes, const Nets& nets) {
+  EdgeWishes slits(surface.edge_count(), EdgeWish::none);
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
-    if (nets.use[e] == EdgeUse::cut && nets.piece[mesh::face_of(c)] == nets.piece[mesh::face_of(d)]) {
-      wishes[e] = EdgeWish::cut;
+    const bool asked = !wishes.empty() && wishes[e] == EdgeWish::cut;
+    if (nets.use[e] == EdgeUse::cut &&
+        (asked || nets.piece[mesh::face_of(c)] == nets.piece[mesh::face_of(d)])) {
+      slits[e] = EdgeWish::cut;
     }
   }
-  return wishes;
+  return slits;
 }
 
 /// Faces that lie on others in this net.
@@ -123,8 +88,8 @@ std::string why_no_room(const prepare::Panels& panels, const Options& options, c
 }  // namespace
 
 ChangedNets cut_fold(const mesh::Surface& surface, const prepare::Panels& panels,
-                     const IdVector<FaceId, PartId>& part, const Nets& nets, EdgeId edge,
-                     const Context& context) {
+                     const IdVector<FaceId, PartId>& part, const Options& options, const Nets& nets,
+                     EdgeId edge, const Context& context) {
   const std::vector<FaceId> beside = faces_at(surface, edge);
   if (nets.use[edge] != EdgeUse::fold) {
     return Refusal{nets.use[edge] == EdgeUse::border
@@ -152,11 +117,11 @@ ChangedNets cut_fold(const mesh::Surface& surface, const prepare::Panels& panels
     half[halves.find(f.value()) == halves.find(beside[0].value()) ? 0 : 1].push_back(f);
   }
   const auto& smaller = half[area_of(surface, half[0]) < area_of(surface, half[1]) ? 0 : 1];
-  Causes causes = causes_of(nets);
+  Causes causes = causes_in(nets);
   for (const FaceId f : smaller) {
     causes[f.value()] = {PieceReason::request, smaller.front().value()};
   }
-  return nets_of_uses(surface, panels, part, nets, changed, causes, context);
+  return nets_of_uses(surface, panels, part, options.wishes, nets, changed, causes, context);
 }
 
 ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels,
@@ -200,8 +165,8 @@ ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels
     return Refusal{names + " stay apart: " + why, beside};
   }
   changed.use[edge] = EdgeUse::fold;
-  close_flat_cuts(surface, panels, slits_of(surface, nets), changed);
-  Nets joined = nets_of_uses(surface, panels, part, nets, changed, causes_of(nets), context);
+  close_flat_cuts(surface, panels, slits_of(surface, options.wishes, nets), changed);
+  Nets joined = nets_of_uses(surface, panels, part, options.wishes, nets, changed, causes_in(nets), context);
   const Piece& made = joined.pieces[joined.piece[beside[0]]];
   if (options.pieces.fold_linear && made.folding.way != FoldWay::together) {
     return Refusal{names + " stay apart: joined they wouldn't fold with all creases together", beside};

@@ -22,20 +22,21 @@ struct Refusal {
 };
 
 /// Nets without joins, tabs, kinds of equal pieces and notes: replace_tabs() gives them all but the notes,
-/// which told of the search.
+/// which told of the search. Edges that were to be kept and are cut are counted anew.
 using ChangedNets = std::variant<Nets, Refusal>;
 
 /// The piece with this fold becomes two; both lie as they lay. Refused where nothing is to be cut: at
-/// borders, at cuts, inside flat regions, and where the paper holds together around the edge. `part`: as for
-/// unfold(). O(n log n) but for the order in which both are folded.
+/// borders, at cuts, inside flat regions, and where the paper holds together around the edge. `part` and
+/// `options`: as for unfold(). O(n log n) but for the order in which both are folded.
 [[nodiscard]] ChangedNets cut_fold(const mesh::Surface& surface, const prepare::Panels& panels,
-                                   const IdVector<FaceId, PartId>& part, const Nets& nets, EdgeId edge,
-                                   const Context& context);
+                                   const IdVector<FaceId, PartId>& part, const Options& options,
+                                   const Nets& nets, EdgeId edge, const Context& context);
 
-/// The two pieces beside this cut become one; the larger one lies as it lay. Refused where both faces lie in
-/// one piece, where the two would overlap deeper than overlap_tolerance_mm, and where the options' sheet or
-/// rules don't hold what would come out. O(n log n) but for pairs of faces that are near each other and the
-/// order in which the piece is folded.
+/// The two pieces beside this cut become one; the larger one lies as it lay. Other edges between them that
+/// lie flat on each other become folds, too, but for those that were to be cut. Refused where both faces lie
+/// in one piece, where the two would overlap deeper than overlap_tolerance_mm, and where the options' sheet
+/// or rules don't hold what would come out. O(n log n) but for pairs of faces that are near each other and
+/// the order in which the piece is folded.
 [[nodiscard]] ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels,
                                    const IdVector<FaceId, PartId>& part, const Options& options,
                                    const Nets& nets, EdgeId edge, const Context& context);

@@ -16,6 +16,7 @@
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/give_tabs.hpp"
 #include "unfold/linear_folding.hpp"
+#include "unfold/net/broken_wishes.hpp"
 #include "unfold/net/equal_pieces.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/nets_of_folds.hpp"
@@ -52,10 +53,7 @@ Context for_searches(const Plan& plan, const Context& context) {
 
 /// All wishes count here, those that were dropped beforehand as well.
 void note_broken_wishes(const EdgeWishes& wishes, Nets& nets) {
-  std::size_t broken = 0;
-  for (const EdgeId e : ids<EdgeId>(wishes.size())) {
-    broken += wishes[e] == EdgeWish::keep && nets.use[e] == EdgeUse::cut ? 1U : 0U;
-  }
+  const std::size_t broken = count_broken(wishes, nets);
   nets.broken_wishes = broken;
   if (broken > 0) {
     nets.notes.push_back(std::to_string(broken) + (broken == 1 ? " edge that was" : " edges that were") +

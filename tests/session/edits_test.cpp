@@ -12,8 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
-#include "export/export.hpp"
-#include "mesh/mesh.hpp"
+#include "session/projects.hpp"
 #include "session/session.hpp"
 #include "verify/verify.hpp"
 
@@ -25,69 +24,16 @@ using session::Join;
 using session::NoTab;
 using session::Project;
 using session::TabFrom;
+using session_test::bytes_of;
+using session_test::cube;
+using session_test::done;
+using session_test::edges_used;
+using session_test::name_of;
+using session_test::refused;
+using session_test::sample;
+using session_test::surface_of;
 
 namespace {
-
-job::Paper sample(const std::string& name) {
-  return job::paper(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + name, {}, {}), {}, {});
-}
-
-/// A cube that A4 holds as one cross.
-job::Paper cube() {
-  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-  const std::vector<std::vector<std::uint32_t>> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                                      {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-  job::Options options;
-  options.size.largest_extent_mm = 50.0;
-  return job::paper(mesh::repair(points, faces, {}, {}), options, {});
-}
-
-/// Everything that a maker gets but the guide.
-std::string bytes_of(const job::Paper& made) {
-  std::string text = made.fold;
-  for (const paper::Drawing& page : made.drawings) {
-    text += paper::write_svg(page, {});
-  }
-  return text;
-}
-
-const mesh::Surface& surface_of(const Project& project) {
-  return project.now.prepared.model.surface;
-}
-
-Edge name_of(const mesh::Surface& surface, EdgeId edge) {
-  const CornerId side = surface.sides(edge)[0];
-  return {surface.vertex(side), surface.vertex(mesh::next(side))};
-}
-
-/// Edges between two flat regions that are used so now.
-std::vector<Edge> edges_used(const Project& project, unfold::EdgeUse use) {
-  const mesh::Surface& surface = surface_of(project);
-  const auto& panel = project.now.prepared.panels.panel;
-  std::vector<Edge> found;
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    const auto [c, d] = surface.sides(e);
-    if (project.now.nets.use[e] == use && d.valid() && panel[mesh::face_of(c)] != panel[mesh::face_of(d)]) {
-      found.push_back(name_of(surface, e));
-    }
-  }
-  return found;
-}
-
-Project done(const Project& project, const std::vector<Edit>& edits) {
-  session::Answer answer = session::apply(project, edits, {});
-  if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
-    FAIL("refused: " << refusal->why);
-  }
-  return std::get<Project>(std::move(answer));
-}
-
-session::Refusal refused(const Project& project, const std::vector<Edit>& edits) {
-  const session::Answer answer = session::apply(project, edits, {});
-  REQUIRE(std::holds_alternative<session::Refusal>(answer));
-  return std::get<session::Refusal>(answer);
-}
 
 /// Cuts and joins at random edges. After each one the file is sound, and the way back and forth gives the
 /// bytes from before and after; so does the way back to the start and forth again, and so does reopening.
@@ -315,9 +261,20 @@ TEST_CASE("edits are text and come back from it", "[session]") {
   const std::vector<Edit> tabs{TabFrom{{VertexId(3), VertexId(17)}}, NoTab{{VertexId(5), VertexId(0)}}};
   CHECK(session::text_of(tabs) == "tab-from 3 17; no-tab 5 0");
   CHECK(session::steps_of("tab-from 3 17; no-tab 5 0") == std::vector<std::vector<Edit>>{tabs});
+  const std::vector<Edit> places{session::Place{FaceId(12), 0, {55.5, -0.1}, 90.25},
+                                 session::Pin{FaceId(12)},
+                                 session::Unpin{FaceId(3)},
+                                 session::Retry{FaceId(4), 18446744073709551615U},
+                                 session::Pack{},
+                                 session::Pack{{FaceId(1), FaceId(2)}}};
+  CHECK(session::text_of(places) ==
+        "place 12 1 55.5 -0.1 90.25; pin 12; unpin 3; retry 4 18446744073709551615; pack; pack 1 2");
+  CHECK(session::steps_of(session::text_of(places)) == std::vector<std::vector<Edit>>{places});
   CHECK(session::steps_of("").empty());
-  for (const char* const wrong : {"cut", "cut 1", "cut 1 2 3", "cut 1 -2", "cut 1 2;join 3 4", "turn 1 2",
-                                  "cut 1 4294967296", "join  1 2"}) {
+  for (const char* const wrong :
+       {"cut", "cut 1", "cut 1 2 3", "cut 1 -2", "cut 1 2;join 3 4", "turn 1 2", "cut 1 4294967296",
+        "join  1 2", "place 1 0 1 1 1", "place 1 1 nan 1 1", "place 1 1 inf 1 1", "place 1 1 1 1", "pin",
+        "pin 1 2", "retry 1", "pack x"}) {
     INFO(wrong);
     CHECK_THROWS_AS(session::steps_of(wrong), Error);
   }
@@ -349,7 +306,7 @@ TEST_CASE("edits of a paper that goes on with other tabs are told with those tha
   });
   REQUIRE(next != folds.end());
   const Project twice = done(on, {Cut{*next}});
-  CHECK(twice.now.edits.starts_with(cut.now.edits + "\n"));
+  CHECK(twice.now.edits.starts_with(cut.now.edits + "\npack\n"));
   const session::Answer again = session::reopen(job::with_tabs(*start.start, lower, {}), twice.now.fold, {});
   REQUIRE(std::holds_alternative<Project>(again));
   CHECK(bytes_of(std::get<Project>(again).now) == bytes_of(twice.now));

@@ -45,8 +45,12 @@ struct EdgeTab {
 struct TabAt {
   EdgeId edge;
   bool wanted = true;  ///< no tab otherwise
-  /// Of mesh::Surface::sides(edge): 0 or 1, from which it grows where there is room.
-  std::uint8_t side = 0;
+  /// Of mesh::Surface::sides(edge): 0 or 1, from which it grows where there is room; none: either.
+  std::optional<std::uint8_t> side;
+  bool no_other_side = false;  ///< rather no tab than one on the other side
+  bool both = false;
+  std::optional<double> height_mm;
+  std::optional<double> angle;  ///< radians
 };
 
 /// Which tabs are asked for, in all and edge by edge.
@@ -56,7 +60,9 @@ struct TabChoice {
   std::vector<FromLength> heights_mm;  ///< instead of TabOptions::height_mm; ascending, the first from 0 on
   std::vector<FromLength> angles;      ///< instead of TabOptions::angle, radians; the same
   std::vector<EdgeTab> edges;          ///< what is asked for some edges; the last one counts
-  std::vector<TabAt> at;  ///< the same, and counts more; nothing is asked for edges that aren't cut
+  /// The same, and counts more; where there are several for an edge, each changes what those before it say.
+  /// Nothing is asked for edges that aren't cut.
+  std::vector<TabAt> at;
 
   /// Whether anything is asked beyond TabOptions.
   [[nodiscard]] bool any() const {

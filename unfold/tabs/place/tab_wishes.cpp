@@ -2,8 +2,9 @@
 #include "unfold/tabs/place/tab_wishes.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
-#include <set>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,6 +29,26 @@ void set_angle(double angle, TabOptions& options) {
   options.steepest_angle = std::max(options.steepest_angle, angle);
 }
 
+/// What is asked for a number, told of the join that has it.
+TabAt tab_at(const mesh::Surface& surface, const Nets& nets, const Join& join, const EdgeTab& asked) {
+  TabAt at{join.edge, asked.wanted, std::nullopt, false, asked.both, asked.height_mm, asked.angle};
+  if (!asked.piece.empty()) {
+    const auto name_at = [&](std::size_t side) -> const std::string& {
+      return nets.pieces[nets.piece[mesh::face_of(surface.sides(join.edge)[side])]].name;
+    };
+    const std::string& first = name_at(0);
+    const std::string& second = name_at(1);
+    if (asked.piece != first && asked.piece != second) {
+      throw Error(ErrorKind::unreadable_input,
+                  fmt::format("{}: edge {} is one of {}, not of {}", asked.where, asked.number,
+                              first == second ? first : first + " and " + second, asked.piece));
+    }
+    at.side = static_cast<std::uint8_t>(asked.piece == first ? 0 : 1);
+    at.no_other_side = first != second;
+  }
+  return at;
+}
+
 class WishMaker {
  public:
   WishMaker(const mesh::Surface& surface, const Nets& nets) : surface_(surface), nets_(nets) {}
@@ -44,7 +65,7 @@ class WishMaker {
     } else if (choice.sides == TabSides::alternate) {
       alternate();
     }
-    heed(choice.edges);
+    heed(by_edges(surface_, nets_, choice.edges));
     heed(choice.at);
     return std::move(wishes_);
   }
@@ -89,56 +110,24 @@ class WishMaker {
     }
   }
 
-  /// Of what is asked for one number the last counts.
-  void heed(const std::vector<EdgeTab>& asked) {
-    std::map<std::uint32_t, const EdgeTab*> last;
-    for (const EdgeTab& edge : asked) {
-      last[edge.number] = &edge;
-    }
-    std::set<std::uint32_t> met;
-    for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
-      const Join& join = nets_.joins[j];
-      if (const auto found = last.find(join.number); found != last.end()) {
-        heed(*found->second, join, wishes_[j.value()]);
-        met.insert(join.number);
-      }
-    }
-    for (const EdgeTab& edge : asked) {
-      if (!met.contains(edge.number)) {
-        throw Error(ErrorKind::unreadable_input,
-                    fmt::format("{}: no edge that is glued has the number {}", edge.where, edge.number));
-      }
-    }
-  }
-
   void heed(const std::vector<TabAt>& asked) {
-    std::map<EdgeId, const TabAt*> last;
-    for (const TabAt& at : asked) {
-      last[at.edge] = &at;
+    std::map<EdgeId, JoinId> join_at;
+    for (const JoinId j : ids<JoinId>(asked.empty() ? 0 : nets_.joins.size())) {
+      join_at[nets_.joins[j].edge] = j;
     }
-    for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
-      if (const auto found = last.find(nets_.joins[j].edge); found != last.end()) {
-        TabWish& wish = wishes_[j.value()];
-        wish.wanted = found->second->wanted;
-        wish.side = found->second->side;
-        wish.no_other_side = false;
+    for (const TabAt& at : asked) {
+      if (const auto found = join_at.find(at.edge); found != join_at.end()) {
+        heed(at, wishes_[found->second.value()]);
       }
     }
   }
 
-  void heed(const EdgeTab& asked, const Join& join, TabWish& wish) const {
+  static void heed(const TabAt& asked, TabWish& wish) {
     wish.wanted = asked.wanted;
     wish.second = wish.second || asked.both;
-    if (!asked.piece.empty()) {
-      const std::string& first = nets_.pieces[piece_at(join, 0)].name;
-      const std::string& second = nets_.pieces[piece_at(join, 1)].name;
-      if (asked.piece != first && asked.piece != second) {
-        throw Error(ErrorKind::unreadable_input,
-                    fmt::format("{}: edge {} is one of {}, not of {}", asked.where, asked.number,
-                                first == second ? first : first + " and " + second, asked.piece));
-      }
-      wish.side = static_cast<std::uint8_t>(asked.piece == first ? 0 : 1);
-      wish.no_other_side = first != second;
+    if (asked.side) {
+      wish.side = asked.side;
+      wish.no_other_side = asked.no_other_side;
     }
     wish.options.height_mm = asked.height_mm.value_or(wish.options.height_mm);
     set_angle(asked.angle.value_or(wish.options.angle), wish.options);
@@ -163,6 +152,28 @@ TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wis
     options.height_mm = std::max(options.height_mm, wish.options.height_mm);
   }
   return options;
+}
+
+std::vector<TabAt> by_edges(const mesh::Surface& surface, const Nets& nets,
+                            const std::vector<EdgeTab>& asked) {
+  std::map<std::uint32_t, const Join*> join_of;
+  for (const Join& join : nets.joins) {
+    join_of[join.number] = &join;
+  }
+  std::map<std::uint32_t, TabAt> last;
+  for (const EdgeTab& edge : asked) {
+    const auto found = join_of.find(edge.number);
+    if (found == join_of.end()) {
+      throw Error(ErrorKind::unreadable_input,
+                  fmt::format("{}: no edge that is glued has the number {}", edge.where, edge.number));
+    }
+    last[edge.number] = tab_at(surface, nets, *found->second, edge);
+  }
+  std::vector<TabAt> at;
+  for (const auto& [number, tab] : last) {
+    at.push_back(tab);
+  }
+  return at;
 }
 
 std::vector<TabWish> tab_wishes(const mesh::Surface& surface, const Nets& nets, const TabOptions& options,

@@ -23,6 +23,12 @@ struct TabWish {
   TabOptions options;                ///< its height and angle
 };
 
+/// What is asked for numbers, told of the edges that have them in these nets, so that it outlives the
+/// numbers; of what is asked for one number the last counts. Throws Error(unreadable_input) as tab_wishes().
+/// O(n log n).
+[[nodiscard]] std::vector<TabAt> by_edges(const mesh::Surface& surface, const Nets& nets,
+                                          const std::vector<EdgeTab>& asked);
+
 /// Height and angle of tabs on edges of this length.
 [[nodiscard]] TabOptions options_for(const TabOptions& options, const TabChoice& choice, double length_mm);
 

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/layout_around.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/boxes.hpp"
+#include "export/packing/clearance.hpp"
+#include "export/packing/packing.hpp"
+#include "export/packing/packing_page.hpp"
+#include "export/packing/packing_raster.hpp"
+#include "export/piece_shapes.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+/// Cells in which room is looked for, mm.
+constexpr double cell_mm = 1.0;
+/// How many turns of a piece are tried.
+constexpr std::size_t most_turns = 16;
+
+class AroundLayout {
+ public:
+  AroundLayout(const unfold::Nets& nets, const Paper& paper,
+               const IdVector<PieceId, std::optional<KeptPlace>>& kept,
+               const IdVector<PieceId, std::uint32_t>& sort, const IdVector<PieceId, Vec2>& fold_directions)
+      : kept_(kept),
+        sort_(sort),
+        task_(packing_task(nets, paper, fold_directions)),
+        box_(piece_box(paper)),
+        grid_(task_.area, cell_mm),
+        places_(nets.pieces.size()) {
+    check_fit(nets, task_, paper);
+    pages_.paper = paper;
+  }
+
+  std::variant<Pages, NoPlace> lay_out(const Context& context) {
+    if (const std::optional<NoPlace> none = keep()) {
+      return *none;
+    }
+    std::vector<PieceId> homeless;
+    for (const PieceId p : in_order()) {
+      context.check();
+      if (!places_[p] && !find_room(p)) {
+        homeless.push_back(p);
+      }
+    }
+    add_pages(homeless, context);
+    return finished();
+  }
+
+ private:
+  [[nodiscard]] const PackingShape& shape(PieceId p) const { return task_.shapes[p.value()]; }
+  [[nodiscard]] std::uint32_t sort_of(PieceId p) const { return sort_.empty() ? 0 : sort_[p]; }
+  [[nodiscard]] int hold_of(PieceId p) const { return kept_[p] ? static_cast<int>(kept_[p]->hold) : -1; }
+
+  /// What is held most firmly first, then large ones.
+  [[nodiscard]] std::vector<PieceId> in_order() const {
+    std::vector<PieceId> order;
+    for (const PieceId p : ids<PieceId>(task_.shapes.size())) {
+      order.push_back(p);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](PieceId a, PieceId b) {
+      return hold_of(a) != hold_of(b) ? hold_of(a) > hold_of(b) : shape(a).area > shape(b).area;
+    });
+    return order;
+  }
+
+  [[nodiscard]] bool on_sheet(PieceId p, const Rigid& at) const {
+    const auto& hull = shape(p).hull;
+    return std::all_of(hull.begin(), hull.end(), [&](Vec2 corner) {
+      const Vec2 q = at(corner);
+      return q.x >= box_.low.x - fit_tolerance_mm && q.x <= box_.high.x + fit_tolerance_mm &&
+             q.y >= box_.low.y - fit_tolerance_mm && q.y <= box_.high.y + fit_tolerance_mm;
+    });
+  }
+
+  /// Pieces that would come too near to each other where they are kept, of each one the others.
+  [[nodiscard]] std::vector<std::vector<PieceId>> neighbours() const {
+    std::map<PageId, std::vector<OwnedPolygon>> on_page;
+    for (const PieceId p : ids<PieceId>(kept_.size())) {
+      if (kept_[p]) {
+        for (auto& polygon : placed(shape(p), kept_[p]->at)) {
+          on_page[kept_[p]->at.page].push_back({p.value(), std::move(polygon)});
+        }
+      }
+    }
+    std::vector<std::vector<PieceId>> near(kept_.size());
+    for (const auto& [page, polygons] : on_page) {
+      for (const auto& [a, b] : too_near(polygons, task_.gap - gap_rounding_mm)) {
+        near[a].push_back(PieceId(b));
+        near[b].push_back(PieceId(a));
+      }
+    }
+    return near;
+  }
+
+  /// Why a piece can't lie on its page as the pieces lie that have their places; none where it can.
+  [[nodiscard]] std::optional<NoPlace> why_not(PieceId p, const std::vector<PieceId>& near) const {
+    const Placement& at = kept_[p]->at;
+    if (!on_sheet(p, at)) {
+      return NoPlace{p, {}, NoPlace::Why::beyond_sheet};
+    }
+    for (const PieceId other : near) {
+      if (places_[other]) {
+        return NoPlace{p, other, NoPlace::Why::too_near};
+      }
+    }
+    if (const auto first = first_on_.find(at.page);
+        first != first_on_.end() && sort_of(first->second) != sort_of(p)) {
+      return NoPlace{p, first->second, NoPlace::Why::other_sort};
+    }
+    return std::nullopt;
+  }
+
+  /// Keeps what can be kept. What was laid doesn't push away what lies, but what has changed.
+  std::optional<NoPlace> keep() {
+    const std::vector<std::vector<PieceId>> near = neighbours();
+    const std::vector<PieceId> order = in_order();
+    for (const Hold hold : {Hold::lying, Hold::laid, Hold::changed}) {
+      for (const PieceId p : order) {
+        if (!kept_[p] || kept_[p]->hold != hold) {
+          continue;
+        }
+        if (const std::optional<NoPlace> none = why_not(p, near[p.value()]); !none) {
+          put(p, kept_[p]->at);
+        } else if (hold == Hold::laid) {
+          return none;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  void put(PieceId p, const Placement& at) {
+    places_[p] = at;
+    first_on_.try_emplace(at.page, p);
+  }
+
+  /// A page as the search for room sees it, made when it is first looked at.
+  PackingPage& bitmap(PageId page) {
+    const auto found = bitmaps_.find(page);
+    if (found != bitmaps_.end()) {
+      return found->second;
+    }
+    PackingPage& made = bitmaps_.try_emplace(page, grid_).first->second;
+    for (const PieceId p : ids<PieceId>(places_.size())) {
+      if (places_[p] && places_[p]->page == page) {
+        take(p, *places_[p], made);
+      }
+    }
+    return made;
+  }
+
+  /// Pieces lie between the cells of the grid: so much more is kept free around them.
+  void take(PieceId p, const Placement& at, PackingPage& page) const {
+    Vec2 low{INFINITY, INFINITY};
+    for (const Vec2 corner : shape(p).hull) {
+      const Vec2 q = at.turn(corner);
+      low = {std::min(low.x, q.x), std::min(low.y, q.y)};
+    }
+    const Vec2 place = (1.0 / grid_.cell) * (low + at.shift - box_.low);
+    const Vec2 cell{std::max(0.0, std::floor(place.x)), std::max(0.0, std::floor(place.y))};
+    const Raster raster =
+        rasterize(shape(p), {at.cosine, at.sine}, grid_.cell, task_.gap + grid_.cell * length(place - cell));
+    page.take(raster, {static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y)});
+  }
+
+  /// Pages where the piece may look for room, that on which it lay first.
+  [[nodiscard]] std::vector<PageId> pages_for(PieceId p) const {
+    std::vector<PageId> pages;
+    for (const auto& [page, first] : first_on_) {
+      if (sort_of(first) == sort_of(p)) {
+        pages.push_back(page);
+      }
+    }
+    if (kept_[p]) {
+      std::stable_partition(pages.begin(), pages.end(),
+                            [&](PageId page) { return page == kept_[p]->at.page; });
+    }
+    return pages;
+  }
+
+  bool find_room(PieceId p) {
+    std::vector<Raster> rasters;
+    for (const Turn& turn : turns_to_try(shape(p), task_.area, most_turns)) {
+      rasters.push_back(rasterize(shape(p), turn, grid_.cell, task_.gap));
+    }
+    for (const PageId number : pages_for(p)) {
+      PackingPage& page = bitmap(number);
+      std::uint64_t work = 0;
+      double limit = task_.area.y + fit_tolerance_mm;
+      const Raster* best = nullptr;
+      Spot at;
+      for (const Raster& raster : rasters) {
+        if (const std::optional<Spot> spot = page.find(raster, limit, true, work)) {
+          best = &raster;
+          at = *spot;
+          limit = at.row * grid_.cell + raster.size.y - grid_.cell;
+        }
+      }
+      if (best != nullptr) {
+        const Vec2 corner{at.column * grid_.cell, at.row * grid_.cell};
+        Placement place;
+        place.page = number;
+        place.cosine = best->turn.cosine;
+        place.sine = best->turn.sine;
+        place.shift = box_.low + corner - best->low;
+        page.take(*best, at);
+        put(p, place);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// New pages behind all others, for each sort its own.
+  void add_pages(const std::vector<PieceId>& homeless, const Context& context) {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> of_sort;
+    for (const PieceId p : homeless) {
+      of_sort[sort_of(p)].push_back(p.value());
+    }
+    std::uint32_t next = first_on_.empty() ? 0 : first_on_.rbegin()->first.value() + 1;
+    for (const auto& [sort, shapes] : of_sort) {
+      const std::vector<Packed> packed = pack(part_of(task_, shapes), context);
+      const std::uint32_t first = next;
+      for (std::size_t i = 0; i < shapes.size(); ++i) {
+        Placement place;
+        place.page = PageId(first + packed[i].page);
+        place.cosine = packed[i].turn.cosine;
+        place.sine = packed[i].turn.sine;
+        place.shift = packed[i].shift + box_.low;
+        put(PieceId(shapes[i]), place);
+        next = std::max(next, place.page.value() + 1);
+      }
+    }
+  }
+
+  /// With pages numbered from 0 on, without gaps.
+  [[nodiscard]] Pages finished() {
+    std::map<PageId, PageId> number;
+    for (const auto& [page, first] : first_on_) {
+      number.try_emplace(page, PageId(number.size()));
+    }
+    pages_.count = number.size();
+    pages_.placements = IdVector<PieceId, Placement>(places_.size());
+    for (const PieceId p : ids<PieceId>(places_.size())) {
+      pages_.placements[p] = places_[p].value();
+      pages_.placements[p].page = number.at(places_[p]->page);
+    }
+    return std::move(pages_);
+  }
+
+  const IdVector<PieceId, std::optional<KeptPlace>>& kept_;
+  const IdVector<PieceId, std::uint32_t>& sort_;
+  PackingTask task_;
+  Box2 box_;
+  PackingGrid grid_;
+  IdVector<PieceId, std::optional<Placement>> places_;
+  std::map<PageId, PieceId> first_on_;  ///< some piece on each page
+  std::map<PageId, PackingPage> bitmaps_;
+  Pages pages_;
+};
+
+}  // namespace
+
+std::variant<Pages, NoPlace> layout_around(const unfold::Nets& nets, const Paper& paper,
+                                           const IdVector<PieceId, std::optional<KeptPlace>>& kept,
+                                           const Context& context,
+                                           const IdVector<PieceId, std::uint32_t>& sort,
+                                           const IdVector<PieceId, Vec2>& fold_directions) {
+  check_paper(paper);
+  return AroundLayout(nets, paper, kept, sort, fold_directions).lay_out(context);
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/draft.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "job/unfold_options.hpp"
+#include "session/places.hpp"
+#include "unfold/retried_pieces.hpp"
+#include "unfold/tabs/place/tab_wishes.hpp"
+
+namespace ridgecraft::session {
+namespace {
+
+/// None where the surface has no such edge.
+std::optional<EdgeId> edge_of(const mesh::Surface& surface, const Edge& edge) {
+  if (edge.from.value() >= surface.vertex_count()) {
+    return std::nullopt;
+  }
+  for (const CornerId c : surface.corners_at(edge.from)) {
+    if (surface.vertex(mesh::next(c)) == edge.to) {
+      return surface.edge(c);
+    }
+    if (surface.vertex(mesh::previous(c)) == edge.to) {
+      return surface.edge(mesh::previous(c));
+    }
+  }
+  return std::nullopt;
+}
+
+Context without_deadline(Context context) {
+  context.deadline.reset();
+  context.give_up.reset();
+  return context;
+}
+
+Refusal refusal(std::string why, std::vector<FaceId> faces) {
+  return {0, std::move(why), std::move(faces)};
+}
+
+Refusal no_such_edge() {
+  return refusal("the model has no such edge", {});
+}
+
+/// Whether paper of another colour begins at an edge.
+bool parts_colours(const mesh::Surface& surface, const job::PageLabels& labels, EdgeId edge) {
+  const auto [c, d] = surface.sides(edge);
+  return labels.any() && d.valid() && labels.of_face[mesh::face_of(c)] != labels.of_face[mesh::face_of(d)];
+}
+
+}  // namespace
+
+Draft::Draft(const job::Paper& made, const State& before, const Context& context)
+    : made_(made),
+      surface_(made.prepared.model.surface),
+      before_(before),
+      context_(without_deadline(context)),
+      options_(job::unfold_options(made.options, made.prepared, made.wishes)),
+      labels_(job::page_labels(made.prepared.model, made.options.page_by)),
+      pinned_(before.pinned) {}
+
+std::optional<Refusal> Draft::change(std::span<const Edit> edits) {
+  for (edit_ = 0; edit_ < edits.size(); ++edit_) {
+    if (Change refused = std::visit([&](const auto& edit) { return change(edit); }, edits[edit_])) {
+      refused->edit = edit_;
+      return refused;
+    }
+  }
+  return std::nullopt;
+}
+
+bool Draft::is_pinned(PieceId piece) const {
+  return std::any_of(pinned_.begin(), pinned_.end(), [&](FaceId f) { return nets().piece[f] == piece; });
+}
+
+Refusal Draft::pinned_refusal(PieceId piece) const {
+  return refusal("piece " + nets().pieces[piece].name + " is pinned", nets().pieces[piece].faces);
+}
+
+Draft::Change Draft::check_face(FaceId face) const {
+  if (face.value() >= surface_.face_count()) {
+    return refusal("the model has no such face", {});
+  }
+  return std::nullopt;
+}
+
+std::vector<FaceId> Draft::faces_at(EdgeId edge) const {
+  const auto [c, d] = surface_.sides(edge);
+  std::vector<FaceId> faces{mesh::face_of(c)};
+  if (d.valid()) {
+    faces.push_back(mesh::face_of(d));
+  }
+  return faces;
+}
+
+Draft::Change Draft::pinned_beside(EdgeId edge) const {
+  for (const FaceId face : faces_at(edge)) {
+    if (is_pinned(nets().piece[face])) {
+      return pinned_refusal(nets().piece[face]);
+    }
+  }
+  return std::nullopt;
+}
+
+Draft::Change Draft::take(unfold::ChangedNets changed) {
+  if (auto* const why = std::get_if<unfold::Refusal>(&changed)) {
+    return refusal(std::move(why->why), std::move(why->faces));
+  }
+  nets_ = std::get<unfold::Nets>(std::move(changed));
+  return std::nullopt;
+}
+
+Draft::Change Draft::change(const Cut& cut) {
+  const std::optional<EdgeId> edge = edge_of(surface_, cut.edge);
+  if (!edge) {
+    return no_such_edge();
+  }
+  if (nets().use[*edge] == unfold::EdgeUse::fold) {
+    if (Change pinned = pinned_beside(*edge)) {
+      return pinned;
+    }
+  }
+  return take(
+      unfold::cut_fold(surface_, made_.prepared.panels, made_.part, options_, nets(), *edge, context_));
+}
+
+Draft::Change Draft::change(const Join& join) {
+  const std::optional<EdgeId> edge = edge_of(surface_, join.edge);
+  if (!edge) {
+    return no_such_edge();
+  }
+  if (parts_colours(surface_, labels_, *edge)) {
+    return refusal("the faces beside this edge belong on different pages", faces_at(*edge));
+  }
+  if (nets().use[*edge] == unfold::EdgeUse::cut) {
+    if (Change pinned = pinned_beside(*edge)) {
+      return pinned;
+    }
+  }
+  return take(
+      unfold::join_cut(surface_, made_.prepared.panels, made_.part, options_, nets(), *edge, context_));
+}
+
+Draft::Change Draft::ask_for_tab(const Edge& named, bool wanted) {
+  const std::optional<EdgeId> edge = edge_of(surface_, named);
+  if (!edge) {
+    return no_such_edge();
+  }
+  if (!made_.options.tabs.wanted) {
+    return refusal("these nets are made without tabs", faces_at(*edge));
+  }
+  if (nets().use[*edge] != unfold::EdgeUse::cut) {
+    return refusal("only an edge that is glued has a tab", faces_at(*edge));
+  }
+  unfold::TabAt tab;
+  tab.edge = *edge;
+  tab.wanted = wanted;
+  tab.side = static_cast<std::uint8_t>(surface_.vertex(surface_.sides(*edge)[0]) == named.from ? 0 : 1);
+  tabs_.push_back({edit_, tab});
+  new_tabs_ = true;
+  return std::nullopt;
+}
+
+Draft::Change Draft::change(const TabFrom& tab) {
+  return ask_for_tab(tab.edge, true);
+}
+
+Draft::Change Draft::change(const NoTab& tab) {
+  return ask_for_tab(tab.edge, false);
+}
+
+Draft::Change Draft::change(const Place& place) {
+  if (Change none = check_face(place.face)) {
+    return none;
+  }
+  const PieceId piece = nets().piece[place.face];
+  if (!before_.pages) {
+    return refusal(made_.options.paper ? "pages of board are filled by the program alone"
+                                       : "nets without pages have no places",
+                   nets().pieces[piece].faces);
+  }
+  if (place.page > before_.pages->count) {
+    return refusal("there is no such page", nets().pieces[piece].faces);
+  }
+  if (is_pinned(piece)) {
+    return pinned_refusal(piece);
+  }
+  laid_.push_back({edit_, place});
+  return std::nullopt;
+}
+
+Draft::Change Draft::change(const Pin& pin) {
+  if (Change none = check_face(pin.face)) {
+    return none;
+  }
+  if (is_pinned(nets().piece[pin.face])) {
+    return refusal("piece " + nets().pieces[nets().piece[pin.face]].name + " is pinned already",
+                   nets().pieces[nets().piece[pin.face]].faces);
+  }
+  pinned_.insert(pin.face);
+  return std::nullopt;
+}
+
+Draft::Change Draft::change(const Unpin& unpin) {
+  if (Change none = check_face(unpin.face)) {
+    return none;
+  }
+  const PieceId piece = nets().piece[unpin.face];
+  if (std::erase_if(pinned_, [&](FaceId f) { return nets().piece[f] == piece; }) == 0) {
+    return refusal("piece " + nets().pieces[piece].name + " isn't pinned", nets().pieces[piece].faces);
+  }
+  return std::nullopt;
+}
+
+Draft::Change Draft::change(const Retry& retry) {
+  if (Change none = check_face(retry.face)) {
+    return none;
+  }
+  const PieceId piece = nets().piece[retry.face];
+  if (is_pinned(piece)) {
+    return pinned_refusal(piece);
+  }
+  Context seeded = context_;
+  seeded.seed = retry.seed;
+  return take(unfold::retry_pieces(surface_, made_.prepared.panels, made_.part, options_, nets(), {&piece, 1},
+                                   seeded));
+}
+
+Draft::Change Draft::change(const Pack& pack) {
+  for (const FaceId face : pack.faces) {
+    if (Change none = check_face(face)) {
+      return none;
+    }
+    if (const PieceId piece = nets().piece[face]; is_pinned(piece)) {
+      return pinned_refusal(piece);
+    }
+  }
+  all_packed_ = all_packed_ || pack.faces.empty();
+  packed_.insert(packed_.end(), pack.faces.begin(), pack.faces.end());
+  return std::nullopt;
+}
+
+/// Which edit asked for a tab for which there is no room; none where all got theirs.
+Draft::Change Draft::missing_tab(const unfold::Nets& finished) const {
+  for (const auto& [edit, tab] : tabs_) {
+    const auto join = std::find_if(finished.joins.begin(), finished.joins.end(),
+                                   [edge = tab.edge](const unfold::Join& j) { return j.edge == edge; });
+    const CornerId side = surface_.sides(tab.edge)[tab.side.value()];
+    if (tab.wanted && join != finished.joins.end() &&
+        (!join->tab.valid() || finished.tabs[join->tab].side != side)) {
+      return Refusal{edit, "there is no room for a usable tab on this side", {mesh::face_of(side)}};
+    }
+  }
+  return std::nullopt;
+}
+
+std::variant<State, Refusal> Draft::finish() const {
+  State state = before_;
+  state.pinned = pinned_;
+  for (const AskedTab& asked : tabs_) {
+    state.tabs.push_back(asked.tab);
+  }
+  if (!nets_stay()) {
+    unfold::TabChoice choice = made_.options.tab_choice;
+    // Numbers are those of the nets before all edits.
+    std::vector<unfold::TabAt> at = unfold::by_edges(surface_, made_.nets, choice.edges);
+    choice.edges.clear();
+    at.insert(at.end(), choice.at.begin(), choice.at.end());
+    at.insert(at.end(), state.tabs.begin(), state.tabs.end());
+    choice.at = std::move(at);
+    unfold::Nets finished = job::tabbed(made_, nets(), choice, context_);
+    if (Change missing = missing_tab(finished)) {
+      return *std::move(missing);
+    }
+    state.nets = std::make_shared<const unfold::Nets>(std::move(finished));
+  }
+  return placed(std::move(state));
+}
+
+std::variant<State, Refusal> Draft::placed(State state) const {
+  const bool nothing_moves = nets_stay() && laid_.empty() && packed_.empty() && !all_packed_;
+  if (!state.pages || nothing_moves) {
+    return state;
+  }
+  Places places(made_, before_, state);
+  for (const auto& [edit, place] : laid_) {
+    places.lay(edit, place);
+  }
+  if (all_packed_) {
+    places.release_all();
+  }
+  for (const FaceId face : packed_) {
+    places.release(face);
+  }
+  auto pages = places.pages(context_);
+  if (auto* const refused = std::get_if<Refusal>(&pages)) {
+    return std::move(*refused);
+  }
+  state.pages = std::make_shared<const paper::Pages>(std::get<paper::Pages>(std::move(pages)));
+  return state;
+}
+
+}  // namespace ridgecraft::session

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edits of one step, one after the other, up to the state that they leave.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/id.hpp"
+#include "job/job.hpp"
+#include "job/page_labels.hpp"
+#include "session/edit.hpp"
+#include "session/state.hpp"
+#include "unfold/changed_folds.hpp"
+#include "unfold/net/nets.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/net/tab_choice.hpp"
+
+namespace ridgecraft::session {
+
+/// A step in the making. What it refers to must outlive it.
+class Draft {
+ public:
+  /// `made`: the job, before any edit. The context's deadline isn't heeded, so that equal edits always give
+  /// equal bytes.
+  Draft(const job::Paper& made, const State& before, const Context& context);
+
+  /// Does all edits but for tabs and places, or says why not. Takes the time of unfold/changed_folds.hpp and
+  /// unfold/retried_pieces.hpp for each.
+  [[nodiscard]] std::optional<Refusal> change(std::span<const Edit> edits);
+
+  /// Whether the nets are those from before, tabs included, so that finish() only lays out.
+  [[nodiscard]] bool nets_stay() const { return !nets_ && !new_tabs_; }
+
+  /// Then gives the nets their tabs, and each piece a place: its own, or one beside those that stay.
+  [[nodiscard]] std::variant<State, Refusal> finish() const;
+
+ private:
+  using Change = std::optional<Refusal>;
+  [[nodiscard]] const unfold::Nets& nets() const { return nets_ ? *nets_ : *before_.nets; }
+  [[nodiscard]] bool is_pinned(PieceId piece) const;
+  [[nodiscard]] Refusal pinned_refusal(PieceId piece) const;
+  [[nodiscard]] Change check_face(FaceId face) const;
+  [[nodiscard]] Change change(const Cut& cut);
+  [[nodiscard]] Change change(const Join& join);
+  [[nodiscard]] Change change(const TabFrom& tab);
+  [[nodiscard]] Change change(const NoTab& tab);
+  [[nodiscard]] Change change(const Place& place);
+  [[nodiscard]] Change change(const Pin& pin);
+  [[nodiscard]] Change change(const Unpin& unpin);
+  [[nodiscard]] Change change(const Retry& retry);
+  [[nodiscard]] Change change(const Pack& pack);
+  [[nodiscard]] Change ask_for_tab(const Edge& named, bool wanted);
+  [[nodiscard]] Change pinned_beside(EdgeId edge) const;
+  [[nodiscard]] Change take(unfold::ChangedNets changed);
+  [[nodiscard]] std::vector<FaceId> faces_at(EdgeId edge) const;
+  [[nodiscard]] Change missing_tab(const unfold::Nets& finished) const;
+  [[nodiscard]] std::variant<State, Refusal> placed(State state) const;
+
+  /// A piece that somebody laid, by which edit.
+  struct Laid {
+    std::size_t edit = 0;
+    Place place;
+  };
+  /// A tab that somebody asked for, by which edit.
+  struct AskedTab {
+    std::size_t edit = 0;
+    unfold::TabAt tab;
+  };
+
+  const job::Paper& made_;
+  const mesh::Surface& surface_;
+  const State& before_;
+  Context context_;
+  unfold::Options options_;
+  job::PageLabels labels_;
+  std::optional<unfold::Nets> nets_;  ///< once they have changed
+  bool new_tabs_ = false;
+  std::set<FaceId> pinned_;
+  std::vector<AskedTab> tabs_;
+  std::vector<Laid> laid_;
+  std::vector<FaceId> packed_;
+  bool all_packed_ = false;
+  std::size_t edit_ = 0;  ///< which is being done
+};
+
+}  // namespace ridgecraft::session

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Places by hand: what isn't touched stays, what is laid lies there, and what has no room is refused.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "session/projects.hpp"
+#include "session/session.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+#include "verify/verify.hpp"
+
+using namespace ridgecraft;
+using session::Cut;
+using session::Edge;
+using session::Edit;
+using session::Join;
+using session::Pack;
+using session::Pin;
+using session::Place;
+using session::Project;
+using session::Retry;
+using session::Unpin;
+using session_test::bytes_of;
+using session_test::cube;
+using session_test::done;
+using session_test::edges_used;
+using session_test::name_of;
+using session_test::refused;
+using session_test::sample;
+using session_test::surface_of;
+
+namespace {
+
+/// Where the corners of a face lie on its page.
+std::array<Vec2, 3> on_page(const Project& project, FaceId face) {
+  std::array<Vec2, 3> corners = project.now.nets.flat[face];
+  for (Vec2& corner : corners) {
+    corner = project.now.pages.placements[project.now.nets.piece[face]](corner);
+  }
+  return corners;
+}
+
+PageId page_of(const Project& project, FaceId face) {
+  return project.now.pages.placements[project.now.nets.piece[face]].page;
+}
+
+/// The piece as it lies, but shifted and turned about the first corner of its first face.
+Place moved(const Project& project, PieceId piece, Vec2 by, double degrees = 0.0) {
+  const FaceId face = project.now.nets.pieces[piece].faces.front();
+  const std::array<Vec2, 3> at = on_page(project, face);
+  const Vec2 side = at[1] - at[0];
+  return {face, page_of(project, face).value(), at[0] + by,
+          std::atan2(side.y, side.x) * 180.0 / std::acos(-1.0) + degrees};
+}
+
+/// Faces that lie elsewhere now, or on another page.
+std::size_t faces_elsewhere(const Project& before, const Project& after) {
+  std::size_t count = 0;
+  for (const FaceId f : ids<FaceId>(surface_of(before).face_count())) {
+    const auto old = on_page(before, f);
+    const auto now = on_page(after, f);
+    const bool same =
+        page_of(before, f) == page_of(after, f) &&
+        std::equal(old.begin(), old.end(), now.begin(), [](Vec2 a, Vec2 b) { return length(a - b) < 1e-9; });
+    count += same ? 0U : 1U;
+  }
+  return count;
+}
+
+std::size_t faces_of(const Project& project, PieceId piece) {
+  return project.now.nets.pieces[piece].faces.size();
+}
+
+/// A cube in two pieces.
+Project two_pieces() {
+  const Project start = session::open(cube());
+  return done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
+}
+
+}  // namespace
+
+TEST_CASE("what an edit doesn't change stays where it lies", "[session]") {
+  const Project start = session::open(sample("mug.obj"));
+  std::size_t tried = 0;
+  for (const Edge& fold : edges_used(start, unfold::EdgeUse::fold)) {
+    const session::Answer answer = session::apply(start, std::vector<Edit>{Cut{fold}}, {});
+    const auto* const cut = std::get_if<Project>(&answer);
+    if (cut == nullptr || ++tried > 8) {
+      continue;
+    }
+    // The larger half stays, too, or finds no room with its new tabs.
+    const std::size_t pieces = cut->now.nets.pieces.size();
+    REQUIRE(pieces == start.now.nets.pieces.size() + 1);
+    std::size_t changed = 0;
+    for (const unfold::Piece& piece : start.now.nets.pieces) {
+      const bool whole = std::any_of(cut->now.nets.pieces.begin(), cut->now.nets.pieces.end(),
+                                     [&](const unfold::Piece& p) { return p.faces == piece.faces; });
+      changed += whole ? 0U : piece.faces.size();
+    }
+    CHECK(faces_elsewhere(start, *cut) <= changed);
+    CHECK(verify::verify(cut->now.fold, {}, {}).sound());
+    CHECK(bytes_of(session::undo(*cut, {}).now) == bytes_of(start.now));
+  }
+  CHECK(tried > 4);
+}
+
+TEST_CASE("a piece is laid elsewhere and turned, and comes back", "[session]") {
+  const Project start = two_pieces();
+  const PieceId small = PieceId(faces_of(start, PieceId(0)) < faces_of(start, PieceId(1)) ? 0 : 1);
+  const Place there = moved(start, small, {0.0, 0.0}, 90.0);
+  Place free = there;
+  free.page = static_cast<std::uint32_t>(start.now.pages.count);
+  free.at = {100.0, 140.0};
+  const Project laid = done(start, {free});
+  const auto corners = on_page(laid, free.face);
+  CHECK(length(corners[0] - free.at) < 1e-9);
+  CHECK(page_of(laid, free.face).value() == free.page);
+  CHECK(laid.now.pages.count == start.now.pages.count + 1);
+  CHECK(faces_elsewhere(start, laid) == faces_of(start, small));
+  CHECK(verify::verify(laid.now.fold, {}, {}).sound());
+  CHECK(laid.now.figures.overlaps == 0);
+  const Project back = session::undo(laid, {});
+  CHECK(bytes_of(back.now) == bytes_of(start.now));
+  CHECK(bytes_of(session::redo(back, {}).now) == bytes_of(laid.now));
+  const session::Answer again = session::reopen(*start.start, laid.now.fold, {});
+  REQUIRE(std::holds_alternative<Project>(again));
+  CHECK(bytes_of(std::get<Project>(again).now) == bytes_of(laid.now));
+}
+
+TEST_CASE("a page that is left empty goes", "[session]") {
+  const Project start = two_pieces();
+  REQUIRE(start.now.pages.count == 1);
+  Place place = moved(start, PieceId(1), {});
+  place.page = 1;
+  const Project apart = done(start, {place});
+  CHECK(apart.now.pages.count == 2);
+  Place other = moved(apart, PieceId(0), {});
+  other.page = 2;
+  const Project later = done(apart, {other});
+  CHECK(later.now.pages.count == 2);
+  CHECK(page_of(later, place.face).value() == 0);
+  CHECK(page_of(later, other.face).value() == 1);
+}
+
+TEST_CASE("a place without room is refused with both pieces", "[session]") {
+  const Project start = two_pieces();
+  Place onto = moved(start, PieceId(1), {});
+  onto.at = on_page(start, start.now.nets.pieces[PieceId(0)].faces.front())[0];
+  const session::Refusal refusal = refused(start, {onto});
+  CHECK(refusal.why.starts_with("there piece B would lie on piece A"));
+  CHECK(refusal.faces.size() == surface_of(start).face_count());
+  const auto told = session::why_not(start, std::vector<Edit>{onto}, {});
+  REQUIRE(told);
+  CHECK(told->why == refusal.why);
+  CHECK_FALSE(session::why_not(start, std::vector<Edit>{moved(start, PieceId(1), {})}, {}));
+  CHECK(refused(start, {moved(start, PieceId(1), {500.0, 0.0})}).why ==
+        "piece B would leave the part of the page that is for pieces");
+  Place far = moved(start, PieceId(1), {});
+  far.page = 2;
+  CHECK(refused(start, {far}).why == "there is no such page");
+  CHECK(refused(start, {Pin{FaceId(99)}}).why == "the model has no such face");
+  job::Options options;
+  options.paper.reset();
+  const job::Paper nets_alone = job::paper(mesh::Model(start.start->prepared.model), options, {});
+  const Project boundless = session::open(nets_alone);
+  CHECK(refused(boundless, {Place{FaceId(0), 0, {0.0, 0.0}, 0.0}}).why ==
+        "nets without pages have no places");
+}
+
+TEST_CASE("a pinned piece stays as it is", "[session]") {
+  const Project start = two_pieces();
+  const PieceId large = PieceId(faces_of(start, PieceId(0)) > faces_of(start, PieceId(1)) ? 0 : 1);
+  const FaceId face = start.now.nets.pieces[large].faces.front();
+  const Project pinned = done(start, {Pin{face}});
+  CHECK(bytes_of(session::undo(pinned, {}).now) == bytes_of(start.now));
+  const std::string why = "piece " + start.now.nets.pieces[large].name + " is pinned";
+  CHECK(refused(pinned, {moved(pinned, large, {1.0, 0.0})}).why == why);
+  CHECK(refused(pinned, {Retry{face, 1}}).why == why);
+  CHECK(refused(pinned, {Pack{{face}}}).why == why);
+  CHECK(refused(pinned, {Pin{face}}).why == why + " already");
+  for (const Edge& fold : edges_used(pinned, unfold::EdgeUse::fold)) {
+    CHECK(refused(pinned, {Cut{fold}}).why == why);
+  }
+  for (const Edge& cut : edges_used(pinned, unfold::EdgeUse::cut)) {
+    CHECK(session::why_not(pinned, std::vector<Edit>{Join{cut}}, {}));
+  }
+  const Project packed = done(pinned, {Pack{}});
+  CHECK(faces_elsewhere(pinned, packed) <= surface_of(start).face_count() - faces_of(start, large));
+  const Project loose = done(pinned, {Unpin{face}});
+  CHECK(refused(loose, {Unpin{face}}).why == "piece " + start.now.nets.pieces[large].name + " isn't pinned");
+  CHECK_FALSE(
+      session::why_not(loose, std::vector<Edit>{Cut{edges_used(loose, unfold::EdgeUse::fold).front()}}, {}));
+  const session::Answer again = session::reopen(*start.start, pinned.now.fold, {});
+  REQUIRE(std::holds_alternative<Project>(again));
+  CHECK(std::get<Project>(again).state().pinned == pinned.state().pinned);
+}
+
+TEST_CASE("a piece gets another net, and the others stay", "[session]") {
+  const Project start = session::open(sample("mug.obj"));
+  std::size_t found = 0;
+  for (const PieceId p : ids<PieceId>(start.now.nets.pieces.size())) {
+    const FaceId face = start.now.nets.pieces[p].faces.front();
+    const session::Answer answer = session::apply(start, std::vector<Edit>{Retry{face, 7}}, {});
+    if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
+      CHECK(refusal->why == "no other net of piece " + start.now.nets.pieces[p].name + " was found");
+      continue;
+    }
+    const Project& other = std::get<Project>(answer);
+    ++found;
+    CHECK(other.now.nets.pieces.size() == start.now.nets.pieces.size());
+    const unfold::Piece& piece = other.now.nets.pieces[other.now.nets.piece[face]];
+    CHECK(piece.faces == start.now.nets.pieces[p].faces);
+    CHECK(other.now.nets.use != start.now.nets.use);
+    CHECK(verify::verify(other.now.fold, {}, {}).sound());
+    CHECK(bytes_of(session::undo(other, {}).now) == bytes_of(start.now));
+    CHECK(bytes_of(done(start, {Retry{face, 7}}).now) == bytes_of(other.now));
+  }
+  CHECK(found > 0);
+}
+
+TEST_CASE("all pieces are placed anew as a job places them", "[session]") {
+  const Project start = session::open(sample("mug.obj"));
+  Place away = moved(start, PieceId(0), {});
+  away.page = static_cast<std::uint32_t>(start.now.pages.count);
+  const Project laid = done(start, {away});
+  const Project packed = done(laid, {Pack{}});
+  CHECK(faces_elsewhere(start, packed) == 0);
+}
+
+TEST_CASE("edits don't heed a deadline", "[session]") {
+  const Project start = session::open(sample("mug.obj"));
+  const auto folds = edges_used(start, unfold::EdgeUse::fold);
+  const auto fold = std::find_if(folds.begin(), folds.end(), [&](const Edge& edge) {
+    return !session::why_not(start, std::vector<Edit>{Cut{edge}}, {});
+  });
+  REQUIRE(fold != folds.end());
+  const std::vector<Edit> cut{Cut{*fold}};
+  Context late;
+  late.deadline = Deadline::in(0.0);
+  const Project in_time = done(start, cut);
+  const session::Answer answer = session::apply(start, cut, late);
+  REQUIRE(std::holds_alternative<Project>(answer));
+  CHECK(bytes_of(std::get<Project>(answer).now) == bytes_of(in_time.now));
+  const Project back = session::undo(in_time, late);
+  CHECK(bytes_of(session::redo(back, late).now) == bytes_of(in_time.now));
+  const session::Answer again = session::reopen(*start.start, in_time.now.fold, late);
+  REQUIRE(std::holds_alternative<Project>(again));
+  CHECK(bytes_of(std::get<Project>(again).now) == bytes_of(in_time.now));
+}
+
+TEST_CASE("edges that were to be kept are counted after each edit", "[session]") {
+  const Project plain = session::open(cube());
+  const mesh::Surface& surface = surface_of(plain);
+  job::Paper made = *plain.start;
+  made.wishes = unfold::EdgeWishes(surface.edge_count(), unfold::EdgeWish::none);
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    made.wishes[e] = unfold::EdgeWish::keep;
+  }
+  made.early_notes = {"a note of a stage before"};
+  const Project start = session::open(made);
+  const Project cut = done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
+  // A cube's net has seven cuts.
+  CHECK(cut.now.nets.broken_wishes == 8);
+  CHECK(cut.now.nets.notes == made.early_notes);
+}
+
+TEST_CASE("edges that were to be cut stay so when a join lays them on each other", "[session]") {
+  const Project start = session::open(sample("mug.obj"));
+  const mesh::Surface& surface = surface_of(start);
+  job::Paper made = *start.start;
+  made.wishes = unfold::EdgeWishes(surface.edge_count(), unfold::EdgeWish::none);
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    made.wishes[e] =
+        start.now.nets.use[e] == unfold::EdgeUse::cut ? unfold::EdgeWish::cut : unfold::EdgeWish::none;
+  }
+  const Project asked = session::open(made);
+  std::size_t joins = 0;
+  for (const Edge& cut : edges_used(asked, unfold::EdgeUse::cut)) {
+    const session::Answer answer = session::apply(asked, std::vector<Edit>{Join{cut}}, {});
+    if (const auto* const joined = std::get_if<Project>(&answer)) {
+      std::size_t folds = 0;
+      for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+        folds +=
+            asked.now.nets.use[e] == unfold::EdgeUse::cut && joined->now.nets.use[e] == unfold::EdgeUse::fold
+                ? 1U
+                : 0U;
+      }
+      CHECK(folds == 1);
+      if (++joins == 3) {
+        break;
+      }
+    }
+  }
+  CHECK(joins == 3);
+}
+
+TEST_CASE("what a file asks of tabs by numbers goes with their edges", "[session]") {
+  job::Paper made = sample("mug.obj");
+  const auto joins = made.nets.joins;
+  const auto with_tab =
+      std::find_if(joins.begin(), joins.end(), [](const unfold::Join& j) { return j.tab.valid(); });
+  REQUIRE(with_tab != joins.end());
+  const unfold::Join& last = *std::find_if(joins.items().rbegin(), joins.items().rend(),
+                                           [](const unfold::Join& j) { return j.tab.valid(); });
+  made.options.tab_choice.edges.push_back({last.number, "tabs.txt, line 1", false, false, {}, {}, {}});
+  made = job::with_tabs(made, made.options.tabs, {});
+  const Project start = session::open(made);
+  const auto tab_at = [](const Project& project, EdgeId edge) {
+    const auto& all = project.now.nets.joins;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const unfold::Join& j) { return j.edge == edge; });
+    REQUIRE(found != all.end());
+    return std::pair(found->tab.valid(), found->number);
+  };
+  REQUIRE_FALSE(tab_at(start, last.edge).first);
+  std::size_t renumbered = 0;
+  std::size_t tried = 0;
+  for (const Edge& fold : edges_used(start, unfold::EdgeUse::fold)) {
+    const session::Answer answer = session::apply(start, std::vector<Edit>{Cut{fold}}, {});
+    if (const auto* const cut = std::get_if<Project>(&answer); cut != nullptr && tried < 8) {
+      ++tried;
+      CHECK_FALSE(tab_at(*cut, last.edge).first);
+      renumbered += tab_at(*cut, last.edge).second != last.number ? 1U : 0U;
+    }
+  }
+  CHECK(renumbered > 0);
+}
+
+TEST_CASE("places, pins and nets at random leave sound pages, and every state comes back", "[session]") {
+  Project project = session::open(sample("mug.obj"));
+  const std::size_t faces = surface_of(project).face_count();
+  Random random(11);
+  std::vector<std::string> bytes{bytes_of(project.now)};
+  std::map<std::size_t, std::size_t> kinds;
+  for (std::size_t i = 0; i < 60; ++i) {
+    const FaceId face(random.below(static_cast<std::uint32_t>(faces)));
+    const PieceId piece = project.now.nets.piece[face];
+    const auto number = [&](std::uint32_t most) { return static_cast<double>(random.below(most)); };
+    std::array<Edit, 1> edit{Pin{face}};
+    switch (random.below(6)) {
+      case 0: {
+        Place place = moved(project, piece, {number(20) - 10.0, number(20) - 10.0}, 15.0 * number(3));
+        if (random.below(2) == 0) {
+          place = moved(project, piece, {});
+          place.page = static_cast<std::uint32_t>(project.now.pages.count);
+        }
+        edit[0] = place;
+        break;
+      }
+      case 1:
+        if (project.state().is_pinned(piece) || random.below(2) == 0) {
+          edit[0] = Unpin{face};
+        }
+        break;
+      case 2:
+        edit[0] = Retry{face, i};
+        break;
+      case 3:
+        edit[0] = random.below(2) == 0 ? Pack{} : Pack{{face}};
+        break;
+      case 4: {
+        const EdgeId e = surface_of(project).edge(mesh::corner(face, 0));
+        const Edge edge = name_of(surface_of(project), e);
+        edit[0] = project.now.nets.use[e] == unfold::EdgeUse::fold ? Edit(Cut{edge}) : Edit(Join{edge});
+        break;
+      }
+      default:
+        // Whatever is pinned refuses all else, so a third of the edits let go.
+        edit[0] = Unpin{face};
+        break;
+    }
+    INFO(session::text_of(edit));
+    const session::Answer answer = session::apply(project, edit, {});
+    if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
+      CHECK_FALSE(refusal->why.empty());
+      CHECK_FALSE(refusal->faces.empty());
+      continue;
+    }
+    project = std::get<Project>(answer);
+    ++kinds[edit[0].index()];
+    CHECK(verify::verify(project.now.fold, {}, {}).sound());
+    bytes.push_back(bytes_of(project.now));
+  }
+  CHECK(kinds.size() >= 5);
+  const session::Answer again = session::reopen(*project.start, project.now.fold, {});
+  REQUIRE(std::holds_alternative<Project>(again));
+  project = std::get<Project>(again);
+  for (std::size_t i = bytes.size(); i-- > 1;) {
+    CHECK(bytes_of(project.now) == bytes[i]);
+    project = session::undo(project, {});
+  }
+  CHECK(bytes_of(project.now) == bytes[0]);
+  for (std::size_t i = 1; i < bytes.size(); ++i) {
+    project = session::redo(project, {});
+    CHECK(bytes_of(project.now) == bytes[i]);
+  }
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Projects to be edited, and what tests ask of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "export/export.hpp"
+#include "mesh/mesh.hpp"
+#include "session/session.hpp"
+
+namespace ridgecraft::session_test {
+
+inline job::Paper sample(const std::string& name) {
+  return job::paper(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + name, {}, {}), {}, {});
+}
+
+/// A cube that A4 holds as one cross.
+inline job::Paper cube() {
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  const std::vector<std::vector<std::uint32_t>> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                      {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  job::Options options;
+  options.size.largest_extent_mm = 50.0;
+  return job::paper(mesh::repair(points, faces, {}, {}), options, {});
+}
+
+/// Everything that a maker gets but the guide.
+inline std::string bytes_of(const job::Paper& made) {
+  std::string text = made.fold;
+  for (const paper::Drawing& page : made.drawings) {
+    text += paper::write_svg(page, {});
+  }
+  return text;
+}
+
+inline const mesh::Surface& surface_of(const session::Project& project) {
+  return project.now.prepared.model.surface;
+}
+
+inline session::Edge name_of(const mesh::Surface& surface, EdgeId edge) {
+  const CornerId side = surface.sides(edge)[0];
+  return {surface.vertex(side), surface.vertex(mesh::next(side))};
+}
+
+/// Edges between two flat regions that are used so now.
+inline std::vector<session::Edge> edges_used(const session::Project& project, unfold::EdgeUse use) {
+  const mesh::Surface& surface = surface_of(project);
+  const auto& panel = project.now.prepared.panels.panel;
+  std::vector<session::Edge> found;
+  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+    const auto [c, d] = surface.sides(e);
+    if (project.now.nets.use[e] == use && d.valid() && panel[mesh::face_of(c)] != panel[mesh::face_of(d)]) {
+      found.push_back(name_of(surface, e));
+    }
+  }
+  return found;
+}
+
+inline session::Project done(const session::Project& project, const std::vector<session::Edit>& edits) {
+  session::Answer answer = session::apply(project, edits, {});
+  if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
+    FAIL("refused: " << refusal->why);
+  }
+  return std::get<session::Project>(std::move(answer));
+}
+
+inline session::Refusal refused(const session::Project& project, const std::vector<session::Edit>& edits) {
+  const session::Answer answer = session::apply(project, edits, {});
+  REQUIRE(std::holds_alternative<session::Refusal>(answer));
+  return std::get<session::Refusal>(answer);
+}
+
+}  // namespace ridgecraft::session_test
