@@ -147,6 +147,10 @@ void take(Project& into, session::Project changed, nlohmann::json told) {
   into.edited = std::move(changed);
   told["summary"] = nlohmann::json::parse(summary(into.job, into.result).json());
   told["undo"] = into.edited->can_undo();
+  told["pinned"] = nlohmann::json::array();
+  for (const FaceId face : into.edited->state().pinned) {
+    told["pinned"].push_back(face.value());
+  }
   answer = told.dump();
 }
 

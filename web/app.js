@@ -285,7 +285,7 @@ export class App {
     if (spot && this.chosen.size > 0 && byId("app").dataset.view !== "sheets") {
       this.showOnSheets(spot);
     }
-    this.heedChosen(this.chosen.size === 1 && this.chosenEdge >= 0 ? {piece: [...this.chosen][0], edge: this.chosenEdge} : null);
+    this.heedChosen(this.chosen.size === 1 ? {piece: [...this.chosen][0], edge: this.chosenEdge} : null);
   }
 
   /** The edge between these vertices of the model lights up, wherever it lies now. @param {number[]} ends */
@@ -296,6 +296,13 @@ export class App {
       this.chosenEdge = e;
       this.light();
     }
+  }
+
+  /** Chooses pieces as if somebody had, but offers nothing. @param {number[]} pieces */
+  choosePieces(pieces) {
+    this.chosen = new Set(pieces);
+    this.chosenEdge = -1;
+    this.light();
   }
 
   /** These faces of the model are in the way. @param {number[]} modelFaces */
@@ -357,7 +364,7 @@ export class App {
     this.inTheWay = [];
     this.light();
     this.plan.goTo(spot);
-    this.heedChosen(spot.edge >= 0 ? spot : null);
+    this.heedChosen(spot);
     const join = spot.edge >= 0 ? this.nets.edges[spot.edge].join : -1;
     const faces = join >= 0 ? this.nets.joins[join].edges.flatMap((e) => this.nets.edges[e].faces)
       : spot.edge >= 0 ? this.nets.edges[spot.edge].faces : this.nets.pieces[spot.piece].faces;

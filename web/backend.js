@@ -13,9 +13,14 @@
  * @property {boolean} canUndo
  * @property {boolean} canRedo
  * @property {boolean} busy
+ * @property {number[]} pinned a face of the model of each piece that is pinned
  *
- * @typedef {{kind: "cut"|"join"|"tab-from"|"no-tab", edge: number[]}} Edit an edge by its two model vertices, in the order in which
- *   the face has them that a tab is to grow from
+ * An edge by its two model vertices, in the order in which the face has them that a tab is to grow from; a piece by one of its
+ * faces of the model. A place: where the face's first corner lies on the page (from 1), mm from its lower left corner, and in
+ * which direction the second one lies from there.
+ * @typedef {{kind: "cut"|"join"|"tab-from"|"no-tab", edge: number[]} | {kind: "place", face: number, page: number, at: number[],
+ *   degrees: number} | {kind: "pin"|"unpin", face: number} | {kind: "retry", face: number, seed: number} | {kind: "pack",
+ *   faces: number[]}} Edit
  *
  * @typedef {object} Capabilities
  * @property {boolean} edit
@@ -29,8 +34,8 @@
  * @property {(edits: Edit[]) => Promise<State>} apply all of them, or none
  * @property {() => Promise<State>} undo
  * @property {() => Promise<State>} redo
- * @property {(edit: Edit) => Promise<{ok: boolean, why?: string, faces?: number[]}>} preview would it be refused, and which faces of
- *   the model are to be looked at
+ * @property {(edits: Edit[]) => Promise<{ok: boolean, why?: string, faces?: number[]}>} preview would they be refused, and which
+ *   faces of the model are to be looked at
  * @property {(format: string) => Promise<Uint8Array>} export
  * @property {() => void} cancel
  * @property {(listener: (stage: string, share: number) => void) => void} onProgress
@@ -61,7 +66,7 @@ export function staticBackend(page) {
   const refuse = () => Promise.reject(new NotEditable());
   return {
     state: () => ({revision: 0, options: {}, fold: text("fold"), sheets: text("sheets"), notes: [], figures: {},
-      canUndo: false, canRedo: false, busy: false}),
+      canUndo: false, canRedo: false, busy: false, pinned: []}),
     capabilities: () => ({edit: false, export: ["fold"],
       version: page.querySelector("meta[name=generator]")?.getAttribute("content") ?? ""}),
     open: refuse,

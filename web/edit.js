@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done by hand: somebody chooses an edge, and beside it stands what can be done there, or why it can't.
+// What is done by hand: somebody chooses an edge or a piece, and beside it stands what can be done there, or why it can't.
 
 import {htmlElement} from "./guide.js";
+import {faceOfPiece, placeOfPiece} from "./hands.js";
 import {modelEnds} from "./nets.js";
 import {byId} from "./panel.js";
 import {sayRefusal} from "./studio_words.js";
@@ -43,8 +44,21 @@ function editsAt(nets, e) {
   return edits;
 }
 
-/** What is offered at an edge: to cut a fold, to join what is cut, where its tab is to be. */
-export class EdgeOffer {
+/** What may be done with a piece, with what its button says. @param {Nets} nets @param {number} index @param {boolean} pinned
+ * @param {number} seed of another net @returns {{edit: Edit, text: string}[]} */
+function editsOfPiece(nets, index, pinned, seed) {
+  const face = faceOfPiece(nets, index);
+  return pinned ? [{edit: {kind: "unpin", face}, text: say("unpin")}] : [
+    {edit: placeOfPiece(nets, index, 0, 0, 90), text: say("turn_left")},
+    {edit: placeOfPiece(nets, index, 0, 0, -90), text: say("turn_right")},
+    {edit: {kind: "pack", faces: [face]}, text: say("pack_piece")},
+    {edit: {kind: "retry", face, seed}, text: say("retry_piece")},
+    {edit: {kind: "pin", face}, text: say("pin")},
+  ];
+}
+
+/** What is offered at an edge: to cut a fold, to join what is cut, where its tab is to be; and what with a piece. */
+export class Offer {
   /**
    * @param {Backend} backend
    * @param {(edit: Edit) => void} act
@@ -68,25 +82,27 @@ export class EdgeOffer {
     this.box.hidden = true;
   }
 
-  /** @param {App} app @param {Spot | null} spot */
-  async show(app, spot) {
+  /** @param {App} app @param {Spot | null} spot @param {boolean} pinned whether its piece is @param {number} seed of another net */
+  async show(app, spot, pinned, seed) {
     this.hide();
-    const offers = spot ? editsAt(app.nets, spot.edge) : [];
+    const offers = !spot ? [] : spot.edge >= 0 ? editsAt(app.nets, spot.edge) : editsOfPiece(app.nets, spot.piece, pinned, seed);
     if (!spot || offers.length === 0) {
       return;
     }
     const [main, ...others] = offers;
     const asked = offers.map(({edit}) => edit);
     this.edits = asked;
-    const {ok, why, faces} = await this.backend.preview(main.edit).catch((error) => ({ok: false, why: error.message, faces: []}));
+    const {ok, why, faces} = spot.edge < 0 ? {ok: true, why: "", faces: []}
+      : await this.backend.preview([main.edit]).catch((error) => ({ok: false, why: error.message, faces: []}));
     if (this.edits !== asked) {
       return;
     }
     const possible = ok ? offers : others;
     this.edits = possible.map(({edit}) => edit);
+    this.box.setAttribute("aria-label", say(spot.edge >= 0 ? "edit_edge" : "edit_piece", {name: app.nets.pieces[spot.piece].name}));
     this.words.textContent = ok ? "" : sayRefusal(why ?? "");
     this.buttons.replaceChildren(...possible.map(({edit, text}) => {
-      const button = htmlElement("button", {type: "button", class: edit === main.edit ? "strong" : ""}, [text]);
+      const button = htmlElement("button", {type: "button", class: spot.edge >= 0 && edit === main.edit ? "strong" : ""}, [text]);
       button.addEventListener("click", () => {
         this.hide();
         this.act(edit);
@@ -97,13 +113,13 @@ export class EdgeOffer {
     if (!ok) {
       app.markFaces(faces ?? []);
     }
-    this.#place(app, spot.edge);
+    this.#place(app, spot);
   }
 
-  /** Beside the pointer, or, for who has none, beside the edge, with the focus on it. @param {App} app @param {number} e */
-  #place(app, e) {
+  /** Beside the pointer, or, for who has none, beside the edge, with the focus on it. @param {App} app @param {Spot} spot */
+  #place(app, spot) {
     const byPointer = performance.now() - this.pointer.time < 1000;
-    const [x, y] = byPointer ? [this.pointer.x, this.pointer.y] : app.plan.clientOf(e);
+    const [x, y] = byPointer ? [this.pointer.x, this.pointer.y] : spot.edge >= 0 ? app.plan.clientOf(spot.edge) : app.plan.clientOfPiece(spot.piece);
     const {width, height} = this.box.getBoundingClientRect();
     const most = {x: innerWidth - width - 8, y: innerHeight - height - 8};
     this.box.style.left = `${Math.max(8, Math.min(most.x, x + offset))}px`;

@@ -117,11 +117,12 @@ export class Menu {
 /** Shows all keys. @param {boolean} painted whether the model has colours of its own */
 export function showKeys(painted) {
   const dialog = /** @type {HTMLDialogElement} */ (byId("keys"));
-  const spoken = reader.language === "de" ? {space: "Leertaste", home: "Pos1", tab: "Tab", escape: "Esc"}
-    : {space: "Space", home: "Home", tab: "Tab", escape: "Esc"};
+  const spoken = reader.language === "de" ? {space: "Leertaste", home: "Pos1", tab: "Tab", escape: "Esc", arrows: "Umschalt ← → ↑ ↓"}
+    : {space: "Space", home: "Home", tab: "Tab", escape: "Esc", arrows: "Shift ← → ↑ ↓"};
   const rows = [[spoken.space, "key_space"], ["B", "key_build"], ["← →", "key_steps"], ["D", "key_done"], [spoken.home, "key_home"],
     ["F", "key_f"], ["X", "key_x"], ...(painted ? [["T", "key_t"]] : []), [spoken.tab, "key_tab"], [spoken.escape, "key_escape"],
-    ["Ctrl+P", "key_print"], ...(document.getElementById("undo") ? [["Ctrl+Z", "key_undo"]] : []), ["?", "key_help"]];
+    ["Ctrl+P", "key_print"], ...(document.getElementById("undo") ? [["Ctrl+Z", "key_undo"], [spoken.arrows, "key_move"], ["R", "key_turn"], ["L", "key_pin"],
+      ["N", "key_retry"], ["P", "key_pack"]] : []), ["?", "key_help"]];
   const close = htmlElement("button", {type: "button", class: "strong"}, [say("close")]);
   close.addEventListener("click", () => dialog.close());
   dialog.setAttribute("aria-label", say("all_keys"));

@@ -338,6 +338,10 @@ export class Plan {
     this.pieces = [];
     /** @type {number[]} */
     this.edges = [];
+    /** Where pieces may be moved. @type {import("./hands.js").Hands | null} */
+    this.hands = null;
+    /** The cell of the grid behind the last page, while pieces are held. @type {SVGRectElement | null} */
+    this.newPage = null;
     this.pagesGroup = svgElement("g", {}, svg);
     this.marks = svgElement("g", {class: "marks"}, svg);
     this.#draw();
@@ -386,14 +390,57 @@ export class Plan {
         columns = n;
       }
     }
-    this.corners = [];
-    for (let p = 0; p < drawer.count; ++p) {
-      const corner = {x: (p % columns) * (width + gap), y: Math.floor(p / columns) * (height + gap)};
-      this.corners.push(corner);
-      this.pageGroups?.[p].setAttribute("transform", `translate(${corner.x} ${corner.y})`);
-    }
+    this.columns = columns;
+    this.corners = Array.from({length: drawer.count}, (_, p) => this.#cell(p));
+    this.corners.forEach((corner, p) => this.pageGroups?.[p].setAttribute("transform", `translate(${corner.x} ${corner.y})`));
     this.extent = {x: -0.5 * gap, y: -0.5 * gap, width: columns * (width + gap),
       height: Math.ceil(drawer.count / columns) * (height + gap)};
+  }
+
+  /** Where the p-th page of the grid begins. @param {number} p */
+  #cell(p) {
+    const [width, height] = this.drawer.size(0);
+    const columns = this.columns ?? 1;
+    return {x: (p % columns) * 1.06 * width, y: Math.floor(p / columns) * (height + 0.06 * width)};
+  }
+
+  /** The same of a page of nets; one more than there are is a new one. @param {number} p */
+  cornerOf(p) {
+    return p < this.nets.pages.length ? this.corners[p] : this.#cell(this.drawer.count);
+  }
+
+  /** Shows a sheet behind the last one, for pieces to be laid there. @param {boolean} shown */
+  showNewPage(shown) {
+    this.newPage?.remove();
+    this.newPage = null;
+    if (shown) {
+      const [width, height] = this.drawer.size(0);
+      this.newPage = svgElement("rect", {class: "new-page", ...this.#cell(this.drawer.count), width, height});
+      this.svg.prepend(this.newPage);
+    }
+  }
+
+  /** Draws a piece above all others. @param {number} index */
+  raise(index) {
+    const group = this.pieces[index];
+    group.parentElement?.append(group);
+    if (group.parentElement) {
+      this.pagesGroup.append(group.parentElement);
+    }
+  }
+
+  /** The page of nets below a point of the window, the number of pages for a new one, or -1. @param {number} clientX @param {number} clientY */
+  pageAtClient(clientX, clientY) {
+    const [x, y] = this.atClient(clientX, clientY);
+    const pages = this.nets.pages.length;
+    for (let p = 0; p <= pages; ++p) {
+      const corner = this.cornerOf(p);
+      const [width, height] = this.drawer.size(p < pages ? p : 0);
+      if (x >= corner.x && x <= corner.x + width && y >= corner.y && y <= corner.y + height) {
+        return p;
+      }
+    }
+    return -1;
   }
 
   resize() {
@@ -442,6 +489,7 @@ export class Plan {
     svg.style.setProperty("--mark", String(Math.max(0.5, 3.2 / view.scale)));
     svg.classList.toggle("far", view.scale < 2);
     svg.classList.toggle("very-far", view.scale < 0.9);
+    this.hands?.draw();
   }
 
   /** @param {{x: number, y: number, scale: number}} view */
@@ -454,7 +502,7 @@ export class Plan {
   /** Shows a piece, or the seam of an edge. @param {Spot} spot */
   goTo(spot) {
     const join = spot.edge >= 0 ? this.nets.edges[spot.edge].join : -1;
-    const boxes = join >= 0 ? this.nets.joins[join].edges.map((e) => this.#edgeBox(e)) : [this.#pieceBox(spot.piece)];
+    const boxes = join >= 0 ? this.nets.joins[join].edges.map((e) => this.#edgeBox(e)) : [this.pieceBox(spot.piece)];
     const low = [0, 1].map((k) => Math.min(...boxes.map((box) => box[k])));
     const high = [2, 3].map((k) => Math.max(...boxes.map((box) => box[k])));
     const least = 40;
@@ -469,8 +517,8 @@ export class Plan {
     return [this.corners[p].x + sx, this.corners[p].y + sy];
   }
 
-  /** @param {number} index */
-  #pieceBox(index) {
+  /** On the grid of pages: left, top, right, bottom. @param {number} index */
+  pieceBox(index) {
     const {box, page} = this.nets.pieces[index];
     const [x, y] = this.#atPlan(page, box[0], box[3]);
     return [x, y, x + box[2] - box[0], y + box[3] - box[1]];
@@ -488,7 +536,7 @@ export class Plan {
     if (!this.box) {
       return false;
     }
-    const box = this.#pieceBox(index);
+    const box = this.pieceBox(index);
     const {view} = this;
     return box[0] >= view.x && box[1] >= view.y && box[2] <= view.x + this.box.width / view.scale &&
       box[3] <= view.y + this.box.height / view.scale;
@@ -517,6 +565,7 @@ export class Plan {
       svgElement("path", {class: "mark", d: `M${ax} ${ay}L${bx} ${by}`}, this.marks);
       middles.push([0.5 * (ax + bx), 0.5 * (ay + by)]);
     }
+    this.hands?.draw();
     if (middles.length === 2) {
       svgElement("path", {class: "link", d: `M${middles[0].join(" ")}L${middles[1].join(" ")}`}, this.marks);
     }
@@ -624,6 +673,11 @@ export class Plan {
       fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
       moved = 0;
       start = {x: event.clientX, y: event.clientY};
+      if (fingers.size > 1) {
+        this.hands?.cancel();
+      } else if (this.hands?.take(event, () => this.pick(event.clientX, event.clientY, reachOf(event)))) {
+        return;
+      }
       if (event.shiftKey) {
         frame = svgElement("rect", {class: "frame"}, svg);
       }
@@ -641,8 +695,12 @@ export class Plan {
       const dx = event.clientX - before.x;
       const dy = event.clientY - before.y;
       moved += Math.abs(dx) + Math.abs(dy);
-      if (frame) {
-        const [a, b] = [start, {x: event.clientX, y: event.clientY}].map((at) => this.#atClient(at.x, at.y));
+      if (this.hands?.held) {
+        if (moved > 4) {
+          this.hands.move(event);
+        }
+      } else if (frame) {
+        const [a, b] = [start, {x: event.clientX, y: event.clientY}].map((at) => this.atClient(at.x, at.y));
         for (const [key, value] of Object.entries({x: Math.min(a[0], b[0]), y: Math.min(a[1], b[1]),
           width: Math.abs(a[0] - b[0]), height: Math.abs(a[1] - b[1])})) {
           frame.setAttribute(key, String(value));
@@ -661,14 +719,21 @@ export class Plan {
       fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
     });
     const up = (/** @type {PointerEvent} */ event) => {
+      const {hands} = this;
+      if (hands?.held?.moved) {
+        event.type === "pointerup" ? hands.drop() : hands.cancel();
+        fingers.delete(event.pointerId);
+        return;
+      }
+      hands?.held && hands.cancel();
       if (frame) {
-        const [a, b] = [start, {x: event.clientX, y: event.clientY}].map((at) => this.#atClient(at.x, at.y));
+        const [a, b] = [start, {x: event.clientX, y: event.clientY}].map((at) => this.atClient(at.x, at.y));
         frame.remove();
         frame = null;
         const [left, right] = [Math.min(a[0], b[0]), Math.max(a[0], b[0])];
         const [top, bottom] = [Math.min(a[1], b[1]), Math.max(a[1], b[1])];
         this.listener.chooseMany(this.nets.pieces.map((piece) => piece.index).filter((index) => {
-          const box = this.#pieceBox(index);
+          const box = this.pieceBox(index);
           return box[0] <= right && box[2] >= left && box[1] <= bottom && box[3] >= top;
         }));
       } else if (event.type === "pointerup" && moved <= 4 && fingers.size === 1) {
@@ -689,7 +754,7 @@ export class Plan {
         this.listener.visit(spot);
         return;
       }
-      const [x, y] = this.#atClient(event.clientX, event.clientY);
+      const [x, y] = this.atClient(event.clientX, event.clientY);
       const p = this.corners.findIndex((corner, k) => x >= corner.x && x <= corner.x + this.drawer.size(k)[0] && y >= corner.y &&
         y <= corner.y + this.drawer.size(k)[1]);
       if (p < 0) {
@@ -713,8 +778,8 @@ export class Plan {
     svg.addEventListener("focusout", () => this.listener.hover(null));
   }
 
-  /** @param {number} clientX @param {number} clientY */
-  #atClient(clientX, clientY) {
+  /** On the grid of pages, mm. @param {number} clientX @param {number} clientY */
+  atClient(clientX, clientY) {
     const box = this.svg.getBoundingClientRect();
     return [this.view.x + (clientX - box.left) / this.view.scale, this.view.y + (clientY - box.top) / this.view.scale];
   }
@@ -722,6 +787,13 @@ export class Plan {
   /** Where the middle of an edge is in the window. @param {number} e */
   clientOf(e) {
     const [left, top, right, bottom] = this.#edgeBox(e);
+    const box = this.svg.getBoundingClientRect();
+    return [box.left + (0.5 * (left + right) - this.view.x) * this.view.scale, box.top + (0.5 * (top + bottom) - this.view.y) * this.view.scale];
+  }
+
+  /** Where the middle of a piece is in the window. @param {number} index */
+  clientOfPiece(index) {
+    const [left, top, right, bottom] = this.pieceBox(index);
     const box = this.svg.getBoundingClientRect();
     return [box.left + (0.5 * (left + right) - this.view.x) * this.view.scale, box.top + (0.5 * (top + bottom) - this.view.y) * this.view.scale];
   }

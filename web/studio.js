@@ -3,8 +3,9 @@
 // what is told of the work; the result itself is the app's.
 
 import {App} from "./app.js";
-import {EdgeOffer} from "./edit.js";
+import {Offer} from "./edit.js";
 import {htmlElement} from "./guide.js";
+import {faceOfPiece, Hands, piecesWith, placeOfPiece} from "./hands.js";
 import {byId, Menu, sayAll} from "./panel.js";
 import {wishes, wishesOf} from "./wishes.js";
 import {say} from "./words.js";
@@ -19,6 +20,9 @@ const modelSuffix = /\.(obj|stl|ply|off|glb|gltf|3mf|pdo)$/i;
 const patienceMs = 300;
 /** Somebody who types is not finished. */
 const typingMs = 700;
+/** What a key turns and moves a piece by: degrees, mm. */
+const keyTurn = 15;
+const keyStep = 5;
 
 export class Studio {
   /** @param {WorkerBackend} backend @param {Record<string, Record<string, string>>} samples files by name, of each sample */
@@ -35,7 +39,7 @@ export class Studio {
     this.timer = 0;
     this.error = "";
     this.editing = false;
-    this.offer = new EdgeOffer(backend, (edit) => this.edit(() => backend.apply([edit]), edit));
+    this.offer = new Offer(backend, (edit) => this.edit(() => backend.apply([edit]), edit));
     this.#listenFiles();
     this.#listenEdits();
     this.#buildPanel();
@@ -147,6 +151,71 @@ export class Studio {
         event.preventDefault();
       }
     });
+    document.addEventListener("keydown", (event) => {
+      const target = /** @type {Element} */ (event.target);
+      if (!event.ctrlKey && !event.metaKey && !event.altKey && !target.closest("dialog,form,.menu") && this.#pieceKey(event)) {
+        event.preventDefault();
+        // On a piece the arrows alone go from edge to edge.
+        event.stopImmediatePropagation();
+      }
+    });
+  }
+
+  /** The pieces that keys act on: those that are chosen, or that with the focus. @returns {number[]} */
+  #pieces() {
+    const focused = document.activeElement?.closest("[data-piece]")?.getAttribute("data-piece");
+    return this.app && this.app.chosen.size > 0 ? [...this.app.chosen] : focused ? [Number(focused)] : [];
+  }
+
+  /** @param {KeyboardEvent} event */
+  #pieceKey(event) {
+    const nets = this.app?.nets;
+    if (!nets) {
+      return false;
+    }
+    const pieces = this.#pieces();
+    const faces = pieces.map((index) => faceOfPiece(nets, index));
+    const pinned = this.#pinned();
+    const lay = (/** @type {number} */ dx, /** @type {number} */ dy, /** @type {number} */ degrees) => pieces.map((index) => placeOfPiece(nets, index, dx, dy, degrees));
+    const turn = event.shiftKey ? -keyTurn : keyTurn;
+    /** @type {Record<string, () => import("./backend.js").Edit[]>} */
+    const keys = {
+      r: () => lay(0, 0, turn),
+      l: () => faces.map((face, i) => ({kind: pinned.has(pieces[i]) ? "unpin" : "pin", face})),
+      n: () => faces.map((face) => ({kind: "retry", face, seed: this.#seed()})),
+      p: () => [{kind: "pack", faces}],
+      ...(event.shiftKey ? {ArrowLeft: () => lay(-keyStep, 0, 0), ArrowRight: () => lay(keyStep, 0, 0), ArrowUp: () => lay(0, keyStep, 0),
+        ArrowDown: () => lay(0, -keyStep, 0)} : {}),
+    };
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (!keys[key] || (pieces.length === 0 && key !== "p")) {
+      return false;
+    }
+    this.layAndChoose(keys[key](), faces);
+    return true;
+  }
+
+  /** Of another net: one that wasn't tried here. */
+  #seed() {
+    return (this.backend.project?.steps.length ?? 0) + 1;
+  }
+
+  /** The pieces that are pinned. */
+  #pinned() {
+    return new Set(this.app ? piecesWith(this.app.nets, this.state?.pinned ?? []) : []);
+  }
+
+  /** Does what is to be done with pieces, and goes on with them. @param {import("./backend.js").Edit[]} edits @param {number[]} faces of them */
+  async layAndChoose(edits, faces) {
+    const focused = document.activeElement?.closest("[data-piece]") !== null;
+    await this.edit(() => this.backend.apply(edits));
+    if (this.app && this.error === "") {
+      const pieces = piecesWith(this.app.nets, faces);
+      this.app.choosePieces(pieces);
+      if (focused && pieces.length > 0) {
+        this.app.plan.pieces[pieces[0]].focus();
+      }
+    }
   }
 
   undo() {
@@ -164,7 +233,7 @@ export class Studio {
   /**
    * One at a time: whoever is faster than the program waits for what it shows.
    * @param {() => Promise<State>} work
-   * @param {import("./backend.js").Edit} [edit] whose edge is lit after it
+   * @param {import("./backend.js").Edit} [edit] whose edge or piece is lit after it
    */
   async edit(work, edit) {
     if (this.editing) {
@@ -174,8 +243,12 @@ export class Studio {
     this.offer.hide();
     await this.run(work, this.options, this.app?.view() ?? null);
     this.editing = false;
-    if (edit && this.error === "") {
-      this.app?.markEdge(edit.edge);
+    if (edit && this.app && this.error === "") {
+      if ("edge" in edit) {
+        this.app.markEdge(edit.edge);
+      } else {
+        this.app.choosePieces(piecesWith(this.app.nets, edit.kind === "pack" ? edit.faces : [edit.face]));
+      }
     }
   }
 
@@ -236,8 +309,16 @@ export class Studio {
     this.app?.stop();
     byId("welcome").hidden = true;
     byId("panel").hidden = false;
-    const app = new App(this.backend, state, view, (spot) => this.offer.show(app, spot));
+    const app = new App(this.backend, state, view, (spot) =>
+      this.offer.show(app, spot, spot !== null && this.#pinned().has(spot.piece), this.#seed()));
     this.app = app;
+    app.plan.hands = new Hands(app.plan, {
+      chosen: () => (app.chosenEdge < 0 ? app.chosen : new Set()),
+      pinned: this.#pinned(),
+      fits: (edits) => this.backend.preview(edits).then(({ok}) => ok, () => false),
+      lay: (edits) => this.layAndChoose(edits, edits.flatMap((edit) => ("face" in edit ? [edit.face] : []))),
+    });
+    app.plan.say();
     for (const [id, can] of /** @type {const} */ ([["undo", state.canUndo], ["redo", state.canRedo]])) {
       /** @type {HTMLButtonElement} */ (byId(id)).disabled = !can;
     }
@@ -405,6 +486,6 @@ export class Studio {
   inspect(about) {
     return {...(this.app ? this.app.inspect(about) : {}), ready: this.ready, project: this.backend.project?.name ?? null, options: this.options,
       figures: this.state?.figures ?? null, busy: this.backend.calls.size > 0 || this.editing, canUndo: this.state?.canUndo ?? false,
-      canRedo: this.state?.canRedo ?? false, offer: this.offer.box.hidden ? null : {edits: this.offer.edits, words: this.offer.words.textContent}, error: this.error, notes: this.state?.notes ?? []};
+      canRedo: this.state?.canRedo ?? false, pinned: [...this.#pinned()], offer: this.offer.box.hidden ? null : {edits: this.offer.edits, words: this.offer.words.textContent}, error: this.error, notes: this.state?.notes ?? []};
   }
 }

@@ -42,8 +42,12 @@ export class Cancelled extends Error {
 /** What the program is told: names that could be options or verbs are paths. @param {string} name */
 const asModel = (name) => (/^[^-].*\./.test(name) ? name : `./${name}`);
 
-/** @param {import("./backend.js").Edit[]} edits */
-const lineOf = (edits) => edits.map(({kind, edge}) => `${kind} ${edge.join(" ")}`).join("; ");
+/** In the words of session/edit.hpp. @param {import("./backend.js").Edit[]} edits */
+const lineOf = (edits) => edits.map((edit) => {
+  const told = edit.kind === "place" ? [edit.face, edit.page, ...edit.at, edit.degrees] : edit.kind === "retry" ? [edit.face, edit.seed]
+    : edit.kind === "pack" ? edit.faces : "edge" in edit ? edit.edge : [edit.face];
+  return [edit.kind, ...told].join(" ");
+}).join("; ");
 
 /** No folders in the module's file system. @param {string} name */
 const bareName = (name) => name.replace(/^.*[\\/]/, "") || "model";
@@ -142,10 +146,10 @@ export class WorkerBackend {
     return this.#change({call: "apply", line}, ({steps, undone}) => ({steps: [...steps, ...undone.slice(-1)], undone: undone.slice(0, -1)}));
   }
 
-  /** @param {import("./backend.js").Edit} edit @returns {Promise<{ok: boolean, why?: string, faces?: number[]}>} */
-  async preview(edit) {
+  /** @param {import("./backend.js").Edit[]} edits @returns {Promise<{ok: boolean, why?: string, faces?: number[]}>} */
+  async preview(edits) {
     await this.#remade();
-    const {refused} = await this.#call({call: "preview", line: lineOf([edit])});
+    const {refused} = await this.#call({call: "preview", line: lineOf(edits)});
     return refused ? {ok: false, why: refused.why, faces: refused.faces} : {ok: true};
   }
 
@@ -223,7 +227,7 @@ export class WorkerBackend {
     this.project = project;
     this.revision += 1;
     return {revision: this.revision, options: project.options, fold: told.fold, sheets: told.sheets, notes: this.notes, figures: told.summary,
-      canUndo: project.steps.length > 0, canRedo: project.undone.length > 0, busy: false};
+      canUndo: project.steps.length > 0, canRedo: project.undone.length > 0, busy: false, pinned: told.pinned ?? []};
   }
 
   /** @param {Record<string, unknown>} message @returns {Promise<any>} */

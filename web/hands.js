@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces of the sheets in somebody's hand: dragged, turned, and laid where there is room. What there is room for the program
+// says, while they are still held.
+
+import {svgElement} from "./sheets.js";
+
+/** @typedef {import("./backend.js").Edit} Edit */
+/** @typedef {import("./nets.js").Nets} Nets */
+/** @typedef {import("./sheets.js").Plan} Plan */
+/** @typedef {import("./scene.js").Spot} Spot */
+
+/** Steps of a turn by the handle while Shift is down, degrees. */
+const turnStep = 10;
+/** Of the handle above its piece, and its size, pixels. */
+const handleAway = 22;
+const handleSize = 8;
+
+/** The name of a piece that outlives edits: its smallest face of the model. @param {Nets} nets @param {number} index */
+export function faceOfPiece(nets, index) {
+  return Math.min(...nets.pieces[index].faces.map((f) => nets.modelFace[f]));
+}
+
+/** The pieces that have these faces of the model. @param {Nets} nets @param {number[]} modelFaces @returns {number[]} */
+export function piecesWith(nets, modelFaces) {
+  const asked = new Set(modelFaces);
+  return [...new Set([...nets.modelFace.keys()].filter((f) => asked.has(nets.modelFace[f])).map((f) => nets.facePiece[f]))];
+}
+
+/**
+ * Lays a piece as it lies, but turned about its middle and moved.
+ * @param {Nets} nets
+ * @param {number} index
+ * @param {number} dx mm to the right
+ * @param {number} dy mm up
+ * @param {number} degrees counterclockwise
+ * @param {number} [page] its lower left corner is as far from the point as that of its own page was
+ * @returns {Edit}
+ */
+export function placeOfPiece(nets, index, dx, dy, degrees, page = nets.pieces[index].page) {
+  const piece = nets.pieces[index];
+  const {x: left, y: foot} = nets.pages[piece.page];
+  const face = faceOfPiece(nets, index);
+  const f = /** @type {number} */ (piece.faces.find((candidate) => nets.modelFace[candidate] === face));
+  const [a, b] = [0, 1].map((k) => {
+    const v = nets.faces[3 * f + k];
+    return [nets.points[2 * v] - left, nets.points[2 * v + 1] - foot];
+  });
+  const middle = [0.5 * (piece.box[0] + piece.box[2]) - left, 0.5 * (piece.box[1] + piece.box[3]) - foot];
+  const angle = (degrees * Math.PI) / 180;
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const [x, y] = [a[0] - middle[0], a[1] - middle[1]];
+  const rounded = (/** @type {number} */ value, /** @type {number} */ unit) => Math.round(value * unit) / unit;
+  return {kind: "place", face, page: page + 1, at: [rounded(middle[0] + c * x - s * y + dx, 1e6), rounded(middle[1] + s * x + c * y + dy, 1e6)],
+    degrees: rounded((Math.atan2(b[1] - a[1], b[0] - a[0]) * 180) / Math.PI + degrees, 1e9)};
+}
+
+/**
+ * @typedef {object} HandsListener
+ * @property {() => Set<number>} chosen pieces
+ * @property {Set<number>} pinned pieces
+ * @property {(edits: Edit[]) => Promise<boolean>} fits whether there is room
+ * @property {(edits: Edit[]) => Promise<void>} lay
+ */
+
+/**
+ * What is held now.
+ * @typedef {object} Held
+ * @property {number[]} pieces
+ * @property {boolean} turns
+ * @property {{x: number, y: number}} from where the pointer took it, in the window
+ * @property {boolean} moved
+ * @property {Edit[]} edits that lay it as it is held
+ */
+
+export class Hands {
+  /** @param {Plan} plan @param {HandsListener} listener */
+  constructor(plan, listener) {
+    this.plan = plan;
+    this.listener = listener;
+    /** @type {Held | null} */
+    this.held = null;
+    this.asking = false;
+    this.layer = svgElement("g", {class: "hands"}, plan.svg);
+    this.draw();
+  }
+
+  /**
+   * Takes what is under the pointer, if it may be moved. A finger moves what was chosen before, and the sheets otherwise.
+   * @param {PointerEvent} event
+   * @param {() => Spot | null} pick
+   */
+  take(event, pick) {
+    if (event.button !== 0 || event.shiftKey && !this.#onHandle(event)) {
+      return false;
+    }
+    const chosen = this.listener.chosen();
+    const from = {x: event.clientX, y: event.clientY};
+    if (this.#onHandle(event)) {
+      this.held = {pieces: [...chosen], turns: true, from, moved: false, edits: []};
+      return true;
+    }
+    const spot = pick();
+    if (!spot || this.listener.pinned.has(spot.piece) || (event.pointerType === "touch" && !chosen.has(spot.piece))) {
+      return false;
+    }
+    const pieces = chosen.has(spot.piece) ? [...chosen].filter((index) => !this.listener.pinned.has(index)) : [spot.piece];
+    this.held = {pieces, turns: false, from, moved: false, edits: []};
+    return true;
+  }
+
+  /** @param {PointerEvent} event */
+  #onHandle(event) {
+    return event.target instanceof Element && event.target.closest(".turn-handle") !== null;
+  }
+
+  /** @param {PointerEvent} event */
+  move(event) {
+    const {held, plan} = this;
+    if (!held) {
+      return;
+    }
+    if (!held.moved) {
+      held.moved = true;
+      plan.showNewPage(true);
+      plan.svg.classList.add("holding");
+      this.layer.replaceChildren();
+      held.pieces.forEach((index) => plan.raise(index));
+    }
+    const {nets} = plan;
+    const dx = (event.clientX - held.from.x) / plan.view.scale;
+    const dy = (event.clientY - held.from.y) / plan.view.scale;
+    if (held.turns) {
+      const index = held.pieces[0];
+      const degrees = this.#turnAt(index, event);
+      const [left, top, right, bottom] = plan.pieceBox(index);
+      const corner = plan.corners[nets.pieces[index].page];
+      plan.pieces[index].setAttribute("transform", `rotate(${-degrees} ${0.5 * (left + right) - corner.x} ${0.5 * (top + bottom) - corner.y})`);
+      held.edits = [placeOfPiece(nets, index, 0, 0, degrees)];
+    } else {
+      const over = plan.pageAtClient(event.clientX, event.clientY);
+      held.edits = held.pieces.map((index) => {
+        plan.pieces[index].setAttribute("transform", `translate(${dx} ${dy})`);
+        const own = nets.pieces[index].page;
+        const page = over < 0 ? own : over;
+        const [from, to] = [plan.corners[own], plan.cornerOf(page)];
+        const height = plan.drawer.size(own)[1];
+        const there = plan.drawer.size(Math.min(page, plan.drawer.count - 1))[1];
+        return placeOfPiece(nets, index, from.x + dx - to.x, there - height - (from.y + dy - to.y), 0, page);
+      });
+    }
+    this.#ask();
+  }
+
+  /** @param {number} index @param {PointerEvent} event */
+  #turnAt(index, event) {
+    const [left, top, right, bottom] = this.plan.pieceBox(index);
+    const [x, y] = this.plan.atClient(event.clientX, event.clientY);
+    const degrees = (Math.atan2(0.5 * (left + right) - x, 0.5 * (top + bottom) - y) * 180) / Math.PI;
+    return event.shiftKey ? turnStep * Math.round(degrees / turnStep) : degrees;
+  }
+
+  /** Marks what is held while there is no room for it; one question at a time. */
+  async #ask() {
+    if (this.asking) {
+      return;
+    }
+    this.asking = true;
+    for (let asked = null; this.held && this.held.edits !== asked;) {
+      asked = this.held.edits;
+      const fits = await this.listener.fits(asked);
+      this.held?.pieces.forEach((index) => this.plan.pieces[index].classList.toggle("no-room", !fits));
+    }
+    this.asking = false;
+  }
+
+  /** Lets go; what finds no room goes back. */
+  async drop() {
+    const {held} = this;
+    this.held = null;
+    if (!held || held.edits.length === 0) {
+      this.#release(held);
+      return;
+    }
+    this.plan.showNewPage(false);
+    await this.listener.lay(held.edits);
+    this.#release(held);
+  }
+
+  cancel() {
+    const {held} = this;
+    this.held = null;
+    this.#release(held);
+  }
+
+  /** @param {Held | null} held */
+  #release(held) {
+    held?.pieces.forEach((index) => {
+      this.plan.pieces[index].removeAttribute("transform");
+      this.plan.pieces[index].classList.remove("no-room");
+    });
+    this.plan.svg.classList.remove("holding");
+    this.plan.showNewPage(false);
+    this.draw();
+  }
+
+  /** The handle of the piece that is chosen, and a lock on what is pinned. */
+  draw() {
+    this.layer.replaceChildren();
+    const {plan, listener} = this;
+    const {scale} = plan.view;
+    for (const index of listener.pinned) {
+      const [left, top, right, bottom] = plan.pieceBox(index);
+      const size = Math.min(9 / scale, 0.25 * Math.min(right - left, bottom - top));
+      svgElement("path", {class: "lock", d: "M-.7-.1V-.5a.7.7 0 0 1 1.400 0v.4M-1-.1h2v1.300h-2z",
+        transform: `translate(${left + 1.2 * size} ${top + 1.2 * size}) scale(${size})`}, this.layer);
+    }
+    const [index, ...others] = listener.chosen();
+    if (index === undefined || others.length > 0 || listener.pinned.has(index)) {
+      return;
+    }
+    const [left, top, right] = plan.pieceBox(index);
+    const [x, y] = [0.5 * (left + right), top - handleAway / scale];
+    svgElement("path", {class: "handle-line", d: `M${x} ${top}V${y}`}, this.layer);
+    svgElement("circle", {class: "turn-handle", cx: x, cy: y, r: handleSize / scale}, this.layer);
+  }
+}
