@@ -56,7 +56,8 @@ export function placeOfPiece(nets, index, dx, dy, degrees, page = nets.pieces[in
 
 /**
  * @typedef {object} HandsListener
- * @property {() => Set<number>} chosen pieces
+ * @property {() => Set<number>} chosen pieces, be it by an edge of theirs
+ * @property {() => boolean} turns whether the piece that is chosen has a handle
  * @property {Set<number>} pinned pieces
  * @property {(edits: Edit[]) => Promise<boolean>} fits whether there is room
  * @property {(edits: Edit[]) => Promise<void>} lay
@@ -215,7 +216,7 @@ export class Hands {
         transform: `translate(${left + 1.2 * size} ${top + 1.2 * size}) scale(${size})`}, this.layer);
     }
     const [index, ...others] = listener.chosen();
-    if (index === undefined || others.length > 0 || listener.pinned.has(index)) {
+    if (index === undefined || others.length > 0 || listener.pinned.has(index) || !listener.turns()) {
       return;
     }
     const [left, top, right] = plan.pieceBox(index);

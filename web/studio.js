@@ -313,7 +313,8 @@ export class Studio {
       this.offer.show(app, spot, spot !== null && this.#pinned().has(spot.piece), this.#seed()));
     this.app = app;
     app.plan.hands = new Hands(app.plan, {
-      chosen: () => (app.chosenEdge < 0 ? app.chosen : new Set()),
+      chosen: () => app.chosen,
+      turns: () => app.chosenEdge < 0,
       pinned: this.#pinned(),
       fits: (edits) => this.backend.preview(edits).then(({ok}) => ok, () => false),
       lay: (edits) => this.layAndChoose(edits, edits.flatMap((edit) => ("face" in edit ? [edit.face] : []))),

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moves pieces in the studio's page by mouse and keyboard; a finger moves the sheets. The program behind it is played by a few lines, which note
+// what they are asked, so that this runs where no WebAssembly was built.
+//   node hands.mjs --browser chromium|firefox --cmake FILE --web FOLDER --program FILE --samples FOLDER --tools FOLDER --out FOLDER
+import {execFileSync} from "node:child_process";
+import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
+import {pathToFileURL} from "node:url";
+import {parseArgs} from "node:util";
+import {gzipSync} from "node:zlib";
+
+import {launch, toolsIn} from "./browsers.mjs";
+
+const {values} = parseArgs({options: {browser: {type: "string", default: "chromium"}, cmake: {type: "string"}, web: {type: "string"},
+  program: {type: "string"}, samples: {type: "string"}, tools: {type: "string"}, out: {type: "string"}}});
+const require = toolsIn(values.tools);
+const {out} = values;
+mkdirSync(out, {recursive: true});
+const faults = [];
+const check = (holds, words) => holds || faults.push(words);
+
+/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page. */
+function play(fold, sheets) {
+  let pinned = [];
+  self.onmessage = ({data}) => {
+    const told = {summary: {}, fold, sheets, pinned};
+    if (data.line) {
+      postMessage({note: `${data.call}: ${data.line}`});
+    }
+    const refused = /^place \d+ \d+ -/.test(data.line ?? "") ? {edit: 0, why: "piece A would leave the part of the page that is for pieces", faces: [0]} : null;
+    if (data.call === "apply" && /^(un)?pin /.test(data.line)) {
+      pinned = data.line.startsWith("pin") ? [Number(data.line.split(" ")[1])] : [];
+      told.pinned = pinned;
+    }
+    postMessage(data.call === "start" ? {id: data.id} : refused ? {id: data.id, refused} : data.call === "preview" ? {id: data.id} : {id: data.id, ...told});
+  };
+}
+
+execFileSync(values.program, [`${values.samples}/whale.obj`, "--overwrite", "--quiet", "-o", `${out}/whale.html`, "-o", `${out}/whale.fold`],
+  {stdio: ["ignore", "ignore", "inherit"]});
+const fold = readFileSync(`${out}/whale.fold`, "utf8");
+const written = readFileSync(`${out}/whale.html`, "utf8");
+const sheets = /id="sheets">(.*?)<\/script>/s.exec(written)[1].replace(/\\(\\|u003c|u2028|u2029)/g, (_, what) =>
+  what === "\\" ? "\\" : String.fromCharCode(parseInt(what.slice(1), 16)));
+execFileSync(values.cmake, ["-D", "STUDIO=ON", "-D", `HTML=${out}/frame.html`, "-P", `${values.web}/bundle.cmake`]);
+const json = (value) => JSON.stringify(value).replaceAll("<", "\\u003c");
+const data = [["program", `(${play})(${json(fold)},${json(sheets)});`], ["sample-files", json({whale: {"whale.obj": "v 0 0 0\n"}})], ["start", "{}"],
+  ["module", gzipSync(Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])).toString("base64")]];
+const file = `${out}/hands.html`;
+writeFileSync(file, readFileSync(`${out}/frame.html`, "utf8").replace("@PRODUCER@", "Ridgecraft test")
+  .replace("@DATA@", () => data.map(([id, text]) => `<script type="text/plain" id="${id}">${text}</script>\n`).join("")));
+
+const browser = await launch(require, values.browser, true);
+
+async function open(options) {
+  const context = await browser.newContext({viewport: {width: 1280, height: 800}, reducedMotion: "reduce", locale: "de-DE", ...options});
+  const page = await context.newPage();
+  page.setDefaultTimeout(120000);
+  const heard = [];
+  page.on("pageerror", (error) => /style-src-elem/.test(error.message) || heard.push(error.message));
+  await page.goto(pathToFileURL(file).href);
+  const inspect = (about) => page.evaluate((a) => globalThis.ridgecraft.inspect(a), about);
+  const idle = async () => {
+    await page.waitForFunction(() => !globalThis.ridgecraft.inspect().busy, null, {timeout: 60000});
+    return inspect();
+  };
+  await page.click("#samples button");
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().pieces > 0, null, {timeout: 60000});
+  if (options?.viewport?.width < 700) {
+    await page.click("#show-sheets");
+  }
+  /** A point of a piece in the window, away from its edges. */
+  const inside = (piece) => page.evaluate((index) => {
+    const box = document.querySelector(`[data-piece="${index}"] .faces`).getBoundingClientRect();
+    for (let i = 1; i < 40; ++i) {
+      for (let j = 1; j < 40; ++j) {
+        const [x, y] = [box.left + (i * box.width) / 40, box.top + (j * box.height) / 40];
+        const spot = globalThis.ridgecraft.inspect({x, y}).under.sheet;
+        if (spot && spot.piece === index && spot.edge < 0) {
+          return [x, y];
+        }
+      }
+    }
+    return null;
+  }, piece);
+  const lines = async (call) => (await inspect()).notes.map(({text}) => text).filter((text) => text.startsWith(`${call}: `)).map((text) => text.slice(call.length + 2));
+  return {context, page, heard, inspect, idle, inside, lines};
+}
+
+const numbers = (line) => line.split(" ").slice(1).map(Number);
+const scaleOf = (page) => page.evaluate(() => {
+  const svg = document.getElementById("plan");
+  return svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+});
+
+async function byMouse() {
+  const {context, page, heard, inspect, idle, inside, lines} = await open();
+  const [x, y] = await inside(1);
+  const scale = await scaleOf(page);
+
+  // A drag lays the piece so much further.
+  const drag = async (dx, dy, while_held = async () => {}) => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + dx / 2, y + dy / 2);
+    await page.mouse.move(x + dx, y + dy);
+    await while_held();
+    await page.mouse.up();
+    return idle();
+  };
+  await drag(0, 1);
+  check((await lines("apply")).length === 0, "a click lays a piece");
+  await page.keyboard.press("Escape");
+  await drag(60, 40, async () => {
+    check(await page.locator(".new-page").count() === 1, "there is no new page while a piece is held");
+    await page.screenshot({path: `${out}/${values.browser}-held.png`});
+  });
+  const first = (await lines("apply")).at(-1) ?? "";
+  await drag(120, 40);
+  const second = (await lines("apply")).at(-1) ?? "";
+  const [a, b] = [numbers(first), numbers(second)];
+  check(first.startsWith("place ") && a[0] === b[0] && a[1] === b[1] && Math.abs(b[2] - a[2] - 60 / scale) < 0.05 && Math.abs(b[3] - a[3]) < 0.05 && a[4] === b[4],
+    `60 pixels further of ${scale} a mm: "${first}", "${second}"`);
+  check((await lines("preview")).some((line) => line.startsWith("place ")), "nobody asks for room while a piece is held");
+
+  // Without room it is red, goes back, and why is said in German.
+  const refused = await drag(-700, 0, async () => page.waitForSelector(".no-room", {timeout: 5000}).catch(() => faults.push("what has no room isn't marked")));
+  check(/^Teil A läge außerhalb/.test(refused.error), `a refusal says "${refused.error}"`);
+  check(await page.locator("[data-piece][transform]").count() === 0 && await page.locator(".no-room").count() === 0, "what is refused doesn't go back");
+
+  // A click offers what can be done.
+  await page.keyboard.press("Escape");
+  await page.mouse.click(x, y);
+  const {offer} = await inspect();
+  check(offer?.edits.map(({kind}) => kind).join() === "place,place,pack,retry,pin", `a piece is offered ${JSON.stringify(offer)}`);
+  const texts = await page.locator("#edit button").allTextContents();
+  check(texts.join() === "Um 90° nach links drehen,Um 90° nach rechts drehen,Anderen Platz suchen,Andere Abwicklung,Festhalten", `the buttons say ${texts}`);
+  await page.screenshot({path: `${out}/${values.browser}-offer.png`});
+
+  // The handle turns it.
+  const handle = await page.locator(".turn-handle").boundingBox();
+  check(handle !== null, "a piece that is chosen has no handle");
+  if (handle) {
+    await page.mouse.move(handle.x + handle.width / 2, handle.y + handle.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(handle.x + 80, handle.y + 40, {steps: 3});
+    await page.mouse.up();
+    await idle();
+    const turned = numbers((await lines("apply")).at(-1));
+    check(Math.abs(turned[4] - a[4]) > 5, `the handle turns from ${a[4]} to ${turned[4]} degrees`);
+  }
+
+  // Keys act on what is chosen.
+  const after = async (key) => {
+    await page.keyboard.press(key);
+    await idle();
+    return (await lines("apply")).at(-1) ?? "";
+  };
+  const right = numbers(await after("Shift+ArrowRight"));
+  const up = numbers(await after("Shift+ArrowUp"));
+  check(Math.abs(right[2] - up[2] - 5) < 1e-5 && Math.abs(up[3] - right[3] - 5) < 1e-5, `arrows move to ${right} and ${up}`);
+  check(Math.abs(numbers(await after("r"))[4] - up[4] - 15) < 1e-6, "R doesn't turn by 15 degrees");
+  check(/^retry \d+ \d+$/.test(await after("n")), "N makes no other net");
+  check(/^pack \d+$/.test(await after("p")), "P finds no other place");
+  check(/^pin \d+$/.test(await after("l")), "L doesn't pin");
+  check((await inspect()).pinned.join() === "1" && await page.locator(".lock").count() === 1, "what is pinned has no lock");
+  const before = (await lines("apply")).length;
+  await drag(60, 0);
+  check((await lines("apply")).length === before, "a pinned piece is dragged");
+  await page.screenshot({path: `${out}/${values.browser}-pinned.png`});
+  check(/^unpin \d+$/.test(await after("l")), "L doesn't unpin");
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => document.activeElement.blur());
+  check((await after("p")) === "pack", "P without a piece doesn't pack all");
+
+  // Undo and redo are at hand as after other edits.
+  check((await inspect()).canUndo, "what was laid can't be undone");
+  check(heard.length === 0, `the page says ${heard.slice(0, 3)}`);
+  await context.close();
+}
+
+/** With a finger: the sheets move as long as no piece was chosen. */
+async function byFinger() {
+  const {context, page, heard, inspect, idle, inside, lines} = await open({viewport: {width: 400, height: 800}, hasTouch: true});
+  const stroke = ([x, y], dx, dy) => page.evaluate(([from, to]) => {
+    const svg = document.getElementById("plan");
+    svg.setPointerCapture = () => {};
+    const tell = (type, [clientX, clientY]) => svg.dispatchEvent(new PointerEvent(type, {pointerId: 5, pointerType: "touch",
+      isPrimary: true, button: type === "pointermove" ? -1 : 0, buttons: 1, clientX, clientY, bubbles: true, cancelable: true}));
+    tell("pointerdown", from);
+    tell("pointermove", [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])]);
+    tell("pointermove", to);
+    tell("pointerup", to);
+  }, [[x, y], [x + dx, y + dy]]);
+  await stroke(await inside(0), 10, 8);
+  await idle();
+  check((await lines("apply")).length === 0, "a finger moves a piece that wasn't chosen");
+  await stroke(await inside(0), 0, 0);
+  check((await inspect()).chosen.join() === "0", "a tap doesn't choose a piece");
+  await page.screenshot({path: `${out}/${values.browser}-phone.png`});
+  check(heard.length === 0, `on a phone the page says ${heard.slice(0, 3)}`);
+  await context.close();
+}
+
+for (const run of [byMouse, byFinger]) {
+  try {
+    await run();
+  } catch (error) {
+    faults.push(error.stack ?? String(error));
+  }
+}
+await browser.close();
+console.log(faults.length === 0 ? "passed" : `FAILED\n    ${faults.join("\n    ")}`);
+process.exit(faults.length === 0 ? 0 : 1);
