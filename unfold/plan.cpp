@@ -13,6 +13,7 @@
 #include "unfold/panel_parts.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/pieces/fitting_panels.hpp"
+#include "unfold/pieces/kept_bands.hpp"
 #include "unfold/pieces/kept_edges.hpp"
 #include "unfold/pieces/needles.hpp"
 
@@ -29,7 +30,11 @@ Room room_of(const Options& options) {
 
 /// Keeps what can be kept of what is to be kept, and together what that holds together.
 void settle(const Asked& asked, const Context& context, Plan& plan) {
-  const EdgeWishes wishes = with_needles_kept(asked.surface, plan.whole, asked.options.wishes);
+  EdgeWishes wishes = with_needles_kept(asked.surface, plan.whole, asked.options.wishes);
+  const PieceRules& rules = asked.options.pieces;
+  if (rules.merge && rules.mode != PieceMode::few) {
+    wishes = with_bands_kept(asked.surface, plan.whole, asked.options.labels.items(), wishes, rules.weights);
+  }
   if (wishes.empty()) {
     plan.group = asked.part;
     return;

@@ -21,7 +21,7 @@ unfold::Bands bands_of(const mesh::Surface& surface) {
 
 /// How many edges are rungs of each band.
 std::vector<std::size_t> rungs_of(const unfold::Bands& bands) {
-  std::vector<std::size_t> count(bands.rung_mm.size(), 0);
+  std::vector<std::size_t> count(bands.seam_mm.size(), 0);
   for (const std::uint32_t band : bands.band) {
     if (band != unfold::nothing) {
       ++count[band];
@@ -43,8 +43,8 @@ TEST_CASE("the walls of a turned body are bands, its ends and cones are none", "
   // A disk, a wall that widens, a straight one, and a cone.
   const auto bands = bands_of(test::revolve({{0, 0}, {10, 0}, {15, 30}, {15, 50}, {0, 70}}, 9));
   CHECK(rungs_of(bands) == std::vector<std::size_t>{9, 9});
-  CHECK(bands.rung_mm[0] == Approx(std::hypot(5.0, 30.0)));
-  CHECK(bands.rung_mm[1] == Approx(20.0));
+  CHECK(bands.seam_mm[0] == Approx(std::hypot(5.0, 30.0)));
+  CHECK(bands.seam_mm[1] == Approx(20.0));
 }
 
 TEST_CASE("a wall of fewer than five regions is none", "[bands]") {
@@ -54,7 +54,7 @@ TEST_CASE("a wall of fewer than five regions is none", "[bands]") {
   CHECK(rungs_of(bands_of(test::revolve(prism, 5))) == std::vector<std::size_t>{5});
 }
 
-TEST_CASE("a wall that is open at both ends is one, one with a slit isn't", "[bands]") {
+TEST_CASE("a wall that is open at both ends is one, and one with a slit has no seam", "[bands]") {
   const mesh::Surface tube = test::revolve({{10, 0}, {10, 40}}, 8);
   CHECK(rungs_of(bands_of(tube)) == std::vector<std::size_t>{8});
   const prepare::Panels panels = prepare::find_panels(tube);
@@ -65,7 +65,23 @@ TEST_CASE("a wall that is open at both ends is one, one with a slit isn't", "[ba
     }
   }
   REQUIRE(faces.size() == 14);
-  CHECK(unfold::find_bands(unfold::make_patch(tube, panels, faces)).empty());
+  const unfold::Bands slit = unfold::find_bands(unfold::make_patch(tube, panels, faces));
+  CHECK(rungs_of(slit) == std::vector<std::size_t>{6});
+  CHECK(slit.closed == std::vector<std::uint8_t>{0});
+  CHECK(slit.seam_mm == std::vector<double>{0.0});
+  CHECK(bands_of(tube).closed == std::vector<std::uint8_t>{1});
+  // Half a tube goes round, less doesn't.
+  const auto share = [&](std::size_t regions) {
+    std::vector<FaceId> some;
+    for (const FaceId f : ids<FaceId>(tube.face_count())) {
+      if (panels.panel[f].value() < regions) {
+        some.push_back(f);
+      }
+    }
+    return unfold::find_bands(unfold::make_patch(tube, panels, some));
+  };
+  CHECK(!share(5).empty());
+  CHECK(share(4).empty());
 }
 
 TEST_CASE("of bands that cross the one with the longer rungs counts, and each region once", "[bands]") {
@@ -79,7 +95,7 @@ TEST_CASE("of bands that cross the one with the longer rungs counts, and each re
   // Around the section the rungs are chords of the large circle, shorter than the section's sides.
   REQUIRE(chord(30.0, 20) < chord(12.0, 6));
   CHECK(rungs_of(bands) == std::vector<std::size_t>(6, 20));
-  for (const double rung : bands.rung_mm) {
+  for (const double rung : bands.seam_mm) {
     CHECK(rung == Approx(chord(12.0, 6)));
   }
 }
@@ -89,6 +105,6 @@ TEST_CASE("bands don't depend on how the model is turned, nor on its size", "[ba
   const auto bands = bands_of(body);
   const auto larger = bands_of(test::scaled(body, 10.0));
   CHECK(larger.band == bands.band);
-  REQUIRE(larger.rung_mm.size() == 1);
-  CHECK(larger.rung_mm[0] == Approx(10.0 * bands.rung_mm[0]));
+  REQUIRE(larger.seam_mm.size() == 1);
+  CHECK(larger.seam_mm[0] == Approx(10.0 * bands.seam_mm[0]));
 }

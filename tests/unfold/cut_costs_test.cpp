@@ -207,11 +207,11 @@ TEST_CASE("a band that is parted more than once costs the cuts beyond its longes
   CutCosts lengths = example.costs(alone);
   CutCosts costs = example.costs(banded);
   const unfold::Bands bands = unfold::find_bands(example.patch);
-  REQUIRE(bands.rung_mm.size() == 4);
+  REQUIRE(bands.seam_mm.size() == 4);
   Random random(5);
   for (int tree = 0; tree < 5; ++tree) {
     const Folds folds = unfold::start_tree(example.patch, unfold::StartTree::depth_first, random);
-    std::vector<double> cut(bands.rung_mm.size(), 0.0);
+    std::vector<double> cut(bands.seam_mm.size(), 0.0);
     for (std::uint32_t side = 0; side < example.patch.twin.size(); ++side) {
       if (folds[side] == 0 && side < example.patch.twin[side] && bands.band[side] != unfold::nothing) {
         cut[bands.band[side]] += example.patch.length[side];
@@ -219,7 +219,7 @@ TEST_CASE("a band that is parted more than once costs the cuts beyond its longes
     }
     double more = 0.0;
     for (std::size_t band = 0; band < cut.size(); ++band) {
-      more += std::max(0.0, cut[band] - bands.rung_mm[band]);
+      more += std::max(0.0, cut[band] - bands.seam_mm[band]);
     }
     lengths.set_tree(folds);
     costs.set_tree(folds);

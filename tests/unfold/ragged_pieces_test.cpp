@@ -11,6 +11,7 @@
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/bent_sheets.hpp"
+#include "unfold/energy/bands.hpp"
 #include "unfold/energy/piece_cost.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/forest.hpp"
@@ -36,11 +37,12 @@ double cost_of(const Patch& patch, const Folds& folds, const Weights& weights) {
   return sum;
 }
 
-/// The least that one more cut leads to, by trying each.
+/// The least that one more cut leads to, by trying each but those across walls that go round.
 double least_after_one_cut(const Patch& patch, const Folds& folds, const Weights& weights) {
+  const unfold::Bands bands = unfold::find_bands(patch);
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t side = 0; side < folds.size(); ++side) {
-    if (folds[side] != 0 && side < patch.twin[side]) {
+    if (folds[side] != 0 && side < patch.twin[side] && bands.band[side] == unfold::nothing) {
       Folds cut = folds;
       set_fold(patch, cut, side, false);
       least = std::min(least, cost_of(patch, cut, weights));

@@ -19,6 +19,7 @@
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/sub_patch.hpp"
+#include "unfold/pieces/kept_bands.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 
 using namespace ridgecraft;
@@ -114,11 +115,19 @@ double measure(const Model& model, const Nets& nets, std::string_view term) {
   for (const std::string_view other : unfold::term_names()) {
     *unfold::weight_named(weights, other) = other == term ? 1.0 : 0.0;
   }
-  const Patch patch = test::whole_patch(model.surface, model.panels, model.labels.items());
+  Patch patch = test::whole_patch(model.surface, model.panels, model.labels.items());
   Folds folds(patch.twin.size(), 0);
   for (std::uint32_t side = 0; side < folds.size(); ++side) {
     const EdgeId edge = model.surface.edge(mesh::corner(patch.face[side / 3], side % 3));
     folds[side] = nets.use[edge] == unfold::EdgeUse::fold ? 1 : 0;
+  }
+  // What lies across a strip that stays one is no neck.
+  const unfold::EdgeWishes strips =
+      unfold::with_bands_kept(model.surface, model.panels, model.labels.items(), {}, Weights());
+  for (std::uint32_t side = 0; side < folds.size() && !strips.empty(); ++side) {
+    const EdgeId edge = model.surface.edge(mesh::corner(patch.face[side / 3], side % 3));
+    patch.frozen[side] = strips[edge] == unfold::EdgeWish::band && folds[side] != 0 ? unfold::frozen_in_band
+                                                                                    : patch.frozen[side];
   }
   const std::vector<std::uint32_t> mirror =
       mirror_sides(model.surface, patch, unfold::mirror_images(model.surface, Weights()).edge);

@@ -71,7 +71,7 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
       price_(patch.twin.size()),
       needed_(patch.twin.size()),
       cost_(patch.twin.size()),
-      cut_mm_(bands_.rung_mm.size(), 0.0) {
+      cut_mm_(bands_.seam_mm.size(), 0.0) {
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     const Triangle& t = patch.shape[side / 3];
     const std::uint32_t k = side % 3;
@@ -156,7 +156,7 @@ void CutCosts::weigh_mirror(double times) {
 
 /// A band has to be opened once, at its longest rung or a shorter one.
 double CutCosts::band_cost(std::uint32_t band, double cut_mm) const {
-  return weights_.bands * std::max(0.0, cut_mm - bands_.rung_mm[band]);
+  return weights_.bands * std::max(0.0, cut_mm - bands_.seam_mm[band]);
 }
 
 /// Of the swap that is being rated.

@@ -20,6 +20,7 @@ enum class EdgeWish : std::uint8_t {
   cut,     ///< never a fold
   keep,    ///< a fold
   needle,  ///< a fold: beside it lies a face too narrow to be cut out (pieces/needles.hpp)
+  band,    ///< a fold: it lies across a wall that goes round, and stays one strip (pieces/kept_bands.hpp)
 };
 using EdgeWishes = IdVector<EdgeId, EdgeWish>;  ///< per edge of a surface, or empty
 

@@ -26,7 +26,8 @@ class Keeper {
       const auto [c, d] = surface.sides(e);
       if (!d.valid() || panel(c) == panel(d)) {
         result_.wishes[e] = EdgeWish::none;
-      } else if (wishes[e] == EdgeWish::keep || wishes[e] == EdgeWish::needle) {
+      } else if (wishes[e] == EdgeWish::keep || wishes[e] == EdgeWish::needle ||
+                 wishes[e] == EdgeWish::band) {
         wanted_.push_back(e);
         result_.wishes[e] = EdgeWish::none;
       }

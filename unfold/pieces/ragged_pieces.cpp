@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -23,9 +22,6 @@ using Faces = std::vector<std::uint32_t>;
 
 /// So many folds of a piece are measured: those where outline, seam and number of pieces alone save most.
 constexpr std::size_t most_measured = 8;
-
-/// So many folds across a wall that goes round make a stretch of it.
-constexpr std::size_t few_rungs = 2;
 
 /// A piece, and what it costs.
 struct Costed {
@@ -74,15 +70,6 @@ class RaggedPieces {
     return {std::move(faces), cost};
   }
 
-  /// Does the piece have a stretch of a wall that goes round? That makes a long outline, and is what a master
-  /// would draw.
-  [[nodiscard]] bool has_band(const RootedTree& tree) const {
-    std::map<std::uint32_t, std::size_t> rungs;  // that are folds, of each band
-    return std::any_of(tree.up.begin() + 1, tree.up.end(), [&](std::uint32_t up) {
-      return is_rung(up) && ++rungs[bands_.band[up]] >= few_rungs;
-    });
-  }
-
   [[nodiscard]] bool is_rung(std::uint32_t side) const {
     return !bands_.empty() && bands_.band[side] != nothing;
   }
@@ -117,9 +104,6 @@ class RaggedPieces {
   /// Both halves, if the piece is cut.
   std::optional<std::array<Costed, 2>> cut(const Costed& piece) {
     const RootedTree tree = rooted_tree(patch_, folds_, piece.faces.front(), place_);
-    if (has_band(tree)) {
-      return std::nullopt;
-    }
     std::optional<std::array<Costed, 2>> best;
     std::uint32_t best_side = nothing;
     double least = piece.cost;
