@@ -19,7 +19,7 @@ TEST_CASE("PDF, SVG and PNG show the same", "[renderings]") {
     }
   }
   const std::string source = RIDGECRAFT_SOURCE_DIR;
-  for (const std::string name : {"lighthouse", "penguin"}) {  // two pages each, in colours
+  for (const std::string name : {"fox_head", "penguin"}) {  // two pages each, in colours
     CAPTURE(name);
     const TemporaryFolder folder;
     const Outcome outcome = run_program({source + "/samples/" + name + ".obj", "--no-guide", "-o", "page.pdf",
