@@ -13,6 +13,7 @@
 #include "export/page/back_of_page.hpp"
 #include "export/page/furniture.hpp"
 #include "export/page/glue_spots.hpp"
+#include "export/page/list_pages.hpp"
 #include "export/page/neighbours.hpp"
 #include "export/page/number_list.hpp"
 #include "export/page/page_index.hpp"

@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "export/page/text_table.hpp"
-
 namespace ridgecraft::paper {
 namespace {
 
@@ -125,41 +123,6 @@ std::string number_row(const PieceDrawing& piece) {
 bool has_room_for_lists(const Paper& paper) {
   const Vec2 area = piece_area(paper);
   return area.x >= least_width && area.y >= least_height;
-}
-
-std::vector<std::vector<Text>> list_pages(const std::vector<RowList>& lists, const Paper& paper) {
-  const Box2 area = piece_box(paper);
-  const double width = area.high.x - area.low.x;
-  const auto most = static_cast<std::size_t>((area.high.y - area.low.y) / table_row_height);
-  std::vector<std::vector<std::string>> pages;
-  for (const RowList& list : lists) {
-    std::vector<std::string> heading;
-    append_wrapped(heading, list.heading, width);
-    std::vector<std::string> lines;
-    for (const std::string& row : list.rows) {
-      append_wrapped(lines, row, width);
-    }
-    bool headed = false;
-    for (const std::string& line : lines) {
-      if (pages.empty() || pages.back().size() + (headed ? 1 : heading.size() + 1) > most) {
-        pages.emplace_back();
-        headed = false;
-      }
-      if (!headed) {
-        pages.back().insert(pages.back().end(), heading.begin(), heading.end());
-        headed = true;
-      }
-      pages.back().push_back(line);
-    }
-  }
-  std::vector<std::vector<Text>> tables;
-  for (const std::vector<std::string>& page : pages) {
-    tables.push_back(table(page));
-    for (Text& text : tables.back()) {
-      text.centre += Vec2{area.low.x, area.high.y};
-    }
-  }
-  return tables;
 }
 
 }  // namespace ridgecraft::paper

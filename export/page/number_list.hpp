@@ -29,9 +29,4 @@ struct RowList {
   std::vector<std::string> rows;
 };
 
-/// The lists on pages of their own, one after the other, each with its heading above, and again on each page
-/// that it goes on to; long rows go on in the next line. Only where has_room_for_lists().
-[[nodiscard]] std::vector<std::vector<Text>> list_pages(const std::vector<RowList>& lists,
-                                                        const Paper& paper);
-
 }  // namespace ridgecraft::paper

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/page/list_pages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "export/page/text_table.hpp"
+#include "export/style/stroke_font.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+/// Of small letters; the last are those of lists beside pieces.
+constexpr std::array<double, 3> letters_mm{2.6, 2.2, table_text_height};
+constexpr double row_share = table_row_height / table_text_height;
+constexpr double least_column_mm = 75.0;
+constexpr double column_gap_mm = 8.0;
+constexpr double heading_share = 1.15;  ///< height of headings, of the letters'
+constexpr double entry_share = 1.3;     ///< of the lines that entries begin with
+constexpr double indent_share = 2.0;
+constexpr double after_heading_share = 0.9;  ///< of a row
+constexpr double before_entry_share = 0.45;
+
+enum class Kind { heading, entry, words };
+
+/// A line of a column.
+struct ListLine {
+  Kind kind = Kind::words;
+  std::string text;
+  bool begins = true;  ///< not the rest of a longer one
+};
+
+class Setter {
+ public:
+  Setter(const Paper& paper, double letters) : area_(piece_box(paper)), letters_(letters) {
+    const double width = area_.size().x;
+    columns_ = std::max(1.0, std::floor((width + column_gap_mm) / (least_column_mm + column_gap_mm)));
+    width_ = (width - (columns_ - 1.0) * column_gap_mm) / columns_;
+  }
+
+  std::vector<std::vector<Text>> set(const std::vector<RowList>& lists) {
+    for (const RowList& list : lists) {
+      const std::vector<ListLine> heading = wrapped_as(Kind::heading, list.heading);
+      const std::vector<ListLine> lines = lines_of(list.rows);
+      bool headed = false;
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        // An entry's own line stands above another one.
+        double needed = height_of(lines[i]);
+        needed += lines[i].kind == Kind::entry && i + 1 < lines.size() ? height_of(lines[i + 1]) : 0.0;
+        if (!headed) {
+          for (const ListLine& line : heading) {
+            needed += height_of(line);
+          }
+        }
+        if (pages_.empty() || y_ - needed < area_.low.y) {
+          next_column();
+          headed = false;
+        }
+        if (!headed) {
+          y_ -= at_top_ ? 0.0 : row();
+          for (const ListLine& line : heading) {
+            put(line);
+          }
+          y_ -= after_heading_share * row();
+          headed = true;
+        }
+        put(lines[i]);
+      }
+    }
+    return std::move(pages_);
+  }
+
+ private:
+  [[nodiscard]] double row() const { return row_share * letters_; }
+  [[nodiscard]] double letters_of(Kind kind) const {
+    return letters_ * (kind == Kind::heading ? heading_share : kind == Kind::entry ? entry_share : 1.0);
+  }
+  [[nodiscard]] double indent_of(const ListLine& line) const {
+    return line.kind != Kind::words ? 0.0 : indent_share * letters_ * (line.begins ? 1.0 : 2.0);
+  }
+  [[nodiscard]] double height_of(const ListLine& line) const {
+    return row_share * letters_of(line.kind) +
+           (line.kind == Kind::entry && line.begins ? before_entry_share * row() : 0.0);
+  }
+
+  [[nodiscard]] std::vector<ListLine> wrapped_as(Kind kind, std::string_view text) const {
+    const double indent = kind == Kind::words ? indent_share * letters_ : 0.0;
+    std::vector<std::string> rows;
+    append_wrapped(rows, text, (width_ - indent) * table_text_height / letters_of(kind));
+    std::vector<ListLine> lines;
+    for (const std::string& row : rows) {
+      lines.push_back({kind, row.substr(row.find_first_not_of(' ')), lines.empty()});
+    }
+    return lines;
+  }
+
+  /// "page 2, E: between 12 and 21: 13, 14; after 3: 4" is an entry with two lines below.
+  [[nodiscard]] std::vector<ListLine> lines_of(const std::vector<std::string>& rows) const {
+    std::vector<ListLine> lines;
+    const auto add = [&](Kind kind, std::string_view text) {
+      const std::vector<ListLine> own = wrapped_as(kind, text);
+      lines.insert(lines.end(), own.begin(), own.end());
+    };
+    for (const std::string& row : rows) {
+      const std::size_t colon = std::min(row.find(": "), row.size());
+      add(Kind::entry, row.substr(0, colon + 1));
+      for (std::size_t begin = colon + 2; begin < row.size();) {
+        const std::size_t end = std::min(row.find("; ", begin), row.size());
+        add(Kind::words, std::string_view(row).substr(begin, end - begin));
+        begin = end + 2;
+      }
+    }
+    return lines;
+  }
+
+  void next_column() {
+    column_ += 1.0;
+    if (pages_.empty() || column_ >= columns_) {
+      pages_.emplace_back();
+      column_ = 0.0;
+    }
+    y_ = area_.high.y;
+    at_top_ = true;
+  }
+
+  void put(const ListLine& line) {
+    y_ -= line.kind == Kind::entry && line.begins && !at_top_ ? before_entry_share * row() : 0.0;
+    const double height = letters_of(line.kind);
+    const double left = area_.low.x + column_ * (width_ + column_gap_mm) + indent_of(line);
+    pages_.back().push_back({Layer::mark,
+                             line.text,
+                             {left + 0.5 * text_width(line.text, height), y_ - 0.5 * height},
+                             height,
+                             0.0,
+                             false});
+    y_ -= row_share * height;
+    at_top_ = false;
+  }
+
+  Box2 area_;
+  double letters_;
+  double columns_ = 1.0;
+  double width_ = 0.0;
+  double column_ = 0.0;
+  double y_ = 0.0;
+  bool at_top_ = true;
+  std::vector<std::vector<Text>> pages_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Text>> list_pages(const std::vector<RowList>& lists, const Paper& paper) {
+  std::vector<std::vector<Text>> best = Setter(paper, letters_mm.back()).set(lists);
+  for (const double letters : letters_mm) {
+    std::vector<std::vector<Text>> larger = Setter(paper, letters).set(lists);
+    if (larger.size() <= best.size()) {
+      return larger;
+    }
+  }
+  return best;
+}
+
+}  // namespace ridgecraft::paper
