@@ -9,6 +9,7 @@
 
 #include "base/elementary.hpp"
 #include "base/error.hpp"
+#include "export/sheet/fold_directions.hpp"
 #include "mesh/model/surface.hpp"
 
 namespace ridgecraft::paper {
@@ -49,9 +50,9 @@ Vec2 smallest_rectangle(const std::vector<Vec2>& hull) {
 
 /// Turns in which a line of a net runs along the grain, or nearly so, which leaves the packer some choice.
 std::vector<Turn> turns_along_grain(Vec2 line, const Paper& paper) {
-  constexpr std::array<double, 7> degrees{0.0, 5.0, -5.0, 10.0, -10.0, 15.0, -15.0};
-  const bool upright = paper.size.y >= paper.size.x;
-  const Vec2 grain = upright == (paper.grain == Grain::long_side) ? Vec2{0.0, 1.0} : Vec2{1.0, 0.0};
+  constexpr double most = grain_tolerance_degrees;
+  constexpr std::array<double, 7> degrees{0.0, most / 3.0, -most / 3.0, most / 1.5, -most / 1.5, most, -most};
+  const Vec2 grain = grain_direction(paper);
   const Vec2 straight{dot(line, grain), cross(line, grain)};
   std::vector<Turn> turns;
   for (const double more : degrees) {

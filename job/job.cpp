@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/json_text.hpp"
 #include "base/version.hpp"
+#include "export/sheet/fold_directions.hpp"
 #include "export/view/stance.hpp"
 #include "job/edge_wishes.hpp"
 #include "job/extent.hpp"
@@ -69,6 +70,10 @@ const unfold::Nets& nets_on_pages(const Paper& made) {
   return made.nets_of_board ? *made.nets_of_board : made.nets;
 }
 
+paper::Assembly assembly_of(const Paper& made) {
+  return paper::assembly_order(made.prepared.model.surface, made.nets, paper::stance_of(made.up).up);
+}
+
 void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
   made.nets_of_board.reset();
   made.thickened = {};
@@ -82,6 +87,8 @@ void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
 }
 
 void draw_pages(Paper& made, StageClock& clock, const Context& context) {
+  made.off_grain = paper::pieces_off_grain(
+      paper::fold_directions(made.prepared.model.surface, nets_on_pages(made)), made.pages);
   // By hand pages may be filled as nobody would fill them to save one.
   made.share_saving_a_page.reset();
   if (made.options.page_by == PageBy::any && made.edits.empty()) {
@@ -322,7 +329,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   }
   made.nets.notes.insert(made.nets.notes.begin(), notes.begin(), notes.end());
   made.early_notes = std::move(notes);
-  made.assembly = clock("unfold", context, [&] { return paper::assembly_order(surface, made.nets); });
+  made.assembly = clock("unfold", context, [&] { return assembly_of(made); });
   if (options.paper) {
     lay_out_pages(made, clock, context);
     if (!told_of_pages) {
@@ -358,8 +365,7 @@ Paper with_nets(Paper made, unfold::Nets nets, std::optional<paper::Pages> pages
   made.nets = std::move(nets);
   made.edits = std::move(edits);
   StageClock clock = clock_of(made);
-  made.assembly =
-      clock("unfold", context, [&] { return paper::assembly_order(made.prepared.model.surface, made.nets); });
+  made.assembly = clock("unfold", context, [&] { return assembly_of(made); });
   return with_new_nets(std::move(made), std::move(clock), context, std::move(pages));
 }
 

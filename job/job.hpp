@@ -61,6 +61,7 @@ struct Paper {
   unfold::Nets nets;                     ///< its notes begin with those
   paper::Assembly assembly;              ///< in which order the pieces are put together
   paper::Pages pages;                    ///< none where Options::paper is none
+  std::vector<PieceId> off_grain;        ///< pieces that lie across the grain that is to be heeded
   /// What lies on the pages where Options::board is as thick as to matter; else none: `nets` do.
   std::optional<unfold::Nets> nets_of_board;
   paper::ThickReport thickened;

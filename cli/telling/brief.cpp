@@ -116,6 +116,11 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
     clauses.push_back(pieces_text(made.nets, bent) +
                       (bent.size() == 1 ? " has to be bent to be folded" : " have to be bent to be folded"));
   }
+  if (!made.off_grain.empty()) {
+    clauses.push_back(fmt::format("folds of {} run across the grain, as {} the sheet no other way",
+                                  pieces_text(made.nets, made.off_grain),
+                                  made.off_grain.size() == 1 ? "it fits" : "they fit"));
+  }
   if (const std::size_t listed = made.drawn.labels_listed.size(); listed > 0) {
     clauses.push_back(counted(listed, "number") + (listed == 1
                                                        ? " had no room at its edge and stands in a list"

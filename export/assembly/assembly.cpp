@@ -22,6 +22,11 @@ constexpr double two_fingers_mm = 30.0;
 constexpr double mate_share = 0.7;
 /// ... and when they have no more than this share of it between each other.
 constexpr double most_between_mates = 0.5;
+/// A piece is the underside where this share of it looks down, by no less than half of the way.
+constexpr double most_of_piece = 0.5;
+constexpr double looks_down = 0.5;
+/// It comes last where it closes this much as easily as the piece that closes easiest.
+constexpr double easy_enough = 0.5;
 /// Seams that differ by less are equal up to rounding, mm.
 constexpr double seam_rounding_mm = 1e-6;
 
@@ -57,8 +62,23 @@ bool hold_without(const SeamGraph& graph, const std::vector<PieceId>& group, Pie
   return count + 1 == group.size();
 }
 
+/// Of each piece the share of its area that looks down; 0 where nobody says what is up.
+IdVector<PieceId, double> undersides(const mesh::Surface& surface, const unfold::Nets& nets, Vec3 up) {
+  IdVector<PieceId, double> down(nets.pieces.size(), 0.0);
+  IdVector<PieceId, double> all(nets.pieces.size(), 0.0);
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const double area = surface.area(f);
+    all[nets.piece[f]] += area;
+    down[nets.piece[f]] += dot(surface.normal(f), up) < -looks_down ? area : 0.0;
+  }
+  for (const PieceId piece : ids<PieceId>(down.size())) {
+    down[piece] = all[piece] > 0.0 ? down[piece] / all[piece] : 0.0;
+  }
+  return down;
+}
+
 /// The piece that comes last; none where it doesn't matter.
-PieceId closing_piece(const SeamGraph& graph, std::size_t group) {
+PieceId closing_piece(const SeamGraph& graph, const IdVector<PieceId, double>& underside, std::size_t group) {
   const std::vector<PieceId>& pieces = graph.groups[group];
   if (pieces.size() < fewest_with_closer || graph.border_of(group) >= hand_hole_mm) {
     return {};
@@ -69,12 +89,21 @@ PieceId closing_piece(const SeamGraph& graph, std::size_t group) {
   });
   const auto found = std::find_if(easiest.begin(), easiest.end(),
                                   [&](PieceId piece) { return hold_without(graph, pieces, piece); });
-  return found == easiest.end() ? PieceId() : *found;
+  if (found == easiest.end()) {
+    return {};
+  }
+  // What is seen least may be glued worst.
+  const double ease = easy_enough * ease_of_closing(graph.nodes[*found]);
+  const auto below = std::find_if(found, easiest.end(), [&](PieceId piece) {
+    return underside[piece] > most_of_piece && ease_of_closing(graph.nodes[piece]) >= ease &&
+           hold_without(graph, pieces, piece);
+  });
+  return below == easiest.end() ? *found : *below;
 }
 
 class Builder {
  public:
-  Builder(const mesh::Surface& surface, const unfold::Nets& nets)
+  Builder(const mesh::Surface& surface, const unfold::Nets& nets, Vec3 up)
       : nets_(nets),
         graph_(seam_graph(surface, nets)),
         kind_(nets.pieces.size(), no_kind),
@@ -86,8 +115,9 @@ class Builder {
         kind_[equal.piece] = static_cast<std::uint32_t>(i);
       }
     }
+    const IdVector<PieceId, double> underside = undersides(surface, nets, up);
     for (std::size_t i = 0; i < graph_.groups.size(); ++i) {
-      closer_.push_back(closing_piece(graph_, i));
+      closer_.push_back(closing_piece(graph_, underside, i));
       left_[i] = graph_.groups[i].size();
     }
     const std::vector<std::size_t> order = inner_groups_first(surface, nets, graph_);
@@ -246,8 +276,8 @@ class Builder {
 
 }  // namespace
 
-Assembly assembly_order(const mesh::Surface& surface, const unfold::Nets& nets) {
-  return Builder(surface, nets).take();
+Assembly assembly_order(const mesh::Surface& surface, const unfold::Nets& nets, Vec3 up) {
+  return Builder(surface, nets, up).take();
 }
 
 }  // namespace ridgecraft::paper

@@ -31,9 +31,10 @@ inline constexpr double hand_hole_mm = 120.0;
 /// others come first, then the larger ones. A body begins with the piece that has most seam; then comes
 /// whichever piece has most seam with what stands. The piece whose seams are easiest (long edges, a wide
 /// opening, nothing to be closed by itself) comes last where a body has no border by which a hand gets in, so
-/// long as the others hang together without it. Pieces that are equal or mirror images come together where
-/// what stands has at least seven tenths as much seam with each as with the first, and equal bodies are built
-/// side by side. Deterministic. O(pieces^2 + faces log faces).
-[[nodiscard]] Assembly assembly_order(const mesh::Surface& surface, const unfold::Nets& nets);
+/// long as the others hang together without it; or rather one on the model's underside, if it is half as
+/// easy. `up`: a unit vector, or zero where that isn't known. Pieces that are equal or mirror images come
+/// together where what stands has at least seven tenths as much seam with each as with the first, and equal
+/// bodies are built side by side. Deterministic. O(pieces^2 + faces log faces).
+[[nodiscard]] Assembly assembly_order(const mesh::Surface& surface, const unfold::Nets& nets, Vec3 up = {});
 
 }  // namespace ridgecraft::paper

@@ -74,6 +74,7 @@ class StepPages {
       };
       grid_.rows += pages_of(grid_.rows + 1) < pages_of(grid_.rows) ? 1U : 0U;
     }
+    share_rows();
     only_near_ = steps_.size() * guide.surface().face_count() > most_faces_drawn;
   }
 
@@ -85,14 +86,12 @@ class StepPages {
       own.check();
       cells[i] = cell(i, scenes[i]);
     });
-    std::vector<Group> pages;
-    const std::size_t per_page = grid_.columns * grid_.rows;
+    std::vector<Group> pages(rows_of_page_.size());
+    for (Group& page : pages) {
+      page.id = "steps";
+    }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (i % per_page == 0) {
-        pages.emplace_back();
-        pages.back().id = "steps";
-      }
-      Group& page = pages.back();
+      Group& page = pages[place_of_step(i).page];
       const auto append = [](auto& to, auto& from) {
         to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
       };
@@ -104,15 +103,36 @@ class StepPages {
   }
 
  private:
+  /// All pages have as many rows, but for one, and rows are as high as that leaves: no page is half empty.
+  void share_rows() {
+    const std::size_t rows = (steps_.size() + grid_.columns - 1) / grid_.columns;
+    const std::size_t pages = (rows + grid_.rows - 1) / grid_.rows;
+    for (std::size_t page = 0; page < pages; ++page) {
+      rows_of_page_.push_back(rows / pages + (page < rows % pages ? 1 : 0));
+    }
+  }
+
+  struct Place {
+    std::size_t page, row, column;
+  };
+  [[nodiscard]] Place place_of_step(std::size_t index) const {
+    Place place{0, index / grid_.columns, index % grid_.columns};
+    for (; place.row >= rows_of_page_[place.page]; ++place.page) {
+      place.row -= rows_of_page_[place.page];
+    }
+    return place;
+  }
+
   [[nodiscard]] Box2 box_of_step(std::size_t index) const {
     const Box2 room = guide_.sheet.room();
+    const Place place = place_of_step(index);
     const auto columns = static_cast<double>(grid_.columns);
-    const auto rows = static_cast<double>(grid_.rows);
+    // One row alone would be of towers.
+    const auto rows = static_cast<double>(std::max<std::size_t>(rows_of_page_[place.page], 2));
     const Vec2 size{(room.size().x - (columns - 1.0) * cell_gap) / columns,
                     (room.size().y - (rows - 1.0) * cell_gap) / rows};
-    const std::size_t place = index % (grid_.columns * grid_.rows);
-    const auto column = static_cast<double>(place % grid_.columns);
-    const auto row = static_cast<double>(place / grid_.columns);
+    const auto column = static_cast<double>(place.column);
+    const auto row = static_cast<double>(place.row);
     const Vec2 corner{room.low.x + column * (size.x + cell_gap), room.high.y - row * (size.y + cell_gap)};
     return {{corner.x, corner.y - size.y}, {corner.x + size.x, corner.y}};
   }
@@ -403,6 +423,7 @@ class StepPages {
   const GuideModel& guide_;
   const std::vector<AssemblyStep>& steps_;
   StepGrid grid_{};
+  std::vector<std::size_t> rows_of_page_;
   bool only_near_ = false;
 };
 

@@ -17,6 +17,10 @@ namespace ridgecraft::paper {
 namespace {
 
 constexpr std::size_t most_names = 4;
+/// Edges that are shorter take tweezers, mm.
+constexpr double short_edge_mm = 6.0;
+/// More hard edges of a step are counted.
+constexpr std::size_t most_hard = 8;
 
 std::array<PieceId, 2> pieces_at(const mesh::Surface& surface, const unfold::Nets& nets, JoinId join) {
   const auto [c, d] = surface.sides(nets.joins[join].edge);
@@ -102,6 +106,36 @@ void add_places_of_bodies(const unfold::Nets& nets, const Assembly& assembly, st
   }
 }
 
+/// Of the step's edges those that take a steady hand: "Hard: 12-14 (below 6 mm), 31 (no tab)."
+void add_hard_edges(const mesh::Surface& surface, const unfold::Nets& nets, const AssemblyStep& step,
+                    std::vector<std::string>& sentences) {
+  std::vector<std::uint32_t> without_tab;
+  std::vector<std::uint32_t> with_short_tab;
+  for (const auto* joins : {&step.own, &step.joins}) {
+    for (const JoinId j : *joins) {
+      const unfold::Join& join = nets.joins[j];
+      if (!join.tab.valid() && join.no_tab != unfold::NoTab::not_wanted) {
+        without_tab.push_back(join.number);
+      } else if (join.tab.valid() && surface.length(join.edge) < short_edge_mm) {
+        with_short_tab.push_back(join.number);
+      }
+    }
+  }
+  std::string words;
+  const auto add = [&](const std::vector<std::uint32_t>& numbers, const std::string& why) {
+    if (!numbers.empty()) {
+      words += (words.empty() ? "Hard: " : ", ") +
+               (numbers.size() > most_hard ? counted(numbers.size(), "edge") : ranges_of(numbers)) + " (" +
+               why + ")";
+    }
+  };
+  add(with_short_tab, fmt::format("below {:g} mm", short_edge_mm));
+  add(without_tab, "no tab");
+  if (!words.empty()) {
+    sentences.push_back(words + ".");
+  }
+}
+
 }  // namespace
 
 std::string step_title(const unfold::Nets& nets, const AssemblyStep& step) {
@@ -130,6 +164,7 @@ std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfo
   if (step.starts) {
     add_places_of_bodies(nets, assembly, index, bodies, sentences);
   }
+  add_hard_edges(surface, nets, step, sentences);
   if (step.closes && !step.joins.empty()) {
     sentences.emplace_back("This closes the body: begin at the longest edge.");
   }

@@ -16,7 +16,8 @@ namespace ridgecraft::paper {
 /// "C", "C and D", "C, D, E", "C to N (12)".
 [[nodiscard]] std::string step_title(const unfold::Nets& nets, const AssemblyStep& step);
 
-/// Sentences, in the order in which they are done: "Close 3-5 first.", "Glue to A: 1, 2; to B: 7.", "...".
+/// Sentences, in the order in which they are done: "Close 3-5 first.", "Glue to A: 1, 2; to B: 7.", "Hard: 7
+/// (no tab).", "...".
 [[nodiscard]] std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfold::Nets& nets,
                                                       const Assembly& assembly, std::size_t step,
                                                       std::span<const Body> bodies);

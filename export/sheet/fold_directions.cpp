@@ -2,6 +2,7 @@
 #include "export/sheet/fold_directions.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "base/elementary.hpp"
 
@@ -37,6 +38,26 @@ IdVector<PieceId, Vec2> fold_directions(const mesh::Surface& surface, const unfo
     }
   }
   return directions;
+}
+
+Vec2 grain_direction(const Paper& paper) {
+  const bool upright = paper.size.y >= paper.size.x;
+  return upright == (paper.grain == Grain::long_side) ? Vec2{0.0, 1.0} : Vec2{1.0, 0.0};
+}
+
+std::vector<PieceId> pieces_off_grain(const IdVector<PieceId, Vec2>& directions, const Pages& pages) {
+  constexpr double rounding_degrees = 0.01;
+  const double least =
+      elementary::cos((grain_tolerance_degrees + rounding_degrees) * std::numbers::pi / 180.0);
+  const Vec2 grain = grain_direction(pages.paper);
+  std::vector<PieceId> off;
+  for (const PieceId piece : ids<PieceId>(pages.paper.grain == Grain::any ? 0 : directions.size())) {
+    const Vec2 line = pages.placements[piece].turn(directions[piece]);
+    if (line != Vec2{} && std::abs(dot(line, grain)) < least) {
+      off.push_back(piece);
+    }
+  }
+  return off;
 }
 
 }  // namespace ridgecraft::paper

@@ -137,6 +137,19 @@ TEST_CASE("a closed body ends with a piece without which the others hang togethe
   }
 }
 
+TEST_CASE("a closed body ends on its underside, if that closes easily enough", "[assembly]") {
+  const Surface cube = copies(test::cube(), {{50.0, {}}});
+  const unfold::Nets nets = test::simple_nets(cube, folded_edges(cube));
+  for (const Vec3 up : {Vec3{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}) {
+    const Assembly assembly = paper::assembly_order(cube, nets, up);
+    check_assembly(cube, nets, assembly);
+    const PieceId last = assembly.steps.back().pieces.front();
+    for (const FaceId f : nets.pieces[last].faces) {
+      CHECK(dot(cube.normal(f), up) < -0.9);
+    }
+  }
+}
+
 TEST_CASE("what meets most of what stands comes first", "[assembly]") {
   const Surface shape = test::sphere(8, 5);
   const unfold::Nets nets = test::simple_nets(shape, folded_edges(shape));

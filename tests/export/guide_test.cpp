@@ -122,6 +122,16 @@ TEST_CASE("no page of the guide has one row of steps alone where the others have
     const Drawn drawn = draw(test::voxels(places), 30.0);
     CAPTURE(drawn.guide.steps);
     CHECK(drawn.guide.pages.size() == 2 + std::max<std::size_t>(1, pages_of(drawn.guide.steps)));
+    // Each of them is filled: its lowest words stand at the foot.
+    for (std::size_t page = 2; page < drawn.guide.pages.size() && drawn.guide.steps > 2; ++page) {
+      double lowest = 1e9;
+      for (const paper::Group& group : drawn.guide.pages[page].groups) {
+        for (const paper::Text& text : group.texts) {
+          lowest = group.id == "steps" ? std::min(lowest, text.centre.y) : lowest;
+        }
+      }
+      CHECK(lowest < 40.0);
+    }
   }
 }
 

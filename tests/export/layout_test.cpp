@@ -276,9 +276,12 @@ TEST_CASE("folds run along the paper's grain wherever a piece fits so", "[layout
     const PieceId strip(14);
     const Vec2 placed = pages.placements[strip](lines[strip]) - pages.placements[strip]({});
     CHECK(std::abs(size.y > size.x ? placed.x : placed.y) > 0.7);
+    CHECK(paper::pieces_off_grain(lines, pages) ==
+          (grain == paper::Grain::long_side ? std::vector<PieceId>{strip} : std::vector<PieceId>{}));
     // Not heeded, the same as without directions.
     sheet.grain = paper::Grain::any;
     const auto with = paper::layout(pieces.nets(), sheet, {}, {}, lines);
+    CHECK(paper::pieces_off_grain(lines, with).empty());
     const auto without = paper::layout(pieces.nets(), sheet, {});
     for (const PieceId piece : ids<PieceId>(15)) {
       CHECK(with.placements[piece]({1, 2}) == without.placements[piece]({1, 2}));
