@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/convex_hull.hpp"
 #include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "export/sheet/fold_directions.hpp"
@@ -24,7 +25,8 @@ std::vector<PackingShape> shapes_of(const Nets& nets) {
     convex[nets.piece[f].value()].emplace_back(corners.begin(), corners.end());
   }
   for (const unfold::Tab& tab : nets.tabs) {
-    convex[nets.piece[mesh::face_of(tab.side)].value()].push_back(tab.polygon);
+    convex[nets.piece[mesh::face_of(tab.side)].value()].push_back(tab.slit ? convex_hull(tab.polygon)
+                                                                           : tab.polygon);
   }
   std::vector<PackingShape> shapes;
   for (auto& polygons : convex) {

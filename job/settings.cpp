@@ -55,7 +55,8 @@ void add_choice(const unfold::TabChoice& choice, const std::string& file_digest,
   if (choice.sides != unfold::TabSides::best) {
     settings["tab_sides"] = json_string(choice.sides == unfold::TabSides::one_side    ? "one-side"
                                         : choice.sides == unfold::TabSides::alternate ? "alternate"
-                                                                                      : "both");
+                                        : choice.sides == unfold::TabSides::both      ? "both"
+                                                                                      : "slots");
   }
   if (choice.borders) {
     settings["border_tabs"] = "true";
@@ -74,6 +75,9 @@ void add_choice(const unfold::TabChoice& choice, const std::string& file_digest,
 /// No tab is higher.
 double greatest_height(const Options& options) {
   double height = options.tabs.height_mm;
+  if (options.tab_choice.sides == unfold::TabSides::slots) {
+    height = std::max(height, unfold::slot_tab_height_mm);
+  }
   for (const unfold::FromLength& step : options.tab_choice.heights_mm) {
     height = std::max(height, step.value);
   }

@@ -20,8 +20,8 @@ void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, c
   const Asked whole{surface, panels, part, options};
   const std::optional<OneOfEach> each = one_of_each(whole);
   // Equal bodies get equal tabs, unless some edge has a wish of its own, or tabs that copies don't know of.
-  const bool alike =
-      choice.edges.empty() && choice.at.empty() && !choice.borders && choice.sides != TabSides::both;
+  const bool alike = choice.edges.empty() && choice.at.empty() && !choice.borders &&
+                     choice.sides != TabSides::both && choice.sides != TabSides::slots;
   std::optional<Nets> originals = each && alike ? without_copies(whole, *each, nets) : std::nullopt;
   if (originals) {
     give_tabs(each->kept.surface, each->panels, each->options, *originals, context, choice);

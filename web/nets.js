@@ -12,6 +12,7 @@
  * @property {number} piece
  * @property {number} join at a cut: index into joins, or -1
  * @property {number} tab that grows from it, or -1
+ * @property {number[]} tabs all that do: several where they go into slits
  * @property {number} length
  *
  * @typedef {object} Piece
@@ -23,6 +24,7 @@
  * @property {number[]} edges all but flat folds
  * @property {number[]} joins each once
  * @property {number[][]} steps edges that are folded together, in order
+ * @property {number[][][]} slits in it that tabs go into
  * @property {number} folds mountain and valley folds
  * @property {number[]} box left, bottom, right, top in the plane of all nets, tabs included
  * @property {number[]} colour red, green, blue, 0 to 255
@@ -42,6 +44,7 @@
  * @property {number} face that it grows from
  * @property {number} join
  * @property {number[][]} polygon
+ * @property {number[][] | null} slit that it goes into
  *
  * @typedef {{x: number, y: number, width: number, height: number, pieces: number[]}} Page
  * @typedef {{pieces: number[], joins: number[]}} Step joins are indices
@@ -136,7 +139,7 @@ export function readNets(text) {
     edgeAt.set(key(a, b), i);
     const length = Math.hypot(points[2 * a] - points[2 * b], points[2 * a + 1] - points[2 * b + 1]);
     return {a, b, kind: fold.edges_assignment[i], angle: fold.edges_foldAngle[i] * degree, faces: [], piece: -1,
-      join: -1, tab: -1, length};
+      join: -1, tab: -1, tabs: [], length};
   });
   const faceEdges = new Int32Array(3 * count);
   /** @type {number[]} */
@@ -146,7 +149,7 @@ export function readNets(text) {
     const part = told.parts[0] ?? index;
     const within = withinPart[part] ?? 0;
     withinPart[part] = within + 1;
-    return {index, name: told.name, part, page: told.page, faces: [], edges: [], joins: [],
+    return {index, name: told.name, part, page: told.page, faces: [], edges: [], joins: [], slits: [],
       steps: fold["ridgecraft:fold_order"]?.[index] ?? [], folds: 0,
       box: [Infinity, Infinity, -Infinity, -Infinity], colour: pieceColour(part, within), step: 0};
   });
@@ -186,12 +189,18 @@ export function readNets(text) {
   const tabs = [...fold["ridgecraft:tabs"], ...(fold["ridgecraft:more_tabs"] ?? [])].map((/** @type {any} */ told, /** @type {number} */ t) => {
     const edge = edges[told.edge];
     for (const e of told.edges ?? [told.edge]) {
-      edges[e].tab = t;
+      edges[e].tab = edges[e].tab < 0 ? t : edges[e].tab;
+      edges[e].tabs.push(t);
+    }
+    if (told.slit) {
+      const beyond = joins[edge.join].edges.find((/** @type {number} */ e) => e !== told.edge) ?? told.edge;
+      pieces[edges[beyond].piece].slits.push(told.slit);
     }
     for (const [x, y] of told.polygon) {
       widen(pieces[edge.piece].box, x, y);
     }
-    return {edge: told.edge, piece: edge.piece, face: edge.faces[0], join: edge.join, polygon: told.polygon};
+    return {edge: told.edge, piece: edge.piece, face: edge.faces[0], join: edge.join, polygon: told.polygon,
+      slit: told.slit ?? null};
   });
   /** @type {Page[]} */
   const pages = fold["ridgecraft:pages"].map((/** @type {any} */ told, /** @type {number} */ p) => ({

@@ -31,9 +31,12 @@ function trianglesOf(folding) {
       }
     }
   }
-  nets.tabs.forEach(({piece, polygon}, t) => {
-    for (let k = 2; k < polygon.length; ++k) {
-      triangles.push({body: folding.faceCount + t, piece, flat: [polygon[0], polygon[k - 1], polygon[k]], tab: true});
+  nets.tabs.forEach(({piece, polygon, slit}, t) => {
+    // What goes into a slit has a neck and a head, each of them convex.
+    for (const part of slit ? [[0, 1, 2, 7], [3, 4, 5, 6]].map((corners) => corners.map((k) => polygon[k])) : [polygon]) {
+      for (let k = 2; k < part.length; ++k) {
+        triangles.push({body: folding.faceCount + t, piece, flat: [part[0], part[k - 1], part[k]], tab: true});
+      }
     }
   });
   return triangles;

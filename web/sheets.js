@@ -128,22 +128,29 @@ export class PageDrawer {
       } else if (edge.tab < 0) {
         lines.cut += this.#path(p, [a, b], false);
       } else {
-        const polygon = nets.tabs[edge.tab].polygon;
-        lines.tabs += this.#path(p, polygon, true);
-        lines.cut += this.#path(p, [...polygon.slice(1), polygon[0]], false);
-        const angle = folding.tabAngles[edge.tab];
-        lines[Math.abs(angle) < nets.hiddenAngle ? "base" : angle < 0 ? "mountain" : "valley"] +=
-          this.#path(p, [polygon[0], polygon[1]], false);
         const share = (/** @type {number[]} */ q) => ((q[0] - a[0]) * (b[0] - a[0]) + (q[1] - a[1]) * (b[1] - a[1])) / (edge.length * edge.length);
-        const [from, to] = [share(polygon[0]), share(polygon[1])].sort((s, t) => s - t);
         const at = (/** @type {number} */ t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
-        if (from * edge.length > 0.02) {
-          lines.cut += this.#path(p, [a, at(from)], false);
+        const bases = [];
+        for (const t of edge.tabs) {
+          const polygon = nets.tabs[t].polygon;
+          lines.tabs += nets.tabs[t].slit ? "" : this.#path(p, polygon, true);
+          lines.cut += this.#path(p, [...polygon.slice(1), polygon[0]], false);
+          const angle = folding.tabAngles[t];
+          lines[Math.abs(angle) < nets.hiddenAngle ? "base" : angle < 0 ? "mountain" : "valley"] +=
+            this.#path(p, [polygon[0], polygon[1]], false);
+          bases.push([share(polygon[0]), share(polygon[1])].sort((s, t) => s - t));
         }
-        if ((1 - to) * edge.length > 0.02) {
-          lines.cut += this.#path(p, [at(to), b], false);
+        let bare = 0;
+        for (const [from, to] of [...bases.sort((s, t) => s[0] - t[0]), [1, 1]]) {
+          if ((from - bare) * edge.length > 0.02) {
+            lines.cut += this.#path(p, [at(bare), at(from)], false);
+          }
+          bare = to;
         }
       }
+    }
+    for (const slit of piece.slits) {
+      lines.cut += this.#path(p, slit, false);
     }
     return lines;
   }

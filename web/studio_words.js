@@ -105,6 +105,7 @@ Object.assign(texts, {
   "wish_tabs_one-side": ["all of a seam at one piece", "je Naht an einem Teil"],
   wish_tabs_alternate: ["one piece and the other in turn", "abwechselnd an beiden Teilen"],
   wish_tabs_both: ["on both sides", "auf beiden Seiten"],
+  wish_tabs_slots: ["arrows into slits, without glue", "Pfeile in Schlitze, ohne Kleber"],
   wish_tabs_none: ["none", "keine"],
   wish_numbers: ["Numbers of the edges", "Nummern der Kanten"],
   wish_numbers_inside: ["on the pieces", "auf den Teilen"],

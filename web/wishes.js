@@ -33,7 +33,7 @@ export const wishes = [
   {key: "skins", group: "pieces", kind: "choice", word: "--skins", usual: "outer", choices: ["outer", "middle", "both"], more: true},
   {key: "only", group: "pieces", kind: "text", word: "--only", usual: "", more: true},
   {key: "without", group: "pieces", kind: "text", word: "--without", usual: "", more: true},
-  {key: "tabs", group: "tabs", kind: "choice", word: "--tabs", usual: "auto", choices: ["auto", "one-side", "alternate", "both", "none"]},
+  {key: "tabs", group: "tabs", kind: "choice", word: "--tabs", usual: "auto", choices: ["auto", "one-side", "alternate", "both", "slots", "none"]},
   {key: "numbers", group: "tabs", kind: "choice", word: "--numbers", usual: "inside", choices: ["inside", "tabs", "outside", "back"]},
   {key: "tab_height", group: "tabs", kind: "length", word: "--tab-height", usual: ""},
   {key: "tab_angle", group: "tabs", kind: "text", word: "--tab-angle", usual: "", unit: "°", more: true},

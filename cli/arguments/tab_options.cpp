@@ -14,7 +14,7 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-enum class Sides : std::uint8_t { best, one_side, alternate, both, none };
+enum class Sides : std::uint8_t { best, one_side, alternate, both, slots, none };
 
 double height_or_refuse(const std::string& text) {
   const double mm = length_or_refuse("--tab-height", text);
@@ -54,10 +54,10 @@ std::vector<unfold::FromLength> steps_or_refuse(const std::string& option, std::
 
 void TabTexts::add_to(Verb& verb, PaperJob& job) {
   verb.option(
-      "Tabs and lines", "--tabs", sides, "auto|one-side|alternate|both|none",
+      "Tabs and lines", "--tabs", sides, "auto|one-side|alternate|both|slots|none",
       "Which side of a cut gets the glue tab: that with more room behind it; along a seam of two pieces "
       "always the same piece, or one after the other, as far as there is room; both, to be glued to each "
-      "other; "
+      "other; arrows that go into slits of the neighbour, without glue, where there is room for them; "
       "neither (auto).");
   verb.option("Tabs and lines", "--tab-height", height, "LENGTH",
               "Height of the glue tabs (5mm); also by length of edge: 4mm,20mm:5mm,60mm:8mm is 4 mm, from 20 "
@@ -80,11 +80,9 @@ void TabTexts::add_to(Verb& verb, PaperJob& job) {
 }
 
 void TabTexts::check_into(PaperJob& job) const {
-  const Choices<Sides> words{{"auto", Sides::best},
-                             {"one-side", Sides::one_side},
-                             {"alternate", Sides::alternate},
-                             {"both", Sides::both},
-                             {"none", Sides::none}};
+  const Choices<Sides> words{{"auto", Sides::best},           {"one-side", Sides::one_side},
+                             {"alternate", Sides::alternate}, {"both", Sides::both},
+                             {"slots", Sides::slots},         {"none", Sides::none}};
   const Sides chosen = choice_or_refuse<Sides>("--tabs", sides, words);
   if (none && !sides.empty() && chosen != Sides::none) {
     refuse("--no-tabs and --tabs " + sides + " exclude each other");
@@ -100,6 +98,15 @@ void TabTexts::check_into(PaperJob& job) const {
   if (without && (borders || shadows || !job.tab_file.empty())) {
     refuse("--border-tabs, --tab-shadow and --tab-file are about tabs; with " + option + " there are none");
   }
+  if (chosen == Sides::slots && (!height.empty() || !angle.empty())) {
+    refuse(
+        "--tab-height and --tab-angle tell the shape of glue tabs; with --tabs slots tabs have the shape "
+        "that "
+        "holds in their slits");
+  }
+  if (chosen == Sides::slots && job.options.board.thickness_mm > 0.0) {
+    refuse("--tabs slots is for paper and card, whose tabs bend through a slit; with --thickness they don't");
+  }
   unfold::TabOptions& tabs = job.options.tabs;
   unfold::TabChoice& choice = job.options.tab_choice;
   tabs.wanted = !without;
@@ -107,6 +114,7 @@ void TabTexts::check_into(PaperJob& job) const {
   choice.sides = chosen == Sides::one_side    ? unfold::TabSides::one_side
                  : chosen == Sides::alternate ? unfold::TabSides::alternate
                  : chosen == Sides::both      ? unfold::TabSides::both
+                 : chosen == Sides::slots     ? unfold::TabSides::slots
                                               : unfold::TabSides::best;
   choice.borders = borders;
   job.options.style.tab_shadows = shadows;

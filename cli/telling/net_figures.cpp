@@ -102,7 +102,8 @@ std::string lower_tabs_text(const unfold::Nets& nets, double asked_mm) {
                           lower == nets.tabs.size() ? "all" : std::to_string(lower), asked_mm, lowest);
 }
 
-std::size_t count_joins(const unfold::Nets& nets, bool (*holds)(const unfold::Join&)) {
+template <class Holds>
+std::size_t count_joins(const unfold::Nets& nets, Holds holds) {
   return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(), holds));
 }
 
@@ -245,9 +246,14 @@ TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,
   const auto all = ids<TabId>(nets.tabs.size());
   const auto additional = static_cast<std::size_t>(
       std::count_if(all.begin(), all.end(), [&](TabId t) { return unfold::is_additional(nets, t); }));
-  return {nets.tabs.size() - additional, additional, unfold::tabs_usable(surface, nets, options),
+  return {nets.tabs.size() - additional,
+          additional,
+          unfold::tabs_usable(surface, nets, options),
           count_joins(nets, [](const unfold::Join& join) { return !join.tab.valid(); }),
-          count_joins(nets, [](const unfold::Join& join) { return join.too_narrow; })};
+          count_joins(nets, [](const unfold::Join& join) { return join.too_narrow; }),
+          count_joins(nets, [&](const unfold::Join& join) {
+            return join.tab.valid() && nets.tabs[join.tab].slit.has_value();
+          })};
 }
 
 GlueFigures glue_figures(const mesh::Surface& surface, const unfold::Nets& nets,
@@ -268,9 +274,11 @@ GlueFigures glue_figures(const mesh::Surface& surface, const unfold::Nets& nets,
 std::string tabs_text(const TabFigures& figures, const unfold::Nets& nets,
                       const unfold::TabOptions& options) {
   return fmt::format(
-      "{} for {}{}{}{}{}", figures.tabs, counted(nets.joins.size(), "join"),
+      "{} for {}{}{}{}{}{}", figures.tabs, counted(nets.joins.size(), "join"),
       figures.additional == 0 ? ""
+      : figures.slots > 0     ? fmt::format(" and {} more (on long edges and at borders)", figures.additional)
                               : fmt::format(" and {} more (second ones and at borders)", figures.additional),
+      figures.slots > 0 ? fmt::format(", {} of them put into slits, the others glued", figures.slots) : "",
       figures.usable < figures.tabs
           ? fmt::format(", {} of them usable (the others are smaller than holds well)", figures.usable)
           : "",

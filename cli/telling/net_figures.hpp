@@ -31,10 +31,11 @@ void add_equal_pieces(Summary& summary, const unfold::Nets& nets, const std::vec
 /// Joins and tabs, counted.
 struct TabFigures {
   std::size_t tabs = 0;        ///< those of joins
-  std::size_t additional = 0;  ///< second tabs of joins, and those at borders
+  std::size_t additional = 0;  ///< second tabs of joins, those at borders, further ones for slits
   std::size_t usable = 0;
   std::size_t without = 0;     ///< joins without a tab
   std::size_t too_narrow = 0;  ///< joins that could have no usable tab however the model is cut
+  std::size_t slots = 0;       ///< joins whose tab goes into a slit
 };
 [[nodiscard]] TabFigures tab_figures(const mesh::Surface& surface, const unfold::Nets& nets,
                                      const unfold::TabOptions& options);

@@ -256,6 +256,9 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   add_size(summary, made, job.size_asked.words);
   summary.add("tabs", tabs.tabs, Line::tabs, "tabs", tabs_text(tabs, nets, job.options.tabs));
   summary.add("additional_tabs", tabs.additional);
+  if (job.options.tab_choice.sides == unfold::TabSides::slots) {
+    summary.add("joins_in_slits", tabs.slots);
+  }
   summary.add("tabs_usable", tabs.usable);
   summary.add("joins_too_narrow", tabs.too_narrow);
   summary.add("joins", nets.joins.size());

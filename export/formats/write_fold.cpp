@@ -215,7 +215,16 @@ void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const
     if (tab.join.valid()) {
       json.number(nets.joins[tab.join].number);
     }
-    json.raw("]}");
+    json.raw("]");
+    if (tab.slit) {
+      const PieceId target = nets.piece[mesh::face_of(surface.twin(tab.side))];
+      json.raw(",\"slit\":[");
+      json.point(frame.place(target, (*tab.slit)[0]));
+      json.raw(",");
+      json.point(frame.place(target, (*tab.slit)[1]));
+      json.raw("]");
+    }
+    json.raw("}");
   };
   json.list("ridgecraft:tabs", glue.tabs.size(), [&](std::size_t i) { write_tab(nets.tabs[glue.tabs[i]]); });
   if (!glue.more.empty()) {

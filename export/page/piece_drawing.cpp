@@ -153,7 +153,10 @@ class PieceDrawer {
         area.push_back(place_(p));
       }
       bases.push_back({{area[0], area[1]}, fold_of(surface_.edge(tab.side))});
-      result_.group.areas.push_back({Layer::tab_fill, std::move(area)});
+      // What goes into a slit isn't glued, and its neck is seen on the finished model.
+      if (!tab.slit) {
+        result_.group.areas.push_back({Layer::tab_fill, std::move(area)});
+      }
     }
     for (const FoldSegment& base : bases) {
       draw_once(base, Layer::tab_fold);
@@ -220,7 +223,8 @@ class PieceDrawer {
         }
         const PieceId other = nets_.piece[mesh::face_of(surface_.twin(c))];
         Seam seam{join.number, other == piece_ ? "" : nets_.pieces[other].name, side(c), {}};
-        if (const auto tab = tab_at_.find(c); tab != tab_at_.end()) {
+        // No number on a tab that goes into a slit: its neck is seen on the finished model.
+        if (const auto tab = tab_at_.find(c); tab != tab_at_.end() && !nets_.tabs[tab->second].slit) {
           for (const Vec2 p : nets_.tabs[tab->second].polygon) {
             seam.tab.push_back(place_(p));
           }

@@ -41,7 +41,7 @@ void add_tab_shadows(const mesh::Surface& surface, const unfold::Nets& nets, Pie
       continue;
     }
     const unfold::Tab& tab = nets.tabs[join.tab];
-    if (nets.piece[mesh::face_of(surface.twin(tab.side))] != piece || has_second(join)) {
+    if (tab.slit || nets.piece[mesh::face_of(surface.twin(tab.side))] != piece || has_second(join)) {
       continue;
     }
     std::vector<Vec2> polygon = glued(surface, nets, tab);

@@ -201,7 +201,8 @@ class RimMaker {
   std::vector<Segment2> all_;
 };
 
-/// The strip of a tab beside its edge, with the face that covers the tab laid beside the edge.
+/// The strip of a tab beside its edge, with the face that covers the tab laid beside the edge. Of a tab that
+/// goes into a slit it is the neck, which is laid on that face and seen.
 Cell strip_on(const unfold::Tab& tab, const Segment2& edge, const mesh::Surface& surface,
               const unfold::Nets& nets, const Placement& placement) {
   const CornerId twin = surface.twin(tab.side);
@@ -220,9 +221,34 @@ Cell strip_on(const unfold::Tab& tab, const Segment2& edge, const mesh::Surface&
   for (const Vec2 p : tab.polygon) {
     strip.polygon.push_back(placement(p));
   }
+  if (tab.slit) {
+    strip.polygon.erase(strip.polygon.begin() + 3, strip.polygon.end() - 1);
+    return strip;
+  }
   const Vec2 out = -perpendicular(edge.b - edge.a) / length(edge.b - edge.a);
   strip.polygon = clipped(strip.polygon, edge.a + bleed_mm * out, out);
   return strip;
+}
+
+/// What the tabs of an edge leave of it.
+std::vector<Segment2> bare_of_tabs(const Segment2& edge, const std::vector<const unfold::Tab*>& tabs,
+                                   const Placement& placement) {
+  // A tab's base runs against the face's side, and may be shorter.
+  std::vector<Segment2> bases;
+  for (const unfold::Tab* tab : tabs) {
+    bases.push_back({placement(tab->polygon[1]), placement(tab->polygon[0])});
+  }
+  std::ranges::sort(bases, {}, [&](const Segment2& base) { return length(base.a - edge.a); });
+  std::vector<Segment2> bare;
+  Vec2 from = edge.a;
+  bases.push_back({edge.b, edge.b});
+  for (const Segment2& base : bases) {
+    if (length(base.a - from) > same_point_mm) {
+      bare.push_back({from, base.a});
+    }
+    from = base.b;
+  }
+  return bare;
 }
 
 }  // namespace
@@ -249,9 +275,9 @@ std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& net
                            const PieceContents& contents, const Placement& placement,
                            const std::vector<PieceDrawing>& page, std::size_t own) {
   const auto on_page = [&](CornerId c) { return placement(nets.flat[mesh::face_of(c)][c.value() % 3]); };
-  std::map<CornerId, const unfold::Tab*> tab_at;
+  std::map<CornerId, std::vector<const unfold::Tab*>> tabs_at;
   for (const TabId id : contents.tabs) {
-    tab_at.emplace(nets.tabs[id].side, &nets.tabs[id]);
+    tabs_at[nets.tabs[id].side].push_back(&nets.tabs[id]);
   }
   const RimMaker rims(page, own);
   std::vector<Cell> faces;
@@ -273,19 +299,17 @@ std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& net
           rest.push_back({CellKind::bleed, std::move(strip), f, face.at, {}});
         }
       };
-      const auto tab = tab_at.find(side);
-      if (tab == tab_at.end() || !surface.twin(side).valid()) {
+      const auto tabs = tabs_at.find(side);
+      if (tabs == tabs_at.end() || !surface.twin(side).valid()) {
         add_rim(edge);  // a tab at a border is covered by nothing: the face's own colours reach onto it
         continue;
       }
-      // A tab's base runs against the face's side, and may be shorter.
-      const Segment2 base{placement(tab->second->polygon[1]), placement(tab->second->polygon[0])};
-      for (const Segment2& bare : {Segment2{edge.a, base.a}, {base.b, edge.b}}) {
-        if (length(bare.b - bare.a) > same_point_mm) {
-          add_rim(bare);
-        }
+      for (const Segment2& bare : bare_of_tabs(edge, tabs->second, placement)) {
+        add_rim(bare);
       }
-      rest.push_back(strip_on(*tab->second, edge, surface, nets, placement));
+      for (const unfold::Tab* tab : tabs->second) {
+        rest.push_back(strip_on(*tab, edge, surface, nets, placement));
+      }
     }
     faces.push_back(std::move(face));
   }

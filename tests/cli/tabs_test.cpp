@@ -76,6 +76,9 @@ TEST_CASE("tabs by choice keep every promise", "[tabs]") {
     CHECK(run({"--tabs", sides}).at("tabs") == plain.at("tabs"));
   }
   CHECK(run({"--tabs", "both"}).at("additional_tabs") > 0);
+  const json slots = run({"--tabs", "slots"});
+  CHECK(slots.at("joins_in_slits") > 0);
+  CHECK(slots.at("joins_without_tab") == plain.at("joins_without_tab"));
   CHECK(run({"--tabs", "none"}).at("tabs") == 0);
   CHECK(run({"--tab-height", "3mm,20mm:6mm", "--tab-angle", "60,25mm:90"}).at("tabs") > 0);
   CHECK(run({"--tab-shadow"}).at("tabs") == plain.at("tabs"));

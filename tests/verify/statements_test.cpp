@@ -55,6 +55,7 @@ TEST_CASE("what the program says of its files is so, whatever it was asked for",
       {"--all-tabs", "--paper", "letter-landscape"},
       {"--scale", "1:2", "--faces", "keep", "--pieces", "few", "--weigh", any_weight + "=3", "--seed", "5"},
       {"--faces", "20", "--hide-folds", "12.5", "--tab-angle", "61.3", "--tab-height", "0.3in"},
+      {"--tabs", "slots", "--border-tabs"},
       {"--thickness", "2mm", "--hinge", "front"}};
   for (const std::vector<std::string>& options : jobs) {
     const test::WrittenJob job(test::sample("house.obj"), options);

@@ -69,6 +69,10 @@ std::vector<Lines> lines_of(const mesh::Surface& surface, const Nets& nets) {
     for (std::size_t i = 0; i < tab.polygon.size(); ++i) {
       lines[LineKind::tab].push_back({tab.polygon[i], tab.polygon[(i + 1) % tab.polygon.size()]});
     }
+    if (tab.slit) {
+      const PieceId target = nets.piece[mesh::face_of(surface.twin(tab.side))];
+      result[target.value()][LineKind::tab].push_back({(*tab.slit)[0], (*tab.slit)[1]});
+    }
   }
   for (Lines& lines : result) {
     for (std::vector<DrawnLine>& some : lines.of) {

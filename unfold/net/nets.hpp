@@ -84,12 +84,16 @@ struct Join {
   bool too_narrow = false;
 };
 
-/// A glue tab, in the plane of the piece that it grows from.
+/// A tab, in the plane of the piece that it grows from: glued behind the face beyond its edge or, where it
+/// has a slit, laid on that face and put through the slit (unfold/tabs/shape/arrows.hpp).
 struct Tab {
   CornerId side;  ///< side of a face that it grows from; its target is twin(side)
   JoinId join;
-  /// First two corners on the side, in the order opposite to the face's; counterclockwise, simple, convex.
+  /// First two corners on the side, in the order opposite to the face's; counterclockwise, simple, and convex
+  /// but for tabs with a slit.
   std::vector<Vec2> polygon;
+  /// Both ends of the cut that it is put through, in the plane of the target's piece.
+  std::optional<std::array<Vec2, 2>> slit = {};
 };
 
 /// A piece that is equal on paper to the first of its kind, turned over where it is its mirror image.
@@ -117,8 +121,8 @@ struct Nets {
   std::vector<std::string> notes;
 };
 
-/// Whether a tab is one beyond that of its join: a second one on the other side, or one at an edge that is
-/// glued to nothing (tabs/place/more_tabs.hpp).
+/// Whether a tab is one beyond that of its join: a second one on the other side, one at an edge that is glued
+/// to nothing (tabs/place/more_tabs.hpp), or a further one for a slit on a long edge.
 [[nodiscard]] inline bool is_additional(const Nets& nets, TabId tab) {
   const JoinId join = nets.tabs[tab].join;
   return !join.valid() || nets.joins[join].tab != tab;

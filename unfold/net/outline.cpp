@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <utility>
 
 #include "base/polygon.hpp"
 
@@ -52,21 +53,37 @@ void append(std::vector<Vec2>& loop, Vec2 p) {
   }
 }
 
-/// The tab that grows from each side of a piece; a side has at most one.
-std::map<CornerId, const Tab*> tabs_of(const Nets& nets, PieceId piece) {
-  std::map<CornerId, const Tab*> result;
+/// The tabs that grow from each side of a piece, in the order in which the outline comes to them: from the
+/// start of the side to its end.
+std::map<CornerId, std::vector<const Tab*>> tabs_of(const Nets& nets, PieceId piece) {
+  std::map<CornerId, std::vector<const Tab*>> result;
   for (const Tab& tab : nets.tabs) {
     if (nets.piece[mesh::face_of(tab.side)] == piece) {
-      result[tab.side] = &tab;
+      result[tab.side].push_back(&tab);
     }
   }
+  for (auto& [side, tabs] : result) {
+    const Vec2 from = start(nets, side);
+    std::ranges::sort(tabs, {}, [&](const Tab* tab) { return length(tab->polygon[1] - from); });
+  }
   return result;
+}
+
+/// Slits in a piece that tabs are put through.
+std::vector<std::vector<Vec2>> slits_in(const mesh::Surface& surface, const Nets& nets, PieceId piece) {
+  std::vector<std::vector<Vec2>> slits;
+  for (const Tab& tab : nets.tabs) {
+    if (tab.slit && nets.piece[mesh::face_of(surface.twin(tab.side))] == piece) {
+      slits.emplace_back(tab.slit->begin(), tab.slit->end());
+    }
+  }
+  return slits;
 }
 
 }  // namespace
 
 std::vector<std::vector<Vec2>> outline(const mesh::Surface& surface, const Nets& nets, PieceId piece) {
-  const std::map<CornerId, const Tab*> tabs = tabs_of(nets, piece);
+  const std::map<CornerId, std::vector<const Tab*>> tabs = tabs_of(nets, piece);
   const std::vector<FaceId>& faces = nets.pieces[piece].faces;
   std::map<CornerId, bool> done;
   std::vector<std::vector<Vec2>> loops;
@@ -80,12 +97,14 @@ std::vector<std::vector<Vec2>> outline(const mesh::Surface& surface, const Nets&
       for (; !done[c]; c = next_boundary(surface, nets, c)) {
         done[c] = true;
         append(loop, start(nets, c));
-        if (const auto tab = tabs.find(c); tab != tabs.end()) {
-          // The tab runs counterclockwise and begins with its base, end first: so its way round the outside
-          // is corners 1, 2, ..., 0.
-          const std::vector<Vec2>& polygon = tab->second->polygon;
-          for (std::size_t i = 1; i <= polygon.size(); ++i) {
-            append(loop, polygon[i % polygon.size()]);
+        if (const auto here = tabs.find(c); here != tabs.end()) {
+          for (const Tab* tab : here->second) {
+            // The tab runs counterclockwise and begins with its base, end first: so its way round the outside
+            // is corners 1, 2, ..., 0.
+            const std::vector<Vec2>& polygon = tab->polygon;
+            for (std::size_t i = 1; i <= polygon.size(); ++i) {
+              append(loop, polygon[i % polygon.size()]);
+            }
           }
         }
         for (const Vec2 p : fan_corners(surface, nets, c)) {
@@ -106,7 +125,11 @@ std::vector<std::vector<Vec2>> outline(const mesh::Surface& surface, const Nets&
 }
 
 CutLines cut_lines(const mesh::Surface& surface, const Nets& nets, PieceId piece) {
-  return arrange_cuts(outline(surface, nets, piece), touch_tolerance_mm);
+  CutLines lines = arrange_cuts(outline(surface, nets, piece), touch_tolerance_mm);
+  for (std::vector<Vec2>& slit : slits_in(surface, nets, piece)) {
+    lines.slits.push_back(std::move(slit));
+  }
+  return lines;
 }
 
 Box2 extent(const mesh::Surface& /*surface*/, const Nets& nets, PieceId piece) {

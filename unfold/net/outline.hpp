@@ -27,7 +27,8 @@ inline constexpr double touch_tolerance_mm = 0.0105;
 
 /// The outline as lines: corners closer than touch_tolerance_mm become one, stretches that lie on each other
 /// become a slit, and where the outline touches itself it is taken apart into simple loops, each around one
-/// region outside the piece (the piece is connected, so there is always such a way). O(n log n), and O(t) in
+/// region outside the piece (the piece is connected, so there is always such a way). Slits that tabs are put
+/// through are among the slits. O(n log n), and O(t) in
 /// the tabs of all pieces.
 [[nodiscard]] CutLines cut_lines(const mesh::Surface& surface, const Nets& nets, PieceId piece);
 

@@ -16,12 +16,16 @@ namespace ridgecraft::unfold {
 inline constexpr double lowest_asked_mm = 1.5;
 inline constexpr double highest_asked_mm = 50.0;
 
+/// How high tabs are that are put into slits, mm.
+inline constexpr double slot_tab_height_mm = 6.3;
+
 /// Which side of a cut gives the tab.
 enum class TabSides {
   best,       ///< that where it finds room, the smaller face rather than the larger one
   one_side,   ///< along a seam of two pieces always the same piece, where there is room
   alternate,  ///< along a seam one side after the other, where there is room
   both,       ///< both, to be glued to each other
+  slots,      ///< one, put into slits of the face beyond instead of glued, where that has room for them
 };
 
 /// A value for edges from a length on.

@@ -22,6 +22,8 @@ void check_patches(const Case& given, Findings& findings);
 void check_joins(const Case& given, Findings& findings);
 /// Promise 5: tabs.
 void check_tabs(const Case& given, Findings& findings);
+/// Promise 5: slits that tabs are put through. O(n log n) for slits of bounded number in a piece.
+void check_slits(const Case& given, Findings& findings);
 /// Promise 5: paper that tabs hang on.
 void check_paper_behind_tabs(const Case& given, Findings& findings);
 /// Promise 6.

@@ -41,6 +41,7 @@ void measure_cuts(const Case& given, Findings& findings) {
     fold += base;
     unlined += std::abs(angle_at_base(given, tab)) < hidden_deg ? base : 0.0;
     cut -= base;
+    cut += tab.slit ? length((*tab.slit)[1] - (*tab.slit)[0]) : 0.0;
     for (std::size_t k = 1; k < tab.polygon.size(); ++k) {
       cut += length(tab.polygon[(k + 1) % tab.polygon.size()] - tab.polygon[k]);
     }

@@ -94,6 +94,10 @@ class EqualPieceCheck {
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         sheet.strokes.push_back({polygon[i], polygon[(i + 1) % polygon.size()], tab_angle});
       }
+      if (const Index side = target_of_slit(file_, relations_, t); side != none) {
+        const auto& slit = *file_.tabs[t].slit;
+        sheets_[file_.face_piece[file_.faces.face(side)]].strokes.push_back({slit[0], slit[1], tab_angle});
+      }
     }
     for (Sheet& sheet : sheets_) {
       for (std::size_t i = 0; i < sheet.strokes.size(); ++i) {

@@ -275,7 +275,7 @@ class StatementCheck {
   void check_tabs() {
     for (Index t = 0; t < file_.tabs.size(); ++t) {
       const std::vector<Vec2>& polygon = file_.tabs[t].polygon;
-      if (!is_convex(polygon)) {
+      if (!file_.tabs[t].slit && !is_convex(polygon)) {
         add({{"tab", t}}, fmt::format("{} isn't convex", tab_name(file_, t)));
       }
       for (std::size_t k = 0; k < polygon.size(); ++k) {

@@ -98,7 +98,8 @@ class TabCheck {
     }
   }
 
-  /// A second tab of one join, on the side that its first one isn't on; or at a border, and of no join.
+  /// A second tab of one join, on the side that its first one isn't on unless both have slits; or at a
+  /// border, and of no join.
   void check_additional() {
     if (!joins_.empty()) {
       add("is named by a join, but stands among the additional ones");
@@ -117,7 +118,8 @@ class TabCheck {
       }
     } else if (tab_.numbers != std::vector<std::int64_t>{join->number}) {
       add("states other numbers than that of its edge");
-    } else if (join->tab == none || file_.tabs[join->tab].edge == tab_.edge) {
+    } else if (join->tab == none ||
+               (file_.tabs[join->tab].edge == tab_.edge && !(tab_.slit && file_.tabs[join->tab].slit))) {
       add("is the second one of a join that has no tab on its other side");
     }
   }

@@ -67,6 +67,8 @@ struct Tab {
   std::vector<std::int64_t> numbers;  ///< of the joins that name it, as printed
   /// A second tab of a join, which names its first one, or one at a border, which belongs to none.
   bool additional = false;
+  /// Both ends of the cut in the neighbour that the tab is put through, instead of glued.
+  std::optional<std::array<Vec2, 2>> slit = {};
 };
 
 /// Where on a piece another piece is glued that no join connects with it.

@@ -132,6 +132,18 @@ Tab read_tab(const Json& json, std::size_t edges, const std::string& where) {
   if (tab.polygon.size() < 3) {
     refuse("\"polygon\" of {} has fewer than three corners", where);
   }
+  if (json.contains("slit")) {
+    const Json& slit = list_member(json, "slit", where);
+    if (slit.size() != 2) {
+      refuse("\"slit\" of {} doesn't have two ends", where);
+    }
+    tab.slit.emplace();
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::array<double, 2> p{};
+      lengths(slit[k], p, {where, "slit", k});
+      (*tab.slit)[k] = {p[0], p[1]};
+    }
+  }
   for (const Json& join : list_member(json, "joins", where)) {
     tab.numbers.push_back(whole(join, 1, largest_exact, {where, "joins", tab.numbers.size()}));
   }

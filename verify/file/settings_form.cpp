@@ -144,7 +144,7 @@ bool fits(const Setting& value, const Known& known) {
     case Kind::piece_mode:
       return word_is_one_of(value, {"few", "parts", "small"});
     case Kind::tab_sides:
-      return word_is_one_of(value, {"one-side", "alternate", "both"});
+      return word_is_one_of(value, {"one-side", "alternate", "both", "slots"});
     case Kind::page_by:
       return word_is_one_of(value, {"material", "object"});
     case Kind::words: {

@@ -29,6 +29,12 @@ constexpr double tab_base_tolerance_mm = 1e-3;
 /// The edges under one tab beside its base, and those of one straight seam beside its line, in mm (promises 5
 /// and 8).
 constexpr double seam_tolerance_mm = 1e-2;
+/// What a slit keeps from cuts and folds of its piece, in mm (promise 5), 0.01 less than nets keep; and from
+/// other slits.
+constexpr double least_beside_slit_mm = 2.99;
+constexpr double least_between_slits_mm = 0.5;
+/// How far a slit may be from where its tab comes to lie, in mm.
+constexpr double slit_place_mm = 0.01;
 /// Paper behind a tab: along half of its base it must reach so far, in mm (promise 5); 0.01 less than nets
 /// keep.
 constexpr double least_paper_mm = 1.99;

@@ -40,8 +40,12 @@ class Collector {
     for (Index edge = 0; edge < file_.edges.size(); ++edge) {
       given_.relations.sides_of(edge).size() == 1 ? add_border(edge) : add_fold(edge);
     }
-    for (const Tab& tab : file_.tabs) {
-      add_tab(tab);
+    for (Index tab = 0; tab < file_.tabs.size(); ++tab) {
+      add_tab(file_.tabs[tab]);
+      if (const Index side = target_of_slit(file_, given_.relations, tab); side != none) {
+        const auto& slit = *file_.tabs[tab].slit;
+        add_cut(file_.face_piece[file_.faces.face(side)], {slit[0], slit[1]});
+      }
     }
     for (const GlueSpot& spot : file_.glue) {
       add_glue(spot);

@@ -85,6 +85,25 @@ void measure_model(const Model& model, Relations& relations) {
 
 }  // namespace
 
+Index target_of_slit(const File& file, const Relations& relations, Index tab) {
+  const Tab& own = file.tabs[tab];
+  if (!own.slit || own.numbers.empty()) {
+    return none;
+  }
+  for (const Join& join : file.joins) {
+    if (join.number != own.numbers.front()) {
+      continue;
+    }
+    for (const std::size_t k : {0U, 1U}) {
+      const auto sides = relations.sides_of(join.edges[1 - k]);
+      if (join.edges[k] == own.edge && !sides.empty()) {
+        return sides.front();
+      }
+    }
+  }
+  return none;
+}
+
 Relations relate(const File& file) {
   Relations relations;
   relate_faces(file, relations);

@@ -59,6 +59,10 @@ struct Relations {
              : none;
 }
 
+/// The side at which the slit of a tab lies: that of the other edge of the tab's join. None where it has no
+/// slit or no join. O(joins).
+[[nodiscard]] Index target_of_slit(const File& file, const Relations& relations, Index tab);
+
 /// Names for messages: `face 12 (piece "A3")`, `piece "A3"`, `tab 7 (joins 3, 4)`.
 [[nodiscard]] std::string face_name(const File& file, Index face);
 [[nodiscard]] std::string piece_name(const File& file, Index piece);

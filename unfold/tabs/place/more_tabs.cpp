@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/convex_hull.hpp"
 #include "unfold/tabs/place/assignment.hpp"
 #include "unfold/tabs/place/even_tabs.hpp"
 #include "unfold/tabs/place/fit.hpp"
@@ -27,20 +28,18 @@ class MoreTabs {
     // What is glued to another tab may be larger than the face behind it.
     options_.inside_target = false;
     sites_ = find_tab_sites(surface, panels, nets, with_greatest_height(options_, wishes), context);
-    for (std::size_t s = 0; s < sites_.size(); ++s) {
-      const Join& join = nets.joins[JoinId(static_cast<std::uint32_t>(s / 2))];
-      if (join.tab.valid() && nets.tabs[join.tab].side == sites_[s].side) {
-        const std::vector<Vec2>& polygon = nets.tabs[join.tab].polygon;
-        standing_[sites_[s].piece].push_back(
-            {sites_[s], sites_[s].own.in(ConvexShape(std::span<const Vec2>(polygon)))});
-      }
+    for (const Tab& tab : nets.tabs) {
+      const std::size_t even = std::size_t{2} * tab.join.value();
+      const TabSite& site = sites_[tab.side == sites_[even].side ? even : even + 1];
+      const std::vector<Vec2> ground = tab.slit ? convex_hull(tab.polygon) : tab.polygon;
+      standing_[site.piece].push_back({site, site.own.in(ConvexShape(std::span<const Vec2>(ground)))});
     }
   }
 
   void add_seconds() {
     for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
       const Join& join = nets_.joins[j];
-      if (!wishes_[j.value()].second || !join.tab.valid()) {
+      if (!wishes_[j.value()].second || !join.tab.valid() || nets_.tabs[join.tab].slit) {
         continue;
       }
       const std::size_t even = std::size_t{2} * j.value();

@@ -164,6 +164,9 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
 }
 
 bool is_usable(const mesh::Surface& surface, const Nets& nets, TabId tab, const TabOptions& options) {
+  if (nets.tabs[tab].slit) {
+    return true;
+  }
   const CornerId side = nets.tabs[tab].side;
   const std::vector<Vec2>& polygon = nets.tabs[tab].polygon;
   return is_usable(tab_frame(nets, side).in(ConvexShape(std::span<const Vec2>(polygon))),

@@ -34,7 +34,8 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
                 Nets& nets, const Context& context, std::span<const std::optional<TabRoom>> rooms = {},
                 std::span<const TabWish> wishes = {});
 
-/// Is a tab at least usable_height_mm (shapes.hpp) high along at least half of its edge? O(1).
+/// Is a tab at least usable_height_mm (shapes.hpp) high along at least half of its edge, or put into a slit?
+/// O(1).
 [[nodiscard]] bool is_usable(const mesh::Surface& surface, const Nets& nets, TabId tab,
                              const TabOptions& options);
 

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "unfold/tabs/shape/arrows.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -49,6 +51,14 @@ TabAt tab_at(const mesh::Surface& surface, const Nets& nets, const Join& join, c
   return at;
 }
 
+/// The ground that arrows are cut from is a rectangle as high as they are.
+void give_ground_for_slots(TabWish& wish) {
+  if (wish.slot) {
+    wish.options.height_mm = arrow_measures.height();
+    set_angle(0.5 * std::numbers::pi, wish.options);
+  }
+}
+
 class WishMaker {
  public:
   WishMaker(const mesh::Surface& surface, const Nets& nets) : surface_(surface), nets_(nets) {}
@@ -58,6 +68,7 @@ class WishMaker {
       TabWish wish;
       wish.second = choice.sides == TabSides::both;
       wish.options = options_for(options, choice, surface_.length(join.edge));
+      wish.slot = choice.sides == TabSides::slots;
       wishes_.push_back(wish);
     }
     if (choice.sides == TabSides::one_side) {
@@ -67,6 +78,9 @@ class WishMaker {
     }
     heed(by_edges(surface_, nets_, choice.edges));
     heed(choice.at);
+    for (TabWish& wish : wishes_) {
+      give_ground_for_slots(wish);
+    }
     return std::move(wishes_);
   }
 

@@ -20,6 +20,7 @@ struct TabWish {
   bool second = false;               ///< a tab on the other side, too (more_tabs.hpp)
   std::optional<std::uint8_t> side;  ///< of Surface::sides(edge): 0 or 1, from which it grows
   bool no_other_side = false;        ///< rather no tab than one on the other side
+  bool slot = false;                 ///< to be put into a slit (slot_tabs.hpp), with the height for it
   TabOptions options;                ///< its height and angle
 };
 
