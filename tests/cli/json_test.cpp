@@ -93,6 +93,7 @@ TEST_CASE("the keys of --json are documented, each of them and no other", "[json
         {"house.obj", "--size", "3mm", "-o", "y.fold"},
         {"house.obj", "--size", "30cm", "-o", "y.fold"},
         {"house.obj", "--size", "8cm", "-o", "z.pdf"},
+        {"house.obj", "--tabs", "slots", "-o", "s.fold"},
         {"boxes.obj", "--keep-bodies", "-o", "y.fold", "--overwrite"}}},
       {"ridgecraft segment",
        {{"segment", "bar.obj"}, {"segment", "house.obj", "--parts", "1", "--compare", "house.seg"}}},
