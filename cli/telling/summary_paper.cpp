@@ -47,6 +47,7 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                       {"faces_hidden", skin.faces_hidden},
                                       {"hidden_share", rounded(skin.hidden_share)},
                                       {"openings_closed", skin.rims_closed},
+                                      {"gaps_closed", skin.gaps_closed},
                                       {"left_crossing", skin.left_crossing}});
   const prepare::Details& details = made.ready.left_out;
   summary.add("left_out", Value::Object{{"small", details.small},

@@ -16,6 +16,7 @@ struct SkinReport {
   std::size_t faces_hidden = 0;   ///< faces that nothing is left of: they lay inside others
   double hidden_share = 0.0;      ///< of the area of these components: how much lay inside others
   std::size_t left_crossing = 0;  ///< components that stay as they were, since no sound skin was found
+  std::size_t gaps_closed = 0;    ///< corners that ended just before another body, and touch it now
   std::size_t rims_closed = 0;    ///< flat openings that were closed for it and stay closed
 };
 

@@ -13,6 +13,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/near_boxes.hpp"
 #include "mesh/repair/loose_faces.hpp"
+#include "prepare/skin/gaps.hpp"
 #include "prepare/skin/meeting.hpp"
 #include "prepare/skin/rims.hpp"
 
@@ -128,20 +129,17 @@ class Skin {
   Skin(mesh::Model& model, const Context& context) : model_(model), context_(context) {}
 
   SkinReport run() {
-    const Surface& surface = model_.surface;
     const bool crosses = model_.repairs.count(mesh::RepairKind::self_intersections) > 0;
-    if (surface.component_count() < 2 && !crosses) {
+    if (model_.surface.component_count() < 2 && !crosses) {
       return {};
     }
-    components_ = components_of(surface);
-    const double diagonal = surface.bounds().diagonal();
-    caps_.resize(components_.size());
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-      context_.check();
-      if (!components_[i].closed) {
-        caps_[i] = find_caps(surface, components_[i].faces, flat_rim * diagonal);
-      }
+    find_components();
+    const Surface apart = model_.surface;
+    if (close()) {
+      find_components();
     }
+    const Surface& surface = model_.surface;
+    const double diagonal = surface.bounds().diagonal();
     ground_ = ground_of(model_, caps_);
     loose_ = mesh::take_apart(model_);
     gone_.assign(surface.face_count(), false);
@@ -154,11 +152,47 @@ class Skin {
     }
     if (report_.united > 0) {
       finish();
+    } else {
+      model_.surface = apart;
+      report_.gaps_closed = 0;
     }
     return report_;
   }
 
  private:
+  void find_components() {
+    const Surface& surface = model_.surface;
+    components_ = components_of(surface);
+    caps_.assign(components_.size(), {});
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      context_.check();
+      if (!components_[i].closed) {
+        caps_[i] = find_caps(surface, components_[i].faces, flat_rim * surface.bounds().diagonal());
+      }
+    }
+  }
+
+  /// Bodies that end just before others are moved so that they touch; whether there are any.
+  bool close() {
+    const Surface& surface = model_.surface;
+    std::vector<bool> solid;
+    for (std::uint32_t c = 0; c < components_.size(); ++c) {
+      solid.push_back(is_solid(c));
+    }
+    const double diagonal = surface.bounds().diagonal();
+    ClosedGaps closed = close_gaps(surface, solid, 2.0 * snapped * diagonal, touching * diagonal, context_);
+    report_.gaps_closed = closed.moved;
+    if (closed.moved == 0) {
+      return false;
+    }
+    std::vector<std::array<VertexId, 3>> faces;
+    for (const FaceId f : ids<FaceId>(surface.face_count())) {
+      faces.push_back(surface.vertices(f));
+    }
+    model_.surface = Surface(std::move(closed.points), std::move(faces));
+    return true;
+  }
+
   [[nodiscard]] bool is_solid(std::uint32_t c) const { return components_[c].closed || !caps_[c].empty(); }
 
   void unite(const std::vector<std::uint32_t>& members) {

@@ -531,3 +531,41 @@ TEST_CASE("what closes an opening is called as the faces around it", "[skin]") {
   }
   CHECK(floor == Approx(1.0));
 }
+
+TEST_CASE("a rail that ends just before a leg touches it", "[skin]") {
+  for (const double lean : {0.0, 0.1}) {
+    for (const double gap : {0.004, -0.1, 0.02}) {
+      INFO("gap " << gap << ", leaning by " << lean);
+      Shape shape = box({0, 0, 0}, {1, 1, 10});
+      for (Vec3& p : shape.points) {
+        p.x += lean * (p.z - 4.25);
+      }
+      Shape rail = box({1, 0.3, 4}, {4, 0.7, 4.5});
+      for (Vec3& p : rail.points) {
+        p.x += p.x < 2.0 ? lean * (p.z - 4.25) + gap : 0.0;
+      }
+      shape.add(rail);
+      const Model before = model_of(shape);
+      const United one = united(shape);
+      if (gap == 0.02) {
+        CHECK(one.report.united == 0);
+        CHECK(one.model.surface.component_count() == 2);
+        CHECK(std::equal(before.surface.points().begin(), before.surface.points().end(),
+                         one.model.surface.points().begin()));
+        continue;
+      }
+      CHECK(one.report.united == 2);
+      CHECK(one.report.gaps_closed == (gap == 0.004 ? 4 : 0));
+      CHECK(one.model.surface.component_count() == 1);
+      // Nothing but the gap has changed: no plane is tilted.
+      for (const FaceId f : ids<FaceId>(one.model.surface.face_count())) {
+        const Vec3 normal = one.model.surface.normal(f);
+        CHECK(std::any_of(shape.faces.begin(), shape.faces.end(), [&](const auto& face) {
+          const Vec3 a = shape.points[face[0]];
+          return dot(normal, normalized(cross(shape.points[face[1]] - a, shape.points[face[2]] - a))) >
+                 1.0 - 1e-4;
+        }));
+      }
+    }
+  }
+}
