@@ -81,22 +81,6 @@ bool have_equal_borders(const mesh::Surface& surface, const IdVector<FaceId, std
   return true;
 }
 
-/// Panels without faces that aren't kept, by their numbers in the whole.
-prepare::Panels panels_of(const prepare::Panels& whole, const IdVector<FaceId, FaceId>& kept) {
-  prepare::Panels panels;
-  panels.panel = IdVector<FaceId, PanelId>(kept.size());
-  std::map<PanelId, PanelId> number;
-  for (const FaceId f : ids<FaceId>(kept.size())) {
-    const auto [at, fresh] = number.try_emplace(whole.panel[kept[f]], PanelId(panels.faces.size()));
-    if (fresh) {
-      panels.faces.push_back({});
-    }
-    panels.panel[f] = at->second;
-    panels.faces[at->second].push_back(f);
-  }
-  return panels;
-}
-
 }  // namespace
 
 std::optional<OneOfEach> one_of_each(const Asked& whole) {
@@ -144,7 +128,7 @@ std::optional<OneOfEach> one_of_each(const Asked& whole) {
     }
   }
   each.kept = prepare::part_of(whole.surface, faces);
-  each.panels = panels_of(whole.panels, each.kept.face);
+  each.panels = prepare::panels_of(whole.panels, each.kept.face);
   each.options = whole.options;
   each.options.twins = {};
   each.options.labels = std::move(labels);

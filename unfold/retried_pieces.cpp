@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,25 +24,10 @@ struct Alone {
   Options options;
 };
 
-prepare::Panels panels_of(const prepare::Panels& whole, const IdVector<FaceId, FaceId>& face) {
-  prepare::Panels panels;
-  panels.panel = IdVector<FaceId, PanelId>(face.size());
-  std::map<PanelId, PanelId> number;
-  for (const FaceId f : ids<FaceId>(face.size())) {
-    const auto [at, fresh] = number.try_emplace(whole.panel[face[f]], PanelId(panels.faces.size()));
-    if (fresh) {
-      panels.faces.push_back({});
-    }
-    panels.panel[f] = at->second;
-    panels.faces[at->second].push_back(f);
-  }
-  return panels;
-}
-
 Alone alone(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
             const Piece& piece) {
   Alone one{prepare::part_of(surface, piece.faces), {}, {}, options};
-  one.panels = panels_of(panels, one.from.face);
+  one.panels = prepare::panels_of(panels, one.from.face);
   one.part = IdVector<FaceId, PartId>(one.from.face.size(), PartId(0));
   // Tabs follow when all pieces are there.
   one.options.tabs.wanted = false;

@@ -131,6 +131,14 @@ void Surface::find_components() {
   }
 }
 
+Box3 Surface::bounds(FaceId f) const {
+  Box3 box;
+  for (const VertexId v : vertices(f)) {
+    box.add(point(v));
+  }
+  return box;
+}
+
 double total_area(const Surface& surface) {
   double area = 0.0;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {

@@ -86,6 +86,8 @@ class Surface {
   [[nodiscard]] double fold_angle(EdgeId e) const { return fold_angles_[e.value()]; }
   [[nodiscard]] ComponentId component(FaceId f) const { return components_[f.value()]; }
   [[nodiscard]] const Box3& bounds() const { return bounds_; }
+  /// The box around one face.
+  [[nodiscard]] Box3 bounds(FaceId f) const;
 
  private:
   void connect();

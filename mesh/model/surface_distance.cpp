@@ -16,14 +16,6 @@ Vec3 centre_of(const Surface& surface, FaceId f) {
   return (surface.point(a) + surface.point(b) + surface.point(c)) / 3.0;
 }
 
-Box3 box_of(const Surface& surface, FaceId f) {
-  Box3 box;
-  for (const VertexId v : surface.vertices(f)) {
-    box.add(surface.point(v));
-  }
-  return box;
-}
-
 /// Rows across the longest side, from it to the corner opposite.
 void add_samples(Vec3 a, Vec3 b, Vec3 c, double spacing, std::vector<Vec3>& samples) {
   while (length(b - a) < length(c - b) || length(b - a) < length(a - c)) {
@@ -86,7 +78,7 @@ double squared_distance(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
 SurfaceTree::SurfaceTree(const Surface& surface, double spacing)
     : surface_(surface),
       tree_(
-          surface.face_count(), [&](std::uint32_t f) { return box_of(surface, FaceId(f)); },
+          surface.face_count(), [&](std::uint32_t f) { return surface.bounds(FaceId(f)); },
           [&](std::uint32_t f) { return centre_of(surface, FaceId(f)); }) {
   samples_.assign(surface.points().begin(), surface.points().end());
   for (const FaceId f : ids<FaceId>(surface.face_count())) {

@@ -95,8 +95,8 @@ class Walls {
       : surface_(surface),
         faces_(of_bodies(components)),
         tree_(
-            faces_.size(), [&](std::uint32_t i) { return box_of(faces_[i]); },
-            [&](std::uint32_t i) { return centre(box_of(faces_[i])); }) {}
+            faces_.size(), [&](std::uint32_t i) { return surface.bounds(faces_[i]); },
+            [&](std::uint32_t i) { return centre(surface.bounds(faces_[i])); }) {}
 
   /// Is there a wall between p - way and p + way?
   [[nodiscard]] bool is_before(Vec3 p, Vec3 way) const {
@@ -120,14 +120,6 @@ class Walls {
       }
     }
     return faces;
-  }
-
-  [[nodiscard]] Box3 box_of(FaceId f) const {
-    Box3 box;
-    for (const VertexId v : surface_.vertices(f)) {
-      box.add(surface_.point(v));
-    }
-    return box;
   }
 
   /// The sides of a face belong to it, with a hair around them.

@@ -8,8 +8,8 @@ namespace ridgecraft::prepare {
 Neighbours::Neighbours(const mesh::Surface& surface)
     : surface_(surface),
       tree_(
-          surface.face_count(), [&](std::uint32_t f) { return box_of(FaceId(f)); },
-          [&](std::uint32_t f) { return centre(box_of(FaceId(f))); }) {}
+          surface.face_count(), [&](std::uint32_t f) { return surface.bounds(FaceId(f)); },
+          [&](std::uint32_t f) { return centre(surface.bounds(FaceId(f))); }) {}
 
 bool Neighbours::are_several(const ComponentFaces& faces, double reach,
                              const std::function<bool(ComponentId)>& counts) const {
@@ -17,27 +17,20 @@ bool Neighbours::are_several(const ComponentFaces& faces, double reach,
   ComponentId other;
   bool several = false;
   for (const FaceId f : faces) {
-    const Box3 box = grown(box_of(f), reach);
-    tree_.search([&](std::uint32_t node) { return !several && meet(box, tree_.box(node)); },
-                 [&](std::uint32_t at) {
-                   const FaceId near{tree_.order()[at]};
-                   const ComponentId c = surface_.component(near);
-                   if (c == own || c == other || !meet(box, box_of(near)) || (counts && !counts(c))) {
-                     return;
-                   }
-                   several = several || other.valid();
-                   other = c;
-                 });
+    const Box3 box = grown(surface_.bounds(f), reach);
+    tree_.search(
+        [&](std::uint32_t node) { return !several && meet(box, tree_.box(node)); },
+        [&](std::uint32_t at) {
+          const FaceId near{tree_.order()[at]};
+          const ComponentId c = surface_.component(near);
+          if (c == own || c == other || !meet(box, surface_.bounds(near)) || (counts && !counts(c))) {
+            return;
+          }
+          several = several || other.valid();
+          other = c;
+        });
   }
   return several;
-}
-
-Box3 Neighbours::box_of(FaceId f) const {
-  Box3 box;
-  for (const VertexId v : surface_.vertices(f)) {
-    box.add(surface_.point(v));
-  }
-  return box;
 }
 
 }  // namespace ridgecraft::prepare

@@ -24,8 +24,6 @@ class Neighbours {
                                  const std::function<bool(ComponentId)>& counts = {}) const;
 
  private:
-  [[nodiscard]] Box3 box_of(FaceId f) const;
-
   const mesh::Surface& surface_;
   BoxTree<Box3> tree_;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "base/elementary.hpp"
@@ -149,6 +150,21 @@ class Grower {
 
 Panels find_panels(const mesh::Surface& surface, const PanelTolerance& tolerance) {
   return Grower(surface, tolerance).run();
+}
+
+Panels panels_of(const Panels& whole, const IdVector<FaceId, FaceId>& face) {
+  Panels panels;
+  panels.panel = IdVector<FaceId, PanelId>(face.size());
+  std::map<PanelId, PanelId> number;
+  for (const FaceId f : ids<FaceId>(face.size())) {
+    const auto [at, fresh] = number.try_emplace(whole.panel[face[f]], PanelId(panels.faces.size()));
+    if (fresh) {
+      panels.faces.push_back({});
+    }
+    panels.panel[f] = at->second;
+    panels.faces[at->second].push_back(f);
+  }
+  return panels;
 }
 
 }  // namespace ridgecraft::prepare

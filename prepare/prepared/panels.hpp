@@ -30,4 +30,8 @@ struct Panels {
 /// finely divided cylinder doesn't become one panel. Faces without area join a neighbour's panel. O(n log n).
 [[nodiscard]] Panels find_panels(const mesh::Surface& surface, const PanelTolerance& tolerance = {});
 
+/// The panels of some faces of a surface, such as those of PartOf: `face` tells which each was. Panels are
+/// numbered in the order of their first faces. O(n log n).
+[[nodiscard]] Panels panels_of(const Panels& whole, const IdVector<FaceId, FaceId>& face);
+
 }  // namespace ridgecraft::prepare

@@ -58,8 +58,8 @@ class FacesBehind {
       : surface_(surface),
         faces_(faces),
         tree_(
-            faces.size(), [&](std::uint32_t i) { return box_of(faces[i]); },
-            [&](std::uint32_t i) { return centre(box_of(faces[i])); }) {}
+            faces.size(), [&](std::uint32_t i) { return surface.bounds(faces[i]); },
+            [&](std::uint32_t i) { return centre(surface.bounds(faces[i])); }) {}
 
   /// The nearest face against `from` that is met on the way from p, as far as the way goes.
   [[nodiscard]] std::optional<Behind> find(Vec3 p, Vec3 way, FaceId from) const {
@@ -82,14 +82,6 @@ class FacesBehind {
   }
 
  private:
-  [[nodiscard]] Box3 box_of(FaceId f) const {
-    Box3 box;
-    for (const VertexId v : surface_.vertices(f)) {
-      box.add(surface_.point(v));
-    }
-    return box;
-  }
-
   /// The share of the way at which it meets the face, or infinity.
   [[nodiscard]] double meeting(FaceId f, Vec3 p, Vec3 way) const {
     const auto [a, b, c] = surface_.vertices(f);

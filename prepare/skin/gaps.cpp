@@ -29,7 +29,7 @@ class Closer {
         most_(most),
         faces_(faces_of(surface, solid)),
         tree_(
-            faces_.size(), [&](std::uint32_t i) { return box_of(faces_[i]); },
+            faces_.size(), [&](std::uint32_t i) { return surface.bounds(faces_[i]); },
             [&](std::uint32_t i) { return surface.point(surface.vertices(faces_[i])[0]); }),
         size_(surface.component_count()) {
     std::vector<Box3> boxes(surface.component_count());
@@ -83,14 +83,6 @@ class Closer {
     }
     return faces;
   }
-  [[nodiscard]] Box3 box_of(FaceId f) const {
-    Box3 box;
-    for (const VertexId v : surface_.vertices(f)) {
-      box.add(surface_.point(v));
-    }
-    return box;
-  }
-
   [[nodiscard]] bool is_smaller(ComponentId a, ComponentId b) const {
     return std::tuple(size_[a.value()], a) < std::tuple(size_[b.value()], b);
   }
