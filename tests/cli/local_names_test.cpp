@@ -40,6 +40,12 @@ std::optional<std::string> alias_of(const std::string& line) {
   return std::regex_match(line, match, alias) ? std::optional(match[1].str()) : std::nullopt;
 }
 
+/// A function as overloads tell it apart: with the types of its parameters, whatever they are called.
+std::string with_types(const std::string& name) {
+  static const std::regex parameter(R"re(([ &*>])\w+(?=,|$))re");
+  return std::regex_replace(name, parameter, "$1");
+}
+
 /// The name alone, without parameters.
 std::string bare(const std::string& name) {
   return name.substr(0, name.find('('));
@@ -75,7 +81,7 @@ SourceFile read_source(const fs::path& file) {
     } else if (line == "namespace {" || line == "}  // namespace") {
       local = line == "namespace {";
     } else if (const auto alias = alias_of(line); alias || name_of(line)) {
-      const std::string name = alias ? *alias : *name_of(line);
+      const std::string name = alias ? *alias : with_types(*name_of(line));
       if (local) {
         result.spaces.insert(space);
         result.locals.emplace(name, alias ? line : "");
@@ -90,8 +96,8 @@ SourceFile read_source(const fs::path& file) {
 /// All files of the libraries and the program, by their paths in the repository.
 std::map<std::string, SourceFile> read_sources() {
   std::map<std::string, SourceFile> result;
-  for (const char* const top :
-       {"base", "mesh", "prepare", "segment", "solid", "unfold", "export", "verify", "job", "cli"}) {
+  for (const char* const top : {"base", "mesh", "prepare", "segment", "solid", "unfold", "export", "verify",
+                                "job", "session", "cli"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(RIDGECRAFT_SOURCE_DIR) / top)) {
       if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp") {
         result.emplace(fs::relative(entry.path(), RIDGECRAFT_SOURCE_DIR).generic_string(),
@@ -129,6 +135,9 @@ TEST_CASE("names are found where they are defined", "[architecture]") {
         "has_layer(const Group& group, Layer layer");
   CHECK(name_of("[[nodiscard]] inline bool meet(const Segment2& s, const Segment2& t) {") ==
         "meet(const Segment2& s, const Segment2& t");
+  CHECK(with_types("panels_of(const Panels& whole, const IdVector<FaceId, FaceId>& kept") ==
+        with_types("panels_of(const Panels& all, const IdVector<FaceId, FaceId>& face"));
+  CHECK(with_types("side_of(FaceId face") != with_types("side_of(EdgeId face"));
   CHECK_FALSE(name_of("  return side;").has_value());
   CHECK_FALSE(name_of("using Faces = std::vector<std::uint32_t>;").has_value());
 }
