@@ -30,6 +30,7 @@ struct KeptPlace {
 
 /// Why a piece can't lie where it was laid.
 struct NoPlace {
+  /// What stands in the way.
   enum class Why : std::uint8_t {
     beyond_sheet,  ///< it would leave the rectangle for pieces
     too_near,      ///< to the other one: on it, or nearer than the gap

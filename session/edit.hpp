@@ -68,6 +68,7 @@ struct Pin {
 
   friend bool operator==(const Pin&, const Pin&) = default;
 };
+/// The piece with this face may be laid elsewhere and get another net again.
 struct Unpin {
   FaceId face;
 

@@ -15,9 +15,9 @@ namespace ridgecraft::unfold {
 namespace {
 
 /// The mean rung of a band that stays a strip, of what its regions have of a rim; divided by Weights::bands.
-constexpr double least_rung_to_rim = 0.8;
+constexpr double least_rung_to_rim = 1.1;
 
-/// The rungs of each band as edges, in the order of edges; none of bands with a border of labels across them.
+/// The rungs of each band as edges; none of bands with a border of labels across them.
 std::vector<std::vector<EdgeId>> edges_of(const mesh::Surface& surface, const Patch& patch,
                                           const Bands& bands) {
   std::vector<std::vector<EdgeId>> edges(bands.seam_mm.size());
@@ -30,9 +30,6 @@ std::vector<std::vector<EdgeId>> edges_of(const mesh::Surface& surface, const Pa
     if (bands.band[side] != nothing && is_border_of_labels(patch, side)) {
       edges[bands.band[side]].clear();
     }
-  }
-  for (std::vector<EdgeId>& band : edges) {
-    std::sort(band.begin(), band.end());
   }
   return edges;
 }

@@ -13,7 +13,7 @@
 namespace ridgecraft::unfold {
 
 /// What is wished for, and EdgeWish::band for the rungs of each band of the surface (energy/bands.hpp) that
-/// is wide: by Weights::bands at least .8 times as wide as its regions are long on average. A narrower one
+/// is wide: by Weights::bands at least 1.1 times as wide as its regions are long on average. A narrower one
 /// may as well hang on a disk in single flaps. Of a band that goes all the way round one rung stays free,
 /// its seam: as near to the mirror plane as any lies, mirrored where bands are mirrored. Bands with a rung
 /// that somebody has a wish for, or where labels (per face, or empty) meet, are left as they are. Nothing
