@@ -1,34 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What edits by hand cost, and whether they can be trusted:
 //
-//   bench_edits [--faces N] [--edits N] [--undone N] [--seed N] MODEL...
+//   bench_edits [--faces N] [--edits N] [--undone N] [--reopened N] [--checker COMMAND] [--checked N] [--seed
+//   N]
+//               MODEL...
 //
 // Each model goes through a whole job at default options, simplified to N faces (0, the default: as a job
-// does). Then edits are drawn at random, folds to be cut and cuts to be joined, as many of one as of the
-// other, until N of them (1000) were done; those that are refused are counted, too. After each one the FOLD
-// file passes verify/, which a job sees to, once more here; after every N-th (1: each) undo gives the bytes
-// of FOLD file and pages from before, and redo those from after. At the end the file, opened again, gives its
-// own bytes. Seconds are of the processor, on one thread: medians and 95th percentiles. Exit code 1 where
-// bytes differ or a file is unsound.
+// does). Then edits of all kinds are drawn at random (random_edits.hpp) until N of them (1000) were done;
+// those that are refused are counted, too. The FOLD file of each state passes verify/, which session/ sees
+// to; what it throws counts as wrong. After every N-th edit (1: each) undo gives the bytes of FOLD file and
+// pages from before, and redo those from after; after every N-th (100), and at the end, the file, opened
+// again, gives its own bytes; every N-th state (50) is also given to a checker of FOLD files as `COMMAND
+// FILE`, if there is one, which ends with 0 where it finds no fault. Seconds are of the processor, on one
+// thread: medians and 95th percentiles, for each model and in the end for each kind of edit. Exit code 1
+// where anything was wrong.
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "base/random.hpp"
 #include "export/export.hpp"
 #include "job/job.hpp"
 #include "mesh/mesh.hpp"
+#include "random_edits.hpp"
 #include "session/session.hpp"
-#include "verify/verify.hpp"
 
 using namespace ridgecraft;
 
@@ -38,7 +45,10 @@ struct Settings {
   std::size_t faces = 0;
   std::size_t edits = 1000;
   std::size_t undone = 1;
+  std::size_t reopened = 100;
+  std::size_t checked = 50;
   std::uint64_t seed = 1;
+  std::string checker;
   std::vector<std::string> models;
 };
 
@@ -57,6 +67,7 @@ class Times {
     return result;
   }
   void add(double seconds) { seconds_.push_back(seconds); }
+  [[nodiscard]] std::size_t count() const { return seconds_.size(); }
   [[nodiscard]] std::string text() {
     if (seconds_.empty()) {
       return "-";
@@ -72,6 +83,19 @@ class Times {
   std::vector<double> seconds_;
 };
 
+/// What was done of one kind of edit.
+struct OfKind {
+  std::size_t refused = 0;
+  Times applying, undoing;
+};
+using OfKinds = std::array<OfKind, bench::edit_kinds.size()>;
+
+/// What was done to one model.
+struct Tally {
+  std::size_t done = 0, states = 0, refused = 0, wrong = 0, checked = 0;
+  Times applying, refusing, undoing, reopening;
+};
+
 /// Everything that a maker gets but the guide.
 std::string bytes_of(const job::Paper& made) {
   std::string text = made.fold;
@@ -81,68 +105,112 @@ std::string bytes_of(const job::Paper& made) {
   return text;
 }
 
-/// An edge that is used so; none where none is found soon.
-std::optional<session::Edge> any_edge(const session::Project& project, unfold::EdgeUse use, Random& random) {
-  const mesh::Surface& surface = project.now.prepared.model.surface;
-  const auto edges = static_cast<std::uint32_t>(surface.edge_count());
-  for (std::uint32_t tries = 0; tries < 10 * edges; ++tries) {
-    const EdgeId e(random.below(edges));
-    if (project.now.nets.use[e] == use) {
-      const CornerId side = surface.sides(e)[0];
-      return session::Edge{surface.vertex(side), surface.vertex(mesh::next(side))};
-    }
+void complain(const session::Project& project, Tally& tally, const std::string& what) {
+  ++tally.wrong;
+  std::string steps;
+  for (std::size_t i = 0; i < project.done; ++i) {
+    steps += session::text_of(project.steps[i].edits) + "\n";
   }
-  return std::nullopt;
+  fmt::print("  WRONG: {}\n{}", what, steps);
+  std::fflush(stdout);
 }
 
-struct Tally {
-  std::size_t cuts = 0, joins = 0, refused = 0, wrong = 0;
-  Times applying, refusing, undoing;
-};
+/// Whether a checker that somebody named finds no fault in the file.
+bool passes(const std::string& fold, const std::string& checker) {
+  const auto file = std::filesystem::temp_directory_path() / fmt::format("bench_edits-{}.fold", ::getpid());
+  std::ofstream(file, std::ios::binary) << fold;
+  const int code = std::system((checker + " '" + file.string() + "' >/dev/null").c_str());
+  std::filesystem::remove(file);
+  return code == 0;
+}
 
 /// Undo and redo of the step that led from one state to the next.
-std::size_t wrong_ways_back(const session::Project& project, const session::Project& changed, Tally& tally) {
-  const session::Project back = tally.undoing([&] { return session::undo(changed, {}); });
-  const session::Project forth = session::redo(back, {});
-  return (bytes_of(back.now) == bytes_of(project.now) ? 0U : 1U) +
-         (bytes_of(forth.now) == bytes_of(changed.now) ? 0U : 1U);
-}
-
-void edit_at_random(session::Project& project, const Settings& settings, Tally& tally) {
-  Random random(settings.seed);
-  const std::size_t patience = 20 * settings.edits;
-  for (std::size_t tries = 0; tally.cuts + tally.joins < settings.edits && tries < patience; ++tries) {
-    const bool cuts = random.below(2) == 0;
-    const auto edge = any_edge(project, cuts ? unfold::EdgeUse::fold : unfold::EdgeUse::cut, random);
-    if (!edge) {
-      continue;
-    }
-    const std::array<session::Edit, 1> edit{cuts ? session::Edit(session::Cut{*edge})
-                                                 : session::Edit(session::Join{*edge})};
-    const double start = processor_seconds();
-    session::Answer answer = session::apply(project, edit, {});
-    const double took = processor_seconds() - start;
-    if (std::holds_alternative<session::Refusal>(answer)) {
-      tally.refusing.add(took);
-      ++tally.refused;
-      continue;
-    }
-    tally.applying.add(took);
-    auto changed = std::get<session::Project>(std::move(answer));
-    (cuts ? tally.cuts : tally.joins) += 1;
-    tally.wrong += verify::verify(changed.now.fold, {}, {}).sound() ? 0U : 1U;
-    if ((tally.cuts + tally.joins) % settings.undone == 0) {
-      tally.wrong += wrong_ways_back(project, changed, tally);
-    }
-    project = std::move(changed);
+void go_back_and_forth(const session::Project& changed, const std::string& before, const std::string& after,
+                       Tally& tally, OfKind& of_kind) {
+  const double start = processor_seconds();
+  const session::Project back = session::undo(changed, {});
+  const double took = processor_seconds() - start;
+  tally.undoing.add(took);
+  of_kind.undoing.add(took);
+  if (bytes_of(back.now) != before) {
+    complain(changed, tally, "undo gives other bytes");
   }
+  const session::Project forth = session::redo(back, {});
+  if (bytes_of(forth.now) != after) {
+    complain(changed, tally, "redo gives other bytes");
+  }
+  tally.states += 2;
 }
 
-/// Whether the saved file, opened again, gives its own bytes.
-bool comes_back(const session::Project& project) {
-  const session::Answer again = session::reopen(*project.start, project.now.fold, {});
+/// The saved file, opened again.
+void open_again(const session::Project& project, const std::string& bytes, Tally& tally) {
+  const session::Answer again =
+      tally.reopening([&] { return session::reopen(*project.start, project.now.fold, {}); });
   const auto* const opened = std::get_if<session::Project>(&again);
-  return opened != nullptr && bytes_of(opened->now) == bytes_of(project.now);
+  if (opened == nullptr || bytes_of(opened->now) != bytes) {
+    complain(project, tally,
+             opened == nullptr ? "the saved file is refused: " + std::get<session::Refusal>(again).why
+                               : "the saved file gives other bytes");
+  }
+  ++tally.states;
+}
+
+/// Draws an edit of this kind and does it. Returns whether it was done.
+bool edit_once(session::Project& project, bench::EditKind kind, const Settings& settings, Random& random,
+               std::string& bytes, Tally& tally, OfKind& of_kind) {
+  const std::optional<session::Edit> edit = bench::random_edit(project, kind, random);
+  if (!edit) {
+    return false;
+  }
+  const double start = processor_seconds();
+  session::Answer answer = session::apply(project, {&*edit, 1}, {});
+  const double took = processor_seconds() - start;
+  if (std::holds_alternative<session::Refusal>(answer)) {
+    tally.refusing.add(took);
+    ++tally.refused;
+    ++of_kind.refused;
+    return false;
+  }
+  tally.applying.add(took);
+  of_kind.applying.add(took);
+  auto changed = std::get<session::Project>(std::move(answer));
+  std::string after = bytes_of(changed.now);
+  ++tally.done;
+  ++tally.states;
+  if (tally.done % settings.undone == 0) {
+    go_back_and_forth(changed, bytes, after, tally, of_kind);
+  }
+  if (tally.done % settings.reopened == 0 || tally.done == settings.edits) {
+    open_again(changed, after, tally);
+  }
+  if (!settings.checker.empty() && tally.done % settings.checked == 0) {
+    ++tally.checked;
+    if (!passes(changed.now.fold, settings.checker)) {
+      complain(changed, tally, "the checker finds faults");
+    }
+  }
+  project = std::move(changed);
+  bytes = std::move(after);
+  return true;
+}
+
+void edit_at_random(session::Project& project, const Settings& settings, Tally& tally, OfKinds& of_kinds) {
+  Random random(settings.seed);
+  std::string bytes = bytes_of(project.now);
+  const std::size_t patience = 20 * settings.edits;
+  for (std::size_t tries = 0; tally.done < settings.edits && tries < patience; ++tries) {
+    // Some of a kind in a row, or what is mostly refused would hardly be done.
+    constexpr std::size_t in_a_row = 8;
+    const auto kind = random.below(static_cast<std::uint32_t>(of_kinds.size()));
+    try {
+      for (std::size_t i = 0; i < in_a_row && !edit_once(project, static_cast<bench::EditKind>(kind),
+                                                         settings, random, bytes, tally, of_kinds[kind]);
+           ++i) {
+      }
+    } catch (const std::exception& error) {
+      complain(project, tally, fmt::format("{}: {}", bench::edit_kinds[kind], error.what()));
+    }
+  }
 }
 
 /// Wall milliseconds of the stages that the job went through again.
@@ -159,7 +227,7 @@ std::string stages_text(const job::StageSeconds& all, const job::StageSeconds& f
   return text;
 }
 
-std::size_t measure(const std::string& file, const Settings& settings) {
+std::size_t measure(const std::string& file, const Settings& settings, OfKinds& of_kinds) {
   job::Options options;
   if (settings.faces > 0) {
     options.simplify.mode = prepare::Simplification::count;
@@ -168,41 +236,61 @@ std::size_t measure(const std::string& file, const Settings& settings) {
   session::Project project = session::open(job::paper(mesh::read(file, {}, {}), options, {}));
   const std::size_t pieces = project.now.nets.pieces.size();
   Tally tally;
-  edit_at_random(project, settings, tally);
-  tally.wrong += comes_back(project) ? 0U : 1U;
+  edit_at_random(project, settings, tally, of_kinds);
   fmt::print(
-      "{}: {} faces, {} pieces, then {}; {} cuts, {} joins; refused {}; wrong {}; edit {}, refusal {}, undo "
-      "{}\n",
+      "{}: {} faces, {} pieces, then {} on {} pages; {} edits, {} refused; {} states, {} by the checker; "
+      "wrong "
+      "{}; edit {}, refusal {}, undo {}, reopening {}\n",
       std::filesystem::path(file).filename().string(), project.now.prepared.model.surface.face_count(),
-      pieces, project.now.nets.pieces.size(), tally.cuts, tally.joins, tally.refused, tally.wrong,
-      tally.applying.text(), tally.refusing.text(), tally.undoing.text());
+      pieces, project.now.nets.pieces.size(), project.now.pages.count, tally.done, tally.refused,
+      tally.states, tally.checked, tally.wrong, tally.applying.text(), tally.refusing.text(),
+      tally.undoing.text(), tally.reopening.text());
   // Each project's paper goes on from the first job, so this is the last edit's.
   fmt::print("  last edit, ms:{}\n", stages_text(project.now.seconds, project.start->seconds));
   std::fflush(stdout);
   return tally.wrong;
 }
 
+void print_kinds(OfKinds& of_kinds) {
+  for (std::size_t k = 0; k < of_kinds.size(); ++k) {
+    fmt::print("{}: {} done, {} refused; edit {}, undo {}\n", bench::edit_kinds[k],
+               of_kinds[k].applying.count(), of_kinds[k].refused, of_kinds[k].applying.text(),
+               of_kinds[k].undoing.text());
+  }
+}
+
+Settings settings_of(int count, char** words) {
+  Settings settings;
+  for (int i = 1; i < count; ++i) {
+    const std::string word = words[i];
+    if (word == "--checker" && i + 1 < count) {
+      settings.checker = words[++i];
+    } else if (word.starts_with("--") && i + 1 < count) {
+      const auto value = std::stoull(words[++i]);
+      (word == "--faces"      ? settings.faces
+       : word == "--edits"    ? settings.edits
+       : word == "--undone"   ? settings.undone
+       : word == "--reopened" ? settings.reopened
+       : word == "--checked"  ? settings.checked
+                              : settings.seed) = value;
+    } else {
+      settings.models.push_back(word);
+    }
+  }
+  return settings;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
-  Settings settings;
   try {
-    for (int i = 1; i < count; ++i) {
-      const std::string word = words[i];
-      if (word.starts_with("--") && i + 1 < count) {
-        const auto value = std::stoull(words[++i]);
-        (word == "--faces"    ? settings.faces
-         : word == "--edits"  ? settings.edits
-         : word == "--undone" ? settings.undone
-                              : settings.seed) = value;
-      } else {
-        settings.models.push_back(word);
-      }
-    }
+    const Settings settings = settings_of(count, words);
+    OfKinds of_kinds;
     std::size_t wrong = 0;
     for (const std::string& model : settings.models) {
-      wrong += measure(model, settings);
+      wrong += measure(model, settings, of_kinds);
     }
+    print_kinds(of_kinds);
     return wrong == 0 ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_edits: %s\n", error.what());

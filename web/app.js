@@ -8,7 +8,7 @@ import {byId, Menu, sayAll, sayCheck, sayFacts, showKeys} from "./panel.js";
 import {Printer} from "./print.js";
 import {Scene} from "./scene.js";
 import {hasMoved, PageDrawer, Plan, wheelSteps} from "./sheets.js";
-import {reader, say, sayAngle, sayCount, sayLength, sayList, sayNumber} from "./words.js";
+import {reader, say, sayAngle, sayCount, sayLength, sayList, sayNoTab, sayNumber} from "./words.js";
 
 /** @typedef {import("./backend.js").Backend} Backend */
 /** @typedef {import("./backend.js").State} State */
@@ -227,7 +227,7 @@ export class App {
     if (edge.join >= 0) {
       const join = this.nets.joins[edge.join];
       const [a, b] = join.pieces.map((p) => this.nets.pieces[p].name);
-      return say("join_line", {number: join.number, a, b, length, tab: join.tab < 0 ? say("no_tab", {why: join.why})
+      return say("join_line", {number: join.number, a, b, length, tab: join.tab < 0 ? say("no_tab", {why: sayNoTab(join.why)})
         : say("tab_on", {name: this.nets.pieces[this.nets.tabs[join.tab].piece].name})});
     }
     return edge.kind === "B" ? say("border_line", {length, name})

@@ -141,7 +141,6 @@ Object.assign(texts, {
   wish_seed_usual: ["1", "1"],
   cancel: ["Cancel", "Abbrechen"],
   cancelled: ["Cancelled. This is the result before.", "Abgebrochen. Zu sehen ist das Ergebnis davor."],
-  try_it: ["{what}", "{what}"],
   starting: ["The program starts", "Das Programm startet"],
   notes_list: ["Notes", "Hinweise"],
   no_program: ["This browser can't run the program in this page: it needs Chrome 95, Firefox 113, Safari 16.4 or newer ({why}).", "Dieser Browser kann das Programm dieser Seite nicht ausführen: Nötig ist Chrome 95, Firefox 113, Safari 16.4 oder neuer ({why})."],
@@ -166,8 +165,8 @@ Object.assign(texts, {
   stage_write: ["Writing", "Schreiben"],
 });
 
-/** The program's sentences on why an edge isn't cut or joined, in English and German (session/, unfold/changed_folds). */
-const refusals = [
+/** The program's sentences on why an edge isn't cut or joined, in English and German (session/, unfold/changed_folds). @type {[string, string][]} */
+export const refusals = [
   ["the model has no such edge", "das Modell hat keine solche Kante"],
   ["the faces beside this edge belong on different pages", "die Flächen an dieser Kante gehören auf verschiedene Seiten"],
   ["the model ends at this edge, so there is nothing to cut", "das Modell endet an dieser Kante, zu schneiden ist hier nichts"],

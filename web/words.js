@@ -94,6 +94,17 @@ export const texts = {
   broken: ["This page can't show its model: {why}", "Diese Seite kann ihr Modell nicht zeigen: {why}"],
 };
 
+/** The program's words on why a join has no tab, in English and German (unfold/net/nets.cpp). @type {[string, string][]} */
+export const noTabReasons = [
+  ["the edge is too short for a tab", "die Kante ist zu kurz dafür"],
+  ["a tab on either side would lie over a face or another tab", "auf beiden Seiten läge sie über einer Fläche oder einer anderen Lasche"],
+  ["a tab would stick out behind the face it is glued to", "sie stünde hinter der Fläche vor, an die sie geklebt wird"],
+  ["a tab would hang on less than 2 mm of paper", "sie hinge an weniger als 2 mm Papier"],
+  ["the piece with the tab would not fit the paper", "mit ihr wäre das Teil zu groß fürs Papier"],
+  ["tabs are switched off", "Laschen sind abgeschaltet"],
+  ["the time given was up before a place for a tab was found", "die Zeit war um, bevor ein Platz dafür gefunden war"],
+];
+
 /** Of the reader. */
 export const reader = {
   language: (globalThis.navigator?.language ?? "en").toLowerCase().startsWith("de") ? "de" : "en",
@@ -108,6 +119,12 @@ export const reader = {
 export function say(key, values = {}) {
   const text = texts[key]?.[reader.language === "de" ? 1 : 0] ?? key;
   return text.replace(/\{(\w+)\}/g, (gap, name) => (name in values ? String(values[name]) : gap));
+}
+
+/** Why a join has no tab, for the reader. @param {string} why */
+export function sayNoTab(why) {
+  const known = noTabReasons.find(([english]) => english === why);
+  return known && reader.language === "de" ? known[1] : why;
 }
 
 /** @param {number} value @param {number} digits */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moves pieces in the studio's page by mouse and keyboard; a finger moves the sheets. The program behind it is played by a few lines, which note
-// what they are asked, so that this runs where no WebAssembly was built.
+// Moves pieces in the studio's page by mouse, keyboard and finger. The program behind it is played by a few lines, which
+// note what they are asked, so that this runs where no WebAssembly was built.
 //   node hands.mjs --browser chromium|firefox --cmake FILE --web FOLDER --program FILE --samples FOLDER --tools FOLDER --out FOLDER
 import {execFileSync} from "node:child_process";
 import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
@@ -178,27 +178,78 @@ async function byMouse() {
   await context.close();
 }
 
-/** With a finger: the sheets move as long as no piece was chosen. */
+/** With a finger: the sheets move as long as no piece was chosen; then the finger moves the piece. */
 async function byFinger() {
   const {context, page, heard, inspect, idle, inside, lines} = await open({viewport: {width: 400, height: 800}, hasTouch: true});
-  const stroke = ([x, y], dx, dy) => page.evaluate(([from, to]) => {
-    const svg = document.getElementById("plan");
-    svg.setPointerCapture = () => {};
-    const tell = (type, [clientX, clientY]) => svg.dispatchEvent(new PointerEvent(type, {pointerId: 5, pointerType: "touch",
-      isPrimary: true, button: type === "pointermove" ? -1 : 0, buttons: 1, clientX, clientY, bubbles: true, cancelable: true}));
-    tell("pointerdown", from);
-    tell("pointermove", [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])]);
-    tell("pointermove", to);
-    tell("pointerup", to);
-  }, [[x, y], [x + dx, y + dy]]);
-  await stroke(await inside(0), 10, 8);
+  const stroke = await strokes(context, page);
+  const applied = async () => (await lines("apply")).length;
+  const cornerOf = () => page.evaluate(() => document.getElementById("plan").getAttribute("viewBox"));
+
+  const before = await cornerOf();
+  await stroke([await inside(0)], [[30, 24]]);
   await idle();
-  check((await lines("apply")).length === 0, "a finger moves a piece that wasn't chosen");
-  await stroke(await inside(0), 0, 0);
+  check(await applied() === 0, "a finger moves a piece that wasn't chosen");
+  check(await cornerOf() !== before, "a finger doesn't move the sheets");
+  await stroke([await inside(0)], []);
   check((await inspect()).chosen.join() === "0", "a tap doesn't choose a piece");
+
+  // The chosen piece follows the finger; the second place tells how far.
+  const scale = await scaleOf(page);
+  const moved = async (dx, dy) => {
+    await stroke([await inside(0)], [[dx / 2, dy / 2], [dx, dy]]);
+    await idle();
+    return (await lines("apply")).at(-1) ?? "";
+  };
+  const first = await moved(24, 0);
+  const second = await moved(48, 0);
+  const [one, two] = [numbers(first), numbers(second)];
+  check(first.startsWith("place ") && await applied() === 2 && Math.abs(two[2] - one[2] - 24 / scale) < 0.05 && Math.abs(two[3] - one[3]) < 0.05 && one[4] === two[4],
+    `a finger 24 pixels further of ${scale} a mm: "${first}", "${second}"`);
+  check((await inspect()).chosen.join() === "0", "a piece that was moved by finger isn't chosen any more");
+
+  // Two fingers zoom, also where the first one held the piece.
+  const [x, y] = await inside(0);
+  const {width, height, y: top} = await page.locator("#plan").boundingBox();
+  const [right, down] = [x < width / 2 ? 1 : -1, y < top + height / 2 ? 1 : -1];
+  await stroke([[x, y], [x + 60 * right, y + 90 * down]], [[20 * right, 30 * down]]);
+  await idle();
+  check(await applied() === 2, "two fingers move a piece");
+  check(await scaleOf(page) !== scale, "two fingers don't zoom");
+  check(await page.locator("[data-piece][transform]").count() === 0, "a piece hangs where two fingers took it");
   await page.screenshot({path: `${out}/${values.browser}-phone.png`});
   check(heard.length === 0, `on a phone the page says ${heard.slice(0, 3)}`);
   await context.close();
+}
+
+/**
+ * A function that puts fingers down, moves the last one by each of the distances, and lifts them. Chromium is touched as by
+ * its screen; other browsers can't be, so there the page is told of pointers.
+ */
+async function strokes(context, page) {
+  const add = ([x, y], [dx, dy]) => [x + dx, y + dy];
+  if (values.browser === "chromium") {
+    const screen = await context.newCDPSession(page);
+    return async (fingers, moves) => {
+      const tell = (type, at) => screen.send("Input.dispatchTouchEvent", {type, touchPoints: at.map(([x, y], id) => ({x, y, id}))});
+      for (let i = 1; i <= fingers.length; ++i) {
+        await tell("touchStart", fingers.slice(0, i));
+      }
+      for (const move of moves) {
+        await tell("touchMove", [...fingers.slice(0, -1), add(fingers.at(-1), move)]);
+      }
+      await tell("touchEnd", []);
+    };
+  }
+  return (fingers, moves) => page.evaluate(([from, to]) => {
+    const svg = document.getElementById("plan");
+    svg.setPointerCapture = () => {};
+    const tell = (type, index, [clientX, clientY]) => svg.dispatchEvent(new PointerEvent(type, {pointerId: 5 + index, pointerType: "touch",
+      isPrimary: index === 0, button: type === "pointermove" ? -1 : 0, buttons: 1, clientX, clientY, screenX: clientX, screenY: clientY,
+      bubbles: true, cancelable: true}));
+    from.forEach((at, index) => tell("pointerdown", index, at));
+    to.forEach((at) => tell("pointermove", from.length - 1, at));
+    from.forEach((at, index) => tell("pointerup", index, index === from.length - 1 ? to.at(-1) ?? at : at));
+  }, [fingers, moves.map((move) => add(fingers.at(-1), move))]);
 }
 
 for (const run of [byMouse, byFinger]) {
