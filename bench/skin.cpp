@@ -4,12 +4,14 @@
 //   bench_skin [--size MM] MODEL...
 //
 // A line for each: bodies (components) as read, after those that nobody could hold were left out, after
-// union, and after the same was left out of the skin; faces and how much of the area lay inside others. Then
-// looks from 100 sides, 2,500 parallel rays each, by CGAL's tree, which the union shares nothing with: how
-// many meet the bodies, how many of these first places aren't on the skin ("lost"), and how many first places
-// on the skin aren't on the bodies ("new": closed openings); 0.00001 of the diagonal is near enough.
-// "buried": faces of the skin that nobody sees, from 12 places on each along 100 directions, and their share
-// of its area.
+// union, and after the same was left out of the skin; faces and how much of the area lay inside others;
+// bodies that weren't united, openings that were closed, and bodies that were left out because nobody sees
+// them. Then looks from 100 sides, 2,500 parallel rays each, by CGAL's tree, which the union shares
+// nothing with: how many meet the bodies; of these first places those that aren't on the skin, because
+// something new is in front of them ("closed") or though nothing is ("lost"); and how many first places on
+// the skin aren't on the bodies ("new": closed openings). Near enough is 0.00001 of the diagonal, and
+// where bodies were moved so that they touch, as far as that may have been. "buried": faces of the skin
+// that nobody sees, from 12 places on each along 100 directions, and their share of its area.
 #include "prepare/skin/skin.hpp"
 
 #include <algorithm>
@@ -32,6 +34,7 @@
 #include "base/random.hpp"
 #include "mesh/mesh.hpp"
 #include "prepare/ready_bodies.hpp"
+#include "prepare/skin/gaps.hpp"
 
 using namespace ridgecraft;
 
@@ -100,10 +103,10 @@ class Seen {
 };
 
 struct Looks {
-  std::size_t hits = 0, lost = 0, fresh = 0;
+  std::size_t hits = 0, closed = 0, lost = 0, fresh = 0;
 };
 
-Looks compare(const Seen& bodies, const Seen& skin, const Box3& box) {
+Looks compare(const Seen& bodies, const Seen& skin, const Box3& box, double near) {
   Looks looks;
   const double diagonal = box.diagonal();
   const Vec3 middle = 0.5 * box.low + 0.5 * box.high;
@@ -119,8 +122,13 @@ Looks compare(const Seen& bodies, const Seen& skin, const Box3& box) {
         const auto before = bodies.first(from, way);
         const auto after = skin.first(from, way);
         looks.hits += before ? 1U : 0U;
-        looks.lost += before && !skin.holds(*before, near_enough * diagonal) ? 1U : 0U;
-        looks.fresh += after && !bodies.holds(*after, near_enough * diagonal) ? 1U : 0U;
+        if (before && !skin.holds(*before, near)) {
+          const auto start = point(from);
+          const bool covered =
+              after && CGAL::squared_distance(start, *after) < CGAL::squared_distance(start, *before);
+          ++(covered ? looks.closed : looks.lost);
+        }
+        looks.fresh += after && !bodies.holds(*after, near) ? 1U : 0U;
       }
     }
   }
@@ -185,13 +193,15 @@ void run(const std::string& path, const prepare::SizeOptions& size) {
   }
   const Seen seen_bodies(bodies);
   const Seen seen_skin(skin);
-  const Looks looks = compare(seen_bodies, seen_skin, bodies.bounds());
+  const double near = near_enough + (report.gaps_closed > 0 ? prepare::touching : 0.0);
+  const Looks looks = compare(seen_bodies, seen_skin, bodies.bounds(), near * bodies.bounds().diagonal());
   const Buried below = buried(skin, seen_skin);
-  fmt::print("{:36.36} {:5} {:5} {:5} {:5} {:6} {:6} {:6.1f} {:4} {:4} {:7} {:5} {:5} {:6} {:7.3f}\n",
-             std::filesystem::path(path).stem().string(), as_read, bodies.component_count(),
-             skin.component_count(), model.surface.component_count(), bodies.face_count(), skin.face_count(),
-             100.0 * report.hidden_share, report.left_crossing, report.rims_closed, looks.hits, looks.lost,
-             looks.fresh, below.faces, 100.0 * below.share);
+  fmt::print(
+      "{:36.36} {:5} {:5} {:5} {:5} {:6} {:6} {:6.1f} {:4} {:4} {:6} {:7} {:6} {:5} {:5} {:6} {:7.3f}\n",
+      std::filesystem::path(path).stem().string(), as_read, bodies.component_count(), skin.component_count(),
+      model.surface.component_count(), bodies.face_count(), skin.face_count(), 100.0 * report.hidden_share,
+      report.left_crossing, report.rims_closed, report.unseen, looks.hits, looks.closed, looks.lost,
+      looks.fresh, below.faces, 100.0 * below.share);
   std::fflush(stdout);
 }
 
@@ -208,9 +218,11 @@ int main(int argc, char** argv) {
       models.push_back(word);
     }
   }
-  fmt::print("{:36} {:>5} {:>5} {:>5} {:>5} {:>6} {:>6} {:>6} {:>4} {:>4} {:>7} {:>5} {:>5} {:>6} {:>7}\n",
-             "model", "read", "ready", "skin", "left", "faces", "skin", "hidden", "not", "rims", "rays",
-             "lost", "new", "buried", "%");
+  fmt::print(
+      "{:36} {:>5} {:>5} {:>5} {:>5} {:>6} {:>6} {:>6} {:>4} {:>4} {:>6} {:>7} {:>6} {:>5} {:>5} {:>6} "
+      "{:>7}\n",
+      "model", "read", "ready", "skin", "left", "faces", "skin", "hidden", "not", "rims", "unseen", "rays",
+      "closed", "lost", "new", "buried", "%");
   int failed = 0;
   for (const std::string& path : models) {
     try {

@@ -72,6 +72,9 @@ std::string model_line(const job::Paper& made) {
                                     ? fmt::format(", {} dropped", counted(skin.faces_hidden, "hidden face"))
                                     : std::string()));
   }
+  if (skin.unseen > 0) {
+    clauses.push_back(counted_bodies(skin.unseen) + " that nobody sees left out");
+  }
   if (report.faces_after < report.faces_before && report.deviation_mm >= seen_mm) {
     clauses.push_back(fmt::format("simplified from {} to {} triangles, moved by at most {:.2f} mm",
                                   report.faces_before, report.faces_after, report.deviation_mm));

@@ -48,6 +48,7 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                       {"hidden_share", rounded(skin.hidden_share)},
                                       {"openings_closed", skin.rims_closed},
                                       {"gaps_closed", skin.gaps_closed},
+                                      {"unseen", skin.unseen},
                                       {"left_crossing", skin.left_crossing}});
   const prepare::Details& details = made.ready.left_out;
   summary.add("left_out", Value::Object{{"small", details.small},
@@ -72,6 +73,11 @@ void add_skin(Summary& summary, const job::Paper& made) {
             bodies_text(skin.united), skin.united_into,
             skin.rims_closed == 0 ? "" : fmt::format(", {} closed", counted(skin.rims_closed, "opening")),
             100.0 * skin.hidden_share, counted(skin.faces_hidden, "whole face")));
+  }
+  if (skin.unseen > 0) {
+    summary.say(Line::skin, "unseen",
+                bodies_text(skin.unseen) + " left out (--keep-bodies leaves " +
+                    (skin.unseen == 1 ? "it" : "them") + " in)");
   }
   if (skin.left_crossing > 0) {
     summary.say(

@@ -17,6 +17,7 @@ struct SkinReport {
   double hidden_share = 0.0;      ///< of the area of these components: how much lay inside others
   std::size_t left_crossing = 0;  ///< components that stay as they were, since no sound skin was found
   std::size_t gaps_closed = 0;    ///< corners that ended just before another body, and touch it now
+  std::size_t unseen = 0;         ///< components that were left out, since nobody sees any of them
   std::size_t rims_closed = 0;    ///< flat openings that were closed for it and stay closed
 };
 

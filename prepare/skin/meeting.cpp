@@ -91,16 +91,30 @@ class Meeting {
     return sum != 0;
   }
 
+  /// With these bodies solid: has a facet no solid behind it, whichever side one looks from?
+  [[nodiscard]] bool is_loose(const Facet& facet, const std::vector<std::uint8_t>& solid) const {
+    const Patch& patch = arranged_.patches[facet.patch];
+    return !inside(patch.front, solid) && !inside(patch.back, solid);
+  }
+
   /// Of a facet, with these bodies solid.
   [[nodiscard]] Fate fate_with(const Facet& facet, const std::vector<std::uint8_t>& solid) const {
     const Patch& patch = arranged_.patches[facet.patch];
     const bool front = inside(patch.front, solid);
     const bool back = inside(patch.back, solid);
     const auto all = sources(facet);
+    const auto real = [&](const Source& s) { return !is_cap(s.triangle); };
+    if (!front && !back) {
+      // If it is of a solid, this one's own cap lies on it, as on the brim of a hat.
+      const bool kept = std::any_of(all.begin(), all.end(), real);
+      const bool ahead =
+          std::any_of(all.begin(), all.end(), [&](const Source& s) { return real(s) && s.same_side; });
+      return !kept ? Fate::hidden : ahead ? Fate::kept : Fate::turned;
+    }
     const bool of_solid = std::any_of(all.begin(), all.end(),
                                       [&](const Source& s) { return solid[soup_.body[s.triangle]] != 0; });
     const bool of_sheet = std::any_of(all.begin(), all.end(), [&](const Source& s) {
-      return solid[soup_.body[s.triangle]] == 0 && !is_cap(s.triangle);
+      return solid[soup_.body[s.triangle]] == 0 && real(s);
     });
     if (front != back && of_solid) {
       return front ? Fate::turned : Fate::kept;
@@ -165,6 +179,13 @@ class Meeting {
     for (std::uint32_t f = 0; f < arranged_.facets.size(); ++f) {
       if (shows_cap(f) && bodies_.bent[bodies_.cap[shown(f)]] != 0) {
         caps[bodies_.cap[shown(f)]].seen += length(normal_of(arranged_.facets[f]));
+      } else if (fate_[f] != Fate::hidden && is_loose(arranged_.facets[f], solid_)) {
+        // On a face of the body itself a cap closes nothing.
+        for (const Source& s : sources(arranged_.facets[f])) {
+          if (is_cap(s.triangle) && bodies_.bent[bodies_.cap[s.triangle]] != 0) {
+            caps[bodies_.cap[s.triangle]].seen += length(normal_of(arranged_.facets[f]));
+          }
+        }
       }
     }
     bool any = false;
@@ -282,10 +303,17 @@ class Meeting {
 
   // Caps ----------------------------------------------------------------------------------------------------
 
+  /// Does it show, or hide, more than one triangle? A cap that lies on a face of its own body doesn't count.
+  [[nodiscard]] bool is_shared(const Facet& facet) const {
+    const auto all = sources(facet);
+    return is_loose(facet, solid_) ? std::count_if(all.begin(), all.end(),
+                                                   [&](const Source& s) { return !is_cap(s.triangle); }) > 1
+                                   : all.size() > 1;
+  }
   [[nodiscard]] bool nothing_hidden() const {
     for (std::uint32_t f = 0; f < arranged_.facets.size(); ++f) {
       const Facet& facet = arranged_.facets[f];
-      if (!only_caps(facet) && (fate_[f] == Fate::hidden || facet.last_source - facet.first_source > 1)) {
+      if (!only_caps(facet) && (fate_[f] == Fate::hidden || is_shared(facet))) {
         return false;
       }
     }
@@ -441,9 +469,11 @@ class Meeting {
     }
   }
 
+  /// Is it a solid's, with this solid behind it?
   [[nodiscard]] bool of_solid(std::uint32_t f) const {
     const auto all = sources(arranged_.facets[f]);
-    return std::any_of(all.begin(), all.end(),
+    return !is_loose(arranged_.facets[f], solid_) &&
+           std::any_of(all.begin(), all.end(),
                        [&](const Source& s) { return solid_[soup_.body[s.triangle]] != 0; });
   }
 
@@ -495,11 +525,10 @@ class Meeting {
           left[s.triangle] = 1;
         }
         if (is_cap(s.triangle)) {
-          if (fate_[f] != Fate::hidden) {
+          if (fate_[f] != Fate::hidden && !is_loose(facet, solid_)) {
             skin.changed[soup_.body[s.triangle]] = 1;
           }
-        } else if (fate_[f] == Fate::hidden || facet.last_source - facet.first_source > 1 ||
-                   facet.corners != by_place(s.triangle)) {
+        } else if (fate_[f] == Fate::hidden || is_shared(facet) || facet.corners != by_place(s.triangle)) {
           skin.changed[soup_.body[s.triangle]] = 1;
         }
       }

@@ -73,7 +73,7 @@ Sight::Sight(std::vector<Screen> screens)
   diagonal_ = tree_.box(0).diagonal();
 }
 
-bool Sight::gets_out(Vec3 from, Vec3 way, std::vector<std::uint32_t>& openings) const {
+bool Sight::passes(Vec3 from, Vec3 way, std::vector<std::uint32_t>& openings) const {
   bool out = true;
   tree_.search([&](std::uint32_t node) { return out && comes_near(from, way, tree_.box(node)); },
                [&](std::uint32_t place) {
@@ -95,13 +95,25 @@ std::vector<std::uint32_t> Sight::openings_seen(Vec3 place, Vec3 normal) const {
       continue;
     }
     std::vector<std::uint32_t> openings;
-    if (gets_out(from, 2.0 * diagonal_ * way, openings)) {
+    if (passes(from, 2.0 * diagonal_ * way, openings)) {
       std::sort(openings.begin(), openings.end());
       openings.erase(std::unique(openings.begin(), openings.end()), openings.end());
       seen.insert(seen.end(), openings.begin(), openings.end());
     }
   }
   return seen;
+}
+
+bool Sight::gets_out(Vec3 place, Vec3 normal) const {
+  const Vec3 from = place + beside * diagonal_ * normalized(normal);
+  std::vector<std::uint32_t> openings;
+  for (int i = 0; i < looks; ++i) {
+    const Vec3 way = direction(i);
+    if (dot(way, normal) > 0.0 && passes(from, 2.0 * diagonal_ * way, openings)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace ridgecraft::prepare

@@ -29,8 +29,11 @@ class Sight {
   /// where the triangles are spread.
   [[nodiscard]] std::vector<std::uint32_t> openings_seen(Vec3 place, Vec3 normal) const;
 
+  /// From such a place: does one of these looks meet no wall? O(log n) a look, as above.
+  [[nodiscard]] bool gets_out(Vec3 place, Vec3 normal) const;
+
  private:
-  bool gets_out(Vec3 from, Vec3 way, std::vector<std::uint32_t>& openings) const;
+  bool passes(Vec3 from, Vec3 way, std::vector<std::uint32_t>& openings) const;
 
   std::vector<Screen> screens_;
   BoxTree<Box3> tree_;

@@ -16,6 +16,7 @@
 #include "prepare/skin/gaps.hpp"
 #include "prepare/skin/meeting.hpp"
 #include "prepare/skin/rims.hpp"
+#include "prepare/skin/unseen.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -404,7 +405,9 @@ class Skin {
 }  // namespace
 
 SkinReport unite_bodies(mesh::Model& model, const Context& context) {
-  return Skin(model, context).run();
+  SkinReport report = Skin(model, context).run();
+  report.unseen = leave_out_unseen(model, context);
+  return report;
 }
 
 }  // namespace ridgecraft::prepare

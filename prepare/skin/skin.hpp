@@ -25,6 +25,8 @@ namespace ridgecraft::prepare {
 /// sound, because it crosses itself when its points become doubles, or that meet in too many places, stay as
 /// they were and are counted.
 ///
+/// At the end components are left out that nobody sees from outside, solid or not.
+///
 /// O(n log n) for n faces, and about 20 microseconds for each pair of faces that meets. Throws
 /// Error(interrupted), Error(out_of_time).
 SkinReport unite_bodies(mesh::Model& model, const Context& context);

@@ -443,6 +443,34 @@ TEST_CASE("a bent leaf with a stem through it stays a sheet", "[skin]") {
   CHECK(test::area(leaf.model.surface) < test::area(model_of(shape).surface) - 0.04);
 }
 
+TEST_CASE("the brim of a hat stays, though what closes the hat lies on it", "[skin]") {
+  auto no_floor = box_faces;
+  no_floor.erase(no_floor.begin());
+  Shape shape{both(box_points({0, 0, 0}, {2, 2, 2}), {{-1, -1, 0}, {3, -1, 0}, {3, 3, 0}, {-1, 3, 0}}),
+              both(no_floor, {{8, 9, 1, 0}, {9, 10, 2, 1}, {10, 11, 3, 2}, {11, 8, 0, 3}})};
+  REQUIRE(model_of(shape).surface.component_count() == 1);
+  shape.add(box({0.5, 0.5, 1.5}, {1, 1, 3}));
+  const United hat = united(shape);
+  CHECK(hat.report.united == 2);
+  CHECK(hat.model.surface.component_count() == 1);
+  const double brim = 16.0 - 4.0;
+  CHECK(test::area(hat.model.surface) == Approx(4 + 16 + 2.0 + brim));
+  CHECK(test::volume(hat.model.surface) == Approx(8 + 0.25));
+  CHECK(hat.report.rims_closed == 0);
+}
+
+TEST_CASE("a strip that would be closed by itself for the most part stays a sheet", "[skin]") {
+  Shape shape = box({0.4, -0.5, -1}, {0.6, 0.5, 1});
+  // Three panels. Those at the ends are flat; the one between them is warped, and bent along the diagonal
+  // over which it is larger.
+  shape.add({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0.6}, {3, 0, 0.6}, {3, 1, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}},
+             {{0, 1, 6}, {0, 6, 7}, {1, 2, 6}, {2, 5, 6}, {2, 3, 4}, {2, 4, 5}}});
+  const double own = test::area(model_of(shape).surface);
+  const United strip = united(shape);
+  CHECK(test::area(strip.model.surface) == Approx(own - 0.2 * 0.5));
+  CHECK(strip.report.rims_closed == 0);
+}
+
 TEST_CASE("one can look into an open crate: what is in it stays", "[skin]") {
   auto no_lid = box_faces;
   no_lid.erase(no_lid.begin() + 1);
@@ -461,6 +489,29 @@ TEST_CASE("sheets end where solids begin, and solids aren't cut by them", "[skin
   CHECK(test::area(flag.model.surface) == Approx(24 + 1.0));
   // The box as it was, two faces of the flag that are left, and no more.
   CHECK(flag.model.surface.face_count() == 12 + 2 + 1);
+}
+
+TEST_CASE("what is behind sheets and can't be seen is left out", "[skin]") {
+  // Six sheets around a leaf, each a little larger than the side of a box: none of them is closed, and they
+  // have no edges in common. The lid is on the walls, or away from them.
+  Shape shape;
+  const double gap = GENERATE(0.0, 1.0);
+  for (std::size_t i = 0; i < box_faces.size(); ++i) {
+    Shape side;
+    for (const std::uint32_t corner : box_faces[i]) {
+      const Vec3 p = box_points({0, 0, 0}, {2, 2, 2})[corner];
+      side.points.push_back(i < 2   ? Vec3{1.2 * p.x - 0.2, 1.2 * p.y - 0.2, p.z + (i == 1 ? gap : 0.0)}
+                            : i % 2 ? Vec3{p.x, 1.2 * p.y - 0.2, 1.2 * p.z - 0.2}
+                                    : Vec3{1.2 * p.x - 0.2, p.y, 1.2 * p.z - 0.2});
+    }
+    side.faces = {{0, 1, 2, 3}};
+    shape.add(side);
+  }
+  shape.add({{{0.5, 0.5, 0.7}, {1.5, 0.5, 0.7}, {1.5, 1.5, 1.3}, {0.5, 1.5, 1.3}}, {{0, 1, 2, 3}}});
+  const bool is_hidden = gap == 0.0;
+  const United one = united(shape);
+  CHECK(one.report.unseen == (is_hidden ? 1 : 0));
+  CHECK(one.model.surface.face_count() == (is_hidden ? 12 : 14));
 }
 
 TEST_CASE("cavities that nobody can look into are dropped, with what is in them", "[skin]") {
