@@ -113,7 +113,11 @@ void move_borders_of(const Asked& asked, const Plan& plan, const Patch& patch, c
   MovedBorders moved = move_borders(asked.surface, plan.whole, patch, asked.part.items(), parts.folds, cause,
                                     asked.options, plan.room, context);
   parts.folds = std::move(moved.folds);
-  for (const PartId part : std::set(moved.parts.begin(), moved.parts.end())) {
+  const std::set<PartId> parts_moved(moved.parts.begin(), moved.parts.end());
+  // What was told of these is of faces that they no longer have, or not alone.
+  std::erase_if(parts.notes,
+                [&](const PartNote& note) { return parts_moved.contains(asked.part[note.face]); });
+  for (const PartId part : parts_moved) {
     const auto face = std::find(asked.part.begin(), asked.part.end(), part);
     parts.notes.push_back({"moving the border with its neighbours saved pieces",
                            FaceId(static_cast<std::uint32_t>(face - asked.part.begin()))});

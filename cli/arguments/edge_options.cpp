@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments/edge_options.hpp"
 
+#include <fmt/format.h>
+
+#include "cli/arguments/option_values.hpp"
+
 namespace ridgecraft::cli {
 
 void add_edge_options(Verb& verb, EdgeArguments& edges) {
@@ -14,6 +18,14 @@ void add_edge_options(Verb& verb, EdgeArguments& edges) {
       "Nets of the same model made before (.fold, or .pdo of Pepakura Designer), edited or not: their "
       "cuts and folds are kept. "
       "Results go elsewhere (-o), unless --overwrite lets them replace this file.");
+}
+
+void check_edge_options(const EdgeArguments& edges, const prepare::SimplifyOptions& simplify) {
+  if ((!edges.cuts.empty() || !edges.keep.empty()) && simplify.mode == prepare::Simplification::count) {
+    refuse(fmt::format(
+        "{} names edges of the model as it is, and --faces {} would leave others: give one of the two",
+        edges.cuts.empty() ? "--keep" : "--cuts", simplify.faces));
+  }
 }
 
 }  // namespace ridgecraft::cli

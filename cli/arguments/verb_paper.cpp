@@ -292,6 +292,7 @@ Job build_paper(const Arguments* arguments, Manual* manual) {
     job.common = common.checked();
     machines.check_into(job);
     size.check_into(job.options, job.size_asked);
+    check_edge_options(job.edges, job.options.simplify);
     texts.check_into(job, machines);
     job.options.pieces = pieces.rules();
     job.options.pieces.fold_linear = fold_linear;

@@ -48,6 +48,7 @@ Job build_unfold(const Arguments* arguments, Manual* manual) {
     job.common = common.checked();
     job.options.tabs.wanted = job.options.tabs.wanted || job.options.tabs.split_pieces;
     size.check_into(job.options, job.size_asked);
+    check_edge_options(job.edges, job.options.simplify);
     if (whole && !concavity.empty()) {
       refuse("--concavity tells how to cut the model into parts; with --whole it has no effect");
     }

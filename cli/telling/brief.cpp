@@ -53,9 +53,19 @@ std::string counted_bodies(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " body" : " bodies");
 }
 
-std::string model_line(const job::Paper& made) {
+/// Whether a model that is too fine was left as it is because edges are named, or marked in its file.
+bool is_kept_for_edges(const PaperJob& job, const job::Paper& made) {
+  return made.prepared.simplified.still_too_fine &&
+         job.options.simplify.mode == prepare::Simplification::automatic &&
+         made.options.simplify.mode == prepare::Simplification::keep;
+}
+
+std::string model_line(const PaperJob& job, const job::Paper& made) {
   const prepare::SimplifyReport& report = made.prepared.simplified;
   Clauses clauses;
+  if (is_kept_for_edges(job, made)) {
+    clauses.emplace_back("not simplified, as edges of it are named, or marked in its file");
+  }
   const prepare::SkinReport& skin = made.skin;
   if (made.ready.sheets.walls > 0) {
     clauses.push_back(sheets_text(made.ready.sheets));
@@ -163,7 +173,7 @@ std::string next_line(const PaperResult& result) {
   if (made.prepared.simplified.still_too_fine && made.prepared.smallest_size_mm) {
     clauses.push_back(fmt::format("--size {:.0f}mm can be folded", *made.prepared.smallest_size_mm));
   } else if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
-    clauses.emplace_back("a larger --size or fewer --faces make it easier");
+    clauses.emplace_back("with a larger --size or fewer --faces less of it is that fine");
   } else if (made.share_saving_a_page) {
     clauses.push_back(fmt::format("--size {:.0f}mm may save a page", size_saving_a_page(made)));
   }
@@ -239,7 +249,7 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
               fmt::format("{:.0f} x {:.0f} x {:.0f} mm ({}{})", size.x, size.y, size.z,
                           size_words(made, job.size_asked.words), scale_text(made.prepared)));
   summary.say(Line::brief, "paper", paper_line(job, made, glue));
-  summary.say(Line::brief, "model", model_line(made));
+  summary.say(Line::brief, "model", model_line(job, made));
   summary.say(Line::brief, "hard", hard_line(made, glue));
   summary.say(Line::brief, "next", next_line(result));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -38,6 +39,26 @@ TEST_CASE("edges to be cut and kept are cut, and counted", "[edge_options]") {
   write_bytes(folder / "house.obj", std::string(house) + "l 2 6\n");
   CHECK(notes({"--keep", "keep.txt"}).find("1 edge to be kept is to be cut, too, and is cut") !=
         std::string::npos);
+}
+
+TEST_CASE("a model too fine that named edges keep from being simplified says so", "[edge_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "whale.obj",
+              read_bytes(std::filesystem::path(RIDGECRAFT_SOURCE_DIR) / "samples/whale.obj"));
+  write_bytes(folder / "cuts.txt", "1 2\n");
+  const auto model_line = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"whale.obj", "--size", "25mm", "-o", "x.fold", "--overwrite"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const std::string told = run_program(arguments, in(folder)).out;
+    const std::size_t at = told.find("  model ");
+    return told.substr(at, told.find('\n', at) - at);
+  };
+  CHECK(model_line({"--cuts", "cuts.txt"}).find("not simplified, as edges") != std::string::npos);
+  CHECK(model_line({}).find("not simplified") == std::string::npos);
+  const Outcome both =
+      run_program({"whale.obj", "--cuts", "cuts.txt", "--faces", "60", "-o", "y.fold"}, in(folder));
+  CHECK(both.exit_code == 2);
+  CHECK(both.err.find("--cuts names edges of the model as it is") != std::string::npos);
 }
 
 TEST_CASE("edges named in a file are cut or kept, nets made before survive", "[edge_options]") {

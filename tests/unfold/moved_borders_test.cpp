@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <catch2/catch.hpp>
 
@@ -14,6 +15,7 @@
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/plan.hpp"
+#include "unfold/unfold.hpp"
 #include "unfold/unfolded_parts.hpp"
 
 using namespace ridgecraft;
@@ -111,6 +113,27 @@ TEST_CASE("borders that move save pieces, and nets stay clean and fit", "[border
   INFO(saved << " of " << surplus);
   CHECK(surplus > 5);
   CHECK(2 * saved > surplus);
+}
+
+TEST_CASE("of a part whose border moved nothing is told that was so before", "[borders]") {
+  const std::string moved = ": moving the border with its neighbours saved pieces";
+  std::size_t told = 0;
+  for (const Case& c : cases()) {
+    Options options = options_with({}, 0);
+    options.pieces.merge = true;
+    const Nets nets = unfold::unfold(c.surface, c.panels, c.part, options, Context());
+    for (const std::string& note : nets.notes) {
+      const std::size_t at = note.find(moved);
+      if (at == std::string::npos) {
+        continue;
+      }
+      ++told;
+      const std::string begin = note.substr(0, at) + ": no single net";
+      CHECK(std::none_of(nets.notes.begin(), nets.notes.end(),
+                         [&](const std::string& other) { return other.starts_with(begin); }));
+    }
+  }
+  CHECK(told > 0);
 }
 
 TEST_CASE("a piece that isn't worth what its faces cost elsewhere stays", "[borders]") {
