@@ -18,6 +18,8 @@ constexpr double between_places = 0.02;
 /// ... but into no fewer parts and no more.
 constexpr int fewest_parts = 2;
 constexpr int most_parts = 8;
+/// Looks from so many places take three seconds. What wasn't found to be hidden by then stays.
+constexpr std::size_t most_places = 20'000;
 
 Sight sight_of(const mesh::Surface& surface) {
   std::vector<Screen> walls;
@@ -28,8 +30,8 @@ Sight sight_of(const mesh::Surface& surface) {
   return Sight(std::move(walls));
 }
 
-/// Can one look out from a face, on either side?
-bool is_seen(const mesh::Surface& surface, FaceId f, const Sight& sight) {
+/// Can one look out from a face, on either side? Counts the places that were tried.
+bool is_seen(const mesh::Surface& surface, FaceId f, const Sight& sight, std::size_t& tried) {
   const Vec3 normal = surface.normal(f);
   if (normal == Vec3{}) {
     return false;
@@ -49,6 +51,7 @@ bool is_seen(const mesh::Surface& surface, FaceId f, const Sight& sight) {
           continue;
         }
         const Vec3 place = a + ((row + third) * u + (column + third) * v) / parts;
+        ++tried;
         if (sight.gets_out(place, normal) || sight.gets_out(place, -1.0 * normal)) {
           return true;
         }
@@ -66,21 +69,23 @@ std::size_t leave_out_unseen(mesh::Model& model, const Context& context) {
   if (components < 2) {
     return 0;
   }
-  std::vector<std::size_t> count(components, 0);
+  std::vector<std::vector<FaceId>> faces(components);
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    ++count[surface.component(f).value()];
+    faces[surface.component(f).value()].push_back(f);
   }
-  std::vector<bool> seen(components, false);
-  std::transform(count.begin(), count.end(), seen.begin(), [](std::size_t n) { return n > most_faces; });
+  std::vector<bool> seen;
+  for (const std::vector<FaceId>& of_component : faces) {
+    seen.push_back(of_component.size() > most_faces);
+  }
   if (std::find(seen.begin(), seen.end(), false) == seen.end()) {
     return 0;
   }
   const Sight sight = sight_of(surface);
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const std::size_t c = surface.component(f).value();
-    if (!seen[c]) {
+  std::size_t tried = 0;
+  for (std::size_t c = 0; c < components; ++c) {
+    for (std::size_t i = 0; i < faces[c].size() && !seen[c]; ++i) {
       context.check();
-      seen[c] = is_seen(surface, f, sight);
+      seen[c] = tried >= most_places || is_seen(surface, faces[c][i], sight, tried);
     }
   }
   const auto unseen = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), false));
