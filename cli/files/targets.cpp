@@ -26,15 +26,20 @@ bool is_folder(const std::string& text) {
 /// Larger than anything that this program writes.
 constexpr std::uintmax_t largest_own_file = std::uintmax_t{1} << 31U;
 
+/// The first bytes of a file; fewer where it is shorter or can't be read.
+std::string first_bytes(const fs::path& file, std::uintmax_t count) {
+  std::string bytes(static_cast<std::size_t>(count), '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
 /// Nothing where it can't be read or is none of ours by its size.
 std::string bytes_of(const fs::path& file) {
   std::error_code error;
-  if (const auto size = fs::file_size(file, error); error || size > largest_own_file) {
-    return {};
-  }
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  return in.bad() ? std::string() : bytes;
+  const std::uintmax_t size = fs::file_size(file, error);
+  return error || size > largest_own_file ? std::string() : first_bytes(file, size);
 }
 
 std::string mark_digest_of(const fs::path& file) {
@@ -296,8 +301,7 @@ bool holds(const fs::path& file, const std::string& bytes) {
   if (fs::file_size(file, error) != bytes.size() || error) {
     return false;
   }
-  std::ifstream in(file, std::ios::binary);
-  return std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()} == bytes;
+  return first_bytes(file, bytes.size()) == bytes;
 }
 
 void require_writable_folder(const fs::path& folder) {

@@ -119,7 +119,9 @@ void destroy_bytes(void* bytes) {
 
 /// A file of vectors takes the packed bytes as they are; a picture of dots needs the pixels.
 CairoSurface surface_of(const Image& image, bool packed) {
-  CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(image.width),
+  // Nobody looks at the dots beside packed bytes, so they are of the smallest kind.
+  CairoSurface surface(cairo_image_surface_create(packed ? CAIRO_FORMAT_RGB16_565 : CAIRO_FORMAT_RGB24,
+                                                  static_cast<int>(image.width),
                                                   static_cast<int>(image.height)));
   check_cairo(cairo_surface_status(surface.get()));
   if (packed) {
@@ -150,6 +152,13 @@ CairoSurface surface_of(const Image& image, bool packed) {
 void paint(cairo_t* cairo, const Image& image) {
   const bool packed = cairo_surface_get_type(cairo_get_target(cairo)) == CAIRO_SURFACE_TYPE_PDF;
   const CairoSurface surface = surface_of(image, packed);
+  if (packed) {
+    // As long as the file, or Cairo would copy its dots.
+    check_cairo(cairo_surface_set_user_data(
+        cairo_get_target(cairo), reinterpret_cast<const cairo_user_data_key_t*>(image.jpeg.get()),
+        cairo_surface_reference(surface.get()),
+        [](void* held) { cairo_surface_destroy(static_cast<cairo_surface_t*>(held)); }));
+  }
   cairo_save(cairo);
   trace_all(cairo, image.clip);
   cairo_clip(cairo);

@@ -13,9 +13,12 @@ namespace ridgecraft::paper {
 std::string write_guide_pdf(std::span<const Drawing> pages, const Mark& mark) {
   try {
     const std::string painted = cairo_pdf(pages, [](cairo_t* cairo, const Drawing& page) {
+      paint_layer(cairo, page, Layer::paint, points_per_mm);
       paint_layer(cairo, page, Layer::picture, points_per_mm);
       for (const Layer layer : layer_order) {
-        paint_layer(cairo, page, layer, points_per_mm);
+        if (layer != Layer::paint) {
+          paint_layer(cairo, page, layer, points_per_mm);
+        }
       }
     });
     QPDF pdf;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <utility>
@@ -11,19 +10,18 @@
 #include "base/polygon.hpp"
 #include "export/guide/hues.hpp"
 #include "export/paint/cells.hpp"
+#include "export/paint/dot_raster.hpp"
 #include "export/paint/face_colours.hpp"
 #include "export/view/trapezoids.hpp"
 
 namespace ridgecraft::paper {
 namespace {
 
-/// Squares of a picture on a face, mm on the page: finer ones can't be told apart at arm's length.
-constexpr double square_mm = 0.4;
-/// Squares reach so far under those that are drawn after them, since viewers that smooth edges show a line
-/// where areas only meet, mm.
-constexpr double under_mm = 0.3;
-/// Neighbours whose channels differ by no more are drawn as one.
-constexpr int same_channel = 6;
+/// Of what pictures show, 200 an inch: finer ones can't be told apart at arm's length.
+constexpr double dots_per_mm = 200.0 / 25.4;
+/// So many dots beyond the border of what is seen are painted, too: what mixes dots finds the same colour
+/// there.
+constexpr double overhang_dots = 1.5;
 constexpr double shade = 0.3;
 /// Slighter slivers than this aren't drawn, mm2.
 constexpr double smallest_area = 1e-4;
@@ -32,9 +30,16 @@ Color color_of(const mesh::Rgb& rgb) {
   return {rgb[0], rgb[1], rgb[2]};
 }
 
-bool alike(const mesh::Rgb& a, const mesh::Rgb& b) {
-  return std::abs(a[0] - b[0]) <= same_channel && std::abs(a[1] - b[1]) <= same_channel &&
-         std::abs(a[2] - b[2]) <= same_channel;
+/// How far outside of a convex counterclockwise polygon a place lies at least; not positive inside.
+double distance_from(const std::vector<Vec2>& polygon, Vec2 p) {
+  double most = -INFINITY;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 side = polygon[(k + 1) % polygon.size()] - polygon[k];
+    if (const double size = length(side); size > 0.0) {
+      most = std::max(most, -cross(side, p - polygon[k]) / size);
+    }
+  }
+  return most;
 }
 
 /// What two convex counterclockwise polygons have in common.
@@ -60,7 +65,20 @@ class ColouredAreas {
     for (const FaceId face : ids<FaceId>(surface_.face_count())) {
       if (scene.has(face)) {
         faces_of_[scene.region[face]].push_back(face);
+        for (const VertexId v : surface_.vertices(face)) {
+          corners_.push_back(camera_(surface_.point(v)));
+        }
       }
+    }
+  }
+
+  /// What was seen of pictures comes below all areas.
+  void finish() {
+    if (dots_) {
+      dots_->fill_up();
+      Image image = dots_->image();
+      image.clip = std::move(clip_);
+      group_.images.push_back(std::move(image));
     }
   }
 
@@ -114,7 +132,7 @@ class ColouredAreas {
     if (colours.flat) {
       draw(own, *colours.flat, normal);
     } else if (colours.needs_picture()) {
-      add_squares(face, at, own, normal);
+      add_dots(face, at, own, normal);
     } else {
       for (const FaceColours::Fragment& fragment : colours.fragments) {
         std::vector<Vec2> polygon;
@@ -126,48 +144,37 @@ class ColouredAreas {
     }
   }
 
-  void add_squares(FaceId face, const std::array<Vec2, 3>& at, const std::vector<Vec2>& polygon,
-                   Vec3 normal) {
+  /// The dots of a part of a face with a picture.
+  void add_dots(FaceId face, const std::array<Vec2, 3>& at, const std::vector<Vec2>& polygon, Vec3 normal) {
     context_.check();
+    if (!dots_) {
+      Box2 box;
+      for (const Vec2 p : corners_) {
+        box.add(fit_(p));
+      }
+      dots_.emplace(box, dots_per_mm);
+    }
     Box2 box;
     for (const Vec2 p : polygon) {
       box.add(p);
     }
-    for (double low = square_mm * std::floor(box.low.y / square_mm); low < box.high.y; low += square_mm) {
-      const std::vector<Vec2> strip =
-          clipped(clipped(polygon, {0.0, low}, {0.0, -1.0}), {0.0, low + square_mm + under_mm}, {0.0, 1.0});
-      if (strip.size() > 2) {
-        add_row(face, at, strip, low + 0.5 * square_mm, normal);
+    const double beyond = overhang_dots / dots_per_mm;
+    const int right = std::min(dots_->width() - 1, dots_->column(box.high.x + beyond));
+    const int high = std::min(dots_->height() - 1, dots_->row(box.high.y + beyond));
+    for (int y = std::max(0, dots_->row(box.low.y - beyond)); y <= high; ++y) {
+      for (int x = std::max(0, dots_->column(box.low.x - beyond)); x <= right; ++x) {
+        const Vec2 p = dots_->middle(x, y);
+        const double away = distance_from(polygon, p);
+        if (away <= 0.0 || (away <= beyond && !dots_->painted(x, y))) {
+          const Color colour = shaded(color_of(colour_at(face, at, p, normal)), normal, camera_, shade);
+          dots_->paint(x, y, {colour.red, colour.green, colour.blue});
+        }
       }
     }
+    clip_.push_back(polygon);
   }
 
-  /// Squares whose middles lie at this height.
-  void add_row(FaceId face, const std::array<Vec2, 3>& at, const std::vector<Vec2>& strip, double middle,
-               Vec3 normal) {
-    Box2 reach;
-    for (const Vec2 p : strip) {
-      reach.add(p);
-    }
-    std::optional<mesh::Rgb> colour;
-    double from = reach.low.x;
-    const auto draw_run = [&](double to) {
-      if (colour) {
-        draw(clipped(clipped(strip, {from, 0.0}, {-1.0, 0.0}), {to, 0.0}, {1.0, 0.0}), *colour, normal);
-      }
-    };
-    for (double left = square_mm * std::floor(from / square_mm); left < reach.high.x; left += square_mm) {
-      const mesh::Rgb next = colour_at(face, at, {left + 0.5 * square_mm, middle}, normal);
-      if (!colour || !alike(*colour, next)) {
-        draw_run(left + under_mm);
-        colour = next;
-        from = left;
-      }
-    }
-    draw_run(reach.high.x);
-  }
-
-  /// Of the face's place that is seen here; of the nearest one where the middle of a square lies beside it.
+  /// Of the face's place that is seen here; of the nearest one where the middle of a dot lies beside it.
   [[nodiscard]] mesh::Rgb colour_at(FaceId face, const std::array<Vec2, 3>& at, Vec2 p, Vec3 normal) {
     std::array<double, 3> weights = weights_at(at, p);
     double sum = 0.0;
@@ -182,7 +189,7 @@ class ColouredAreas {
     }
     const mesh::LookPlace found = look_.nearest(place, normal, hint_);
     hint_ = found.face;
-    return look_.colour_at(found, square_mm / fit_.scale);
+    return look_.colour_at(found, 1.0 / (dots_per_mm * fit_.scale));
   }
 
   const mesh::Surface& surface_;
@@ -193,6 +200,9 @@ class ColouredAreas {
   const Context& context_;
   IdVector<FaceId, FaceColours> colours_;
   std::map<std::uint32_t, std::vector<FaceId>> faces_of_;  ///< of each region
+  std::vector<Vec2> corners_;                              ///< of all faces, as the camera sees them
+  std::optional<DotRaster> dots_;
+  std::vector<std::vector<Vec2>> clip_;
   std::uint32_t hint_ = 0;
 };
 
@@ -204,6 +214,7 @@ void add_coloured_areas(const prepare::Prepared& model, const Scene& scene, cons
   for (const VisibleArea& area : view.areas) {
     areas.add(area);
   }
+  areas.finish();
 }
 
 }  // namespace ridgecraft::paper

@@ -13,8 +13,9 @@
 namespace ridgecraft::paper {
 
 /// Adds the areas that are seen, in the colours of model.look, which must be there: areas where faces have
-/// one colour each, small squares where there is a picture on them, so that nothing hidden is in the drawing.
-/// O(areas x faces of their region + squares x log n). Throws Error(interrupted).
+/// one colour each, and below them one picture, of dots, of all faces that have pictures on them, so that
+/// nothing hidden is in the drawing. O(areas x faces of their region + dots x log n). Throws
+/// Error(interrupted).
 void add_coloured_areas(const prepare::Prepared& model, const Scene& scene, const View& view,
                         const Camera& camera, const Fit& fit, Group& group, const Context& context);
 

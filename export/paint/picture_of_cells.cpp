@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <utility>
 
 #include "base/segment.hpp"
+#include "export/paint/dot_raster.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -16,6 +18,7 @@ namespace {
 /// 0.7 mm on usual pages, or a quarter as many where they don't.
 constexpr int block = 8;
 constexpr int smallest_block = 4;
+static_assert(block * block <= 64, "a block's dots are bits of one number");
 /// Fewer dots are looked up one by one, and so are those that have more faces near them.
 constexpr std::size_t worth_a_list = 4;
 constexpr std::size_t most_listed = 24;
@@ -30,96 +33,9 @@ constexpr double longest_side = 65000.0;
 /// More dots in one picture take more than 200 MB: larger pictures are coarser.
 constexpr double most_dots = 5e7;
 
-class Raster {
- public:
-  Raster(const Box2& box, double dots_per_mm)
-      : dots_per_mm_(dots_per_mm),
-        low_{std::floor(box.low.x * dots_per_mm) - 2.0, std::floor(box.low.y * dots_per_mm) - 2.0},
-        width_(static_cast<int>(std::ceil(box.high.x * dots_per_mm) + 2.0 - low_.x)),
-        height_(static_cast<int>(std::ceil(box.high.y * dots_per_mm) + 2.0 - low_.y)),
-        pixels_(std::size_t{3} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)),
-        painted_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0) {}
-
-  /// The middle of a dot on the page; rows are counted from below here.
-  [[nodiscard]] Vec2 middle(int x, int y) const {
-    return {(low_.x + x + 0.5) / dots_per_mm_, (low_.y + y + 0.5) / dots_per_mm_};
-  }
-  [[nodiscard]] int column(double x) const { return static_cast<int>(std::floor(x * dots_per_mm_ - low_.x)); }
-  [[nodiscard]] int row(double y) const { return static_cast<int>(std::floor(y * dots_per_mm_ - low_.y)); }
-  [[nodiscard]] int width() const { return width_; }
-  [[nodiscard]] int height() const { return height_; }
-  [[nodiscard]] double dot_mm() const { return 1.0 / dots_per_mm_; }
-
-  [[nodiscard]] bool painted(int x, int y) const { return painted_[index(x, y)] != 0; }
-  void paint(int x, int y, const mesh::Rgb& colour) {
-    const std::size_t i = index(x, y);
-    painted_[i] = 1;
-    std::memcpy(pixels_.data() + 3 * i, colour.data(), 3);
-  }
-
-  /// Dots that nobody sees take their neighbour's colour: an even ground packs best, and its borders leave no
-  /// traces beside them.
-  void fill_up() {
-    int last_row = -1;
-    for (int y = 0; y < height_; ++y) {
-      int last = -1;
-      for (int x = 0; x < width_; ++x) {
-        if (painted(x, y)) {
-          for (int i = last + 1; i < x; ++i) {
-            copy(last < 0 || x - i < i - last ? x : last, y, i, y);
-          }
-          last = x;
-        }
-      }
-      for (int i = last + 1; last >= 0 && i < width_; ++i) {
-        copy(last, y, i, y);
-      }
-      if (last >= 0) {
-        for (int i = last_row + 1; i < y; ++i) {
-          copy_row(y, i);
-        }
-        last_row = y;
-      }
-    }
-    for (int i = last_row + 1; last_row >= 0 && i < height_; ++i) {
-      copy_row(last_row, i);
-    }
-  }
-
-  [[nodiscard]] Image image() const {
-    Image image;
-    image.place.low = {low_.x / dots_per_mm_, low_.y / dots_per_mm_};
-    image.place.high = {(low_.x + width_) / dots_per_mm_, (low_.y + height_) / dots_per_mm_};
-    image.width = static_cast<std::uint32_t>(width_);
-    image.height = static_cast<std::uint32_t>(height_);
-    image.jpeg = std::make_shared<const std::string>(mesh::pack_jpeg(image.width, image.height, pixels_));
-    return image;
-  }
-
- private:
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(height_ - 1 - y) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(x);
-  }
-  void copy(int from_x, int from_y, int x, int y) {
-    std::memcpy(pixels_.data() + 3 * index(x, y), pixels_.data() + 3 * index(from_x, from_y), 3);
-  }
-  void copy_row(int from, int to) {
-    std::memcpy(pixels_.data() + 3 * index(0, to), pixels_.data() + 3 * index(0, from),
-                std::size_t{3} * static_cast<std::size_t>(width_));
-  }
-
-  double dots_per_mm_;
-  Vec2 low_;  ///< the lower left corner, in dots from the sheet's
-  int width_;
-  int height_;
-  std::vector<std::uint8_t> pixels_;
-  std::vector<std::uint8_t> painted_;
-};
-
 class CellPainter {
  public:
-  CellPainter(Raster& raster, const Cell& cell, const mesh::Surface& surface, const mesh::Look& look,
+  CellPainter(DotRaster& raster, const Cell& cell, const mesh::Surface& surface, const mesh::Look& look,
               const Shade& shade, double overhang_mm)
       : raster_(raster),
         cell_(cell),
@@ -159,13 +75,51 @@ class CellPainter {
     Vec3 at;  ///< on the surface
   };
 
+  /// How far outside of a side of the cell the dots of a block lie, least and most.
+  struct Reach {
+    double least = 0.0;
+    double most = 0.0;
+  };
+  [[nodiscard]] Reach reach(const Side& side, Vec2 low, Vec2 high) const {
+    const double x0 = (low.x - side.at.x) * side.out.x;
+    const double x1 = (high.x - side.at.x) * side.out.x;
+    const double y0 = (low.y - side.at.y) * side.out.y;
+    const double y1 = (high.y - side.at.y) * side.out.y;
+    return {std::min(x0, x1) + std::min(y0, y1), std::max(x0, x1) + std::max(y0, y1)};
+  }
   [[nodiscard]] bool contains(Vec2 p) const {
     return std::all_of(sides_.begin(), sides_.end(),
                        [&](const Side& side) { return dot(p - side.at, side.out) <= overhang_mm_; });
   }
-  [[nodiscard]] bool wanted(int x, int y) const {
-    return !raster_.painted(x, y) && contains(raster_.middle(x, y));
+
+  /// Which dots of a block are the cell's and not painted yet: a bit for each, row by row. The sides' reaches
+  /// tell of most blocks that all are inside or outside.
+  [[nodiscard]] std::uint64_t wanted_dots(int left, int low, int right, int high) const {
+    double most = -INFINITY;
+    for (const Side& side : sides_) {
+      const Reach found = reach(side, raster_.middle(left, low), raster_.middle(right, high));
+      if (found.least > overhang_mm_) {
+        return 0;
+      }
+      most = std::max(most, found.most);
+    }
+    if (overhang_mm_ > 0.0 && most <= 0.0) {
+      return 0;  // the first round has painted what lies inside
+    }
+    std::uint64_t dots = 0;
+    for (int y = low; y <= high; ++y) {
+      for (int x = left; x <= right; ++x) {
+        if (!raster_.painted(x, y) && (most <= overhang_mm_ || contains(raster_.middle(x, y)))) {
+          dots |= bit_of(x - left, y - low);
+        }
+      }
+    }
+    return dots;
   }
+  [[nodiscard]] static std::uint64_t bit_of(int column, int row) {
+    return std::uint64_t{1} << static_cast<unsigned>(block * row + column);
+  }
+
   [[nodiscard]] mesh::LookPlace look_up(int x, int y) {
     const Vec3 p = place_on_surface(surface_, cell_, raster_.middle(x, y));
     const mesh::LookPlace place = look_.nearest(p, normal_, hint_);
@@ -177,22 +131,17 @@ class CellPainter {
   }
 
   void paint_block(int left, int low, int right, int high) {
-    int count = 0;
-    for (int y = low; y <= high; ++y) {
-      for (int x = left; x <= right; ++x) {
-        count += wanted(x, y) ? 1 : 0;
-      }
-    }
-    if (count == 0) {
+    const std::uint64_t wanted = wanted_dots(left, low, right, high);
+    if (wanted == 0) {
       return;
     }
-    if (count > smallest_block && cell_.kind == CellKind::face) {
+    if (std::popcount(wanted) > smallest_block && cell_.kind == CellKind::face) {
       const std::array<mesh::LookPlace, 4> corners{look_up(left, low), look_up(right, low),
                                                    look_up(left, high), look_up(right, high)};
       const mesh::LookPlace middle = look_up((left + right) / 2, (low + high) / 2);
       if (std::all_of(corners.begin(), corners.end(),
                       [&](const mesh::LookPlace& c) { return c.face == middle.face; })) {
-        paint_between(corners, left, low, right, high);
+        paint_between(corners, wanted, left, low, right, high);
         return;
       }
       if (right - left >= smallest_block && high - low >= smallest_block) {
@@ -205,16 +154,16 @@ class CellPainter {
         return;
       }
     }
-    paint_each(left, low, right, high);
+    paint_each(wanted, left, low, right, high);
   }
 
   /// Dot by dot: few faces are near all of them, and those are looked for once.
-  void paint_each(int left, int low, int right, int high) {
+  void paint_each(std::uint64_t wanted, int left, int low, int right, int high) {
     dots_.clear();
     Box3 box;
     for (int y = low; y <= high; ++y) {
       for (int x = left; x <= right; ++x) {
-        if (wanted(x, y)) {
+        if ((wanted & bit_of(x - left, y - low)) != 0) {
           dots_.push_back({x, y, place_on_surface(surface_, cell_, raster_.middle(x, y))});
           box.add(dots_.back().at);
         }
@@ -233,11 +182,12 @@ class CellPainter {
     }
   }
 
-  void paint_between(const std::array<mesh::LookPlace, 4>& corners, int left, int low, int right, int high) {
+  void paint_between(const std::array<mesh::LookPlace, 4>& corners, std::uint64_t wanted, int left, int low,
+                     int right, int high) {
     for (int y = low; y <= high; ++y) {
       const double up = high > low ? static_cast<double>(y - low) / (high - low) : 0.0;
       for (int x = left; x <= right; ++x) {
-        if (!wanted(x, y)) {
+        if ((wanted & bit_of(x - left, y - low)) == 0) {
           continue;
         }
         const double over = right > left ? static_cast<double>(x - left) / (right - left) : 0.0;
@@ -252,7 +202,7 @@ class CellPainter {
     }
   }
 
-  Raster& raster_;
+  DotRaster& raster_;
   const Cell& cell_;
   const mesh::Surface& surface_;
   const mesh::Look& look_;
@@ -295,7 +245,7 @@ Image picture_of(const std::vector<const Cell*>& cells, const mesh::Surface& sur
   const Vec2 size = box.high - box.low;
   const double dots_per_mm = std::min({dots_per_inch / 25.4, longest_side / std::max({size.x, size.y, 1.0}),
                                        std::sqrt(most_dots / std::max(size.x * size.y, 1.0))});
-  Raster raster(box, dots_per_mm);
+  DotRaster raster(box, dots_per_mm);
   // Each face's own dots first, then what lies beyond its borders.
   for (const double overhang : {0.0, overhang_dots / dots_per_mm}) {
     for (const CellKind kind : {CellKind::face, CellKind::tab, CellKind::bleed}) {

@@ -58,13 +58,15 @@ Rgb Picture::at(Vec2 uv, unsigned level) const {
   const Level& in = levels_[level];
   const double x = uv.x * in.width - 0.5;
   const double y = (1.0 - uv.y) * in.height - 0.5;
-  const double left = std::floor(x);
-  const double top = std::floor(y);
+  // Most places lie within, where no number is negative.
+  const bool within = x >= 0.0 && y >= 0.0 && x < in.width && y < in.height;
+  const double left = within ? static_cast<double>(static_cast<std::uint32_t>(x)) : std::floor(x);
+  const double top = within ? static_cast<double>(static_cast<std::uint32_t>(y)) : std::floor(y);
   const int right_share = static_cast<int>((x - left) * whole);
   const int low_share = static_cast<int>((y - top) * whole);
-  const std::size_t x0 = wrapped(left, in.width);
+  const std::size_t x0 = within ? static_cast<std::size_t>(left) : wrapped(left, in.width);
   const std::size_t x1 = x0 + 1 == in.width ? 0 : x0 + 1;
-  const std::size_t y0 = wrapped(top, in.height);
+  const std::size_t y0 = within ? static_cast<std::size_t>(top) : wrapped(top, in.height);
   const std::size_t y1 = y0 + 1 == in.height ? 0 : y0 + 1;
   const std::uint8_t* const above = in.pixels.data() + 3 * y0 * in.width;
   const std::uint8_t* const below = in.pixels.data() + 3 * y1 * in.width;

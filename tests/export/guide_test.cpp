@@ -161,9 +161,22 @@ TEST_CASE("the cover shows the model in its own colours, unless lines are all th
     const paper::Guide guide = paper::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages,
                                                  drawn.assembly, drawn.sample.pages.count, {}, {}, style, {});
     std::set<char> found;
-    for (const paper::Area& area : guide.pages[0].groups[0].areas) {
-      const paper::Color c = *area.color;
-      found.insert(c.red > 2 * c.green ? 'r' : c.green > 2 * c.red ? 'g' : '-');
+    const auto add = [&](int red, int green) {
+      found.insert(red > 2 * green ? 'r' : green > 2 * red ? 'g' : '-');
+    };
+    const paper::Group& cover = guide.pages[0].groups[0];
+    for (const paper::Area& area : cover.areas) {
+      add(area.color->red, area.color->green);
+    }
+    for (const paper::Image& image : cover.images) {
+      const mesh::Picture picture = *mesh::unpack_picture(*image.jpeg);
+      for (const std::vector<Vec2>& polygon : image.clip) {
+        const Vec2 middle = (polygon[0] + polygon[1] + polygon[2]) / 3.0;  // inside, as it is convex
+        const Vec2 size = image.place.size();
+        const mesh::Rgb colour =
+            picture.at({(middle.x - image.place.low.x) / size.x, (middle.y - image.place.low.y) / size.y}, 0);
+        add(colour[0], colour[1]);
+      }
     }
     return found;
   };

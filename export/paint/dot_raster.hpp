@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Dots of a picture on a page, to be painted one by one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "export/sheet/drawing.hpp"
+#include "mesh/look/picture.hpp"
+
+namespace ridgecraft::paper {
+
+/// The dots of a box of the page; rows are counted from below. Dots of all pictures lie on one grid.
+class DotRaster {
+ public:
+  /// `box` in mm.
+  DotRaster(const Box2& box, double dots_per_mm);
+
+  /// The middle of a dot on the page.
+  [[nodiscard]] Vec2 middle(int x, int y) const {
+    return {(low_.x + x + 0.5) / dots_per_mm_, (low_.y + y + 0.5) / dots_per_mm_};
+  }
+  [[nodiscard]] int column(double x) const;
+  [[nodiscard]] int row(double y) const;
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] double dot_mm() const { return 1.0 / dots_per_mm_; }
+
+  [[nodiscard]] bool painted(int x, int y) const { return painted_[index(x, y)] != 0; }
+  void paint(int x, int y, const mesh::Rgb& colour) {
+    const std::size_t i = index(x, y);
+    painted_[i] = 1;
+    std::uint8_t* const to = pixels_.get() + 3 * i;
+    to[0] = colour[0];
+    to[1] = colour[1];
+    to[2] = colour[2];
+  }
+
+  /// Dots that nobody sees take their neighbour's colour: an even ground packs best, and its borders leave no
+  /// traces beside them. All are white where none was painted.
+  void fill_up();
+
+  /// The dots after fill_up(), to be seen through nothing yet (Image::clip). Throws Error(internal).
+  [[nodiscard]] Image image() const;
+
+ private:
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(height_ - 1 - y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+  [[nodiscard]] std::size_t bytes() const {
+    return std::size_t{3} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  }
+  void copy(int from_x, int from_y, int x, int y);
+  void copy_row(int from, int to);
+
+  double dots_per_mm_;
+  Vec2 low_;  ///< the lower left corner, in dots from the sheet's
+  int width_;
+  int height_;
+  std::unique_ptr<std::uint8_t[]> pixels_;  ///< three bytes each, not set before they are painted
+  std::vector<std::uint8_t> painted_;
+};
+
+}  // namespace ridgecraft::paper
