@@ -7,6 +7,7 @@
 #include "export/guide/cover.hpp"
 #include "export/guide/guide_model.hpp"
 #include "export/guide/hues.hpp"
+#include "export/guide/overview.hpp"
 #include "export/guide/step_pages.hpp"
 
 namespace ridgecraft::paper {
