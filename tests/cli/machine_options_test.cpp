@@ -256,3 +256,42 @@ for name in sys.argv[1:]:
     CHECK(std::system(("/usr/bin/python3 '" + (folder / "read.py").string() + "'" + dxf).c_str()) == 0);
   }
 }
+
+TEST_CASE("slits for arrows are single cuts in every kind of file for machines", "[slow]") {
+  const auto has = [](const std::string& command) {
+    return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
+  };
+  const bool ezdxf = has("/usr/bin/python3 -c 'import ezdxf'");
+  const bool qpdf = has("qpdf --version");
+  if (!ezdxf || !qpdf) {
+    WARN("skipped in part: " << (ezdxf ? "" : "python3-ezdxf ") << (qpdf ? "" : "qpdf ") << "not installed");
+  }
+  const TemporaryFolder folder;
+  const std::string source = RIDGECRAFT_SOURCE_DIR;
+  for (const paper::Preset& preset : paper::presets()) {
+    if (preset.simulates) {
+      continue;
+    }
+    const std::string name(preset.name);
+    std::vector<std::string> words{source + "/samples/house.obj", "--tabs", "slots", "--preset", name};
+    for (const char* const ending : {".fold", ".svg", ".lbrn2", ".eps", ".plt", ".dxf", ".pdf"}) {
+      if (std::string(ending) != ".pdf" || name == "packaging") {
+        words.insert(words.end(), {"-o", name + ending});
+      }
+    }
+    const Outcome outcome = run_program(words, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    std::string files;
+    for (const std::string& file : folder.names()) {
+      const std::string ending = std::filesystem::path(file).extension().string();
+      if (file.starts_with(name) && ending != ".fold" && (ezdxf || ending != ".dxf") &&
+          (qpdf || ending != ".pdf")) {
+        files += " '" + (folder / file).string() + "'";
+      }
+    }
+    CHECK(std::system(("/usr/bin/python3 '" + source + "/tests/cli/machine_slits.py' '" +
+                       (folder / (name + ".fold")).string() + "'" + files)
+                          .c_str()) == 0);
+  }
+}
