@@ -53,9 +53,8 @@ TurnedBox box_of(const Text& text) {
           0.5 * (text.height + drop)};
 }
 
-TurnedBox room_of(const Text& text) {
-  TurnedBox box = box_of(text);
-  box.half_width += blank_share * text.height;
+TurnedBox room_of(TurnedBox box, double height) {
+  box.half_width += blank_share * height;
   box.half_height += half_line_gap;
   return box;
 }
@@ -135,7 +134,8 @@ std::uint32_t Obstacles::add(const Text& text) {
 }
 
 void Obstacles::replace(std::uint32_t number, const Text& text) {
-  boxes_[number] = {box_of(text), room_of(text)};
+  const TurnedBox box = box_of(text);
+  boxes_[number] = {box, room_of(box, text.height)};
   for (const std::uint32_t cell : cells_of(boxes_[number].room.bounds())) {
     std::vector<std::uint32_t>& here = cells_[cell].boxes;
     if (std::ranges::find(here, number) == here.end()) {
@@ -144,8 +144,9 @@ void Obstacles::replace(std::uint32_t number, const Text& text) {
   }
 }
 
-bool Obstacles::is_free(const Text& text, double clearance, double more, std::uint32_t but) const {
-  const TurnedBox box = box_of(text).grown(clearance + more);
+bool Obstacles::is_free(const TurnedBox& text, double height, double clearance, double more,
+                        std::uint32_t but) const {
+  const TurnedBox box = text.grown(clearance + more);
   const Box2 bounds = box.bounds();
   if (bounds.low.x < 0.0 || bounds.low.y < 0.0 || bounds.high.x > size_.x || bounds.high.y > size_.y) {
     return false;
@@ -154,8 +155,11 @@ bool Obstacles::is_free(const Text& text, double clearance, double more, std::ui
     return std::ranges::any_of(cells_[cell].lines,
                                [&](std::uint32_t i) { return meets(lines_[i].line, box); });
   });
-  const TurnedBox room = room_of(text).grown(more);
-  return !on_line && !any_cell(room.bounds(), [&](std::uint32_t cell) {
+  if (on_line) {
+    return false;
+  }
+  const TurnedBox room = room_of(text, height).grown(more);
+  return !any_cell(room.bounds(), [&](std::uint32_t cell) {
     return std::ranges::any_of(cells_[cell].boxes,
                                [&](std::uint32_t i) { return i != but && overlap(boxes_[i].room, room); });
   });

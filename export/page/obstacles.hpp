@@ -25,9 +25,9 @@ struct TurnedBox {
 
 /// The box that a text covers, its underline included, without the pen's width.
 [[nodiscard]] TurnedBox box_of(const Text& text);
-/// The box that a text keeps for itself among other texts: a blank's width before and behind it, so that two
-/// numbers in one line are never read as one.
-[[nodiscard]] TurnedBox room_of(const Text& text);
+/// The box that a text of this height keeps for itself among other texts, of the one that it covers: a
+/// blank's width before and behind it, so that two numbers in one line are never read as one.
+[[nodiscard]] TurnedBox room_of(TurnedBox box, double height);
 /// Whether two boxes share more than a border.
 [[nodiscard]] bool overlap(const TurnedBox& a, const TurnedBox& b);
 /// Whether a segment meets a box.
@@ -51,6 +51,11 @@ class Obstacles {
   /// room, grown by `more`, no other text's room, but that of the text with the number `but`. O(what lies in
   /// its cells).
   [[nodiscard]] bool is_free(const Text& text, double clearance, double more = 0.0,
+                             std::uint32_t but = no_text) const {
+    return is_free(box_of(text), text.height, clearance, more, but);
+  }
+  /// The same of a text of this height whose box is known.
+  [[nodiscard]] bool is_free(const TurnedBox& text, double height, double clearance, double more = 0.0,
                              std::uint32_t but = no_text) const;
   /// Whether the line meets no cut and no box; with `folds_too` no fold either.
   [[nodiscard]] bool is_free(const Segment2& line, bool folds_too) const;

@@ -86,7 +86,8 @@ class NumberPlacer {
         text.centre = centre + share * frame.size * frame.along;
         const TurnedBox box = box_of(text);
         text.centre += text.centre - box.centre;  // the box, underline included, stands in the middle
-        if (inside(box_of(text).grown(clearance(height)), seam.tab) && put(piece, text)) {
+        const TurnedBox centred = box_of(text);
+        if (inside(centred.grown(clearance(height)), seam.tab) && put(piece, text, centred)) {
           placed_.push_back({&piece, &seam, piece.group.texts.size() - 1, last_text_, true});
           return true;
         }
@@ -129,19 +130,22 @@ class NumberPlacer {
     // Beside the piece the line ends at the edge, or at the far side of the tab that stands on it.
     const Vec2 start = side < 0.0 && !tab.empty() ? 0.5 * (tab[2] + tab.back()) : frame.middle;
     for (const double height : {heights_[1], heights_.back()}) {
+      Text text = number(*wanted.seam, height, frame.angle);
+      TurnedBox box = box_of(text);
+      const Vec2 box_from_text = box.centre;
       std::array<bool, leader_turns> blocked{};
       for (double reach = shortest_leader; reach < longest_leader; reach += leader_step) {
         for (std::size_t i = 0; i < leader_turns; ++i) {
-          // Straight ahead first, then to both sides in turn.
-          const double turn = (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>((i + 1) / 2) * leader_turn;
-          Text text = number(*wanted.seam, height, frame.angle);
-          text.centre = start + reach * (elementary::cos(turn) * out + elementary::sin(turn) * frame.along);
           if (blocked[i]) {
             continue;
           }
-          const Segment2 leader = leader_to(text, start, out);
+          // Straight ahead first, then to both sides in turn.
+          const double turn = (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>((i + 1) / 2) * leader_turn;
+          text.centre = start + reach * (elementary::cos(turn) * out + elementary::sin(turn) * frame.along);
+          box.centre = text.centre + box_from_text;
+          const Segment2 leader = leader_to(box, start, out);
           blocked[i] = !obstacles_.is_free(leader, false);  // a longer one would be, too
-          if (!blocked[i] && put_with_leader(wanted, text, leader, out)) {
+          if (!blocked[i] && put_with_leader(wanted, text, box, leader, out)) {
             return true;
           }
         }
@@ -152,8 +156,9 @@ class NumberPlacer {
 
   static double clearance(double height) { return std::max(least_clearance, clearance_share * height); }
 
-  bool put(PieceDrawing& piece, const Text& text) {
-    if (!on_area(box_of(text)) || !obstacles_.is_free(text, clearance(text.height))) {
+  /// `box`: the text's.
+  bool put(PieceDrawing& piece, const Text& text, const TurnedBox& box) {
+    if (!on_area(box) || !obstacles_.is_free(box, text.height, clearance(text.height))) {
       return false;
     }
     last_text_ = obstacles_.add(text);
@@ -201,7 +206,7 @@ class NumberPlacer {
           placed.on_tab ? inside(box.grown(clearance(text.height)), placed.seam->tab)
                         : std::abs(dot(box.centre - frame.middle, frame.along)) + reach <= 0.5 * frame.size;
       if (at_its_edge && on_area(box) &&
-          obstacles_.is_free(text, clearance(text.height), 0.0, placed.obstacle)) {
+          obstacles_.is_free(box, text.height, clearance(text.height), 0.0, placed.obstacle)) {
         return text;
       }
     }
@@ -257,6 +262,7 @@ class NumberPlacer {
     // Beside the piece, that is beyond the tab.
     const double lift = side < 0.0 ? tab_height(*wanted.seam, frame) : 0.0;
     const Vec2 out = side * frame.inward;
+    TurnedBox box = at_origin;
     double last = -1.0;
     for (const double share : along_shares) {
       const double shift = std::clamp(share * frame.size, -room, room);
@@ -267,8 +273,9 @@ class NumberPlacer {
       const Vec2 foot = frame.middle + shift * frame.along + lift * out;
       const Vec2 centre = foot + (half + clearance(height) + edge_clearance + offset) * out;
       text.centre = centre - at_origin.centre;
+      box.centre = text.centre + at_origin.centre;
       if (obstacles_.is_free(Segment2{foot + off_the_edge_mm * out, centre}, true) &&
-          put(*wanted.piece, text)) {
+          put(*wanted.piece, text, box)) {
         placed_.push_back(
             {wanted.piece, wanted.seam, wanted.piece->group.texts.size() - 1, last_text_, false});
         return true;
@@ -286,8 +293,8 @@ class NumberPlacer {
   }
 
   /// From the edge to the nearest point of the text's box.
-  static Segment2 leader_to(const Text& text, Vec2 edge, Vec2 out) {
-    const TurnedBox box = box_of(text).grown(leader_gap);
+  static Segment2 leader_to(const TurnedBox& text, Vec2 edge, Vec2 out) {
+    const TurnedBox box = text.grown(leader_gap);
     const Vec2 up = perpendicular(box.along);
     const Vec2 from_centre = edge - box.centre;
     return {edge + off_the_edge_mm * out,
@@ -296,8 +303,9 @@ class NumberPlacer {
                 std::clamp(dot(from_centre, up), -box.half_height, box.half_height) * up};
   }
 
-  bool put_with_leader(const Wanted& wanted, const Text& text, const Segment2& leader, Vec2 out) {
-    if (!can_lead(leader, out, obstacles_) || !put(*wanted.piece, text)) {
+  bool put_with_leader(const Wanted& wanted, const Text& text, const TurnedBox& box, const Segment2& leader,
+                       Vec2 out) {
+    if (!can_lead(leader, out, obstacles_) || !put(*wanted.piece, text, box)) {
       return false;
     }
     draw_leader(leader, *wanted.piece, obstacles_);

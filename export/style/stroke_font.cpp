@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "base/elementary.hpp"
@@ -199,6 +200,19 @@ double estimated_em(char32_t code) {
   return code >= 0x1100 ? 1.05 : 0.68;
 }
 
+/// Width of a text of known letters of ASCII alone; none of another one.
+std::optional<double> units_of_common(std::string_view text) {
+  double units = text.empty() ? 0.0 : -spacing;
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (code >= cached_codes || !known(code)) {
+      return std::nullopt;
+    }
+    units += common_shape(code).width + spacing;
+  }
+  return units;
+}
+
 }  // namespace
 
 double pen_width(const Text& text) {
@@ -210,6 +224,10 @@ bool stroke_font_covers(std::string_view utf8) {
 }
 
 double text_width(std::string_view utf8, double height) {
+  // Numbers and names, which are measured wherever they might stand.
+  if (const auto units = units_of_common(utf8)) {
+    return *units * height / units_per_height;
+  }
   const std::vector<char32_t> codes = code_points(utf8);
   if (!std::ranges::all_of(codes, known)) {
     double ems = 0.0;
