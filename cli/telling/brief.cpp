@@ -153,15 +153,32 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
   return joined(clauses, "nothing in particular");
 }
 
-std::string next_line(const PaperResult& result) {
+/// What is done with the first file that is a machine's.
+std::string for_the_machine(const std::string& name, const paper::Preset& preset) {
+  if (preset.simulates) {
+    return "load " + name + " into the simulator";
+  }
+  std::string text = fmt::format("give {} to the {} at 100 %", name, preset.pdf ? "shop" : "machine");
+  if (preset.paths.kerf_mm > 0.0) {
+    text += fmt::format(" (it allows for {:g} mm of kerf: --kerf)", preset.paths.kerf_mm);
+  }
+  return preset.svg ? text + "; 'ridgecraft formats --presets' tells what its colours mean" : text;
+}
+
+std::string next_line(const PaperJob& job, const PaperResult& result) {
   const job::Paper& made = result.made;
   Clauses clauses;
   std::vector<std::string> guides;
+  bool cut = false;
   for (std::size_t i = 0; i < result.files.size(); ++i) {
     const std::string name = std::filesystem::path(result.files[i]).filename().string();
     const Shows shows = result.shows[i];
     if (clauses.empty() && suffix_of(name) == ".pdf" && (shows == Shows::sheets || shows == Shows::print)) {
       clauses.push_back("print " + name + " at 100 %");
+    }
+    if (!cut && shows == Shows::cut && job.preset.is_machine()) {
+      clauses.push_back(for_the_machine(name, job.preset));
+      cut = true;
     }
     if ((shows == Shows::guide && !made.guide.pages.empty()) || shows == Shows::page) {
       guides.push_back(name);
@@ -251,7 +268,7 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
   summary.say(Line::brief, "paper", paper_line(job, made, glue));
   summary.say(Line::brief, "model", model_line(job, made));
   summary.say(Line::brief, "hard", hard_line(made, glue));
-  summary.say(Line::brief, "next", next_line(result));
+  summary.say(Line::brief, "next", next_line(job, result));
 }
 
 }  // namespace ridgecraft::cli

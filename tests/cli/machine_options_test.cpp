@@ -157,6 +157,20 @@ TEST_CASE("the kerf test is calibrated like the pieces beside it", "[machine_opt
   }));
 }
 
+TEST_CASE("the summary tells what is done with a machine's files", "[machine_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  const auto told = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"house.obj", "--overwrite"});
+    return run_program(options, in(folder)).out;
+  };
+  CHECK(told({"--preset", "laser"}).find(" to the machine at 100 % (it allows for 0.1 mm of kerf") !=
+        std::string::npos);
+  CHECK(told({"--preset", "plotter"}).find("to the machine at 100 %; -v") != std::string::npos);
+  CHECK(told({"--preset", "origami-simulator"}).find("into the simulator") != std::string::npos);
+  CHECK(told({"-o", "house.dxf"}).find("machine") == std::string::npos);
+}
+
 TEST_CASE("the summary tells to print what is printed, not what a machine cuts", "[machine_options]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
