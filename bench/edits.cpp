@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What edits by hand cost, and whether they can be trusted:
 //
-//   bench_edits [--faces N] [--edits N] [--undone N] [--reopened N] [--checker COMMAND] [--checked N] [--seed
-//   N]
-//               MODEL...
+//   bench_edits [--faces N] [--edits N] [--undone N] [--reopened N] [--checked N] [--seed N]
+//               [--checker COMMAND] MODEL...
 //
 // Each model goes through a whole job at default options, simplified to N faces (0, the default: as a job
 // does). Then edits of all kinds are drawn at random (random_edits.hpp) until N of them (1000) were done;
