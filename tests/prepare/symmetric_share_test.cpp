@@ -179,7 +179,7 @@ TEST_CASE("each side keeps its materials", "[simplify][symmetry]") {
 }
 
 TEST_CASE("what is symmetric by hand becomes exactly symmetric, what is lopsided stays so",
-          "[simplify][symmetry]") {
+          "[simplify][symmetry][slow]") {
   const auto noisy = [](double size) {
     Random random(9);
     return test::mapped(test::one_plane(120), [&](Vec3 p) {

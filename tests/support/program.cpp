@@ -104,6 +104,9 @@ Outcome run_command(const std::vector<std::string>& command, const RunOptions& o
   if (options.interrupt_after_s) {
     while (options.when_heeded && !heeds_or_ended(child, options.signal)) {
     }
+    while (options.interrupt_from && !options.interrupt_from()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     std::this_thread::sleep_for(std::chrono::duration<double>(*options.interrupt_after_s));
     ::kill(child, options.signal);
   }

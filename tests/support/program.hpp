@@ -28,8 +28,9 @@ struct RunOptions {
   std::optional<unsigned long> largest_file;      ///< RLIMIT_FSIZE, bytes
   std::optional<double> interrupt_after_s;        ///< a signal then, ...
   int signal = SIGINT;                            ///< ... this one; ...
-  bool when_heeded = false;                   ///< ... counted from where the program catches or ignores it
-  std::function<bool()> kill_when;            ///< asked every 0.1 ms: SIGKILL as soon as it is true
+  bool when_heeded = false;              ///< ... counted from where the program catches or ignores it, ...
+  std::function<bool()> interrupt_from;  ///< ... and from where this is true, asked every millisecond
+  std::function<bool()> kill_when;       ///< asked every 0.1 ms: SIGKILL as soon as it is true
   std::optional<unsigned long> most_threads;  ///< RLIMIT_NPROC, as a user of its own; only for root
   bool as_nobody = false;                     ///< without root's rights, where root runs the tests
 };

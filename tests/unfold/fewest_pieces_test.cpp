@@ -39,7 +39,7 @@ TEST_CASE("spiky bodies have the faces that their names tell", "[spiky]") {
   }
 }
 
-TEST_CASE("spiky bodies become one net with every seed", "[spiky]") {
+TEST_CASE("spiky bodies become one net with every seed", "[spiky][slow]") {
   for (const bench::SpikyBody& body : bench::spiky_family()) {
     const Patch patch = test::whole_patch(body.surface);
     for (const std::uint64_t seed : {1U, 2U}) {

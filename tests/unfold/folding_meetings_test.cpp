@@ -109,7 +109,7 @@ std::size_t meetings_in_order(const FoldMotion& motion, const std::vector<std::u
 
 }  // namespace
 
-TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "[unfold]") {
+TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "[unfold][slow]") {
   // Long strips wound round a ball and round a knot of cubes: many of them run through themselves.
   const std::vector<mesh::Surface> surfaces{
       test::scaled(test::sphere(14, 9), 40.0),

@@ -133,7 +133,8 @@ Model sample(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("turning, scaling, renumbering and mirroring keep success, lengths and coverage", "[invariance]") {
+TEST_CASE("turning, scaling, renumbering and mirroring keep success, lengths and coverage",
+          "[invariance][slow]") {
   for (const std::string file : {"whale.obj", "star.obj", "vase.ply", "fox_head.obj"}) {
     const Model model = sample(file);
     Options whole;  // no sheet, so that scale is no obstacle

@@ -82,7 +82,7 @@ Options options_with(std::optional<Sheet> sheet, std::size_t max_panels) {
 
 }  // namespace
 
-TEST_CASE("borders that move save pieces, and nets stay clean and fit", "[borders]") {
+TEST_CASE("borders that move save pieces, and nets stay clean and fit", "[borders][slow]") {
   std::size_t surplus = 0;
   std::size_t saved = 0;
   for (const Case& c : cases()) {
