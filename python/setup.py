@@ -3,6 +3,7 @@
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -26,7 +27,9 @@ class BuildWithCMake(build_ext):
         subprocess.run(
             ["cmake", "-G", "Ninja", "-S", ROOT, "-B", BUILD, "-DCMAKE_BUILD_TYPE=Release",
              "-DRIDGECRAFT_UNITY=ON", "-DRIDGECRAFT_PROGRAM=OFF", "-DRIDGECRAFT_PYTHON=ON",
-             f"-DPython_EXECUTABLE={sys.executable}"],
+             f"-DPython_EXECUTABLE={sys.executable}",
+             # What others call so, too: options that come last, and count.
+             *shlex.split(os.environ.get("CMAKE_ARGS", ""))],
             check=True,
         )
         subprocess.run(["cmake", "--build", BUILD, "--target", "ridgecraft_python"], check=True)

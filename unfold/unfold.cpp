@@ -33,6 +33,7 @@
 #include "unfold/pieces/moved_borders.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/pieces/ragged_pieces.hpp"
+#include "unfold/pieces/turned_branches.hpp"
 #include "unfold/pieces/turned_pieces.hpp"
 #include "unfold/pieces/twin_pieces.hpp"
 #include "unfold/plan.hpp"
@@ -173,8 +174,12 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
     }
   }
   calm = evened(calm);
-  const Folds better =
+  Folds better =
       better_trees(asked.surface, plan.whole, patch, calm, images.edge, asked.options, plan.room, context);
+  if (turn && !context.out_of_time()) {
+    better = turned_branches(asked.surface, patch, better, *turn, images.edge, rules.weights, plan.room,
+                             tolerance, context);
+  }
   return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
           std::move(parts.causes), std::move(parts.notes)};
 }

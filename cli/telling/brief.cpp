@@ -60,11 +60,30 @@ bool is_kept_for_edges(const PaperJob& job, const job::Paper& made) {
          made.options.simplify.mode == prepare::Simplification::keep;
 }
 
+/// "12 edges cut and 3 folded as asked"; empty where none were named.
+std::string edges_as_asked(const job::Paper& made) {
+  std::size_t cut = 0;
+  std::size_t folded = 0;
+  for (const EdgeId e : ids<EdgeId>(made.wishes.size())) {
+    cut += made.wishes[e] == unfold::EdgeWish::cut && made.nets.use[e] == unfold::EdgeUse::cut ? 1U : 0U;
+    folded += made.wishes[e] == unfold::EdgeWish::keep && made.nets.use[e] == unfold::EdgeUse::fold ? 1U : 0U;
+  }
+  if (cut > 0 && folded > 0) {
+    return fmt::format("{} cut and {} folded as asked", counted(cut, "edge"), folded);
+  }
+  return cut > 0      ? counted(cut, "edge") + " cut as asked"
+         : folded > 0 ? counted(folded, "edge") + " folded as asked"
+                      : std::string();
+}
+
 std::string model_line(const PaperJob& job, const job::Paper& made) {
   const prepare::SimplifyReport& report = made.prepared.simplified;
   Clauses clauses;
   if (is_kept_for_edges(job, made)) {
     clauses.emplace_back("not simplified, as edges of it are named, or marked in its file");
+  }
+  if (std::string edges = edges_as_asked(made); !edges.empty()) {
+    clauses.push_back(std::move(edges));
   }
   const prepare::SkinReport& skin = made.skin;
   if (made.ready.sheets.walls > 0) {

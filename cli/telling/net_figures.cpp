@@ -230,7 +230,8 @@ void add_equal_pieces(Summary& summary, const unfold::Nets& nets,
     list.add(Value::Object{{"count", kind.count()},
                            {"of", kind.name.empty() ? Value() : Value(kind.name)},
                            {"pieces", names(kind.pieces)},
-                           {"mirrored", names(kind.mirrored)}});
+                           {"mirrored", names(kind.mirrored)},
+                           {"tabs_differ", kind.tabs_differ}});
     if (i < most_kinds) {
       text += (i == 0 ? "" : "; ") + paper::kind_words(nets, kind, most_names);
     }

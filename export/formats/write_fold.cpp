@@ -131,7 +131,8 @@ void write_equal_pieces(JsonText& json, const Nets& nets) {
     for (std::size_t k = 0; k < kind.size(); ++k) {
       json.raw(k == 0 ? "\n[{\"piece\":" : ",{\"piece\":");
       json.number(kind[k].piece.value());
-      json.raw(kind[k].mirrored ? ",\"mirrored\":true}" : ",\"mirrored\":false}");
+      json.raw(kind[k].mirrored ? ",\"mirrored\":true" : ",\"mirrored\":false");
+      json.raw(kind[k].other_tabs ? ",\"other_tabs\":true}" : "}");
     }
     json.raw("]");
   });

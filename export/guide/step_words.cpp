@@ -158,7 +158,14 @@ std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfo
   const AssemblyStep& step = assembly.steps[index];
   std::vector<std::string> sentences;
   if (step.own.empty() && step.joins.empty()) {
-    sentences.emplace_back(step.pieces.size() > 1 ? "Fold them." : "Fold it.");
+    const bool folds = std::any_of(step.pieces.begin(), step.pieces.end(),
+                                   [&](PieceId piece) { return !nets.pieces[piece].folding.steps.empty(); });
+    const bool several = step.pieces.size() > 1;
+    if (folds) {
+      sentences.emplace_back(several ? "Fold them." : "Fold it.");
+    } else {
+      sentences.emplace_back(several ? "They stay flat." : "It stays flat.");
+    }
   }
   add_gluing(surface, nets, step, sentences);
   if (step.starts) {

@@ -103,6 +103,7 @@ std::vector<PieceKind> find_piece_kinds(const prepare::Prepared& model, const un
     PieceKind& kind = kinds.emplace_back();
     for (const unfold::EqualPiece& piece : equal) {
       (piece.mirrored ? kind.mirrored : kind.pieces).push_back(piece.piece);
+      kind.tabs_differ |= piece.other_tabs;
     }
     const std::string object = names.of_objects(equal);
     kind.name = printable_utf8(object.empty() ? names.of_material(equal) : object);
@@ -132,12 +133,13 @@ IdVector<PieceId, std::string> find_piece_objects(const prepare::Prepared& prepa
 }
 
 std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most) {
+  const std::string but = kind.tabs_differ ? " but for tabs between them" : "";
   if (kind.name.empty() && kind.pieces.size() == 1 && kind.mirrored.size() == 1) {
     return listed(nets, kind.pieces, most) + " and " + listed(nets, kind.mirrored, most) +
-           " are mirror images";
+           " are mirror images" + but;
   }
   std::string text = std::to_string(kind.count());
-  text += kind.name.empty() ? " equal" : " \u00d7 " + kind.name;
+  text += (kind.name.empty() ? " equal" : " \u00d7 " + kind.name) + but;
   text += ": " + listed(nets, kind.pieces, most);
   return text + (kind.mirrored.empty() ? "" : ", mirrored: " + listed(nets, kind.mirrored, most));
 }

@@ -17,6 +17,8 @@ struct PieceKind {
   /// What the model's file calls what they are of: a name of objects that differ by their numbers alone, or
   /// of a material that nothing else has. Empty where there is none.
   std::string name;
+  /// Some have other tabs than the rest on edges where they are glued to each other.
+  bool tabs_differ = false;
 
   [[nodiscard]] std::size_t count() const { return pieces.size() + mirrored.size(); }
 };
@@ -30,7 +32,8 @@ struct PieceKind {
 [[nodiscard]] IdVector<PieceId, std::string> find_piece_objects(const prepare::Prepared& model,
                                                                 const unfold::Nets& nets);
 
-/// "4 × wheel: C to F", "14 equal: A, C, E, ..., mirrored: B, D": at most `most` names of either.
+/// "4 × wheel: C to F", "14 equal: A, C, E, ..., mirrored: B, D", "D and E are mirror images but for tabs
+/// between them": at most `most` names of either.
 [[nodiscard]] std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most);
 
 }  // namespace ridgecraft::paper

@@ -10,6 +10,7 @@
 #include "base/random.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
+#include "support/symmetric_shapes.hpp"
 #include "unfold/nets_checks.hpp"
 
 using namespace ridgecraft;
@@ -131,4 +132,88 @@ TEST_CASE("a tab or a fold more makes pieces unequal", "[equal]") {
   unfold::Nets nudged = nets;
   nudged.tabs[TabId(0)].polygon[2] += Vec2{0.005, 0.005};
   CHECK(unfold::find_equal_pieces(two, nudged).size() == kinds);
+}
+
+TEST_CASE("mirror images that are glued to each other are equal but for tabs between them", "[equal]") {
+  // A head in three parts: its left, its right, and a neck that both are glued to.
+  const mesh::Surface head = test::mapped(test::one_plane(8), [](Vec3 p) { return 30.0 * p; });
+  IdVector<FaceId, PartId> part(head.face_count());
+  for (const FaceId f : ids<FaceId>(head.face_count())) {
+    Vec3 middle;
+    for (const VertexId v : head.vertices(f)) {
+      middle = middle + head.point(v) / 3.0;
+    }
+    part[f] = PartId(middle.z < -12.0 ? 2 : middle.x < 0.0 ? 0 : 1);
+  }
+  unfold::Options options;
+  options.sheet.reset();
+  options.pieces.mode = unfold::PieceMode::parts;
+  const unfold::Nets nets = unfold::unfold(head, test::no_panels(head), part, options, {});
+  CHECK(test::faults_of(head, nets, options).empty());
+  REQUIRE(nets.pieces.size() == 3);
+  REQUIRE(nets.equal.size() == 1);
+  const std::vector<unfold::EqualPiece>& sides = nets.equal[0];
+  REQUIRE(sides.size() == 2);
+  CHECK(sides[1].mirrored);
+  CHECK(sides[1].other_tabs);
+
+  const auto lies_between = [&](const unfold::Tab& tab) {
+    const auto is_side = [&](CornerId corner) {
+      const PieceId piece = nets.piece[mesh::face_of(corner)];
+      return piece == sides[0].piece || piece == sides[1].piece;
+    };
+    return is_side(tab.side) && is_side(head.twin(tab.side));
+  };
+  std::size_t between = 0;
+  for (const TabId t : ids<TabId>(nets.tabs.size())) {
+    unfold::Nets changed = nets;
+    changed.tabs[t].polygon[2] += Vec2{0.1, 0.1};
+    const bool is_own = lies_between(nets.tabs[t]);
+    between += is_own ? 1U : 0U;
+    // The neck has no equal.
+    const bool of_neck = nets.piece[mesh::face_of(nets.tabs[t].side)] != sides[0].piece &&
+                         nets.piece[mesh::face_of(nets.tabs[t].side)] != sides[1].piece;
+    CHECK(unfold::find_equal_pieces(head, changed).size() == (is_own || of_neck ? 1 : 0));
+  }
+  CHECK(between > 4);
+  CHECK(between < nets.tabs.size());
+}
+
+TEST_CASE("kinds are divided until only tabs between their own pieces differ", "[equal]") {
+  // Each face of an octahedron is a piece of its own; what differs are tabs alone.
+  const mesh::Surface body = test::mapped(test::sphere(4, 2), [](Vec3 p) { return 40.0 * p; });
+  IdVector<FaceId, PartId> part(body.face_count());
+  for (const FaceId f : ids<FaceId>(body.face_count())) {
+    part[f] = PartId(f.value());
+  }
+  unfold::Options options;
+  options.sheet.reset();
+  options.pieces.mode = unfold::PieceMode::parts;
+  unfold::Nets nets = unfold::unfold(body, test::no_panels(body), part, options, {});
+  REQUIRE(nets.pieces.size() == 8);
+  REQUIRE(nets.equal.size() == 1);
+  CHECK(nets.equal[0].size() == 8);
+  // One face is another shape: tabs towards its three neighbours lead out of the kind of the others.
+  const PieceId odd = nets.piece[FaceId(0)];
+  for (const FaceId f : nets.pieces[odd].faces) {
+    nets.flat[f][0] += Vec2{1.0, 1.0};
+  }
+  const auto kinds = unfold::find_equal_pieces(body, nets);
+  for (const auto& kind : kinds) {
+    for (const unfold::EqualPiece& equal : kind) {
+      CHECK(equal.piece != odd);
+      // Compared by hand: as many tabs towards pieces outside the kind as the first has.
+      const auto outward = [&](PieceId piece) {
+        std::size_t count = 0;
+        for (const unfold::Tab& tab : nets.tabs) {
+          const PieceId target = nets.piece[mesh::face_of(body.twin(tab.side))];
+          const bool leaves = std::none_of(kind.begin(), kind.end(),
+                                           [&](const auto& other) { return other.piece == target; });
+          count += nets.piece[mesh::face_of(tab.side)] == piece && leaves ? 1U : 0U;
+        }
+        return count;
+      };
+      CHECK(outward(equal.piece) == outward(kind[0].piece));
+    }
+  }
 }

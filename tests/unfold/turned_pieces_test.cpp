@@ -163,5 +163,8 @@ TEST_CASE("pieces that are joined in a ring are equal with their tabs, too", "[u
     REQUIRE(nets.pieces.size() == static_cast<std::size_t>(arms));
     REQUIRE(nets.equal.size() == 1);
     CHECK(nets.equal[0].size() == static_cast<std::size_t>(arms));
+    for (const unfold::EqualPiece& equal : nets.equal[0]) {
+      CHECK_FALSE(equal.other_tabs);
+    }
   }
 }

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/motion.hpp"
@@ -25,7 +27,8 @@ enum class LineKind : std::size_t { outline, fold, tab };
 
 struct DrawnLine {
   Vec2 from, to;
-  double fold = 0.0;  ///< angle, radians, where it is a fold
+  double fold = 0.0;   ///< angle, radians, where it is a fold
+  PieceId other = {};  ///< where it is of a tab or its slit: which other piece is glued there
 };
 
 /// All lines of a piece by their kinds.
@@ -65,13 +68,17 @@ std::vector<Lines> lines_of(const mesh::Surface& surface, const Nets& nets) {
     }
   }
   for (const Tab& tab : nets.tabs) {
-    Lines& lines = result[nets.piece[mesh::face_of(tab.side)].value()];
+    const PieceId own = nets.piece[mesh::face_of(tab.side)];
+    const CornerId twin = surface.twin(tab.side);
+    const PieceId target = twin.valid() ? nets.piece[mesh::face_of(twin)] : PieceId();
+    const PieceId other = target == own ? PieceId() : target;
+    Lines& lines = result[own.value()];
     for (std::size_t i = 0; i < tab.polygon.size(); ++i) {
-      lines[LineKind::tab].push_back({tab.polygon[i], tab.polygon[(i + 1) % tab.polygon.size()]});
+      lines[LineKind::tab].push_back({tab.polygon[i], tab.polygon[(i + 1) % tab.polygon.size()], 0.0, other});
     }
     if (tab.slit) {
-      const PieceId target = nets.piece[mesh::face_of(surface.twin(tab.side))];
-      result[target.value()][LineKind::tab].push_back({(*tab.slit)[0], (*tab.slit)[1]});
+      result[target.value()][LineKind::tab].push_back(
+          {(*tab.slit)[0], (*tab.slit)[1], 0.0, target == own ? PieceId() : own});
     }
   }
   for (Lines& lines : result) {
@@ -166,28 +173,97 @@ std::optional<Laying> laid_on(const Lines& piece, const Lines& other) {
   return std::nullopt;
 }
 
+/// A piece's lines without the tabs that `is_left_out` says.
+template <typename IsLeftOut>
+Lines without_tabs(const Lines& all, const IsLeftOut& is_left_out) {
+  Lines lines = all;
+  std::erase_if(lines[LineKind::tab], [&](const DrawnLine& line) { return is_left_out(line); });
+  return lines;
+}
+
+using Kind = std::vector<EqualPiece>;
+
+/// Some of the pieces by kinds: `lines[i]` are those of `pieces[i]`. Kinds of one piece, too.
+std::vector<Kind> kinds_of(const std::vector<PieceId>& pieces, const std::vector<Lines>& lines) {
+  struct Known {
+    std::size_t kind, first;
+  };
+  std::vector<Kind> kinds;
+  std::map<std::array<std::size_t, 3>, std::vector<Known>> by_counts;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    std::vector<Known>& alike = by_counts[lines[i].counts()];
+    const bool is_known = std::any_of(alike.begin(), alike.end(), [&](const Known& known) {
+      const std::optional<Laying> laid = laid_on(lines[known.first], lines[i]);
+      if (laid) {
+        kinds[known.kind].push_back({pieces[i], laid->mirrored, false, laid->motion});
+      }
+      return laid.has_value();
+    });
+    if (!is_known) {
+      alike.push_back({kinds.size(), i});
+      kinds.push_back({{pieces[i]}});
+    }
+  }
+  return kinds;
+}
+
+std::vector<PieceId> pieces_of(const Kind& kind) {
+  std::vector<PieceId> pieces;
+  for (const EqualPiece& equal : kind) {
+    pieces.push_back(equal.piece);
+  }
+  return pieces;
+}
+
+/// Says of each piece of a kind whether it is equal to the first with all of its tabs, and if so, how it
+/// lies.
+void tell_tabs(const std::vector<Lines>& lines, Kind& kind) {
+  const Lines& first = lines[kind.front().piece.value()];
+  for (std::size_t i = 1; i < kind.size(); ++i) {
+    const std::optional<Laying> laid = laid_on(first, lines[kind[i].piece.value()]);
+    kind[i].other_tabs = !laid;
+    if (laid) {
+      kind[i].mirrored = laid->mirrored;
+      kind[i].motion = laid->motion;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::vector<EqualPiece>> find_equal_pieces(const mesh::Surface& surface, const Nets& nets) {
   const std::vector<Lines> lines = lines_of(surface, nets);
-  std::vector<std::vector<EqualPiece>> kinds;
-  std::map<std::array<std::size_t, 3>, std::vector<std::size_t>> by_counts;  // indices into kinds
-  for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
-    const Lines& own = lines[p.value()];
-    std::vector<std::size_t>& alike = by_counts[own.counts()];
-    const auto found = std::find_if(alike.begin(), alike.end(), [&](std::size_t kind) {
-      const std::optional<Laying> laid = laid_on(lines[kinds[kind].front().piece.value()], own);
-      if (laid) {
-        kinds[kind].push_back({p, laid->mirrored, laid->motion});
-      }
-      return laid.has_value();
-    });
-    if (found == alike.end()) {
-      alike.push_back(kinds.size());
-      kinds.push_back({{p}});
+  std::vector<Lines> bare;
+  for (const Lines& own : lines) {
+    bare.push_back(without_tabs(own, [](const DrawnLine&) { return true; }));
+  }
+  const auto all = ids<PieceId>(nets.pieces.size());
+  // Coarse kinds are divided by their tabs until those alone differ that lie between pieces of one kind.
+  std::vector<Kind> open = kinds_of({all.begin(), all.end()}, bare);
+  std::vector<Kind> kinds;
+  while (!open.empty()) {
+    const Kind kind = std::move(open.back());
+    open.pop_back();
+    if (kind.size() < 2) {
+      continue;
+    }
+    const std::vector<PieceId> pieces = pieces_of(kind);
+    std::vector<Lines> outward;
+    for (const PieceId piece : pieces) {
+      outward.push_back(without_tabs(lines[piece.value()], [&](const DrawnLine& line) {
+        return std::binary_search(pieces.begin(), pieces.end(), line.other);
+      }));
+    }
+    std::vector<Kind> parts = kinds_of(pieces, outward);
+    if (parts.size() == 1) {
+      tell_tabs(lines, parts.front());
+      kinds.push_back(std::move(parts.front()));
+    } else {
+      std::move(parts.begin(), parts.end(), std::back_inserter(open));
     }
   }
-  std::erase_if(kinds, [](const auto& kind) { return kind.size() < 2; });
+  std::sort(kinds.begin(), kinds.end(),
+            [](const Kind& a, const Kind& b) { return a.front().piece < b.front().piece; });
   return kinds;
 }
 

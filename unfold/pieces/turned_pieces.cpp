@@ -14,6 +14,7 @@
 #include "unfold/patch/sub_patch.hpp"
 #include "unfold/pieces/carried_trees.hpp"
 #include "unfold/pieces/mirror_images.hpp"
+#include "unfold/pieces/turn_powers.hpp"
 #include "unfold/pieces/unit_images.hpp"
 
 namespace ridgecraft::unfold {
@@ -30,36 +31,6 @@ constexpr std::size_t most_trials = 32;
 constexpr double goes_on = 0.5;
 using TurnedFaces = std::vector<std::uint32_t>;
 
-/// A power of the model's turn: what lies on what.
-struct Turn {
-  unsigned order = 2;
-  IdVector<EdgeId, EdgeId> from;    ///< the edge that lies on this one after the turn
-  std::vector<std::uint32_t> unit;  ///< of each unit its image
-};
-
-/// Images of images, so often.
-IdVector<EdgeId, EdgeId> repeated(const IdVector<EdgeId, EdgeId>& images, unsigned times) {
-  IdVector<EdgeId, EdgeId> result(images.size());
-  for (const EdgeId e : ids<EdgeId>(images.size())) {
-    EdgeId at = e;
-    for (unsigned i = 0; i < times && at.valid(); ++i) {
-      at = images[at];
-    }
-    result[e] = at;
-  }
-  return result;
-}
-
-IdVector<EdgeId, EdgeId> inverse(const IdVector<EdgeId, EdgeId>& images) {
-  IdVector<EdgeId, EdgeId> result(images.size());
-  for (const EdgeId e : ids<EdgeId>(images.size())) {
-    if (images[e].valid()) {
-      result[images[e]] = e;
-    }
-  }
-  return result;
-}
-
 class Turning {
  public:
   Turning(const mesh::Surface& surface, const Patch& patch, const IdVector<EdgeId, EdgeId>& mirrored,
@@ -75,16 +46,10 @@ class Turning {
         seed_(seed),
         context_(context),
         unit_(units_of(patch)),
-        faces_of_unit_(patch.size()) {
+        faces_of_unit_(patch.size()),
+        turns_(powers_of(turn, surface, patch, unit_)) {
     for (std::uint32_t f = 0; f < patch.size(); ++f) {
       faces_of_unit_[unit_[f]].push_back(f);
-    }
-    for (unsigned order = turn.order; order >= 2; --order) {
-      if (turn.order % order == 0) {
-        const IdVector<EdgeId, EdgeId> edge = repeated(turn.edge, turn.order / order);
-        std::vector<std::uint32_t> unit = unit_images(surface, patch, unit_, edge);
-        turns_.push_back({order, inverse(edge), std::move(unit)});
-      }
     }
   }
 
@@ -96,7 +61,7 @@ class Turning {
       const Layout layout = lay_out(patch_, before);
       std::vector<std::uint32_t> pieces = by_area(layout);
       std::size_t trials = 0;
-      for (const Turn& turn : turns_) {
+      for (const TurnPower& turn : turns_) {
         for (const std::uint32_t piece : pieces) {
           if (trials == most_trials || context_.out_of_time()) {
             break;
@@ -131,7 +96,7 @@ class Turning {
 
   /// Per face the number of the turns that take the piece there, `nothing` elsewhere; nothing at all where
   /// faces of the piece have no image, or it meets its own images.
-  [[nodiscard]] std::optional<std::vector<std::uint32_t>> copies_of(const Turn& turn,
+  [[nodiscard]] std::optional<std::vector<std::uint32_t>> copies_of(const TurnPower& turn,
                                                                     const TurnedFaces& piece) const {
     std::vector<std::uint32_t> copy(patch_.size(), nothing);
     for (const std::uint32_t f : piece) {
@@ -165,7 +130,7 @@ class Turning {
   };
 
   /// The copies, and what is left of all pieces. Nothing where a copy would fall apart.
-  [[nodiscard]] std::optional<Division> divided(const Turn& turn, const Layout& layout,
+  [[nodiscard]] std::optional<Division> divided(const TurnPower& turn, const Layout& layout,
                                                 const std::vector<std::uint32_t>& copy) const {
     const auto label = [&](std::uint32_t f) {
       return copy[f] != nothing ? copy[f] : turn.order + layout.piece[f];
@@ -241,7 +206,7 @@ class Turning {
     return true;
   }
 
-  std::optional<Folds> carried_around(const Turn& turn, const Folds& folds, const Layout& layout,
+  std::optional<Folds> carried_around(const TurnPower& turn, const Folds& folds, const Layout& layout,
                                       std::uint32_t piece, std::size_t& trials) {
     TurnedFaces faces = layout.faces[piece];
     std::sort(faces.begin(), faces.end());
@@ -290,7 +255,7 @@ class Turning {
   const Context& context_;
   const std::vector<std::uint32_t> unit_;
   std::vector<TurnedFaces> faces_of_unit_;
-  std::vector<Turn> turns_;
+  const std::vector<TurnPower> turns_;
 };
 
 }  // namespace

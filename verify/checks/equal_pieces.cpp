@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Promise 8: pieces that are said to be equal can be laid on each other, with their folds and tabs.
+// Promise 8: pieces that are said to be equal can be laid on each other, with their folds and tabs, but for
+// tabs between them where that is said.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@ namespace {
 struct Stroke {
   Vec2 from, to;
   double angle_deg = 0.0;  ///< of a fold; what isn't one has an angle that no fold has
+  Index other = none;      ///< of a tab or its slit: which other piece is glued there
 };
 
 constexpr double cut_angle = 1000.0;
@@ -57,7 +60,10 @@ class EqualPieceCheck {
       for (std::size_t i = 1; i < kind.size(); ++i) {
         const Index first = kind.front().piece;
         const Index piece = kind[i].piece;
-        if (!are_equal(sheets_[first], sheets_[piece], kind[i].mirrored)) {
+        const bool equal = kind[i].other_tabs ? are_equal(outward(sheets_[first], kind),
+                                                          outward(sheets_[piece], kind), kind[i].mirrored)
+                                              : are_equal(sheets_[first], sheets_[piece], kind[i].mirrored);
+        if (!equal) {
           findings_.add(Promise::statements, {{"piece", first}, {"piece", piece}}, [&] {
             return fmt::format("{} is said to be {} {}, and isn't", piece_name(file_, piece),
                                kind[i].mirrored ? "a mirror image of" : "equal to", piece_name(file_, first));
@@ -85,27 +91,52 @@ class EqualPieceCheck {
         sheet.cuts += cuts ? 1U : 0U;
       }
     }
+    std::vector<Index> across(file_.edges.size(), none);  // the piece that an edge is glued to
+    for (const Join& join : file_.joins) {
+      for (const std::size_t k : {0U, 1U}) {
+        if (const auto sides = relations_.sides_of(join.edges[1 - k]); !sides.empty()) {
+          across[join.edges[k]] = file_.face_piece[file_.faces.face(sides.front())];
+        }
+      }
+    }
     for (Index t = 0; t < file_.tabs.size(); ++t) {
       const std::vector<Vec2>& polygon = file_.tabs[t].polygon;
       if (relations_.sides_of(file_.tabs[t].edge).empty()) {
         continue;
       }
-      Sheet& sheet = sheets_[file_.face_piece[face_of_tab(file_, relations_, t)]];
+      const Index own = file_.face_piece[face_of_tab(file_, relations_, t)];
+      const Index other = across[file_.tabs[t].edge] == own ? none : across[file_.tabs[t].edge];
+      Sheet& sheet = sheets_[own];
       for (std::size_t i = 0; i < polygon.size(); ++i) {
-        sheet.strokes.push_back({polygon[i], polygon[(i + 1) % polygon.size()], tab_angle});
+        sheet.strokes.push_back({polygon[i], polygon[(i + 1) % polygon.size()], tab_angle, other});
       }
       if (const Index side = target_of_slit(file_, relations_, t); side != none) {
         const auto& slit = *file_.tabs[t].slit;
-        sheets_[file_.face_piece[file_.faces.face(side)]].strokes.push_back({slit[0], slit[1], tab_angle});
+        const Index target = file_.face_piece[file_.faces.face(side)];
+        sheets_[target].strokes.push_back({slit[0], slit[1], tab_angle, target == own ? none : own});
       }
     }
     for (Sheet& sheet : sheets_) {
-      for (std::size_t i = 0; i < sheet.strokes.size(); ++i) {
-        sheet.order.push_back(i);
-      }
-      std::sort(sheet.order.begin(), sheet.order.end(),
-                [&](std::size_t i, std::size_t k) { return key(sheet.strokes[i]) < key(sheet.strokes[k]); });
+      put_in_order(sheet);
     }
+  }
+
+  static void put_in_order(Sheet& sheet) {
+    sheet.order.resize(sheet.strokes.size());
+    std::iota(sheet.order.begin(), sheet.order.end(), std::size_t{0});
+    std::sort(sheet.order.begin(), sheet.order.end(),
+              [&](std::size_t i, std::size_t k) { return key(sheet.strokes[i]) < key(sheet.strokes[k]); });
+  }
+
+  /// A piece without its tabs on edges where it is glued to others of its kind.
+  static Sheet outward(Sheet sheet, const std::vector<EqualPiece>& kind) {
+    std::erase_if(sheet.strokes, [&](const Stroke& stroke) {
+      return stroke.other != none && std::any_of(kind.begin(), kind.end(), [&](const EqualPiece& equal) {
+               return equal.piece == stroke.other;
+             });
+    });
+    put_in_order(sheet);
+    return sheet;
   }
 
   /// Folds that are so slight that one of two equal pieces may lack them aren't asked for.

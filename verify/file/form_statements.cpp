@@ -115,6 +115,11 @@ void read_equal_pieces(const Json& json, File& file) {
       if (!mirrored.is_boolean() || (pieces.empty() && mirrored.get<bool>())) {
         refuse("\"mirrored\" of {} is not true or false, false for the first", where);
       }
+      const auto other_tabs = entry.find("other_tabs");
+      const bool tells_of_tabs = other_tabs != entry.end();
+      if (tells_of_tabs && (!other_tabs->is_boolean() || (pieces.empty() && other_tabs->get<bool>()))) {
+        refuse("\"other_tabs\" of {} is not true or false, false for the first", where);
+      }
       const Index piece = index_below(member(entry, "piece", where), file.pieces.size(), {where, "piece"});
       if (named[piece]) {
         refuse("piece {} is named twice among equal pieces", piece);
@@ -123,7 +128,7 @@ void read_equal_pieces(const Json& json, File& file) {
         refuse("the pieces of {} are not in their order", where);
       }
       named[piece] = true;
-      pieces.push_back({piece, mirrored.get<bool>()});
+      pieces.push_back({piece, mirrored.get<bool>(), tells_of_tabs && other_tabs->get<bool>()});
     }
   }
 }
@@ -197,7 +202,7 @@ void note_unknown_keys(const Json& json, File& file) {
                                                     "ridgecraft:settings",    "ridgecraft:equal_pieces",
                                                     "ridgecraft:assembly",    "ridgecraft:more_tabs",
                                                     "ridgecraft:glue",        "ridgecraft:up"};
-  constexpr std::array<std::string_view, 2> equal = {"piece", "mirrored"};
+  constexpr std::array<std::string_view, 3> equal = {"piece", "mirrored", "other_tabs"};
   constexpr std::array<std::string_view, 2> assembly = {"pieces", "joins"};
   constexpr std::array<std::string_view, 1> model = {"ridgecraft:faces_part"};
   constexpr std::array<std::string_view, 6> piece = {"name", "part", "parts", "page", "holes", "reason"};

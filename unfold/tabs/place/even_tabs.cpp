@@ -80,16 +80,29 @@ ConvexShape fitted(const ConvexShape& shape, double before, double length) {
   return result;
 }
 
+/// Which tabs of a piece its equals get.
+enum class Copied : std::uint8_t {
+  all,
+  outward,  ///< those of joins with pieces of its kind stay as they are
+};
+
 class TabCopier {
  public:
-  TabCopier(const std::vector<TabSite>& sites, const TabOptions& options, std::span<const TabWish> wishes)
-      : sites_(sites), options_(options), wishes_(wishes) {}
+  TabCopier(const std::vector<TabSite>& sites, const std::vector<std::vector<EqualPiece>>& kinds,
+            std::size_t pieces, const TabOptions& options, std::span<const TabWish> wishes)
+      : sites_(sites), kind_(pieces), options_(options), wishes_(wishes) {
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      for (const EqualPiece& equal : kinds[i]) {
+        kind_[equal.piece] = i + 1;
+      }
+    }
+  }
 
   /// The tabs of one piece on others; nothing where a join would lose its tab or get two, a tab would be in
   /// something's way, or one would be another than is wished. `from`: sites of the piece; `turned`: whether
   /// it is mirrored.
   [[nodiscard]] std::optional<Chosen> copied(const Chosen& chosen, const Images& from, bool turned,
-                                             std::span<const Member> others) const {
+                                             std::span<const Member> others, Copied which) const {
     Chosen result = chosen;
     std::vector<std::uint8_t> is_settled(chosen.size(), 0);
     for (const std::uint32_t site : from) {
@@ -101,7 +114,7 @@ class TabCopier {
       for (std::size_t i = 0; i < from.size(); ++i) {
         const std::uint32_t to = other.sites[i];
         const std::optional<ChosenTab>& tab = chosen[from[i] / 2];
-        if (!tab || tab->site != from[i]) {
+        if (!tab || tab->site != from[i] || stays(from[i], which)) {
           continue;
         }
         const ConvexShape shape = copy_of(tab->shape.outline, from[i], to, other.mirrored != turned);
@@ -115,7 +128,7 @@ class TabCopier {
       }
     }
     for (const Member& other : others) {
-      if (has_more(result, from, other.sites) || tabs_overlap(result, other.sites)) {
+      if (has_more(result, from, other.sites, which) || tabs_overlap(result, other.sites)) {
         return std::nullopt;
       }
     }
@@ -123,6 +136,12 @@ class TabCopier {
   }
 
  private:
+  /// Whether the tab of a site's join stays where it is.
+  [[nodiscard]] bool stays(std::uint32_t site, Copied which) const {
+    const PieceId own = sites_[site].piece;
+    const PieceId other = sites_[site].target_piece;
+    return which == Copied::outward && own != other && kind_[own] == kind_[other];
+  }
   /// Pieces are equal but for a hundredth of a millimetre: tabs that touched on one may overlap on the other.
   [[nodiscard]] bool tabs_overlap(const Chosen& chosen, const Images& sites) const {
     struct Placed {
@@ -153,12 +172,13 @@ class TabCopier {
 
   /// Whether a piece has a tab where the one that it is to be like has none. The join would have to lose it:
   /// no other piece gives it one.
-  [[nodiscard]] static bool has_more(const Chosen& chosen, const Images& from, const Images& to) {
+  [[nodiscard]] bool has_more(const Chosen& chosen, const Images& from, const Images& to,
+                              Copied which) const {
     for (std::size_t i = 0; i < from.size(); ++i) {
       const auto is_at = [&](std::uint32_t site) {
         return chosen[site / 2] && chosen[site / 2]->site == site;
       };
-      if (is_at(to[i]) && !is_at(from[i])) {
+      if (is_at(to[i]) && !is_at(from[i]) && !stays(to[i], which)) {
         return true;
       }
     }
@@ -188,9 +208,35 @@ class TabCopier {
   }
 
   const std::vector<TabSite>& sites_;
+  IdVector<PieceId, std::size_t> kind_;  ///< 0 where there is no other of its kind
   const TabOptions& options_;
   std::span<const TabWish> wishes_;  // of each join, or none
 };
+
+struct Evened {
+  Chosen chosen;
+  std::size_t alike = 0;  ///< members that have the tabs of the one that is the model for them
+};
+
+/// Gives as many members as possible the tabs of one of them.
+Evened like_member(const TabCopier& copier, const Chosen& chosen, const std::vector<Member>& members,
+                   std::size_t index, Copied which) {
+  const Member& model = members[index];
+  std::vector<Member> others = members;
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(index));
+  // All at once: those that are joined to each other give and take tabs in a ring.
+  if (auto copies = copier.copied(chosen, model.sites, model.mirrored, others, which)) {
+    return {std::move(*copies), others.size()};
+  }
+  Evened evened{chosen, 0};
+  for (const Member& other : others) {
+    if (auto copy = copier.copied(evened.chosen, model.sites, model.mirrored, {&other, 1}, which)) {
+      evened.chosen = std::move(*copy);
+      ++evened.alike;
+    }
+  }
+  return evened;
+}
 
 }  // namespace
 
@@ -222,7 +268,7 @@ void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector
   for (std::uint32_t s = 0; s < sites.size(); ++s) {
     of_piece[sites[s].piece].push_back(s);
   }
-  const TabCopier copier(sites, options, wishes);
+  const TabCopier copier(sites, kinds, nets.pieces.size(), options, wishes);
   for (const std::vector<EqualPiece>& kind : kinds) {
     std::vector<Member> members;
     for (const EqualPiece& equal : kind) {
@@ -231,31 +277,18 @@ void even_tabs(const mesh::Surface& surface, const Nets& nets, const std::vector
         members.push_back({std::move(images), equal.mirrored});
       }
     }
-    Chosen best = chosen;
-    std::size_t most = 0;
-    for (std::size_t m = 0; m < std::min(members.size(), most_models) && most + 1 < members.size(); ++m) {
-      const Member& model = members[m];
-      std::vector<Member> others = members;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(m));
-      // All at once: those that are joined to each other give and take tabs in a ring.
-      if (auto copies = copier.copied(chosen, model.sites, model.mirrored, others)) {
-        best = std::move(*copies);
-        break;
-      }
-      Chosen evened = chosen;
-      std::size_t alike = 0;
-      for (const Member& other : others) {
-        if (auto copy = copier.copied(evened, model.sites, model.mirrored, {&other, 1})) {
-          evened = std::move(*copy);
-          ++alike;
+    Evened best{chosen, 0};
+    // Mirror images that are glued to each other can't be alike there: one gives what the other takes.
+    for (const Copied which : {Copied::all, Copied::outward}) {
+      for (std::size_t m = 0; m < std::min(members.size(), most_models) && best.alike + 1 < members.size();
+           ++m) {
+        Evened evened = like_member(copier, chosen, members, m, which);
+        if (evened.alike > best.alike) {
+          best = std::move(evened);
         }
       }
-      if (alike > most) {
-        most = alike;
-        best = std::move(evened);
-      }
     }
-    chosen = std::move(best);
+    chosen = std::move(best.chosen);
   }
 }
 
