@@ -335,14 +335,14 @@ fs::path sample(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("Printed colours are those of the model's file") {
+TEST_CASE("Printed colours are those of the model's file", "[slow]") {
   for (const std::string name : {"whale.obj", "house.obj", "penguin.obj", "fox_head.obj"}) {
     const TemporaryFolder folder;
     check(name, difference(folder, sample(name), {}));
   }
 }
 
-TEST_CASE("Printed pictures lie as on the model, neither turned nor mirrored") {
+TEST_CASE("Printed pictures lie as on the model, neither turned nor mirrored", "[slow]") {
   const TemporaryFolder folder;
   // Four colours in four quarters, and a box whose sides bear them in different ways.
   std::vector<std::uint8_t> pixels;

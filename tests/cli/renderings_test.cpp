@@ -10,7 +10,7 @@
 
 using namespace ridgecraft::test;
 
-TEST_CASE("PDF, SVG and PNG show the same", "[renderings]") {
+TEST_CASE("PDF, SVG and PNG show the same", "[renderings][slow]") {
   for (const std::string program :
        {"pdftocairo -v", "inkscape --version", "/usr/bin/python3 -c 'import PIL, numpy'"}) {
     if (std::system((program + " >/dev/null 2>&1").c_str()) != 0) {

@@ -83,7 +83,7 @@ TEST_CASE("machines get one JSON object with the names that they know", "[summar
   CHECK(nets.contains("seconds"));
 }
 
-TEST_CASE("hundreds of pages are announced, with a size that needs few", "[summaries]") {
+TEST_CASE("hundreds of pages are announced, with a size that needs few", "[summaries][slow]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   const auto pages = [&](const Outcome& outcome) {
@@ -118,7 +118,7 @@ TEST_CASE("more pages than a person would print are refused before the long work
 }
 
 TEST_CASE("thousands of separate bodies are refused before the long work, and unfolded without pages",
-          "[summaries]") {
+          "[summaries][slow]") {
   const TemporaryFolder folder;
   std::string off = "OFF\n32400 32400 0\n";
   for (int i = 0; i < 8100; ++i) {

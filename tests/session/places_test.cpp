@@ -335,7 +335,8 @@ TEST_CASE("what a file asks of tabs by numbers goes with their edges", "[session
   CHECK(renumbered > 0);
 }
 
-TEST_CASE("places, pins and nets at random leave sound pages, and every state comes back", "[session]") {
+TEST_CASE("places, pins and nets at random leave sound pages, and every state comes back",
+          "[session][slow]") {
   Project project = session::open(sample("mug.obj"));
   const std::size_t faces = surface_of(project).face_count();
   Random random(11);

@@ -162,7 +162,8 @@ TEST_CASE("mirror images that are glued to each other are equal but for tabs bet
       const PieceId piece = nets.piece[mesh::face_of(corner)];
       return piece == sides[0].piece || piece == sides[1].piece;
     };
-    return is_side(tab.side) && is_side(head.twin(tab.side));
+    return is_side(tab.side) && is_side(head.twin(tab.side)) &&
+           nets.piece[mesh::face_of(tab.side)] != nets.piece[mesh::face_of(head.twin(tab.side))];
   };
   std::size_t between = 0;
   for (const TabId t : ids<TabId>(nets.tabs.size())) {

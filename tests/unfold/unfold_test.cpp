@@ -203,7 +203,7 @@ TEST_CASE("a deadline that has passed still gives clean nets", "[unfold]") {
   CHECK(joins_of(finished, unfold::NoTab::time_up) == 0);
 }
 
-TEST_CASE("shapes of many kinds unfold cleanly, whole and on a sheet", "[unfold]") {
+TEST_CASE("shapes of many kinds unfold cleanly, whole and on a sheet", "[unfold][slow]") {
   const std::vector<mesh::Surface> shapes{
       scaled(test::tetrahedron(), 50.0),
       scaled(test::sphere(16, 8), 75.0),

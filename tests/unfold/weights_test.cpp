@@ -165,7 +165,7 @@ double difference(const Model& model, const Nets& a, const Nets& b) {
 
 }  // namespace
 
-TEST_CASE("each weight changes the nets, and what weighs more is less", "[energy]") {
+TEST_CASE("each weight changes the nets, and what weighs more is less", "[energy][slow]") {
   for (const std::string_view term : unfold::term_names()) {
     double light = 0.0;
     double heavy = 0.0;

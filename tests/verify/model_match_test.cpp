@@ -31,7 +31,7 @@ constexpr int model_promise = 9;
 
 }  // namespace
 
-TEST_CASE("the nets of the samples are their models'", "[model]") {
+TEST_CASE("the nets of the samples are their models'", "[model][slow]") {
   for (const char* name : {"gem.stl", "house.obj", "torus.off", "vase.ply"}) {
     for (const std::vector<std::string>& options : {std::vector<std::string>{},
                                                     {"--faces", "keep", "--scale", "0.7"},

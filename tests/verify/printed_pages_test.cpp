@@ -102,7 +102,7 @@ void check_found(const std::string& words, const std::function<void(PrintedPage&
 
 }  // namespace
 
-TEST_CASE("the pages of the samples show their nets, as SVG and as PDF", "[pages]") {
+TEST_CASE("the pages of the samples show their nets, as SVG and as PDF", "[pages][slow]") {
   struct Case {
     const char* model;
     std::vector<std::string> options;

@@ -47,7 +47,7 @@ Json& settings(Json& json) {
 
 }  // namespace
 
-TEST_CASE("what the program says of its files is so, whatever it was asked for", "[statements]") {
+TEST_CASE("what the program says of its files is so, whatever it was asked for", "[statements][slow]") {
   const std::string any_weight(unfold::term_names().front());
   const std::vector<std::vector<std::string>> jobs = {
       {},

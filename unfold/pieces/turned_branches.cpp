@@ -27,7 +27,7 @@ constexpr std::size_t most_branch_trials = 32;
 constexpr std::size_t most_branches = 1024;
 
 /// What falls off a piece where one fold is cut.
-struct Branch {
+struct Offshoot {
   std::uint32_t side = 0;  ///< of one of its faces: the fold that it hangs by
   std::uint32_t piece = 0;
   std::vector<std::uint32_t> faces;  ///< ascending
@@ -74,7 +74,7 @@ class BranchTurning {
       const Folds before = best;
       const Layout layout = lay_out(patch_, before);
       std::size_t trials = 0;
-      for (const Branch& branch : branches_of(before, layout)) {
+      for (const Offshoot& branch : branches_of(before, layout)) {
         for (const TurnPower& turn : powers_) {
           if (trials == most_branch_trials || context_.out_of_time()) {
             break;
@@ -96,7 +96,7 @@ class BranchTurning {
 
  private:
   /// Of each fold that may be cut, what is the smaller half of its piece there: the largest first.
-  [[nodiscard]] std::vector<Branch> branches_of(const Folds& folds, const Layout& layout) const {
+  [[nodiscard]] std::vector<Offshoot> branches_of(const Folds& folds, const Layout& layout) const {
     std::vector<std::uint32_t> to_root(patch_.size(), nothing);  // the side towards the root
     std::vector<std::uint32_t> size(patch_.size(), 1);
     struct Place {
@@ -124,7 +124,7 @@ class BranchTurning {
     std::stable_sort(places.begin(), places.end(),
                      [](const Place& a, const Place& b) { return a.size > b.size; });
     places.resize(std::min(places.size(), most_branches));
-    std::vector<Branch> branches;
+    std::vector<Offshoot> branches;
     for (const Place& place : places) {
       branches.push_back({place.side, layout.piece[place.side / 3], faces_behind(folds, place.side)});
     }
@@ -149,7 +149,7 @@ class BranchTurning {
 
   /// Images of a branch within its piece that meet neither it nor each other, with its net.
   [[nodiscard]] std::vector<Copy> copies_of(const TurnPower& turn, const Folds& folds, const Layout& layout,
-                                            const Branch& branch) const {
+                                            const Offshoot& branch) const {
     std::vector<std::uint32_t> units;
     for (const std::uint32_t f : branch.faces) {
       if (unit_[f] == f) {
@@ -180,7 +180,7 @@ class BranchTurning {
     return copies;
   }
 
-  [[nodiscard]] std::optional<Copy> copy_at(const TurnPower& turn, unsigned k, const Branch& branch,
+  [[nodiscard]] std::optional<Copy> copy_at(const TurnPower& turn, unsigned k, const Offshoot& branch,
                                             const Patch& own, const Folds& tree,
                                             const std::vector<std::uint32_t>& units) const {
     Copy copy;
@@ -221,7 +221,7 @@ class BranchTurning {
 
   /// The pieces with all images of a branch like it; nothing where that isn't one clean net.
   [[nodiscard]] std::optional<Folds> hung_alike(const TurnPower& turn, const Folds& before,
-                                                const Layout& layout, const Branch& branch,
+                                                const Layout& layout, const Offshoot& branch,
                                                 std::size_t& trials) const {
     const std::vector<Copy> copies = copies_of(turn, before, layout, branch);
     if (copies.empty()) {
