@@ -90,16 +90,18 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
     clauses.push_back(sheets_text(made.ready.sheets));
   }
   if (made.ready.left_out.count() > 0) {
-    clauses.push_back(details_text(made.ready.left_out) + " left out");
+    clauses.push_back(details_text(made.ready.left_out) + " left out (--keep-bodies keeps them)");
   }
   if (skin.united > 0) {
     const std::string united =
         skin.united_into < skin.united
             ? fmt::format("{} that meet united into {}", counted_bodies(skin.united), skin.united_into)
             : counted_bodies(skin.united) + " made one skin where they meet";
-    clauses.push_back(united + (skin.faces_hidden > 0
-                                    ? fmt::format(", {} dropped", counted(skin.faces_hidden, "hidden face"))
-                                    : std::string()));
+    clauses.push_back(united +
+                      (skin.faces_hidden > 0
+                           ? fmt::format(", {} dropped", counted(skin.faces_hidden, "hidden face"))
+                           : std::string()) +
+                      " (--keep-bodies leaves them apart)");
   }
   if (skin.unseen > 0) {
     clauses.push_back(counted_bodies(skin.unseen) + " that nobody sees left out");
@@ -133,9 +135,24 @@ void add_glue(const GlueFigures& glue, Clauses& clauses) {
   }
 }
 
+/// That simplification moves so much of the model that it looks otherwise; empty where it doesn't.
+std::string looks_otherwise(const job::Paper& made) {
+  constexpr double seen_share = 0.03;
+  const double mm = made.prepared.simplified.deviation_mm;
+  const double share = mm / made.prepared.model.surface.bounds().largest_extent();
+  return share < seen_share ? std::string()
+                            : fmt::format(
+                                  "it looks otherwise where simplification moved it by up to {:.1f} mm, "
+                                  "{:.0f} % of its size: more --faces stay nearer",
+                                  mm, 100.0 * share);
+}
+
 std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
   Clauses clauses;
-  if (std::string why = job::verdict(made.prepared, made.options.simplify); !why.empty()) {
+  if (std::string why = job::verdict(made); !why.empty()) {
+    clauses.push_back(std::move(why));
+  }
+  if (std::string why = looks_otherwise(made); !why.empty()) {
     clauses.push_back(std::move(why));
   }
   if (made.slivers > 0) {
@@ -207,9 +224,10 @@ std::string next_line(const PaperJob& job, const PaperResult& result) {
     clauses.push_back("build it by " + listed(guides, "or"));
   }
   if (made.prepared.simplified.still_too_fine && made.prepared.smallest_size_mm) {
-    clauses.push_back(fmt::format("--size {:.0f}mm can be folded", *made.prepared.smallest_size_mm));
+    clauses.push_back(fmt::format("--size {:.0f}mm {} be folded", *made.prepared.smallest_size_mm,
+                                  job::larger_size_is_sure(made) ? "can" : "may"));
   } else if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
-    clauses.emplace_back("with a larger --size or fewer --faces less of it is that fine");
+    clauses.emplace_back("another --size or --faces may leave less that is so fine");
   } else if (made.share_saving_a_page) {
     clauses.push_back(fmt::format("--size {:.0f}mm may save a page", size_saving_a_page(made)));
   }

@@ -135,7 +135,7 @@ void say_simplified(Summary& summary, const job::Paper& made) {
     summary.say(Line::simplified, "left out",
                 counted(report.features_removed, "small feature") + " of flat walls");
   }
-  if (const std::string why = job::verdict(made.prepared, made.options.simplify); !why.empty()) {
+  if (const std::string why = job::verdict(made); !why.empty()) {
     const std::optional<double>& size = made.prepared.smallest_size_mm;
     summary.say(Line::simplified, "too fine",
                 why + (size ? fmt::format(": --size {:.0f}mm", *size) : ", but fewer --faces may"));
@@ -159,8 +159,8 @@ void add_slivers(Summary& summary, const job::Paper& made) {
   summary.add("slivers", made.slivers, Line::slivers, "slivers",
               made.slivers == 0
                   ? ""
-                  : fmt::format("{} thinner than {:g} mm, too thin to cut or fold, on {}; a larger --size or "
-                                "--faces N helps",
+                  : fmt::format("{} thinner than {:g} mm, too thin to cut or fold, on {}; another --size or "
+                                "--faces may leave fewer",
                                 counted(made.slivers, "face"), job::sliver_mm,
                                 pieces_text(made.nets, pieces_with_slivers(made))));
 }

@@ -35,10 +35,12 @@ class Rows {
   double fact(std::string_view name, std::string_view value) {
     constexpr double name_width = 28.0;
     group_.texts.push_back(in_grey(words_from(name, {at_.x, at_.y - text_height_mm}, text_height_mm)));
-    group_.texts.push_back(words_from(shortened(value, width_ - name_width, text_height_mm),
-                                      {at_.x + name_width, at_.y - text_height_mm}, text_height_mm));
-    at_.y -= text_step_mm;
-    return at_.y + text_step_mm - text_height_mm;
+    const double y = at_.y - text_height_mm;
+    for (const std::string& row : wrapped(value, width_ - name_width, text_height_mm)) {
+      group_.texts.push_back(words_from(row, {at_.x + name_width, at_.y - text_height_mm}, text_height_mm));
+      at_.y -= text_step_mm;
+    }
+    return y;
   }
   void item(std::string_view mark, std::string_view words) {
     constexpr double mark_width = 5.0;

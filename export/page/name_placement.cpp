@@ -31,6 +31,11 @@ constexpr double widest_room = 8.0;
 /// How much more room than needed is looked for around a name, mm.
 constexpr std::array<double, 13> rooms{0.0, 0.4, 0.8, 1.4, 2.2, 3.2, 4.5, 6.5, 9.0, 13.0, 18.0, 26.0, 38.0};
 
+bool contains(const std::array<Vec2, 3>& face, Vec2 p) {
+  return cross(face[1] - face[0], p - face[0]) >= 0.0 && cross(face[2] - face[1], p - face[1]) >= 0.0 &&
+         cross(face[0] - face[2], p - face[2]) >= 0.0;
+}
+
 /// Points of a grid that lie in faces of the piece. Its step follows the piece's size.
 std::vector<Vec2> grid_points(const PieceDrawing& piece) {
   Box2 bounds;
@@ -60,8 +65,7 @@ std::vector<Vec2> grid_points(const PieceDrawing& piece) {
       for (std::size_t column = first(box.low.x, bounds.low.x);
            column < columns && at(column, 0).x <= box.high.x; ++column) {
         const Vec2 p = at(column, row);
-        if (cross(face[1] - face[0], p - face[0]) >= 0.0 && cross(face[2] - face[1], p - face[1]) >= 0.0 &&
-            cross(face[0] - face[2], p - face[2]) >= 0.0) {
+        if (contains(face, p)) {
           covered[row * columns + column] = true;
         }
       }
@@ -129,9 +133,14 @@ std::vector<Site> sites_of(const PieceDrawing& piece, const Obstacles& obstacles
   return sites;
 }
 
-/// The site around which the texts have most room.
-std::optional<Vec2> roomiest(const std::vector<Site>& sites, const std::vector<Text>& texts,
-                             const Obstacles& obstacles) {
+bool lies_on(const PieceDrawing& piece, Vec2 p) {
+  return std::ranges::any_of(piece.faces, [&](const std::array<Vec2, 3>& face) { return contains(face, p); });
+}
+
+/// The site around which the texts have most room. All of them lie on the piece: a note below a name that
+/// stands at an edge would have room beyond that edge, too, on another piece's paper or on none.
+std::optional<Vec2> roomiest(const PieceDrawing& piece, const std::vector<Site>& sites,
+                             const std::vector<Text>& texts, const Obstacles& obstacles) {
   const TurnedBox name = box_of(texts.front());
   const double needed = std::min(name.half_width, 0.5 * texts.front().height) + clearance;
   std::optional<Vec2> best;
@@ -143,7 +152,9 @@ std::optional<Vec2> roomiest(const std::vector<Site>& sites, const std::vector<T
     const std::vector<Text> here = moved(texts, site.at);
     const auto fits = [&] {
       return std::ranges::all_of(
-          here, [&](const Text& text) { return obstacles.is_free(text, clearance, rooms[room]); });
+                 here, [&](const Text& text) { return obstacles.is_free(text, clearance, rooms[room]); }) &&
+             std::all_of(here.begin() + 1, here.end(),
+                         [&](const Text& note) { return lies_on(piece, note.centre); });
     };
     while (room < rooms.size() && fits()) {
       ++room;
@@ -166,7 +177,7 @@ bool place_inside(PieceDrawing& piece, Obstacles& obstacles, const std::vector<S
           break;
         }
         const std::vector<Text> texts = label(piece, height, angle, notes);
-        if (const auto centre = roomiest(sites, texts, obstacles)) {
+        if (const auto centre = roomiest(piece, sites, texts, obstacles)) {
           put(piece, obstacles, moved(texts, *centre));
           return true;
         }

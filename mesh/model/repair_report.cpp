@@ -93,8 +93,9 @@ constexpr std::array wordings{
             "the surface is open: {} edges have only one face"},
     Wording{self_intersections, "self_intersections", "1 face runs through another",
             "{} faces run through each other"},
-    Wording{narrow_faces, "narrow_faces", "1 face is too narrow to be cut at this size",
-            "{} faces are too narrow to be cut at this size"},
+    Wording{narrow_faces, "narrow_faces",
+            "1 face is too narrow to be cut at this size and stays on its neighbour",
+            "{} faces are too narrow to be cut at this size and stay on their neighbours"},
 };
 
 /// The table is in the order of the enumeration, so that a kind is its index.
