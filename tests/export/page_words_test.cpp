@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "export/page/furniture.hpp"
+#include "export/page/name_placement.hpp"
 #include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
 #include "sample_pages.hpp"
@@ -292,3 +293,42 @@ TEST_CASE("a piece that nothing joins tells its body and its place") {
 
 }  // namespace
 }  // namespace ridgecraft
+
+TEST_CASE("notes lie on their piece, or beside it within the page's area") {
+  using namespace ridgecraft;
+  // Strips at the left of the sheet, which are lower than a name with its note, or hardly higher.
+  for (const double height : {5.0, 7.0, 9.0, 12.0}) {
+    for (const bool has_seam : {false, true}) {
+      CAPTURE(height, has_seam);
+      const Box2 area{{10.0, 10.0}, {200.0, 287.0}};
+      const Vec2 low{10.0, 100.0};
+      const Vec2 high{low.x + 60.0, low.y + height};
+      const std::vector<Vec2> outline{low, {high.x, low.y}, high, {low.x, high.y}};
+      paper::PieceDrawing piece;
+      piece.name = "I";
+      piece.notes = {"I and L are mirror images"};
+      piece.faces = {{outline[0], outline[1], outline[2]}, {outline[0], outline[2], outline[3]}};
+      piece.group.lines.push_back({paper::Layer::cut, outline, true});
+      if (has_seam) {
+        paper::Seam& seam = piece.seams.emplace_back();
+        seam.edge = {outline[0], outline[1]};
+      }
+      paper::Obstacles obstacles({210.0, 297.0});
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        obstacles.add({outline[i], outline[(i + 1) % outline.size()]}, paper::Obstacles::Kind::cut);
+      }
+      static_cast<void>(paper::place_name(piece, obstacles, area));
+      const bool is_beside = std::any_of(piece.group.lines.begin() + 1, piece.group.lines.end(),
+                                         [](const paper::Line&) { return true; });
+      for (const paper::Text& text : piece.group.texts) {
+        CAPTURE(text.text);
+        const Box2 box = paper::box_of(text).bounds();
+        const Box2 room = is_beside ? area : Box2{low, high};
+        CHECK(box.low.x >= room.low.x);
+        CHECK(box.low.y >= room.low.y);
+        CHECK(box.high.x <= room.high.x);
+        CHECK(box.high.y <= room.high.y);
+      }
+    }
+  }
+}
