@@ -174,12 +174,12 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
     }
   }
   calm = evened(calm);
-  Folds better =
-      better_trees(asked.surface, plan.whole, patch, calm, images.edge, asked.options, plan.room, context);
   if (turn && !context.out_of_time()) {
-    better = turned_branches(asked.surface, patch, better, *turn, images.edge, rules.weights, plan.room,
-                             tolerance, context);
+    calm = turned_branches(asked.surface, patch, calm, *turn, images.edge, rules.weights, plan.room,
+                           tolerance, context);
   }
+  const Folds better =
+      better_trees(asked.surface, plan.whole, patch, calm, images.edge, asked.options, plan.room, context);
   return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
           std::move(parts.causes), std::move(parts.notes)};
 }

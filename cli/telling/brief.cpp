@@ -60,8 +60,12 @@ bool is_kept_for_edges(const PaperJob& job, const job::Paper& made) {
          made.options.simplify.mode == prepare::Simplification::keep;
 }
 
-/// "12 edges cut and 3 folded as asked"; empty where none were named.
+/// "12 edges cut and 3 folded as asked"; empty where none were named. Pages by materials or objects cut
+/// edges, too, that nobody has named: nothing is told then.
 std::string edges_as_asked(const job::Paper& made) {
+  if ((!made.options.edges.cut && !made.options.edges.keep) || made.options.page_by != job::PageBy::any) {
+    return {};
+  }
   std::size_t cut = 0;
   std::size_t folded = 0;
   for (const EdgeId e : ids<EdgeId>(made.wishes.size())) {

@@ -152,10 +152,15 @@ std::optional<Vec2> roomiest(const PieceDrawing& piece, const std::vector<Site>&
     const std::vector<Text> here = moved(texts, site.at);
     const auto fits = [&] {
       return std::ranges::all_of(
-                 here, [&](const Text& text) { return obstacles.is_free(text, clearance, rooms[room]); }) &&
-             std::all_of(here.begin() + 1, here.end(),
+          here, [&](const Text& text) { return obstacles.is_free(text, clearance, rooms[room]); });
+    };
+    const auto notes_lie_here = [&] {
+      return std::all_of(here.begin() + 1, here.end(),
                          [&](const Text& note) { return lies_on(piece, note.centre); });
     };
+    if (!fits() || !notes_lie_here()) {
+      continue;
+    }
     while (room < rooms.size() && fits()) {
       ++room;
       best = site.at;
@@ -257,7 +262,9 @@ bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, boo
   const std::vector<Site> sites = sites_of(piece, obstacles);
   const std::size_t notes = piece.notes.size();
   if (hurried) {
-    return place_inside(piece, obstacles, sites, 0.0, notes, std::span(angles).first(1));
+    const auto level = std::span(angles).first(1);
+    return place_inside(piece, obstacles, sites, 0.0, notes, level) ||
+           (notes > 0 && place_inside(piece, obstacles, sites, 0.0, 0, level));
   }
   if (place_inside(piece, obstacles, sites, readable_height, notes)) {
     return true;

@@ -139,7 +139,8 @@ std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::siz
            " are mirror images" + but;
   }
   std::string text = std::to_string(kind.count());
-  text += (kind.name.empty() ? " equal" : " \u00d7 " + kind.name) + but;
+  text +=
+      kind.name.empty() ? " equal" + but : " \u00d7 " + kind.name + (kind.tabs_differ ? ", equal" + but : "");
   text += ": " + listed(nets, kind.pieces, most);
   return text + (kind.mirrored.empty() ? "" : ", mirrored: " + listed(nets, kind.mirrored, most));
 }

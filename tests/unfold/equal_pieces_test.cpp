@@ -218,3 +218,57 @@ TEST_CASE("kinds are divided until only tabs between their own pieces differ", "
     }
   }
 }
+
+TEST_CASE("one piece of a ring that gets other tabs leaves the others equal", "[equal]") {
+  // Seven equal pieces in a ring between two caps, wider below.
+  const mesh::Surface body = test::mapped(test::sphere(7, 3), [](Vec3 p) {
+    return 40.0 * Vec3{p.x * (1.0 - 0.3 * p.z), p.y * (1.0 - 0.3 * p.z), p.z};
+  });
+  IdVector<FaceId, PartId> part(body.face_count());
+  for (const FaceId f : ids<FaceId>(body.face_count())) {
+    Vec3 middle;
+    double top = -1.0;
+    double bottom = 1.0;
+    for (const VertexId v : body.vertices(f)) {
+      const Vec3 p = body.point(v) / 40.0;
+      middle = middle + p / 3.0;
+      top = std::max(top, p.z);
+      bottom = std::min(bottom, p.z);
+    }
+    const double around = std::atan2(middle.y, middle.x) / 6.2831853 * 7.0 + 14.0;
+    part[f] = PartId(top > 0.99 ? 7 : bottom < -0.99 ? 8 : static_cast<std::uint32_t>(around) % 7);
+  }
+  unfold::Options options;
+  options.sheet.reset();
+  options.pieces.merge = false;
+  const unfold::Nets nets = unfold::unfold(body, test::no_panels(body), part, options, {});
+  const auto largest = [&](const unfold::Nets& some) {
+    std::vector<unfold::EqualPiece> most;
+    for (const auto& kind : unfold::find_equal_pieces(body, some)) {
+      most = kind.size() > most.size() ? kind : most;
+    }
+    return most;
+  };
+  const auto kind = largest(nets);
+  REQUIRE(kind.size() >= 4);  // so two of them are glued to each other
+  const auto is_of_kind = [&](PieceId piece) {
+    return std::any_of(kind.begin(), kind.end(), [&](const auto& equal) { return equal.piece == piece; });
+  };
+  std::size_t outward = 0;
+  std::size_t between = 0;
+  for (const TabId t : ids<TabId>(nets.tabs.size())) {
+    const CornerId side = nets.tabs[t].side;
+    if (!is_of_kind(nets.piece[mesh::face_of(side)])) {
+      continue;
+    }
+    unfold::Nets changed = nets;
+    changed.tabs[t].polygon[2] += Vec2{0.1, 0.1};
+    const bool leaves = !is_of_kind(nets.piece[mesh::face_of(body.twin(side))]);
+    ++(leaves ? outward : between);
+    // Where only some of them have a neighbour of their kind on that side, the one that changes is another
+    // kind.
+    const std::size_t left = largest(changed).size();
+    CHECK((left == kind.size() - 1 || (!leaves && left == kind.size())));
+  }
+  CHECK(between > 0);
+}

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -207,14 +206,6 @@ std::vector<Kind> kinds_of(const std::vector<PieceId>& pieces, const std::vector
   return kinds;
 }
 
-std::vector<PieceId> pieces_of(const Kind& kind) {
-  std::vector<PieceId> pieces;
-  for (const EqualPiece& equal : kind) {
-    pieces.push_back(equal.piece);
-  }
-  return pieces;
-}
-
 /// Says of each piece of a kind whether it is equal to the first with all of its tabs, and if so, how it
 /// lies.
 void tell_tabs(const std::vector<Lines>& lines, Kind& kind) {
@@ -229,39 +220,97 @@ void tell_tabs(const std::vector<Lines>& lines, Kind& kind) {
   }
 }
 
-}  // namespace
+/// Kinds become one where nothing differs but tabs of joins between their pieces.
+class KindUnion {
+ public:
+  /// `kinds`: of pieces that are equal with all lines, and of single ones, by their first pieces.
+  KindUnion(const std::vector<Lines>& lines, std::vector<Kind> kinds)
+      : lines_(lines), kinds_(std::move(kinds)) {}
 
-std::vector<std::vector<EqualPiece>> find_equal_pieces(const mesh::Surface& surface, const Nets& nets) {
-  const std::vector<Lines> lines = lines_of(surface, nets);
-  std::vector<Lines> bare;
-  for (const Lines& own : lines) {
-    bare.push_back(without_tabs(own, [](const DrawnLine&) { return true; }));
-  }
-  const auto all = ids<PieceId>(nets.pieces.size());
-  // Coarse kinds are divided by their tabs until those alone differ that lie between pieces of one kind.
-  std::vector<Kind> open = kinds_of({all.begin(), all.end()}, bare);
-  std::vector<Kind> kinds;
-  while (!open.empty()) {
-    const Kind kind = std::move(open.back());
-    open.pop_back();
-    if (kind.size() < 2) {
-      continue;
+  std::vector<Kind> run() {
+    std::vector<PieceId> firsts;
+    std::vector<Lines> bare;
+    for (const Kind& kind : kinds_) {
+      firsts.push_back(kind.front().piece);
+      bare.push_back(without_tabs(lines_[firsts.back().value()], [](const DrawnLine&) { return true; }));
     }
-    const std::vector<PieceId> pieces = pieces_of(kind);
+    for (const Kind& alike : kinds_of(firsts, bare)) {
+      std::vector<std::size_t> members;
+      for (const EqualPiece& first : alike) {
+        const auto at = std::lower_bound(firsts.begin(), firsts.end(), first.piece);
+        members.push_back(static_cast<std::size_t>(at - firsts.begin()));
+      }
+      unite(members, 0);
+    }
+    return std::move(united_);
+  }
+
+ private:
+  /// In each round kinds are told apart by the tabs that lead to others than those of the round before. What
+  /// isn't one kind after so many stays several.
+  static constexpr int most_rounds = 8;
+
+  void unite(const std::vector<std::size_t>& members, int round) {
+    if (members.size() < 2 || round == most_rounds) {
+      for (const std::size_t k : members) {
+        united_.push_back(kinds_[k]);
+      }
+      return;
+    }
+    std::vector<PieceId> pieces;
+    for (const std::size_t k : members) {
+      for (const EqualPiece& equal : kinds_[k]) {
+        pieces.push_back(equal.piece);
+      }
+    }
+    std::sort(pieces.begin(), pieces.end());
     std::vector<Lines> outward;
     for (const PieceId piece : pieces) {
-      outward.push_back(without_tabs(lines[piece.value()], [&](const DrawnLine& line) {
+      outward.push_back(without_tabs(lines_[piece.value()], [&](const DrawnLine& line) {
         return std::binary_search(pieces.begin(), pieces.end(), line.other);
       }));
     }
     std::vector<Kind> parts = kinds_of(pieces, outward);
     if (parts.size() == 1) {
-      tell_tabs(lines, parts.front());
-      kinds.push_back(std::move(parts.front()));
-    } else {
-      std::move(parts.begin(), parts.end(), std::back_inserter(open));
+      tell_tabs(lines_, parts.front());
+      united_.push_back(std::move(parts.front()));
+      return;
+    }
+    std::map<PieceId, std::size_t> part_of;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      for (const EqualPiece& equal : parts[i]) {
+        part_of[equal.piece] = i;
+      }
+    }
+    std::map<std::size_t, std::vector<std::size_t>> members_of;  // of each part
+    for (const std::size_t k : members) {
+      const std::size_t part = part_of[kinds_[k].front().piece];
+      const bool is_whole = std::all_of(kinds_[k].begin(), kinds_[k].end(), [&](const EqualPiece& equal) {
+        return part_of[equal.piece] == part;
+      });
+      if (is_whole) {
+        members_of[part].push_back(k);
+      } else {
+        united_.push_back(kinds_[k]);  // what is equal with all tabs stays one kind
+      }
+    }
+    for (const auto& [part, own] : members_of) {
+      unite(own, round + 1);
     }
   }
+
+  const std::vector<Lines>& lines_;
+  std::vector<Kind> kinds_;
+  std::vector<Kind> united_;
+};
+
+}  // namespace
+
+std::vector<std::vector<EqualPiece>> find_equal_pieces(const mesh::Surface& surface, const Nets& nets) {
+  const std::vector<Lines> lines = lines_of(surface, nets);
+  const auto all = ids<PieceId>(nets.pieces.size());
+  std::vector<Kind> kinds = KindUnion(lines, kinds_of({all.begin(), all.end()}, lines)).run();
+  std::erase_if(kinds, [](const Kind& kind) { return kind.size() < 2; });
   std::sort(kinds.begin(), kinds.end(),
             [](const Kind& a, const Kind& b) { return a.front().piece < b.front().piece; });
   return kinds;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,10 +22,8 @@ namespace ridgecraft::unfold {
 namespace {
 
 constexpr int most_branch_steps = 8;
-/// Trials of a step; the largest branches come first.
+/// Trials of a piece in a step; the largest branches come first. Those whose images are like them count, too.
 constexpr std::size_t most_branch_trials = 32;
-/// Branches of a step that are looked at: most of them have no images within their piece.
-constexpr std::size_t most_branches = 1024;
 
 /// What falls off a piece where one fold is cut.
 struct Offshoot {
@@ -56,7 +55,8 @@ class BranchTurning {
         unit_(units_of(patch)),
         faces_of_unit_(patch.size()),
         side_of_(surface.edge_count(), nothing),
-        powers_(powers_of(turn, surface, patch, unit_)) {
+        powers_(powers_of(turn, surface, patch, unit_)),
+        stamp_(patch.size(), 0) {
     for (std::uint32_t f = 0; f < patch.size(); ++f) {
       faces_of_unit_[unit_[f]].push_back(f);
     }
@@ -65,70 +65,109 @@ class BranchTurning {
         side_of_[surface.edge(mesh::corner(patch.face[side / 3], side % 3))] = side;
       }
     }
+    for (const TurnPower& power : powers_) {
+      std::vector<IdVector<EdgeId, EdgeId>>& of_power = from_.emplace_back();
+      for (unsigned k = 0; k < power.order; ++k) {
+        of_power.push_back(repeated(power.from, k));
+      }
+    }
   }
 
   Folds run(const Folds& folds) {
-    Folds best = folds;
-    double least = cost_of(best);
+    best_ = folds;
+    least_ = cost_of(best_);
     for (int step = 0; step < most_branch_steps && !context_.out_of_time(); ++step) {
-      const Folds before = best;
+      const Folds before = best_;
       const Layout layout = lay_out(patch_, before);
-      std::size_t trials = 0;
-      for (const Offshoot& branch : branches_of(before, layout)) {
-        for (const TurnPower& turn : powers_) {
-          if (trials == most_branch_trials || context_.out_of_time()) {
-            break;
-          }
-          const std::optional<Folds> trial = hung_alike(turn, before, layout, branch, trials);
-          const double cost = trial ? cost_of(*trial) : least;
-          if (cost < least - same_cost_mm) {
-            least = cost;
-            best = *trial;
-          }
-        }
+      for (std::uint32_t piece = 0; piece < layout.faces.size(); ++piece) {
+        try_branches_of(before, layout, piece);
       }
-      if (best == before) {
+      if (best_ == before) {
         break;
       }
     }
-    return best;
+    return best_;
   }
 
  private:
-  /// Of each fold that may be cut, what is the smaller half of its piece there: the largest first.
-  [[nodiscard]] std::vector<Offshoot> branches_of(const Folds& folds, const Layout& layout) const {
-    std::vector<std::uint32_t> to_root(patch_.size(), nothing);  // the side towards the root
-    std::vector<std::uint32_t> size(patch_.size(), 1);
+  void try_branches_of(const Folds& before, const Layout& layout, std::uint32_t piece) {
+    std::size_t trials = 0;
+    std::vector<bool> is_even(powers_.size() * patch_.twin.size(), false);  // its orbit has been looked at
+    for (const std::uint32_t side : places_of(before, layout.faces[piece])) {
+      for (std::size_t p = 0; p < powers_.size(); ++p) {
+        if (trials == most_branch_trials || context_.out_of_time()) {
+          return;
+        }
+        if (is_even[p * patch_.twin.size() + side] || !may_have_images(powers_[p], layout, side)) {
+          continue;
+        }
+        context_.check();
+        const Offshoot branch{side, piece, faces_behind(before, side)};
+        const std::vector<Copy> copies = copies_of(p, before, layout, branch);
+        if (copies.empty()) {
+          continue;
+        }
+        ++trials;
+        const std::optional<Folds> trial = hung_alike(copies, before, layout, branch);
+        if (trial && *trial == before) {
+          for (const Copy& copy : copies) {
+            is_even[p * patch_.twin.size() + copy.side] = true;
+          }
+        } else if (const double cost = trial ? cost_of(*trial) : least_; cost < least_ - same_cost_mm) {
+          least_ = cost;
+          best_ = *trial;
+        }
+      }
+    }
+  }
+
+  /// Of each fold of a piece that may be cut the side on which less of it lies: where most lies first.
+  [[nodiscard]] std::vector<std::uint32_t> places_of(const Folds& folds,
+                                                     const std::vector<std::uint32_t>& piece) const {
+    std::map<std::uint32_t, std::uint32_t> to_root;  // per face the side towards the root
+    std::map<std::uint32_t, std::uint32_t> size;
     struct Place {
       std::uint32_t size, side;
     };
     std::vector<Place> places;
-    for (const std::vector<std::uint32_t>& piece : layout.faces) {
-      for (const std::uint32_t f : piece) {
-        for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-          if (folds[side] != 0 && side != to_root[f]) {
-            to_root[patch_.twin[side] / 3] = patch_.twin[side];
-          }
+    for (const std::uint32_t f : piece) {
+      const auto own = to_root.find(f);
+      for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+        if (folds[side] != 0 && (own == to_root.end() || side != own->second)) {
+          to_root[patch_.twin[side] / 3] = patch_.twin[side];
         }
       }
-      for (std::size_t i = piece.size(); i-- > 1;) {
-        const std::uint32_t side = to_root[piece[i]];
-        const std::uint32_t below = size[piece[i]];
-        size[patch_.twin[side] / 3] += below;
-        const auto above = static_cast<std::uint32_t>(piece.size()) - below;
-        if (patch_.frozen[side] == 0) {
-          places.push_back(below <= above ? Place{below, side} : Place{above, patch_.twin[side]});
-        }
+      size[f] = 1;
+    }
+    for (std::size_t i = piece.size(); i-- > 1;) {
+      const std::uint32_t side = to_root.at(piece[i]);
+      const std::uint32_t below = size[piece[i]];
+      size[patch_.twin[side] / 3] += below;
+      const auto above = static_cast<std::uint32_t>(piece.size()) - below;
+      if (patch_.frozen[side] == 0) {
+        places.push_back(below <= above ? Place{below, side} : Place{above, patch_.twin[side]});
       }
     }
     std::stable_sort(places.begin(), places.end(),
                      [](const Place& a, const Place& b) { return a.size > b.size; });
-    places.resize(std::min(places.size(), most_branches));
-    std::vector<Offshoot> branches;
+    std::vector<std::uint32_t> sides;
     for (const Place& place : places) {
-      branches.push_back({place.side, layout.piece[place.side / 3], faces_behind(folds, place.side)});
+      sides.push_back(place.side);
     }
-    return branches;
+    return sides;
+  }
+
+  /// Whether some image of the face at this side lies in its piece, elsewhere.
+  [[nodiscard]] bool may_have_images(const TurnPower& turn, const Layout& layout, std::uint32_t side) const {
+    const std::uint32_t own = unit_[side / 3];
+    std::uint32_t image = own;
+    for (unsigned k = 1; k < turn.order && image != nothing; ++k) {
+      image = turn.unit[image];
+      if (image != nothing && image != own && layout.piece[image] == layout.piece[own]) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// What hangs together with the face of this side when its fold is cut.
@@ -148,41 +187,50 @@ class BranchTurning {
   }
 
   /// Images of a branch within its piece that meet neither it nor each other, with its net.
-  [[nodiscard]] std::vector<Copy> copies_of(const TurnPower& turn, const Folds& folds, const Layout& layout,
-                                            const Offshoot& branch) const {
-    std::vector<std::uint32_t> units;
+  [[nodiscard]] std::vector<Copy> copies_of(std::size_t power, const Folds& folds, const Layout& layout,
+                                            const Offshoot& branch) {
+    const TurnPower& turn = powers_[power];
+    std::vector<std::uint32_t> images;
     for (const std::uint32_t f : branch.faces) {
       if (unit_[f] == f) {
-        units.push_back(f);
+        images.push_back(f);
       }
     }
-    std::vector<std::uint32_t> taken = units;
-    std::vector<std::uint32_t> images = units;
+    ++taken_;
+    for (const std::uint32_t u : images) {
+      stamp_[u] = taken_;
+    }
     std::vector<Copy> copies;
-    const Patch own = sub_patch(patch_, branch.faces);
-    const Folds tree = sub_folds(patch_, folds, branch.faces);
+    std::optional<Patch> own;
+    Folds tree;
     for (unsigned k = 1; k < turn.order; ++k) {
-      for (std::size_t i = 0; i < images.size(); ++i) {
-        images[i] = images[i] == nothing ? nothing : turn.unit[images[i]];
+      for (std::uint32_t& image : images) {
+        image = image == nothing ? nothing : turn.unit[image];
       }
       const bool is_free = std::all_of(images.begin(), images.end(), [&](std::uint32_t u) {
-        return u != nothing && layout.piece[u] == branch.piece &&
-               std::find(taken.begin(), taken.end(), u) == taken.end();
+        return u != nothing && layout.piece[u] == branch.piece && stamp_[u] != taken_;
       });
       if (!is_free) {
         continue;
       }
-      if (std::optional<Copy> copy = copy_at(turn, k, branch, own, tree, images)) {
-        taken.insert(taken.end(), images.begin(), images.end());
+      if (!own) {
+        own = sub_patch(patch_, branch.faces);
+        tree = sub_folds(patch_, folds, branch.faces);
+      }
+      if (std::optional<Copy> copy = copy_at(power, k, branch, *own, tree, images)) {
+        for (const std::uint32_t u : images) {
+          stamp_[u] = taken_;
+        }
         copies.push_back(std::move(*copy));
       }
     }
     return copies;
   }
 
-  [[nodiscard]] std::optional<Copy> copy_at(const TurnPower& turn, unsigned k, const Offshoot& branch,
+  [[nodiscard]] std::optional<Copy> copy_at(std::size_t power, unsigned k, const Offshoot& branch,
                                             const Patch& own, const Folds& tree,
                                             const std::vector<std::uint32_t>& units) const {
+    const TurnPower& turn = powers_[power];
     Copy copy;
     for (const std::uint32_t u : units) {
       copy.faces.insert(copy.faces.end(), faces_of_unit_[u].begin(), faces_of_unit_[u].end());
@@ -207,7 +255,7 @@ class BranchTurning {
       return std::nullopt;
     }
     std::optional<Folds> carried =
-        carried_over(surface_, own, tree, sub_patch(patch_, copy.faces), repeated(turn.from, k));
+        carried_over(surface_, own, tree, sub_patch(patch_, copy.faces), from_[power][k]);
     if (!carried) {
       return std::nullopt;
     }
@@ -219,14 +267,10 @@ class BranchTurning {
     folds[side] = folds[patch_.twin[side]] = is_fold ? 1 : 0;
   }
 
-  /// The pieces with all images of a branch like it; nothing where that isn't one clean net.
-  [[nodiscard]] std::optional<Folds> hung_alike(const TurnPower& turn, const Folds& before,
-                                                const Layout& layout, const Offshoot& branch,
-                                                std::size_t& trials) const {
-    const std::vector<Copy> copies = copies_of(turn, before, layout, branch);
-    if (copies.empty()) {
-      return std::nullopt;
-    }
+  /// The pieces with these images of a branch like it, `before` where they are; nothing where that isn't one
+  /// clean net.
+  [[nodiscard]] std::optional<Folds> hung_alike(const std::vector<Copy>& copies, const Folds& before,
+                                                const Layout& layout, const Offshoot& branch) const {
     Folds result = before;
     for (const Copy& copy : copies) {
       for (const std::uint32_t f : copy.faces) {
@@ -246,10 +290,12 @@ class BranchTurning {
     }
     std::vector<std::uint32_t> faces = layout.faces[branch.piece];
     std::sort(faces.begin(), faces.end());
-    if (result == before || !make_whole(faces, before, result)) {
+    if (result == before) {
+      return result;
+    }
+    if (!make_whole(faces, before, result)) {
       return std::nullopt;
     }
-    ++trials;
     const Patch piece = sub_patch(patch_, faces);
     const Folds tree = sub_folds(patch_, result, faces);
     const bool fits = all_fit(piece, tree, room_) || !all_fit(piece, sub_folds(patch_, before, faces), room_);
@@ -305,6 +351,11 @@ class BranchTurning {
   std::vector<std::vector<std::uint32_t>> faces_of_unit_;
   IdVector<EdgeId, std::uint32_t> side_of_;  ///< one side of each edge within the patch
   const std::vector<TurnPower> powers_;
+  std::vector<std::vector<IdVector<EdgeId, EdgeId>>> from_;  ///< per power and times: as TurnPower::from
+  std::vector<std::uint32_t> stamp_;                         ///< per unit: taken by the branch of this number
+  std::uint32_t taken_ = 0;
+  Folds best_;
+  double least_ = 0.0;
 };
 
 }  // namespace

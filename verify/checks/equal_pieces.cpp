@@ -3,6 +3,7 @@
 // tabs between them where that is said.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Stroke {
   Index other = none;      ///< of a tab or its slit: which other piece is glued there
 };
 
+constexpr std::size_t no_kind = std::numeric_limits<std::size_t>::max();
 constexpr double cut_angle = 1000.0;
 constexpr double tab_angle = 2000.0;
 
@@ -49,19 +51,29 @@ double key(const Stroke& stroke) {
 class EqualPieceCheck {
  public:
   EqualPieceCheck(const Case& given, Findings& findings)
-      : file_(given.file), relations_(given.relations), findings_(findings) {}
+      : file_(given.file),
+        relations_(given.relations),
+        findings_(findings),
+        kind_(given.file.pieces.size(), no_kind) {}
 
   void run() {
     if (file_.equal.empty()) {
       return;
     }
     gather();
+    for (std::size_t k = 0; k < file_.equal.size(); ++k) {
+      for (const EqualPiece& equal : file_.equal[k]) {
+        kind_[equal.piece] = k;
+      }
+    }
     for (const std::vector<EqualPiece>& kind : file_.equal) {
+      const bool differs =
+          std::any_of(kind.begin(), kind.end(), [](const EqualPiece& e) { return e.other_tabs; });
+      const Sheet first_outward = differs ? outward(kind.front().piece) : Sheet();
       for (std::size_t i = 1; i < kind.size(); ++i) {
         const Index first = kind.front().piece;
         const Index piece = kind[i].piece;
-        const bool equal = kind[i].other_tabs ? are_equal(outward(sheets_[first], kind),
-                                                          outward(sheets_[piece], kind), kind[i].mirrored)
+        const bool equal = kind[i].other_tabs ? are_equal(first_outward, outward(piece), kind[i].mirrored)
                                               : are_equal(sheets_[first], sheets_[piece], kind[i].mirrored);
         if (!equal) {
           findings_.add(Promise::statements, {{"piece", first}, {"piece", piece}}, [&] {
@@ -129,11 +141,10 @@ class EqualPieceCheck {
   }
 
   /// A piece without its tabs on edges where it is glued to others of its kind.
-  static Sheet outward(Sheet sheet, const std::vector<EqualPiece>& kind) {
+  [[nodiscard]] Sheet outward(Index piece) const {
+    Sheet sheet = sheets_[piece];
     std::erase_if(sheet.strokes, [&](const Stroke& stroke) {
-      return stroke.other != none && std::any_of(kind.begin(), kind.end(), [&](const EqualPiece& equal) {
-               return equal.piece == stroke.other;
-             });
+      return stroke.other != none && kind_[stroke.other] == kind_[piece];
     });
     put_in_order(sheet);
     return sheet;
@@ -217,6 +228,7 @@ class EqualPieceCheck {
   const Relations& relations_;
   Findings& findings_;
   std::vector<Sheet> sheets_;
+  std::vector<std::size_t> kind_;  ///< of each piece
 };
 
 }  // namespace

@@ -114,6 +114,9 @@ class TabCopier {
       for (std::size_t i = 0; i < from.size(); ++i) {
         const std::uint32_t to = other.sites[i];
         const std::optional<ChosenTab>& tab = chosen[from[i] / 2];
+        if (stays(from[i], which) != stays(to, which)) {
+          return std::nullopt;  // one is glued to another of its kind there, the other isn't
+        }
         if (!tab || tab->site != from[i] || stays(from[i], which)) {
           continue;
         }
