@@ -184,21 +184,27 @@ TEST_CASE("a tab goes over to the other side of its edge, and away", "[session]"
 }
 
 TEST_CASE("a tab that has no room on the other side stays, and why is told", "[session]") {
-  const Project start = session::open(sample("mug.obj"));
-  const mesh::Surface& surface = surface_of(start);
+  // Nearly all have room; which model has one that hasn't, searches decide.
   std::size_t refusals = 0;
-  for (const unfold::Join& join : start.now.nets.joins) {
-    if (!join.tab.valid() || refusals > 0) {
-      continue;
+  for (const std::string file : {"mug.obj", "lighthouse.obj", "penguin.obj", "dinosaur.obj"}) {
+    if (refusals > 0) {
+      break;
     }
-    const auto sides = surface.sides(join.edge);
-    const CornerId there = sides[sides[0] == start.now.nets.tabs[join.tab].side ? 1 : 0];
-    const session::Answer answer = session::apply(
-        start, std::vector<Edit>{TabFrom{{surface.vertex(there), surface.vertex(mesh::next(there))}}}, {});
-    if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
-      CHECK(refusal->why == "there is no room for a usable tab on this side");
-      CHECK(refusal->faces == std::vector<FaceId>{mesh::face_of(there)});
-      ++refusals;
+    const Project start = session::open(sample(file));
+    const mesh::Surface& surface = surface_of(start);
+    for (const unfold::Join& join : start.now.nets.joins) {
+      if (!join.tab.valid() || refusals > 0) {
+        continue;
+      }
+      const auto sides = surface.sides(join.edge);
+      const CornerId there = sides[sides[0] == start.now.nets.tabs[join.tab].side ? 1 : 0];
+      const session::Answer answer = session::apply(
+          start, std::vector<Edit>{TabFrom{{surface.vertex(there), surface.vertex(mesh::next(there))}}}, {});
+      if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
+        CHECK(refusal->why == "there is no room for a usable tab on this side");
+        CHECK(refusal->faces == std::vector<FaceId>{mesh::face_of(there)});
+        ++refusals;
+      }
     }
   }
   CHECK(refusals == 1);
