@@ -298,7 +298,9 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     made.options.size.largest_extent_mm = std::round(surface.bounds().largest_extent());
   }
   made.searched_with = settings_of(made.options, made.seed);
-  if (const std::string why = verdict(made); options.strict && !why.empty()) {
+  if (const std::string why =
+          verdict(made.prepared, made.options.simplify, larger_size_is_sure(made.ready, made.skin));
+      options.strict && !why.empty()) {
     throw Error(ErrorKind::unbuildable, why);
   }
   made.slivers = prepare::count_narrow_faces(surface, made.prepared.panels, sliver_mm);

@@ -11,29 +11,28 @@
 
 namespace ridgecraft::job {
 
-bool larger_size_is_sure(const Paper& made) {
-  return made.ready.left_out.count() == 0 && made.ready.sheets.walls == 0 && made.skin.gaps_closed == 0;
+bool larger_size_is_sure(const prepare::ReadyReport& ready, const prepare::SkinReport& skin) {
+  return ready.left_out.count() == 0 && ready.sheets.walls == 0 && skin.gaps_closed == 0;
 }
 
-std::string verdict(const Paper& made) {
-  const prepare::Prepared& prepared = made.prepared;
+std::string verdict(const prepare::Prepared& prepared, const prepare::SimplifyOptions& simplify,
+                    bool larger_is_sure) {
   if (prepare::can_be_folded(prepared)) {
     return {};
   }
   std::vector<std::string> reasons;
   if (prepared.simplified.still_too_fine) {
     reasons.push_back(fmt::format("{:.0f} % of the folds are shorter than {:g} mm",
-                                  100.0 * prepared.simplified.tiny_edges_after,
-                                  made.options.simplify.tiny_edge_mm));
+                                  100.0 * prepared.simplified.tiny_edges_after, simplify.tiny_edge_mm));
   }
   if (prepare::has_many_slivers(prepared)) {
     reasons.push_back(fmt::format("{:.0f} % of the faces are thinner than {:g} mm",
                                   100.0 * prepared.sliver_share, prepare::sliver_mm));
   }
-  const std::string size = prepared.smallest_size_mm
-                               ? fmt::format("at {:.0f} mm it {}", *prepared.smallest_size_mm,
-                                             larger_size_is_sure(made) ? "can" : "may")
-                               : "no larger size that was tried helps";
+  const std::string size =
+      prepared.smallest_size_mm
+          ? fmt::format("at {:.0f} mm it {}", *prepared.smallest_size_mm, larger_is_sure ? "can" : "may")
+          : "no larger size that was tried helps";
   return fmt::format("can't be built at {:.4g} mm: {}; {}", prepared.model.surface.bounds().largest_extent(),
                      listed(reasons, "and"), size);
 }

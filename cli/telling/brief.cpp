@@ -153,7 +153,9 @@ std::string looks_otherwise(const job::Paper& made) {
 
 std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
   Clauses clauses;
-  if (std::string why = job::verdict(made); !why.empty()) {
+  if (std::string why =
+          job::verdict(made.prepared, made.options.simplify, job::larger_size_is_sure(made.ready, made.skin));
+      !why.empty()) {
     clauses.push_back(std::move(why));
   }
   if (std::string why = looks_otherwise(made); !why.empty()) {
@@ -229,7 +231,7 @@ std::string next_line(const PaperJob& job, const PaperResult& result) {
   }
   if (made.prepared.simplified.still_too_fine && made.prepared.smallest_size_mm) {
     clauses.push_back(fmt::format("--size {:.0f}mm {} be folded", *made.prepared.smallest_size_mm,
-                                  job::larger_size_is_sure(made) ? "can" : "may"));
+                                  job::larger_size_is_sure(made.ready, made.skin) ? "can" : "may"));
   } else if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
     clauses.emplace_back("another --size or --faces may leave less that is so fine");
   } else if (made.share_saving_a_page) {

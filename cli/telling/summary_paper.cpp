@@ -135,7 +135,9 @@ void say_simplified(Summary& summary, const job::Paper& made) {
     summary.say(Line::simplified, "left out",
                 counted(report.features_removed, "small feature") + " of flat walls");
   }
-  if (const std::string why = job::verdict(made); !why.empty()) {
+  if (const std::string why =
+          job::verdict(made.prepared, made.options.simplify, job::larger_size_is_sure(made.ready, made.skin));
+      !why.empty()) {
     const std::optional<double>& size = made.prepared.smallest_size_mm;
     summary.say(Line::simplified, "too fine",
                 why + (size ? fmt::format(": --size {:.0f}mm", *size) : ", but fewer --faces may"));
