@@ -183,7 +183,7 @@ TEST_CASE("a tab goes over to the other side of its edge, and away", "[session]"
   CHECK(refused(start, {TabFrom{fold}}).why == "only an edge that is glued has a tab");
 }
 
-TEST_CASE("a tab that has no room on the other side stays, and why is told", "[session]") {
+TEST_CASE("a tab that has no room on the other side stays, and why is told", "[session][slow]") {
   // Nearly all have room; which model has one that hasn't, searches decide.
   std::size_t refusals = 0;
   for (const std::string file : {"mug.obj", "lighthouse.obj", "penguin.obj", "dinosaur.obj"}) {
@@ -286,7 +286,7 @@ TEST_CASE("edits are text and come back from it", "[session]") {
   }
 }
 
-TEST_CASE("a saved project is refused by a job of another model or with other options", "[session]") {
+TEST_CASE("a saved project is refused by a job of another model or with other options", "[session][slow]") {
   const Project start = session::open(sample("mug.obj"));
   const Project cut = done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
   const auto is_refused = [&](job::Paper made) {
@@ -300,7 +300,8 @@ TEST_CASE("a saved project is refused by a job of another model or with other op
   CHECK(is_refused(job::with_tabs(*start.start, lower, {})));
 }
 
-TEST_CASE("edits of a paper that goes on with other tabs are told with those that follow", "[session]") {
+TEST_CASE("edits of a paper that goes on with other tabs are told with those that follow",
+          "[session][slow]") {
   const Project start = session::open(sample("mug.obj"));
   const Project cut = done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
   unfold::TabOptions lower = start.start->options.tabs;

@@ -100,7 +100,7 @@ Project two_pieces() {
 
 }  // namespace
 
-TEST_CASE("what an edit doesn't change stays where it lies", "[session]") {
+TEST_CASE("what an edit doesn't change stays where it lies", "[session][slow]") {
   const Project start = session::open(sample("mug.obj"));
   std::size_t tried = 0;
   for (const Edge& fold : edges_used(start, unfold::EdgeUse::fold)) {
@@ -219,7 +219,7 @@ TEST_CASE("a pinned piece stays as it is", "[session]") {
   CHECK(std::get<Project>(again).state().pinned == pinned.state().pinned);
 }
 
-TEST_CASE("a piece gets another net, and the others stay", "[session]") {
+TEST_CASE("a piece gets another net, and the others stay", "[session][slow]") {
   const Project start = session::open(sample("mug.obj"));
   std::size_t found = 0;
   for (const PieceId p : ids<PieceId>(start.now.nets.pieces.size())) {
@@ -318,7 +318,7 @@ TEST_CASE("edges that were to be cut stay so when a join lays them on each other
   CHECK(joins == 3);
 }
 
-TEST_CASE("what a file asks of tabs by numbers goes with their edges", "[session]") {
+TEST_CASE("what a file asks of tabs by numbers goes with their edges", "[session][slow]") {
   job::Paper made = sample("mug.obj");
   const auto joins = made.nets.joins;
   const auto with_tab =

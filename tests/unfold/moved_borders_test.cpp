@@ -115,7 +115,7 @@ TEST_CASE("borders that move save pieces, and nets stay clean and fit", "[border
   CHECK(2 * saved > surplus);
 }
 
-TEST_CASE("of a part whose border moved nothing is told that was so before", "[borders]") {
+TEST_CASE("of a part whose border moved nothing is told that was so before", "[borders][slow]") {
   const std::string moved = ": moving the border with its neighbours saved pieces";
   std::size_t told = 0;
   for (const Case& c : cases()) {
@@ -136,7 +136,7 @@ TEST_CASE("of a part whose border moved nothing is told that was so before", "[b
   CHECK(told > 0);
 }
 
-TEST_CASE("a piece that isn't worth what its faces cost elsewhere stays", "[borders]") {
+TEST_CASE("a piece that isn't worth what its faces cost elsewhere stays", "[borders][slow]") {
   const auto pieces_with = [](double weight) {
     std::size_t pieces = 0;
     for (const Case& c : cases()) {

@@ -54,7 +54,7 @@ Options quick(std::optional<Sheet> sheet, std::size_t max_panels) {
 }  // namespace
 
 TEST_CASE("without paper no piece is there for the page, and a larger sheet saves those that are",
-          "[reasons]") {
+          "[reasons][slow]") {
   std::size_t for_page = 0;
   std::size_t for_faces = 0;
   for (const mesh::Surface& s : shapes()) {

@@ -143,7 +143,7 @@ std::size_t panels_cut(const mesh::Surface& s, const prepare::Panels& panels, co
 
 }  // namespace
 
-TEST_CASE("every mode makes clean pieces, whole panels, and keeps to its limit", "[pieces]") {
+TEST_CASE("every mode makes clean pieces, whole panels, and keeps to its limit", "[pieces][slow]") {
   const mesh::Surface shapes[] = {staircase(), bumpy_ball(12, 8, 50.0, 11), torus(45.0)};
   for (const mesh::Surface& s : shapes) {
     const prepare::Panels panels = test::flat_panels(s);

@@ -56,7 +56,7 @@ TEST_CASE("nothing is glued behind a face without area", "[tabs]") {
   CHECK(cut_around_sliver >= 12);
 }
 
-TEST_CASE("panels that are cut between pieces are folded nowhere else", "[tabs]") {
+TEST_CASE("panels that are cut between pieces are folded nowhere else", "[tabs][slow]") {
   const std::filesystem::path file =
       std::string(RIDGECRAFT_SHARED_DIR) + "/models/unfold/frame_genus5_240.off";
   if (!std::filesystem::exists(file)) {

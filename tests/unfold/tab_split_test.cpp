@@ -181,7 +181,7 @@ std::size_t fewest_pieces(const Surface& s) {
 
 }  // namespace
 
-TEST_CASE("split pieces have a tab on every edge that is wide enough", "[tabs]") {
+TEST_CASE("split pieces have a tab on every edge that is wide enough", "[tabs][slow]") {
   std::size_t missing_before = 0;
   std::size_t left = 0;
   std::size_t more = 0;
@@ -262,7 +262,7 @@ TEST_CASE("splitting for tabs keeps to the sheet, and threads change nothing", "
   CHECK(nets.notes == again.notes);
 }
 
-TEST_CASE("pieces split off count, whatever part they stand for then", "[tabs]") {
+TEST_CASE("pieces split off count, whatever part they stand for then", "[tabs][slow]") {
   // Two halves are merged, and where they are split again each stands for its part.
   std::size_t parted = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {

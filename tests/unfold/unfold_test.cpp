@@ -289,7 +289,7 @@ TEST_CASE("tabs that stick out of the sheet go where there is room on it", "[unf
   }
 }
 
-TEST_CASE("flat regions that are cut may lie in several pieces", "[unfold]") {
+TEST_CASE("flat regions that are cut may lie in several pieces", "[unfold][slow]") {
   // Rings whose holes hold too few walls, on a sheet that they don't fit: panels are cut and pieces are
   // split.
   const mesh::Surface frame =
