@@ -12,7 +12,7 @@ sh cmake/install-packages.sh tests/clang-packages.txt
 clang=$1
 gcc=$2
 since=${3:-$(cat .ci/tests-tidied)}
-limit_s=420
+limit_s=600
 
 changed=$(mktemp)
 trap 'rm -f "$changed"' EXIT
