@@ -55,6 +55,13 @@ TEST_CASE("a model too fine that named edges keep from being simplified says so"
   };
   CHECK(model_line({"--cuts", "cuts.txt"}).find("not simplified, as edges") != std::string::npos);
   CHECK(model_line({}).find("not simplified") == std::string::npos);
+  // Which of them are as they were asked to be is told, and nothing where none were named.
+  write_bytes(folder / "keep.txt", "2 3\n");
+  CHECK(model_line({"--cuts", "cuts.txt"}).find("1 edge cut as asked") != std::string::npos);
+  CHECK(model_line({"--keep", "keep.txt"}).find("1 edge folded as asked") != std::string::npos);
+  CHECK(model_line({"--cuts", "cuts.txt", "--keep", "keep.txt"}).find("1 edge cut and 1 folded as asked") !=
+        std::string::npos);
+  CHECK(model_line({"--page-by", "material"}).find("as asked") == std::string::npos);
   const Outcome both =
       run_program({"whale.obj", "--cuts", "cuts.txt", "--faces", "60", "-o", "y.fold"}, in(folder));
   CHECK(both.exit_code == 2);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -92,13 +93,14 @@ class BranchTurning {
  private:
   void try_branches_of(const Folds& before, const Layout& layout, std::uint32_t piece) {
     std::size_t trials = 0;
-    std::vector<bool> is_even(powers_.size() * patch_.twin.size(), false);  // its orbit has been looked at
+    std::set<std::pair<std::size_t, std::uint32_t>>
+        even;  // powers, and sides whose branches are alike by them
     for (const std::uint32_t side : places_of(before, layout.faces[piece])) {
       for (std::size_t p = 0; p < powers_.size(); ++p) {
         if (trials == most_branch_trials || context_.out_of_time()) {
           return;
         }
-        if (is_even[p * patch_.twin.size() + side] || !may_have_images(powers_[p], layout, side)) {
+        if (even.contains({p, side}) || !may_have_images(powers_[p], layout, side)) {
           continue;
         }
         context_.check();
@@ -111,7 +113,7 @@ class BranchTurning {
         const std::optional<Folds> trial = hung_alike(copies, before, layout, branch);
         if (trial && *trial == before) {
           for (const Copy& copy : copies) {
-            is_even[p * patch_.twin.size() + copy.side] = true;
+            even.emplace(p, copy.side);
           }
         } else if (const double cost = trial ? cost_of(*trial) : least_; cost < least_ - same_cost_mm) {
           least_ = cost;
