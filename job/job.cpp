@@ -263,10 +263,11 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   std::vector<std::string> notes;
   model = prepare::select(std::move(model), options.selection);
   made.ground = prepare::ground_name(model);
-  made.up = paper::up_axis_of(model);
+  made.up = options.up.value_or(paper::up_axis_of(model));
   if (options.extent) {
     made.options.size.adapts = false;
-    made.options.size.largest_extent_mm = options.extent->mm * largest_share(model, options.extent->kind);
+    made.options.size.largest_extent_mm =
+        options.extent->mm * largest_share(model, options.extent->kind, made.up);
   }
   heed_edges(options.edges, model, made.options.simplify, notes);
   use_size_of_nets(options.edges, model, made.options.size);

@@ -11,6 +11,7 @@
 #include "export/machine/thick_nets.hpp"
 #include "export/sheet/pages.hpp"
 #include "export/sheet/paper.hpp"
+#include "mesh/model/model.hpp"
 #include "prepare/prepared/options.hpp"
 #include "prepare/prepared/skin_report.hpp"
 #include "prepare/selection/selection.hpp"
@@ -70,7 +71,10 @@ struct Options {
   /// taken over (EdgeRequests::from): these are of its bodies; nets of our own tell which it was.
   prepare::Bodies bodies = prepare::Bodies::unite;
   prepare::SizeOptions size;
-  std::optional<Extent> extent;       ///< instead of the size's largest extent
+  std::optional<Extent> extent;  ///< instead of the size's largest extent
+  /// Which axis of the file's points up, for the guide, the page and `extent`; none: as paper::up_axis_of()
+  /// finds.
+  std::optional<mesh::Axis> up;
   prepare::SimplifyOptions simplify;  ///< its hidden_fold_angle is that of `style`, whatever stands here
   PartsFrom parts = PartsFrom::segmentation;
   double concavity = 0.1;                             ///< segment::Options::concavity

@@ -8,6 +8,7 @@
 
 #include "base/digest.hpp"
 #include "base/json_text.hpp"
+#include "mesh/model/model.hpp"
 
 namespace ridgecraft::job {
 namespace {
@@ -24,6 +25,9 @@ void add_size(const Options& options, paper::Settings& settings) {
     settings["mm_per_unit"] = number(*options.size.mm_per_unit);
   } else {
     settings["size_mm"] = number(options.size.largest_extent_mm);
+  }
+  if (options.up) {
+    settings["up"] = json_string(mesh::axis_name(*options.up));
   }
   if (options.size.judged_at_mm) {
     settings["judged_at_mm"] = number(*options.size.judged_at_mm);

@@ -18,6 +18,7 @@ export const wishes = [
   {key: "size", group: "size", kind: "length", word: "--size", usual: ""},
   {key: "faces", group: "size", kind: "text", word: "--faces", usual: "auto"},
   {key: "height", group: "size", kind: "length", word: "--height", usual: "", more: true},
+  {key: "up", group: "size", kind: "choice", word: "--up", usual: "", choices: ["", "x", "y", "z"], more: true},
   {key: "scale", group: "size", kind: "text", word: "--scale", usual: "", more: true},
   {key: "unit", group: "size", kind: "choice", word: "--unit", usual: "", choices: ["", "mm", "cm", "m", "in", "ft"], more: true},
   {key: "paper", group: "paper", kind: "choice", word: "--paper", usual: "A4",

@@ -11,6 +11,7 @@
 #include "cli/arguments/option_values.hpp"
 #include "cli/arguments/units.hpp"
 #include "mesh/model/file_format.hpp"
+#include "mesh/model/model.hpp"
 
 namespace ridgecraft::cli {
 
@@ -91,6 +92,10 @@ void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
               "Instead of --size: from the foot of the finished model to its top, as its guide shows it.")
       .option("Size", "--width", width, "LENGTH", "The same from its left to its right.")
       .option("Size", "--depth", depth, "LENGTH", "The same from its back to its front.")
+      .option("Size", "--up", up, "x|y|z",
+              "The axis of the file that points up, where the guide has the model lie (as the file says, or "
+              "else as it "
+              "stands best).")
       .option("Size", "--scale", scale, "FACTOR",
               "Instead of --size: 1:50, 0.5 or 30% of the size that the file's numbers give in --unit.")
       .option(
@@ -122,6 +127,10 @@ void SizeTexts::check_into(job::Options& options, AskedSize& asked) const {
       }
       chosen = &way;
     }
+  }
+  if (!up.empty()) {
+    options.up = choice_or_refuse<mesh::Axis>(
+        "--up", up, {{"x", mesh::Axis::x}, {"y", mesh::Axis::y}, {"z", mesh::Axis::z}});
   }
   if (!unit.empty() && scale.empty()) {
     refuse("--unit tells what the file's numbers mean for --scale; with --size it has no effect");

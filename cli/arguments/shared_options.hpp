@@ -36,7 +36,7 @@ struct CommonTexts {
 
 /// How a model is brought to paper size.
 struct SizeTexts {
-  std::string size, width, depth, height, scale, unit, faces;
+  std::string size, width, depth, height, up, scale, unit, faces;
   bool adapts = false;  ///< without --size and --scale the model decides
 
   void add_to(Verb& verb, const std::string& default_faces);

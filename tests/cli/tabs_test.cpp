@@ -55,7 +55,7 @@ TEST_CASE("a file of tabs is read line by line", "[tabs]") {
   }
 }
 
-TEST_CASE("tabs by choice keep every promise", "[tabs]") {
+TEST_CASE("tabs by choice keep every promise", "[tabs][slow]") {
   const test::TemporaryFolder folder;
   test::write_bytes(folder / "house.obj", test::house);
   const auto run = [&](std::vector<std::string> options) {
@@ -100,9 +100,12 @@ TEST_CASE("a model gets the height, width or depth that is asked for", "[tabs]")
   test::write_bytes(folder / "box.obj",
                     "v 0 0 0\nv 40 0 0\nv 40 32 0\nv 0 32 0\nv 0 0 25\nv 40 0 25\nv 40 32 25\nv 0 32 25\n"
                     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
-  const auto check = [&](const char* option, double x, double y, double z) {
-    const auto outcome =
-        run_program({"box.obj", option, "60mm", "--json", "-o", "x.fold", "--overwrite"}, test::in(folder));
+  const auto check = [&](const char* option, double x, double y, double z, const std::string& up = {}) {
+    std::vector<std::string> words{"box.obj", option, "60mm", "--json", "-o", "x.fold", "--overwrite"};
+    if (!up.empty()) {
+      words.insert(words.end(), {"--up", up});
+    }
+    const auto outcome = run_program(words, test::in(folder));
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
     const auto size = json::parse(outcome.out).at("size_mm").get<std::vector<double>>();
@@ -113,6 +116,13 @@ TEST_CASE("a model gets the height, width or depth that is asked for", "[tabs]")
   check("--width", 60.0, 48.0, 37.5);
   check("--height", 75.0, 60.0, 46.875);
   check("--depth", 96.0, 76.8, 60.0);
+  // What is said to point up counts more.
+  check("--height", 60.0, 48.0, 37.5, "x");
+  check("--height", 75.0, 60.0, 46.875, "y");
+  check("--height", 96.0, 76.8, 60.0, "z");
+  CHECK(run_program({"verify", "x.fold", "--model", "box.obj"}, test::in(folder)).exit_code == 0);
+  CHECK(json::parse(test::read_bytes(folder / "x.fold")).at("ridgecraft:settings").at("up") == "z");
+  test::check_refusal(run_program({"box.obj", "--up", "w", "-o", "y.fold"}, test::in(folder)), 2, "--up");
 }
 
 TEST_CASE("tabs at borders of a model in colours", "[tabs]") {

@@ -27,6 +27,7 @@ enum class Kind {
   skins,
   piece_mode,
   tab_sides,
+  axis,
   page_by,
   words
 };
@@ -43,7 +44,7 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 36> known_settings{{
+constexpr std::array<Known, 37> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"bodies", Kind::bodies, Needed::never},
@@ -62,6 +63,7 @@ constexpr std::array<Known, 36> known_settings{{
     {"size_mm", Kind::number, Needed::never, 1.0, 100'000.0},
     {"judged_at_mm", Kind::number, Needed::never, 1.0, 100'000.0},
     {"mm_per_unit", Kind::number, Needed::never, std::numeric_limits<double>::min(), any},
+    {"up", Kind::axis, Needed::never},
     {"only", Kind::words, Needed::never},
     {"without", Kind::words, Needed::never},
     {"cuts", Kind::hash, Needed::never},
@@ -145,6 +147,8 @@ bool fits(const Setting& value, const Known& known) {
       return word_is_one_of(value, {"few", "parts", "small"});
     case Kind::tab_sides:
       return word_is_one_of(value, {"one-side", "alternate", "both", "slots"});
+    case Kind::axis:
+      return word_is_one_of(value, {"x", "y", "z"});
     case Kind::page_by:
       return word_is_one_of(value, {"material", "object"});
     case Kind::words: {
