@@ -1,39 +1,70 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# tidy.sh CLANG_BUILD GCC_BUILD [COMMIT | all]: clang-tidy, as the files .clang-tidy say, on all code outside tests/, whatever
-# has changed, compiled as in two build folders: the one of the preset clang, which makes a unit of a folder's files (so all
-# of it takes four minutes of a processor), and for the Python module one of the preset test. Each of the tests is a unit,
-# so only those are looked at that differ from COMMIT, by default the one in .ci/tests-tidied, when all of them were clean;
-# where git doesn't have it (a clone may be shallow), that is told. Precompiled headers are left out: so a folder that
-# doesn't name what it uses is found, too.
+# tidy.sh CLANG_BUILD GCC_BUILD [COMMIT | all]: clang-tidy, as the files .clang-tidy say, on all code, compiled as in two
+# build folders: the one of the preset clang, which makes a unit of a folder's files, and for the Python module one of the
+# preset test. Looked at is what reads a file that differs from COMMIT, by default the one in .ci/tidied, when all was
+# clean; where what all depends on has changed, or git doesn't have the commit (a clone may be shallow), all but the tests.
+# Precompiled headers are left out: so a folder that doesn't name what it uses is found, too.
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install-packages.sh tests/clang-packages.txt
 clang=$1
 gcc=$2
-since=${3:-$(cat .ci/tests-tidied)}
+since=${3:-$(cat .ci/tidied)}
 limit_s=600
 
 changed=$(mktemp)
 trap 'rm -f "$changed"' EXIT
 if [ "$since" = all ]; then
-  git ls-files 'tests/*.cpp' 'tests/*.hpp' >"$changed"
+  echo all >"$changed"
 elif git cat-file -e "$since^{commit}" 2>/dev/null; then
-  git diff --name-only --diff-filter=d "$since" -- 'tests/*.cpp' 'tests/*.hpp' >"$changed"
+  git diff --name-only --diff-filter=d "$since" >"$changed"
 else
   echo "tidy: without the tests, as git doesn't have commit $since here" >&2
+  echo all but tests >"$changed"
 fi
 
 python3 - "$clang" "$gcc" "$changed" "$limit_s" <<'END'
 import concurrent.futures, json, os, re, subprocess, sys, tempfile, time
 
 clang, gcc, changed, limit = sys.argv[1:]
-# A changed header of the tests is looked at with the source of its name.
-changed = {re.sub(r"\.hpp$", ".cpp", name) for name in open(changed).read().split()}
-entries = [entry for entry in json.load(open(f"{clang}/compile_commands.json"))
-           if not (test := os.path.relpath(entry["file"])).startswith("tests/") or test in changed]
-entries += [entry for entry in json.load(open(f"{gcc}/compile_commands.json"))
-            if os.path.relpath(entry["file"]).startswith("python/")]
+changed = open(changed).read().splitlines()
+# What all code is looked at by, and compiled with.
+if {".clang-tidy", "cmake/compiler.cmake", "cmake/dependencies.cmake", "tests/clang-packages.txt"} & set(changed):
+    changed = ["all but tests"]
+
+
+def repository_name(path):
+    """A file's name in the repository: public headers are copied into the build folder."""
+    return re.sub(r"^build/[^/]*/include/ridgecraft/", "", os.path.relpath(path))
+
+
+def entries_of(build):
+    """What a build folder compiles: entries of compile_commands.json with the names of all files that each reads."""
+    reads = {}
+    told = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout
+    for paragraph in told.split("\n\n"):
+        lines = paragraph.strip().splitlines()
+        if lines:
+            reads[lines[0].split(":")[0]] = {repository_name(os.path.join(build, line.strip())) for line in lines[1:]}
+    for entry in json.load(open(f"{build}/compile_commands.json")):
+        entry["test"] = os.path.relpath(entry["file"]).startswith("tests/")
+        # Nothing is known of what hasn't been compiled.
+        entry["reads"] = reads.get(re.search(r" -o (\S+)", entry["command"])[1], set(changed))
+        yield entry
+
+
+def to_be_looked_at(entry):
+    if changed == ["all"]:
+        return True
+    if changed == ["all but tests"]:
+        return not entry["test"]
+    return not entry["reads"].isdisjoint(changed)
+
+
+entries = [entry for entry in entries_of(clang) if to_be_looked_at(entry)]
+entries += [entry for entry in entries_of(gcc)
+            if os.path.relpath(entry["file"]).startswith("python/") and to_be_looked_at(entry)]
 for entry in entries:
     entry["command"] = re.sub(r" -Winvalid-pch|( -Xclang)? -include(-pch)? *( -Xclang)? *\S*cmake_pch\S*| -fpch-\S*", "",
                               entry["command"])
@@ -57,7 +88,7 @@ def look(file):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    json.dump(entries, open(f"{folder}/compile_commands.json", "w"))
+    json.dump([{k: v for k, v in entry.items() if k != "reads"} for entry in entries], open(f"{folder}/compile_commands.json", "w"))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         told = dict(zip(files, pool.map(look, files)))
 bad = [said for said in told.values() if said]
@@ -66,5 +97,5 @@ print(*bad, sep="\n", end="", file=sys.stderr)
 print(f"tidy: {len(files) - len(late)} of {len(files)} units looked at, {len(bad)} with something to mend", file=sys.stderr)
 if late:
     print("tidy: no time left for " + " ".join(late), file=sys.stderr)
-sys.exit(1 if bad or late or not files else 0)
+sys.exit(1 if bad or late else 0)
 END

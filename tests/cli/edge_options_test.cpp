@@ -186,7 +186,7 @@ TEST_CASE("points are counted as the format does that a file has, not its name",
   CHECK(nets.size() == 1);
 }
 
-TEST_CASE("nets say what they were made with", "[edge_options]") {
+TEST_CASE("nets say what they were made with", "[edge_options][slow]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   write_bytes(folder / "a.txt", "9 10\n");

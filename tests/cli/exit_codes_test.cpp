@@ -158,7 +158,7 @@ TEST_CASE("exit code 6: verify finds faults", "[exit_codes]") {
   }
 }
 
-TEST_CASE("exit code 7: the result can't be written", "[exit_codes]") {
+TEST_CASE("exit code 7: the result can't be written", "[exit_codes][slow]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   write_bytes(folder / "house.pdf", "somebody's own file");

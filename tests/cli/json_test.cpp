@@ -63,7 +63,7 @@ bool matches(const std::string& pattern, const std::string& key) {
 
 }  // namespace
 
-TEST_CASE("the keys of --json are documented, each of them and no other", "[json]") {
+TEST_CASE("the keys of --json are documented, each of them and no other", "[json][slow]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   write_bytes(folder / "house.seg", "0\n0\n0\n0\n0\n1\n1\n");

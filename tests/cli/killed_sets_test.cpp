@@ -45,7 +45,7 @@ TEST_CASE("a run killed before any step leaves one whole set after the next run"
   CHECK(forward);
 }
 
-TEST_CASE("a run killed while it clears up leaves one whole set all the same", "[killed]") {
+TEST_CASE("a run killed while it clears up leaves one whole set all the same", "[killed][slow]") {
   const BothSets sets = both_sets();
   for (std::size_t renaming = 0; renaming < sets.steps.size(); ++renaming) {
     if (sets.steps[renaming] != "rename") {

@@ -119,7 +119,7 @@ TEST_CASE("segmentation has no half result; the main job says what it did withou
   CHECK(run_program({"verify", "n.fold"}, in(folder)).exit_code == 0);
 }
 
-TEST_CASE("a time limit holds for a model far too large for it", "[limits]") {
+TEST_CASE("a time limit holds for a model far too large for it", "[limits][slow]") {
   const TemporaryFolder folder;
   // 80,000 faces that overlap a million times in the trees of their first nets.
   write_bytes(folder / "sheet.off", wavy_sheet(200));

@@ -103,7 +103,7 @@ class Killings {
 
 }  // namespace
 
-TEST_CASE("the program killed at random moments", "[killed]") {
+TEST_CASE("the program killed at random moments", "[killed][slow]") {
   Killings killings;
   for (int i = 0; i < 8; ++i) {
     killings.kill_one();

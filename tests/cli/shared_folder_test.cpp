@@ -187,7 +187,7 @@ TEST_CASE("a folder that another run removes before there is anything in it is m
   write("mkdir", 2);
 }
 
-TEST_CASE("a file that another run has put there meanwhile isn't replaced unasked", "[shared]") {
+TEST_CASE("a file that another run has put there meanwhile isn't replaced unasked", "[shared][slow]") {
   const TemporaryFolder folder;
   for (const char* name : {"one", "two"}) {
     fs::create_directory(folder / name);

@@ -54,7 +54,7 @@ class Terminal {
 
 }  // namespace
 
-TEST_CASE("exit code 8: all files are there, but the summary didn't get out", "[streams]") {
+TEST_CASE("exit code 8: all files are there, but the summary didn't get out", "[streams][slow]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   const auto check_told = [&](int code, const Outcome& outcome, const std::string& file) {
@@ -107,7 +107,7 @@ TEST_CASE("who closes a pipe has read enough", "[streams]") {
   CHECK(code_in(folder) == 6);
 }
 
-TEST_CASE("a model comes through standard input", "[streams]") {
+TEST_CASE("a model comes through standard input", "[streams][slow]") {
   const TemporaryFolder folder;
   write_bytes(folder / "red.mtl", "newmtl red\nKd 1 0 0\n");
   write_bytes(folder / "house.obj", "mtllib red.mtl\nmtllib missing.mtl\nusemtl red\n" + std::string(house));

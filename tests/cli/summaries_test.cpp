@@ -165,7 +165,7 @@ TEST_CASE("faces too thin for a knife are counted, loose bodies listed", "[summa
   CHECK(text.out.find("bodies      2 that no join connects") != std::string::npos);
 }
 
-TEST_CASE("nothing that stands in a name or a file commands the terminal", "[summaries]") {
+TEST_CASE("nothing that stands in a name or a file commands the terminal", "[summaries][slow]") {
   const TemporaryFolder folder;
   const std::string name =
       "a\x1b[31m\xc2\x9b"
@@ -199,7 +199,7 @@ TEST_CASE("nothing that stands in a name or a file commands the terminal", "[sum
   CHECK(verified.out.find('\x1b') == std::string::npos);
 }
 
-TEST_CASE("what a maker may want to change is said before the work", "[summaries]") {
+TEST_CASE("what a maker may want to change is said before the work", "[summaries][slow]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   const auto told = [&](std::vector<std::string> options) {
@@ -327,7 +327,7 @@ TEST_CASE("pieces that have to fold by themselves are split until they do, and i
   }
 }
 
-TEST_CASE("bodies that became one are told, and kept where that is asked for", "[summaries]") {
+TEST_CASE("bodies that became one are told, and kept where that is asked for", "[summaries][slow]") {
   const TemporaryFolder folder;
   std::string obj;
   for (int body = 0; body < 2; ++body) {

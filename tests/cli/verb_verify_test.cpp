@@ -139,7 +139,8 @@ TEST_CASE("verify refuses what are no pages and no model, in one sentence", "[ve
   check_refusal(house.verify({"--pages"}), 2, "--pages");
 }
 
-TEST_CASE("verify refuses pages of machines and board, and finds it wrong where none show nets", "[verify]") {
+TEST_CASE("verify refuses pages of machines and board, and finds it wrong where none show nets",
+          "[verify][slow]") {
   const House house;
   REQUIRE(house.run({"--preset", "laser", "-o", "laser.svg"}).exit_code == 0);
   REQUIRE(house.run({"--preset", "packaging", "-o", "shop.pdf"}).exit_code == 0);

@@ -94,7 +94,7 @@ TEST_CASE("folds where materials meet become cuts where they are dear", "[job][l
   CHECK(folded_over_borders(text, 10.0) < 0.5 * free);
 }
 
-TEST_CASE("a body of two materials doesn't get the nets of its twin of one", "[job][labels]") {
+TEST_CASE("a body of two materials doesn't get the nets of its twin of one", "[job][labels][slow]") {
   const std::string text = vase(0, false) + vase(1, true);
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const double free = folded_over_borders(text, 0.0, seed);

@@ -198,7 +198,7 @@ TEST_CASE("3MF: archives that are damaged, packed strangely, or no models") {
         "3 model.3mf can't be unpacked: its part \"3D/3dmodel.model\" is encrypted");
 }
 
-TEST_CASE("3MF: a few bytes can't ask for much") {
+TEST_CASE("3MF: a few bytes can't ask for much", "[slow]") {
   // Objects that hold the one before twice.
   std::string doubling = object(1, points + triangle);
   for (int i = 2; i < 60; ++i) {

@@ -92,7 +92,7 @@ mesh::Model model_of(const mesh::Surface& surface) {
 
 }  // namespace
 
-TEST_CASE("a fine symmetric body is simplified symmetrically", "[simplify][symmetry]") {
+TEST_CASE("a fine symmetric body is simplified symmetrically", "[simplify][symmetry][slow]") {
   const mesh::Surface fine = test::one_plane(120);
   const auto turned = [](Vec3 p) {
     return Vec3{0.6 * p.x - 0.8 * p.y + 3.0, 0.8 * p.x + 0.6 * p.y - 1.0, p.z};
@@ -192,7 +192,7 @@ TEST_CASE("what is symmetric by hand becomes exactly symmetric, what is lopsided
   CHECK(share_with_image(rough, 0.01) < 0.5);
 }
 
-TEST_CASE("twins stay twins, and their copies count", "[simplify][symmetry]") {
+TEST_CASE("twins stay twins, and their copies count", "[simplify][symmetry][slow]") {
   const mesh::Surface wheel = test::revolve({{0, 0}, {0.8, 0}, {1, 0.1}, {1, 0.3}, {0.8, 0.4}, {0, 0.4}}, 60);
   const auto at = [&](double angle, Vec3 shift) {
     return test::mapped(wheel, [&](Vec3 p) {

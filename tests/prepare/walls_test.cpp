@@ -195,7 +195,7 @@ TEST_CASE("a component that can be folded isn't touched by what others need", "[
   CHECK(of_box == 44);
 }
 
-TEST_CASE("a smooth model gets few faces, and the deviation told is true", "[walls]") {
+TEST_CASE("a smooth model gets few faces, and the deviation told is true", "[walls][slow]") {
   const Prepared p = prepared(test::soup_of(test::scaled(test::sphere(200, 100), 75.0)));
   CHECK(p.simplified.faces_before > 30000);
   CHECK(p.simplified.faces_after <= 1000);

@@ -2,6 +2,7 @@
 """The wheel holds all that it needs."""
 
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -12,15 +13,23 @@ import ridgecraft
 ROOT = Path(os.environ["RIDGECRAFT_SOURCE_DIR"])
 
 
+# What the options of a wheel's build would change in a build folder that has the tests, too.
+KEPT = ("CMAKE_BUILD_TYPE", "RIDGECRAFT_PROGRAM", "RIDGECRAFT_PYTHON", "RIDGECRAFT_UNITY")
+
+
+def settings_of(build):
+    lines = (build / "CMakeCache.txt").read_text().splitlines()
+    told = dict(re.match(r"(\w+):\w+=(.*)", line).groups() for line in lines if re.match(r"\w+:\w+=", line))
+    return " ".join(f"-D{name}={told[name]}" for name in KEPT)
+
+
 def test_a_wheel_is_built_and_works(tmp_path):
-    # Its own build folder is kept beside this one's, so that the next run has little to do.
-    build = Path(ridgecraft.__file__).resolve().parent.parent / "wheel"
+    # In the folder that has all of it compiled: another would take minutes, for the same.
+    build = Path(os.environ["RIDGECRAFT_BINARY_DIR"])
     subprocess.run(
         ["sh", ROOT / "python" / "build_wheel.sh", tmp_path],
         check=True,
-        env={**os.environ, "RIDGECRAFT_BUILD": str(build), "PYTHON": sys.executable,
-             # Half of the time goes into optimising, which other tests are for.
-             "CMAKE_ARGS": "-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0"},
+        env={**os.environ, "RIDGECRAFT_BUILD": str(build), "PYTHON": sys.executable, "CMAKE_ARGS": settings_of(build)},
     )
     (wheel,) = tmp_path.glob(f"ridgecraft-{ridgecraft.__version__}-*.whl")
     with zipfile.ZipFile(wheel) as archive:

@@ -84,7 +84,7 @@ mesh::Surface read_off(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("The seed decides about the trials of more effort, and about nothing else") {
+TEST_CASE("The seed decides about the trials of more effort, and about nothing else", "[slow]") {
   bool one_differs = false;
   for (const mesh::Surface& shape : shapes()) {
     const auto plain = labels_of(segmented(shape));
@@ -106,7 +106,7 @@ TEST_CASE("The same run twice gives the same parts") {
   }
 }
 
-TEST_CASE("The number of threads changes nothing", "[threads]") {
+TEST_CASE("The number of threads changes nothing", "[threads][slow]") {
   std::vector<mesh::Surface> all = shapes();
   all.push_back(test::together(all));
   for (const mesh::Surface& s : all) {

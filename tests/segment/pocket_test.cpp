@@ -173,7 +173,7 @@ double ratio(const mesh::Surface& surface, const segment::Segmentation& s) {
 
 }  // namespace
 
-TEST_CASE("Cups, bowls and boxes become sectors without pockets") {
+TEST_CASE("Cups, bowls and boxes become sectors without pockets", "[slow]") {
   struct Shape {
     const char* name;
     mesh::Surface surface;

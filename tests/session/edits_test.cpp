@@ -236,7 +236,7 @@ TEST_CASE("a new edit forgets what had been undone", "[session]") {
   CHECK(bytes_of(other.now) == bytes_of(done(start, {Cut{folds[1]}}).now));
 }
 
-TEST_CASE("a join that would overlap names the faces", "[session]") {
+TEST_CASE("a join that would overlap names the faces", "[session][slow]") {
   Project project = session::open(sample("mug.obj"));
   std::size_t overlaps = 0;
   for (const Edge& cut : edges_used(project, unfold::EdgeUse::cut)) {

@@ -242,7 +242,7 @@ TEST_CASE("a piece gets another net, and the others stay", "[session][slow]") {
   CHECK(found > 0);
 }
 
-TEST_CASE("all pieces are placed anew as a job places them", "[session]") {
+TEST_CASE("all pieces are placed anew as a job places them", "[session][slow]") {
   const Project start = session::open(sample("mug.obj"));
   Place away = moved(start, PieceId(0), {});
   away.page = static_cast<std::uint32_t>(start.now.pages.count);
@@ -251,7 +251,7 @@ TEST_CASE("all pieces are placed anew as a job places them", "[session]") {
   CHECK(faces_elsewhere(start, packed) == 0);
 }
 
-TEST_CASE("edits don't heed a deadline", "[session]") {
+TEST_CASE("edits don't heed a deadline", "[session][slow]") {
   const Project start = session::open(sample("mug.obj"));
   const auto folds = edges_used(start, unfold::EdgeUse::fold);
   const auto fold = std::find_if(folds.begin(), folds.end(), [&](const Edge& edge) {
@@ -288,7 +288,7 @@ TEST_CASE("edges that were to be kept are counted after each edit", "[session]")
   CHECK(cut.now.nets.notes == made.early_notes);
 }
 
-TEST_CASE("edges that were to be cut stay so when a join lays them on each other", "[session]") {
+TEST_CASE("edges that were to be cut stay so when a join lays them on each other", "[session][slow]") {
   const Project start = session::open(sample("mug.obj"));
   const mesh::Surface& surface = surface_of(start);
   job::Paper made = *start.start;

@@ -164,7 +164,7 @@ TEST_CASE("turning, scaling, renumbering and mirroring keep success, lengths and
 }
 
 TEST_CASE("on paper a model put otherwise becomes nearly as many pieces, with nearly as many tabs",
-          "[invariance]") {
+          "[invariance][slow]") {
   // The search draws other random numbers for other faces, so pieces may differ by one in five or one, and
   // seam without a tab by a tenth of all seam.
   for (const std::string file : {"whale.obj"}) {

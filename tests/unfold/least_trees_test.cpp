@@ -70,7 +70,7 @@ mesh::Surface columns(int cells, const std::vector<std::array<int, 2>>& places, 
 
 }  // namespace
 
-TEST_CASE("columns on a plate are nets of their own, each", "[proof]") {
+TEST_CASE("columns on a plate are nets of their own, each", "[proof][slow]") {
   // The plate's top has a hole under each, and no wall that is higher than the hole is wide fits into it.
   for (const int height : {1, 3}) {
     for (const std::size_t count : {1U, 2U, 3U}) {

@@ -251,7 +251,7 @@ TEST_CASE("no fewer pieces would do for small surfaces", "[tabs]") {
   CHECK(split >= 3);
 }
 
-TEST_CASE("splitting for tabs keeps to the sheet, and threads change nothing", "[threads][tabs]") {
+TEST_CASE("splitting for tabs keeps to the sheet, and threads change nothing", "[threads][tabs][slow]") {
   const Surface s = dented(test::scaled(test::sphere(12, 6), 20.0), 0.1, 5);
   const Options options = test::on_sheet(70.0, 90.0);
   const Nets nets = unfolded(s, options, true);

@@ -229,7 +229,7 @@ TEST_CASE("shapes of many kinds unfold cleanly, whole and on a sheet", "[unfold]
   }
 }
 
-TEST_CASE("threads change nothing", "[threads][unfold]") {
+TEST_CASE("threads change nothing", "[threads][unfold][slow]") {
   const mesh::Surface s = scaled(test::sphere(24, 16), 75.0);
   IdVector<FaceId, PartId> part(s.face_count());
   for (const FaceId f : ids<FaceId>(s.face_count())) {
