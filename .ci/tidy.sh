@@ -88,7 +88,7 @@ def look(file):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    json.dump([{k: v for k, v in entry.items() if k != "reads"} for entry in entries], open(f"{folder}/compile_commands.json", "w"))
+    json.dump([{k: v for k, v in entry.items() if k not in ("reads", "test")} for entry in entries], open(f"{folder}/compile_commands.json", "w"))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         told = dict(zip(files, pool.map(look, files)))
 bad = [said for said in told.values() if said]
