@@ -24,7 +24,11 @@ struct Loop {
   std::uint32_t wall = 0;
   std::vector<CornerId> sides;
   Box3 box;
+  bool wide = false;  ///< larger than a fold is long: only what is shallow goes
 };
+
+/// What is shallow may be as large as this share of its wall: more would be all that there is to see of it.
+constexpr double wide_share = 0.5;
 
 class FeatureRemover {
  public:
@@ -33,6 +37,7 @@ class FeatureRemover {
         all_(mesh::take_apart(model)),
         walls_(find_walls(surface_, find_panels(surface_), options.short_edge_mm)),
         largest_loop_(options.short_edge_mm),
+        shallow_(std::min(largest_mm, options.tiny_edge_mm)),
         largest_mm_(largest_mm),
         loop_at_(surface_.corner_count(), none),
         gone_(surface_.face_count(), false) {}
@@ -90,7 +95,9 @@ class FeatureRemover {
         return a.box.diagonal() < b.box.diagonal();
       });
       for (Loop& loop : loops) {
-        if (&loop != &*outline && loop.box.largest_extent() <= largest_loop_) {
+        loop.wide = loop.box.largest_extent() > largest_loop_;
+        if (&loop != &*outline &&
+            (!loop.wide || loop.box.largest_extent() <= wide_share * outline->box.largest_extent())) {
           for (const CornerId c : loop.sides) {
             loop_at_[c.value()] = static_cast<std::uint32_t>(loops_.size());
           }
@@ -128,8 +135,9 @@ class FeatureRemover {
     std::vector<FaceId> inside{start};
     std::vector<std::uint32_t> ends;
     std::map<std::uint32_t, bool> is_inside{{start.value(), true}};
+    const bool wide = loops_[first].wide;
     for (std::size_t i = 0; i < inside.size(); ++i) {
-      if (!is_near(inside[i], loops_[first])) {
+      if (!(wide ? is_shallow(inside[i], loops_[first]) : is_near(inside[i], loops_[first]))) {
         return false;
       }
       for (unsigned k = 0; k < 3; ++k) {
@@ -147,13 +155,16 @@ class FeatureRemover {
     }
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    if (wide && ends.size() > 1) {
+      return false;
+    }
     std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>> caps;
     for (const std::uint32_t l : ends) {
       if (!cap(loops_[l], caps)) {
         return false;
       }
     }
-    if (!stays_near(inside, ends)) {
+    if (!wide && !stays_near(inside, ends)) {
       return false;
     }
     for (const FaceId f : inside) {
@@ -170,6 +181,16 @@ class FeatureRemover {
     const auto corners = surface_.vertices(f);
     return std::all_of(corners.begin(), corners.end(),
                        [&](VertexId v) { return length(surface_.point(v) - middle) <= reach; });
+  }
+
+  /// What closes a loop and is nowhere farther from its wall than this covers the wall there, so neither is
+  /// the wall farther from it.
+  [[nodiscard]] bool is_shallow(FaceId f, const Loop& loop) const {
+    const auto corners = surface_.vertices(f);
+    return std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
+      const Vec3 p = surface_.point(v);
+      return std::abs(walls_.walls[loop.wall].height(p)) <= shallow_ && distance(loop.box, p) <= shallow_;
+    });
   }
 
   /// Whether nothing is farther from the walls that close it than the surface may move, nor these from it.
@@ -231,6 +252,7 @@ class FeatureRemover {
   mesh::LooseFaces all_;
   Walls walls_;
   double largest_loop_;
+  double shallow_;
   double largest_mm_;
   std::vector<Loop> loops_;
   std::vector<std::uint32_t> loop_at_;  ///< of each side of a wall: the small loop that it is part of
