@@ -84,18 +84,26 @@ endfunction()
 
 # Most of the compiler's time goes into the same few templates, again for every file. Files of one folder that are
 # compiled as one unit share that work: good for a build from nothing, bad for one after a change. And it hides
-# includes that are missing, so the builds for tests go without.
+# includes that are missing, so builds for daily work go without.
 option(RIDGECRAFT_UNITY "Compile the files of a folder as one unit" OFF)
 
-# ridgecraft_unity(TARGET SOURCES...)
+# ridgecraft_unity(TARGET SOURCES... [UNITS number]): UNITS divides a folder of very many files into so many units of
+# like size, for the compiler's memory and so that several processes share the work.
 function(ridgecraft_unity target)
   if(NOT RIDGECRAFT_UNITY)
     return()
   endif()
+  cmake_parse_arguments(arg "" "UNITS" "" ${ARGN})
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  foreach(source IN LISTS ARGN)
+  set(index 0)
+  foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     get_filename_component(folder ${source} DIRECTORY)
     string(MAKE_C_IDENTIFIER "folder_${folder}" group)
+    if(arg_UNITS)
+      math(EXPR unit "${index} % ${arg_UNITS} + 1")
+      math(EXPR index "${index} + 1")
+      string(APPEND group "_${unit}")
+    endif()
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   endforeach()
 endfunction()

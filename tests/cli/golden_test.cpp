@@ -21,7 +21,7 @@
 
 using namespace ridgecraft::test;
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
@@ -122,7 +122,7 @@ std::vector<std::string> all_verbs(const TemporaryFolder& folder) {
 std::string json_text(const Words& words, const TemporaryFolder& folder) {
   Words with_json = words;
   with_json.emplace_back("--json");
-  Json json = Json::parse(run_well(with_json, folder).out);
+  OrderedJson json = OrderedJson::parse(run_well(with_json, folder).out);
   json.erase("seconds");
   return json.dump(2) + "\n";
 }
@@ -212,8 +212,8 @@ TEST_CASE("each format that is written has a golden file, and what each verb pri
     const fs::path name = entry.path().filename();
     suffixes.insert((name.extension() == ".txt" ? name.stem() : name).extension().string());
   }
-  const Json formats = Json::parse(run_well({"formats", "--json"}, folder).out);
-  for (const Json& format : formats.at("written")) {
+  const OrderedJson formats = OrderedJson::parse(run_well({"formats", "--json"}, folder).out);
+  for (const OrderedJson& format : formats.at("written")) {
     CAPTURE(format);
     CHECK(suffixes.contains(format.at("suffix").get<std::string>()));
   }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "program_checks.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -19,7 +20,7 @@ using Json = nlohmann::json;
 namespace {
 
 /// A cube of unit edges.
-constexpr const char* cube = R"(OFF
+constexpr const char* cube_off = R"(OFF
 8 6 0
 0 0 0
 1 0 0
@@ -55,12 +56,6 @@ std::string wavy_sheet(int n) {
     }
   }
   return off;
-}
-
-RunOptions in(const TemporaryFolder& folder) {
-  RunOptions options;
-  options.folder = folder.path();
-  return options;
 }
 
 /// Programs started meanwhile don't look for leaks. Nothing changes in builds without sanitizers.
@@ -150,7 +145,7 @@ TEST_CASE("a time limit holds for a model far too large for it", "[limits][slow]
 
 TEST_CASE("a time limit that isn't reached changes nothing", "[limits]") {
   const TemporaryFolder folder;
-  write_bytes(folder / "cube.off", cube);
+  write_bytes(folder / "cube.off", cube_off);
   REQUIRE(run_program({"cube.off", "-o", "a"}, in(folder)).exit_code == 0);
   REQUIRE(run_program({"cube.off", "-o", "b", "--time-limit", "1000"}, in(folder)).exit_code == 0);
   CHECK(read_bytes(folder / "a/cube.fold") == read_bytes(folder / "b/cube.fold"));
@@ -187,7 +182,7 @@ TEST_CASE("with --json a failure is one object, and a sentence beside it", "[lim
   const TemporaryFolder folder;
   write_bytes(folder / "needle.obj",
               "v 0 0 0\nv 1 0 0\nv 0.5 1e-7 0\nv 0.5 0 1e-7\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-  write_bytes(folder / "cube.off", cube);
+  write_bytes(folder / "cube.off", cube_off);
   const auto check = [&](const std::vector<std::string>& arguments, int code) {
     const Outcome outcome = run_program(arguments, in(folder));
     CAPTURE(outcome.out, outcome.err);
@@ -210,7 +205,7 @@ TEST_CASE("with --json a failure is one object, and a sentence beside it", "[lim
 
 TEST_CASE("refusals of all verbs name the file", "[limits]") {
   const TemporaryFolder folder;
-  write_bytes(folder / "cube.off", cube);
+  write_bytes(folder / "cube.off", cube_off);
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"cube.off", "--scale", "1000000", "--unit", "mm"},
         {"unfold", "cube.off", "--scale", "1e9", "--unit", "mm"}}) {
@@ -222,7 +217,7 @@ TEST_CASE("refusals of all verbs name the file", "[limits]") {
 
 TEST_CASE("sheets larger than a format can hold", "[limits]") {
   const TemporaryFolder folder;
-  write_bytes(folder / "cube.off", cube);
+  write_bytes(folder / "cube.off", cube_off);
   const Outcome pdf = run_program({"cube.off", "--paper", "6mx200mm"}, in(folder));
   CHECK(pdf.exit_code == 2);
   CHECK(pdf.err.find("PDF") != std::string::npos);
@@ -246,7 +241,7 @@ TEST_CASE("sheets larger than a format can hold", "[limits]") {
 TEST_CASE("info tells the repairs that the main job makes", "[limits]") {
   const TemporaryFolder folder;
   // A needle without area along one edge of the cube's first face.
-  std::string bytes = cube;
+  std::string bytes = cube_off;
   bytes.replace(bytes.find("8 6 0"), 5, "9 7 0");
   bytes.replace(bytes.find("4 3 2 1 0"), 0, "0.5 0 0\n");
   write_bytes(folder / "cube.off", bytes + "3 0 8 1\n");

@@ -34,7 +34,7 @@ nlohmann::json start_in(const std::string& page) {
   return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
 }
 
-std::string refusal(const std::vector<std::string>& words) {
+std::string studio_refusal(const std::vector<std::string>& words) {
   try {
     static_cast<void>(parse_arguments(words));
   } catch (const Error& error) {
@@ -55,11 +55,11 @@ TEST_CASE("the studio's words are a model and options of the main job", "[studio
 }
 
 TEST_CASE("the studio refuses what it does itself, and what the main job refuses", "[studio]") {
-  CHECK(refusal({"studio", "whale.obj", "-o", "x.pdf"}).find("leave out -o") != std::string::npos);
-  CHECK(refusal({"studio", "whale.obj", "--cuts", "x.txt"}).find("leave out -o") != std::string::npos);
-  CHECK(refusal({"studio", "-"}).find("standard input") != std::string::npos);
-  CHECK(refusal({"studio", "whale.obj", "--size", "big"}).find("--size") != std::string::npos);
-  CHECK_FALSE(refusal({"studio", "whale.obj", "shark.obj"}).empty());
+  CHECK(studio_refusal({"studio", "whale.obj", "-o", "x.pdf"}).find("leave out -o") != std::string::npos);
+  CHECK(studio_refusal({"studio", "whale.obj", "--cuts", "x.txt"}).find("leave out -o") != std::string::npos);
+  CHECK(studio_refusal({"studio", "-"}).find("standard input") != std::string::npos);
+  CHECK(studio_refusal({"studio", "whale.obj", "--size", "big"}).find("--size") != std::string::npos);
+  CHECK_FALSE(studio_refusal({"studio", "whale.obj", "shark.obj"}).empty());
 }
 
 TEST_CASE("the studio's page has the model, what its materials name, and the words", "[studio]") {

@@ -256,7 +256,7 @@ TEST_CASE("an angle of 0 hides exactly flat folds only, a large one hides all") 
   CHECK(count(cube, 2.0) == 0);
 }
 
-double drawn(const std::vector<paper::Drawing>& pages, std::initializer_list<Layer> layers) {
+double drawn_length(const std::vector<paper::Drawing>& pages, std::initializer_list<Layer> layers) {
   double sum = 0.0;
   for (const auto& page : pages) {
     for (const auto& group : page.groups) {
@@ -293,13 +293,13 @@ TEST_CASE("drawn lengths are those of the nets") {
     }
     // The corner's faces lie on each other (nothing searched for a net without overlap), and so do some of
     // its lines.
-    CHECK(drawn(pages, {Layer::mountain, Layer::valley}) <= folds + 1e-6);
+    CHECK(drawn_length(pages, {Layer::mountain, Layer::valley}) <= folds + 1e-6);
     if (sample.model.model.name != "Corner") {
-      CHECK(drawn(pages, {Layer::mountain, Layer::valley}) == Approx(folds).epsilon(1e-6));
+      CHECK(drawn_length(pages, {Layer::mountain, Layer::valley}) == Approx(folds).epsilon(1e-6));
     }
     // Slits are drawn once; these nets have none but where squares of one side were cut apart.
-    CHECK(drawn(pages, {Layer::cut}) <= cuts + 1e-6);
-    CHECK(drawn(pages, {Layer::cut}) > 0.8 * cuts);
+    CHECK(drawn_length(pages, {Layer::cut}) <= cuts + 1e-6);
+    CHECK(drawn_length(pages, {Layer::cut}) > 0.8 * cuts);
   }
 }
 

@@ -20,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-const paper::Mark mark{"ridgecraft 0.1.0", "model", "00c0ffee00c0ffee", {{"seed", "1"}}};
+const paper::Mark model_mark{"ridgecraft 0.1.0", "model", "00c0ffee00c0ffee", {{"seed", "1"}}};
 
 prepare::Prepared prepared(const Surface& surface, double scale = 1.0, Vec3 shift = {}) {
   std::vector<Vec3> points;
@@ -72,7 +72,7 @@ Surface torus(int around, int along) {
   return test::revolve(profile, around);
 }
 
-std::vector<EdgeId> all_edges(const Surface& surface) {
+std::vector<EdgeId> each_edge(const Surface& surface) {
   std::vector<EdgeId> edges;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     edges.push_back(e);
@@ -113,7 +113,7 @@ void check_contract(const std::string& name, const std::string& fold) {
 std::string write(const prepare::Prepared& model, const unfold::Nets& nets,
                   const paper::Pages* pages = nullptr) {
   return paper::write_fold(model, one_part(model.model.surface), nets,
-                           paper::assembly_order(model.model.surface, nets), pages, mark);
+                           paper::assembly_order(model.model.surface, nets), pages, model_mark);
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ TEST_CASE("simple shapes keep the contract, with pages and without", "[fold]") {
 
 TEST_CASE("many pieces: every face of a torus its own, and a sphere in slices", "[fold]") {
   const prepare::Prepared ring = prepared(torus(9, 6), 10.0);
-  const unfold::Nets nets = test::simple_nets(ring.model.surface, all_edges(ring.model.surface));
+  const unfold::Nets nets = test::simple_nets(ring.model.surface, each_edge(ring.model.surface));
   CHECK(nets.pieces.size() == 108);
   check_contract("torus", write(ring, nets));
   const paper::Pages pages = one_piece_a_page(nets);
@@ -171,12 +171,12 @@ TEST_CASE("the keys of the contract, their classes and lengths", "[fold]") {
   const paper::Pages pages = one_piece_a_page(nets);
   const json file = json::parse(write(model, nets, &pages));
   CHECK(file["file_spec"] == 1.2);
-  CHECK(file["file_creator"] == mark.producer);
+  CHECK(file["file_creator"] == model_mark.producer);
   CHECK(file["file_title"] == "model");
   CHECK(file["file_classes"] == json{"multiModel"});
   CHECK(file["frame_classes"] == json{"creasePattern"});
   CHECK(file["frame_unit"] == "mm");
-  CHECK(file["ridgecraft:model_digest"] == mark.digest);
+  CHECK(file["ridgecraft:model_digest"] == model_mark.digest);
   CHECK(file["ridgecraft:settings"] == json{{"seed", 1}});
   CHECK(file["faces_vertices"].size() == 12);
   // 12 faces in a tree with 11 folds.
@@ -195,7 +195,7 @@ TEST_CASE("the keys of the contract, their classes and lengths", "[fold]") {
   CHECK(file["ridgecraft:pages"][0]["margins"] == json{10.0, 10.0, 10.0, 10.0});
   CHECK(file["ridgecraft:pieces"][0]["part"] == 0);
   CHECK(file["file_frames"][0]["ridgecraft:faces_part"].size() == 12);
-  CHECK(paper::read_mark_digest(write(model, nets)) == mark.digest);
+  CHECK(paper::read_mark_digest(write(model, nets)) == model_mark.digest);
 }
 
 TEST_CASE("folds below 1e-4 degrees are flat, with angle 0", "[fold]") {
@@ -286,7 +286,7 @@ TEST_CASE("several parts: pieces name theirs, faces theirs", "[fold]") {
     part[f] = PartId(std::abs(surface.normal(f).z) > 0.5 ? 3 : 1);
   }
   const unfold::Nets whole = test::simple_nets(surface, {}, part);
-  const std::string fold = paper::write_fold(model, part, whole, {}, nullptr, mark);
+  const std::string fold = paper::write_fold(model, part, whole, {}, nullptr, model_mark);
   check_contract("piece of two parts", fold);
   const json file = json::parse(fold);
   CHECK(file["ridgecraft:pieces"][0]["part"].is_null());
@@ -307,7 +307,7 @@ TEST_CASE("titles of any bytes make valid JSON", "[fold]") {
     CHECK_NOTHROW(json::parse(json_string(bytes)));
   }
   const prepare::Prepared model = prepared(test::tetrahedron(), 40.0);
-  paper::Mark odd = mark;
+  paper::Mark odd = model_mark;
   odd.title = "a\xFF\"b\\";
   const std::string fold = paper::write_fold(model, one_part(model.model.surface),
                                              test::simple_nets(model.model.surface), {}, nullptr, odd);

@@ -15,9 +15,9 @@
 namespace ridgecraft {
 namespace {
 
+using test::drawings;
+using test::mark;
 using Json = nlohmann::json;
-
-const paper::Mark mark{"ridgecraft test", "Cube", "0123456789abcdef"};
 
 std::size_t count(std::string_view text, std::string_view what) {
   std::size_t found = 0;
@@ -38,10 +38,6 @@ std::string document(const std::string& html, const std::string& id) {
 
 test::SamplePages cube_pages() {
   return test::sample_pages(test::cube(), 40.0, 5.0, {}, "Cube", {}, 0.3);
-}
-
-std::vector<paper::Drawing> drawings(const test::SamplePages& sample) {
-  return paper::draw(sample.model, sample.nets, sample.pages, {});
 }
 
 }  // namespace

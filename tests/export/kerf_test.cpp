@@ -16,6 +16,7 @@
 #include "base/random.hpp"
 #include "export/machine/kerf_test.hpp"
 #include "export/machine/operations.hpp"
+#include "loops_area.hpp"
 #include "machine_pages.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
@@ -23,15 +24,8 @@
 namespace ridgecraft {
 namespace {
 
+using test::loops_area;
 using Loops = std::vector<std::vector<Vec2>>;
-
-double area(const Loops& loops) {
-  double sum = 0.0;
-  for (const auto& loop : loops) {
-    sum += 0.5 * doubled_area(loop);
-  }
-  return sum;
-}
 
 double perimeter(const Loops& loops) {
   double sum = 0.0;
@@ -180,9 +174,9 @@ TEST_CASE("stars of all kinds are cut out whole") {
     const paper::CutPaths cut = paper::with_kerf(star, kerf);
     CHECK(farthest(star, cut) < 0.5 * kerf + 0.05 + 1e-6);
     check_outside(star, cut, kerf);
-    CHECK(area(cut.loops) > area(star));
+    CHECK(loops_area(cut.loops) > loops_area(star));
     // Each corner adds a mitre of no more than 4 half kerfs squared, gaps add what they hold.
-    CHECK(area(cut.loops) < area(star) + 0.5 * kerf * perimeter(star) + count * kerf * kerf);
+    CHECK(loops_area(cut.loops) < loops_area(star) + 0.5 * kerf * perimeter(star) + count * kerf * kerf);
   }
 }
 
@@ -213,7 +207,7 @@ TEST_CASE("with a kerf folds stay, outlines grow, and every cut of a page is mad
     }
     // Points within 0.05 mm of each other are one in machine files, before and after.
     CHECK(farthest(loops, all) < 0.1 + 0.05 + 0.06);
-    CHECK(area(all.loops) > area(loops));
+    CHECK(loops_area(all.loops) > loops_area(loops));
   }
 }
 

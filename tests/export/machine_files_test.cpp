@@ -22,6 +22,7 @@
 #include "export/machine/hatching.hpp"
 #include "export/machine/registration.hpp"
 #include "machine_pages.hpp"
+#include "sample_pages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace ridgecraft {
@@ -30,8 +31,7 @@ namespace {
 using paper::Operation;
 using paper::Path;
 using paper::Scores;
-
-const paper::Mark mark{"ridgecraft test", "Cube", "0123456789abcdef"};
+using test::mark;
 
 double length_of(const Path& path) {
   return ridgecraft::length_of(path.points) +

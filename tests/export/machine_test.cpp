@@ -31,8 +31,7 @@ namespace {
 using paper::DxfKind;
 using paper::Operation;
 using paper::Path;
-
-const paper::Mark mark{"ridgecraft test", "Cube", "0123456789abcdef"};
+using test::mark;
 
 std::vector<paper::Drawing> pages() {
   return test::pages_for_machines();

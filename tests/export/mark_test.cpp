@@ -15,7 +15,7 @@ using namespace std::string_literals;
 namespace {
 
 const std::string digest = "0123456789abcdef";
-const std::string word = paper::mark_word({"ridgecraft 1", "a whale", digest});
+const std::string told_mark = paper::mark_word({"ridgecraft 1", "a whale", digest});
 
 std::string chunk(const std::string& type, const std::string& data) {
   std::string bytes;
@@ -26,15 +26,16 @@ std::string chunk(const std::string& type, const std::string& data) {
 }
 
 const std::string png = "\x89PNG\r\n\x1a\n" + chunk("IHDR", std::string(13, '\0')) +
-                        chunk("tEXt", "Comment\0"s + word) + chunk("IDAT", "pixels") + chunk("IEND", "");
-const std::string svg = "<?xml version='1.0'?>\n<svg><metadata>\n" + word + "</metadata><path/></svg>";
-const std::string pdf = "%PDF-1.5\n1 0 obj\n<< /Keywords (" + word + ") >>\nendobj\n";
+                        chunk("tEXt", "Comment\0"s + told_mark) + chunk("IDAT", "pixels") + chunk("IEND", "");
+const std::string svg = "<?xml version='1.0'?>\n<svg><metadata>\n" + told_mark + "</metadata><path/></svg>";
+const std::string pdf = "%PDF-1.5\n1 0 obj\n<< /Keywords (" + told_mark + ") >>\nendobj\n";
 const std::string fold = "{\n\"file_spec\": 1.2, \"ridgecraft:model_digest\" : \"" + digest + "\"}";
-const std::string obj = "# " + word + "\nv 0 0 0\n";
-const std::string dxf = "999\nridgecraft 1 " + word + "\n  0\nSECTION\n";
+const std::string obj = "# " + told_mark + "\nv 0 0 0\n";
+const std::string dxf = "999\nridgecraft 1 " + told_mark + "\n  0\nSECTION\n";
 const std::string html =
-    "<!doctype html>\n<head>\n<meta name=\"ridgecraft-model\" content=\"" + word + "\">\n";
-const std::string urdf = "<?xml version=\"1.0\"?>\n<!-- " + word + " -->\n<robot name=\"x\">\n</robot>\n";
+    "<!doctype html>\n<head>\n<meta name=\"ridgecraft-model\" content=\"" + told_mark + "\">\n";
+const std::string urdf =
+    "<?xml version=\"1.0\"?>\n<!-- " + told_mark + " -->\n<robot name=\"x\">\n</robot>\n";
 
 }  // namespace
 
@@ -52,21 +53,21 @@ TEST_CASE("the mark is found in every format", "[mark]") {
 TEST_CASE("a file of another program has no mark", "[mark]") {
   CHECK(read_mark_digest("").empty());
   CHECK(read_mark_digest(" \n").empty());
-  CHECK(read_mark_digest(word).empty());
-  CHECK(read_mark_digest("my notes: " + word).empty());
-  CHECK(read_mark_digest("# my notes: " + word).empty());
-  CHECK(read_mark_digest("<!-- " + word + " --><html/>").empty());
-  CHECK(read_mark_digest("<robot><!-- " + word + " --></robot>").empty());
-  CHECK(read_mark_digest("<svg><text>" + word + "</text></svg>").empty());
-  CHECK(read_mark_digest("<svg><metadata>" + word).empty());
-  CHECK(read_mark_digest("<!doctype html><title>" + word + "</title>").empty());
-  CHECK(read_mark_digest("{\"file_creator\": \"" + word + "\"}").empty());
+  CHECK(read_mark_digest(told_mark).empty());
+  CHECK(read_mark_digest("my notes: " + told_mark).empty());
+  CHECK(read_mark_digest("# my notes: " + told_mark).empty());
+  CHECK(read_mark_digest("<!-- " + told_mark + " --><html/>").empty());
+  CHECK(read_mark_digest("<robot><!-- " + told_mark + " --></robot>").empty());
+  CHECK(read_mark_digest("<svg><text>" + told_mark + "</text></svg>").empty());
+  CHECK(read_mark_digest("<svg><metadata>" + told_mark).empty());
+  CHECK(read_mark_digest("<!doctype html><title>" + told_mark + "</title>").empty());
+  CHECK(read_mark_digest("{\"file_creator\": \"" + told_mark + "\"}").empty());
   CHECK(read_mark_digest("{\"ridgecraft:model_digest\": 12}").empty());
   CHECK(read_mark_digest("{\"ridgecraft:model_digest\": \"12\\n\"}").empty());
   CHECK(read_mark_digest("%PDF-1.4 nothing").empty());
   // A tEXt chunk behind the pixels, or one that claims to be longer than the file, isn't ours.
-  CHECK(read_mark_digest("\x89PNG\r\n\x1a\n" + chunk("IDAT", "x") + chunk("tEXt", word)).empty());
-  CHECK(read_mark_digest("\x89PNG\r\n\x1a\n\xff\xff\xff\xfftEXt" + word).empty());
+  CHECK(read_mark_digest("\x89PNG\r\n\x1a\n" + chunk("IDAT", "x") + chunk("tEXt", told_mark)).empty());
+  CHECK(read_mark_digest("\x89PNG\r\n\x1a\n\xff\xff\xff\xfftEXt" + told_mark).empty());
 }
 
 TEST_CASE("the mark survives no byte that is cut off, and any bytes are read", "[mark]") {

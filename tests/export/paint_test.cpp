@@ -19,7 +19,7 @@ using paper::Layer;
 
 namespace {
 
-const paper::Mark mark{"ridgecraft 0", "Sample", "0123456789abcdef"};
+const paper::Mark sample_mark{"ridgecraft 0", "Sample", "0123456789abcdef"};
 
 /// Each face in one of these colours, in turn by its panel.
 std::shared_ptr<const mesh::Look> look_of(const SamplePages& sample, const std::vector<mesh::Rgb>& colours) {
@@ -41,8 +41,8 @@ std::shared_ptr<const mesh::Look> look_of(const SamplePages& sample, const std::
   return std::make_shared<const mesh::Look>(mesh::LookParts{std::move(faces), std::move(paints)});
 }
 
-std::vector<Drawing> drawn(const SamplePages& sample, paper::Ink ink = paper::Ink::colour,
-                           unsigned threads = 1) {
+std::vector<Drawing> painted(const SamplePages& sample, paper::Ink ink = paper::Ink::colour,
+                             unsigned threads = 1) {
   paper::Style style;
   style.ink = ink;
   Context context;
@@ -84,7 +84,7 @@ TEST_CASE("Faces bear their own colour, and tabs that of the face that covers th
   const std::vector<mesh::Rgb> colours{{200, 30, 30}, {30, 160, 50}, {20, 30, 120}, {250, 220, 90}};
   SamplePages sample = sample_pages(sphere(7, 5), 40.0, 5.0, {}, "Sample", {}, 0.3);
   sample.model.look = look_of(sample, colours);
-  const std::vector<Drawing> pages = drawn(sample);
+  const std::vector<Drawing> pages = painted(sample);
   const mesh::Surface& surface = sample.model.model.surface;
   const auto colour_of = [&](FaceId f) {
     return color_of(colours[sample.model.panels.panel[f].value() % colours.size()]);
@@ -183,7 +183,7 @@ TEST_CASE("Where a tab is shorter than its edge, colours reach beyond the rest o
 TEST_CASE("Colours reach beyond cut edges, but not to other pieces") {
   SamplePages sample = sample_pages(cube(), 50.0, 0.0, all_edges(cube()), "Sample", {}, 0.2);
   sample.model.look = look_of(sample, {{200, 30, 30}, {30, 160, 50}, {20, 30, 120}});
-  const std::vector<Drawing> pages = drawn(sample);
+  const std::vector<Drawing> pages = painted(sample);
   const mesh::Surface& surface = sample.model.model.surface;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     const paper::Placement& place = sample.pages.placements[sample.nets.piece[f]];
@@ -229,7 +229,7 @@ TEST_CASE(
   const auto tones = [&](const std::vector<mesh::Rgb>& colours) {
     sample.model.look = look_of(sample, colours);
     std::array<std::size_t, 3> counts{};  // dark, light, halos
-    for (const Drawing& page : drawn(sample)) {
+    for (const Drawing& page : painted(sample)) {
       for (const paper::Group& group : page.groups) {
         for (const paper::Line& line : group.lines) {
           if (line.layer == Layer::paint) {
@@ -260,7 +260,7 @@ TEST_CASE("Numbers have a halo wherever neither black nor light strokes stand ou
     sample.model.look = look_of(sample, {colour});
     std::size_t found = 0;
     std::size_t inside = 0;
-    for (const Drawing& page : drawn(sample)) {
+    for (const Drawing& page : painted(sample)) {
       for (const paper::Group& group : page.groups) {
         for (const paper::Text& text : group.texts) {
           found += text.layer == Layer::paint ? 1U : 0U;
@@ -280,23 +280,25 @@ TEST_CASE("Numbers have a halo wherever neither black nor light strokes stand ou
 
 TEST_CASE("Pages in lines alone are those of a model without colours, and threads change nothing") {
   SamplePages sample = sample_pages(sphere(7, 5), 40.0, 5.0);
-  const std::vector<Drawing> plain = drawn(sample);
+  const std::vector<Drawing> plain = painted(sample);
   sample.model.look = look_of(sample, {{200, 30, 30}, {30, 160, 50}});
-  const std::vector<Drawing> coloured = drawn(sample);
+  const std::vector<Drawing> coloured = painted(sample);
   for (std::size_t i = 0; i < plain.size(); ++i) {
-    CHECK(paper::write_svg(plain[i], mark) == paper::write_svg(drawn(sample, paper::Ink::lines)[i], mark));
-    CHECK(paper::write_svg(plain[i], mark) != paper::write_svg(coloured[i], mark));
-    CHECK(paper::write_svg(coloured[i], mark) ==
-          paper::write_svg(drawn(sample, paper::Ink::colour, 4)[i], mark));
-    CHECK(paper::write_dxf(plain[i], mark) == paper::write_dxf(coloured[i], mark));
+    CHECK(paper::write_svg(plain[i], sample_mark) ==
+          paper::write_svg(painted(sample, paper::Ink::lines)[i], sample_mark));
+    CHECK(paper::write_svg(plain[i], sample_mark) != paper::write_svg(coloured[i], sample_mark));
+    CHECK(paper::write_svg(coloured[i], sample_mark) ==
+          paper::write_svg(painted(sample, paper::Ink::colour, 4)[i], sample_mark));
+    CHECK(paper::write_dxf(plain[i], sample_mark) == paper::write_dxf(coloured[i], sample_mark));
     for (const paper::Preset& preset : paper::presets()) {
       if (!preset.simulates) {
-        CHECK(paper::write_machine_svg(plain[i], mark, preset) ==
-              paper::write_machine_svg(coloured[i], mark, preset));
+        CHECK(paper::write_machine_svg(plain[i], sample_mark, preset) ==
+              paper::write_machine_svg(coloured[i], sample_mark, preset));
       }
     }
   }
-  CHECK(paper::write_pdf(coloured, mark) == paper::write_pdf(drawn(sample, paper::Ink::colour, 4), mark));
+  CHECK(paper::write_pdf(coloured, sample_mark) ==
+        paper::write_pdf(painted(sample, paper::Ink::colour, 4), sample_mark));
 }
 
 TEST_CASE("Pictures have the dots that are asked for, and lie under their faces") {

@@ -55,6 +55,10 @@ void add_tabs(const mesh::Surface& surface, unfold::Nets& nets, double height) {
 
 }  // namespace
 
+std::vector<paper::Drawing> drawings(const SamplePages& sample) {
+  return paper::draw(sample.model, sample.nets, sample.pages, {});
+}
+
 std::vector<EdgeId> all_edges(const mesh::Surface& surface) {
   std::vector<EdgeId> edges;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {

@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "export/export.hpp"
 
@@ -21,6 +22,12 @@ struct SamplePages {
 [[nodiscard]] SamplePages sample_pages(const mesh::Surface& surface, double scale, double tab_height,
                                        std::span<const EdgeId> cuts = {}, const std::string& name = "Sample",
                                        const paper::Paper& paper = {}, double turn = 0.0);
+
+/// What the sheets of these pages are drawn with, by default settings.
+[[nodiscard]] std::vector<paper::Drawing> drawings(const SamplePages& sample);
+
+/// The mark of a program and a model that files for tests bear.
+inline const paper::Mark mark{"ridgecraft test", "Cube", "0123456789abcdef"};
 
 /// "12" of "B:12": the number in the text of a join, without the piece that it leads to.
 [[nodiscard]] std::string number_in(const std::string& text);

@@ -16,7 +16,7 @@ using namespace ridgecraft::paper;
 
 namespace {
 
-PackingTask boxes(const std::vector<Vec2>& sizes) {
+PackingTask box_task(const std::vector<Vec2>& sizes) {
   PackingTask task;
   task.area = {190.0, 265.0};
   task.gap = 2.0;
@@ -43,7 +43,7 @@ TEST_CASE("shapes piled up in a corner are moved apart", "[separation]") {
   // Six and four boxes fill two pages to two thirds: they have to be shared out.
   std::vector<Vec2> sizes(6, Vec2{80.0, 75.0});
   sizes.insert(sizes.end(), 4, Vec2{80.0, 90.0});
-  const PackingTask task = boxes(sizes);
+  const PackingTask task = box_task(sizes);
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     CAPTURE(seed);
     const Context context;
@@ -58,7 +58,7 @@ TEST_CASE("shapes piled up in a corner are moved apart", "[separation]") {
 
 TEST_CASE("what has no room isn't said to have any", "[separation]") {
   // Any two of them fill more than a page's width and height.
-  const PackingTask task = boxes({{100.0, 140.0}, {100.0, 140.0}, {140.0, 100.0}, {120.0, 140.0}});
+  const PackingTask task = box_task({{100.0, 140.0}, {100.0, 140.0}, {140.0, 100.0}, {120.0, 140.0}});
   const Context context;
   PackingFill fill(task, {}, context);
   Random random(1);

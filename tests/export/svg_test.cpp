@@ -23,11 +23,8 @@
 namespace ridgecraft {
 namespace {
 
-const paper::Mark mark{"ridgecraft test", "Cube", "0123456789abcdef"};
-
-std::vector<paper::Drawing> drawings(const test::SamplePages& sample) {
-  return paper::draw(sample.model, sample.nets, sample.pages, {});
-}
+using test::drawings;
+using test::mark;
 
 /// The shapes whose pages are looked at in several tests.
 std::vector<test::SamplePages> samples() {

@@ -15,6 +15,7 @@
 
 #include "base/polygon.hpp"
 #include "export/machine/operations.hpp"
+#include "loops_area.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 #include "unfold/net/outline.hpp"
@@ -25,16 +26,9 @@ namespace {
 using paper::Board;
 using paper::BoardSide;
 using paper::Hinge;
+using test::loops_area;
 
 constexpr double right_angle = 0.5 * std::numbers::pi;
-
-double area(const std::vector<std::vector<Vec2>>& loops) {
-  double sum = 0.0;
-  for (const auto& loop : loops) {
-    sum += 0.5 * doubled_area(loop);
-  }
-  return sum;
-}
 
 BoardSide kind_of(const mesh::Surface& surface, const unfold::Nets& nets, CornerId side) {
   const EdgeId edge = surface.edge(side);
@@ -238,7 +232,7 @@ TEST_CASE("outlines of nets of board are simple and enclose what the faces and t
           covered += 0.5 * doubled_area(tab.polygon);
         }
       }
-      CHECK(area(unfold::cut_lines(model, thick, piece).loops) == Approx(covered).epsilon(2e-3));
+      CHECK(loops_area(unfold::cut_lines(model, thick, piece).loops) == Approx(covered).epsilon(2e-3));
     }
   }
 }

@@ -6,14 +6,14 @@
 
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/shared_models.hpp"
 #include "prepare/prepare.hpp"
 #include "support/soups.hpp"
 
 using namespace ridgecraft;
+using test::shared_models;
 
 namespace {
-
-const std::filesystem::path models = std::filesystem::path(RIDGECRAFT_SHARED_DIR) / "models";
 
 struct Outcome {
   int code = 0;
@@ -49,7 +49,7 @@ Outcome run(const std::filesystem::path& file) {
 }  // namespace
 
 TEST_CASE("broken files are repaired or refused as documented", "[cases]") {
-  const std::filesystem::path folder = models / "broken" / "generated";
+  const std::filesystem::path folder = shared_models / "broken" / "generated";
   std::ifstream table(folder / "CASES.tsv");
   if (!table) {
     WARN("no broken models here: " << folder.string());
@@ -91,11 +91,11 @@ TEST_CASE("broken files are repaired or refused as documented", "[cases]") {
 }
 
 TEST_CASE("models of makers become foldable", "[cases]") {
-  if (!std::filesystem::exists(models / "makers")) {
+  if (!std::filesystem::exists(shared_models / "makers")) {
     WARN("no makers' models here");
     return;
   }
-  for (const auto& entry : std::filesystem::directory_iterator(models / "makers")) {
+  for (const auto& entry : std::filesystem::directory_iterator(shared_models / "makers")) {
     const std::string suffix = entry.path().extension().string();
     if (suffix == ".obj" || suffix == ".stl" || suffix == ".ply" || suffix == ".off") {
       INFO(entry.path().string());

@@ -8,16 +8,16 @@
 
 #include <catch2/catch.hpp>
 
+#include "mesh/shared_models.hpp"
 #include "reading.hpp"
 
 using namespace ridgecraft;
 using mesh::RepairKind;
 using mesh::Soup;
+using test::shared_models;
 namespace fs = std::filesystem;
 
 namespace {
-
-const fs::path models = fs::path(RIDGECRAFT_SHARED_DIR) / "models";
 
 struct Case {
   std::string file;
@@ -26,7 +26,7 @@ struct Case {
 };
 
 std::vector<Case> broken_cases() {
-  std::ifstream table(models / "broken/generated/CASES.tsv");
+  std::ifstream table(shared_models / "broken/generated/CASES.tsv");
   std::string line;
   std::getline(table, line);
   std::vector<Case> cases;
@@ -86,7 +86,7 @@ void check_remarks(const std::string& file, const Soup& soup) {
 }  // namespace
 
 TEST_CASE("Broken files are read or refused as the table of cases proposes") {
-  if (!fs::exists(models / "broken/generated/CASES.tsv")) {
+  if (!fs::exists(shared_models / "broken/generated/CASES.tsv")) {
     WARN("no shared folder: skipped");
     return;
   }
@@ -94,7 +94,7 @@ TEST_CASE("Broken files are read or refused as the table of cases proposes") {
   CHECK(cases.size() > 150);
   for (const Case& c : cases) {
     INFO(c.file);
-    const fs::path path = models / "broken/generated" / c.file;
+    const fs::path path = shared_models / "broken/generated" / c.file;
     const bool refused = c.exit_code == 3 || (c.exit_code == 4 && !decided_by_repair(c.file));
     try {
       const Soup soup = mesh::read_soup(path, {});
@@ -113,12 +113,12 @@ TEST_CASE("Broken files are read or refused as the table of cases proposes") {
 }
 
 TEST_CASE("Files that differ only in form hold the same house") {
-  if (!fs::exists(models / "broken/generated")) {
+  if (!fs::exists(shared_models / "broken/generated")) {
     WARN("no shared folder: skipped");
     return;
   }
   const auto read = [](const std::string& file) {
-    return mesh::read_soup(models / "broken/generated" / file, {});
+    return mesh::read_soup(shared_models / "broken/generated" / file, {});
   };
   const Soup house = read("crlf.obj");
   for (const std::string file : {"utf8_bom.obj",
@@ -161,11 +161,11 @@ TEST_CASE("Files that differ only in form hold the same house") {
 }
 
 TEST_CASE("The makers' models have the faces that their table says") {
-  if (!fs::exists(models / "makers/README.md")) {
+  if (!fs::exists(shared_models / "makers/README.md")) {
     WARN("no shared folder: skipped");
     return;
   }
-  std::ifstream table(models / "makers/README.md");
+  std::ifstream table(shared_models / "makers/README.md");
   std::string line;
   std::size_t found = 0;
   while (std::getline(table, line)) {
@@ -179,7 +179,7 @@ TEST_CASE("The makers' models have the faces that their table says") {
     }
     const std::string file = cells[1].substr(0, cells[1].find(' '));
     INFO(file);
-    const Soup soup = mesh::read_soup(models / "makers" / file, {});
+    const Soup soup = mesh::read_soup(shared_models / "makers" / file, {});
     ++found;
     CHECK(soup.polygon_count() == std::stoul(cells[4]));
     CHECK(soup.points.size() == std::stoul(cells[5]));

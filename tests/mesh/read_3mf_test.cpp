@@ -39,15 +39,6 @@ std::string why(const std::string& xml) {
   return refusal(threemf(xml), "3mf");
 }
 
-double signed_volume(const Soup& soup, std::size_t from, std::size_t to) {
-  double volume = 0.0;
-  for (std::size_t i = from; i < to; ++i) {
-    const auto t = soup.polygon(i);
-    volume += dot(soup.points[t[0]], cross(soup.points[t[1]], soup.points[t[2]])) / 6.0;
-  }
-  return volume;
-}
-
 }  // namespace
 
 TEST_CASE("3MF: random triangles come back bit for bit, stored and packed") {

@@ -69,15 +69,6 @@ std::string why(const Parts& p) {
   return refusal(glb_of(p), "glb");
 }
 
-double signed_volume(const Soup& soup, std::size_t from, std::size_t to) {
-  double volume = 0.0;
-  for (std::size_t i = from; i < to; ++i) {
-    const auto t = soup.polygon(i);
-    volume += dot(soup.points[t[0]], cross(soup.points[t[1]], soup.points[t[2]])) / 6.0;
-  }
-  return volume;
-}
-
 bool near(Vec3 a, Vec3 b) {
   return length(a - b) < 1e-12;
 }

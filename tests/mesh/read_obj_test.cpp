@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-std::vector<std::uint32_t> corners(const Soup& soup, std::size_t polygon) {
+std::vector<std::uint32_t> corner_points(const Soup& soup, std::size_t polygon) {
   const auto found = soup.polygon(polygon);
   return {found.begin(), found.end()};
 }
@@ -25,8 +25,8 @@ TEST_CASE("OBJ: points and polygons keep numbers and order") {
   const Soup soup = parsed("v 0.1 -2e-3 +4.\nv .5 1 1\nv 1 1 0\nv 3 3 3\nf 1 2 3 4\nf 4 3 1\n", "obj");
   REQUIRE(soup.points.size() == 4);
   CHECK(soup.points[0] == Vec3{0.1, -2e-3, 4.0});
-  CHECK(corners(soup, 0) == std::vector<std::uint32_t>{0, 1, 2, 3});
-  CHECK(corners(soup, 1) == std::vector<std::uint32_t>{3, 2, 0});
+  CHECK(corner_points(soup, 0) == std::vector<std::uint32_t>{0, 1, 2, 3});
+  CHECK(corner_points(soup, 1) == std::vector<std::uint32_t>{3, 2, 0});
   CHECK(soup.corner_texture.empty());
   CHECK(soup.polygon_material.empty());
   CHECK(soup.remarks.entries().empty());
@@ -37,7 +37,7 @@ TEST_CASE("OBJ: line ends, tabs, comments and continued lines are white space") 
   for (const std::string face : {"f 1 2 3", "f\t1\t2\t3\t", "  f 1 2 3  # end", "f 1 \\\n2 3\n",
                                  "f 1 \\\r\n 2 3\r\n", "f 1 2 3\\\n", "f 1 2\\\n 3"}) {
     INFO(face);
-    CHECK(corners(parsed(points + face, "obj"), 0) == std::vector<std::uint32_t>{0, 1, 2});
+    CHECK(corner_points(parsed(points + face, "obj"), 0) == std::vector<std::uint32_t>{0, 1, 2});
   }
   // A backslash at the end of a comment joins nothing.
   CHECK(parsed("# C:\\models\\\n" + points + "f 1 2 3", "obj").points.size() == 3);
@@ -51,9 +51,9 @@ TEST_CASE("OBJ: line ends, tabs, comments and continued lines are white space") 
 
 TEST_CASE("OBJ: relative numbers count back from their line, others over the whole file") {
   const Soup soup = parsed("f 1 2 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 1\nf -1 -2 -3", "obj");
-  CHECK(corners(soup, 0) == std::vector<std::uint32_t>{0, 1, 3});
-  CHECK(corners(soup, 1) == std::vector<std::uint32_t>{0, 1, 2});
-  CHECK(corners(soup, 2) == std::vector<std::uint32_t>{3, 2, 1});
+  CHECK(corner_points(soup, 0) == std::vector<std::uint32_t>{0, 1, 3});
+  CHECK(corner_points(soup, 1) == std::vector<std::uint32_t>{0, 1, 2});
+  CHECK(corner_points(soup, 2) == std::vector<std::uint32_t>{3, 2, 1});
 }
 
 TEST_CASE("OBJ: polygons with few corners are kept for repair to judge") {

@@ -46,7 +46,7 @@ PdoTestFile cube_file() {
   return file;
 }
 
-std::string why(const PdoTestFile& file, const PdoStyle& style = {}) {
+std::string pdo_refusal(const PdoTestFile& file, const PdoStyle& style = {}) {
   return refusal(pdo(file, style), "pdo");
 }
 
@@ -208,22 +208,23 @@ TEST_CASE("PDO: what can't be read is refused with its place") {
   PdoTestFile flat = cube_file();
   flat.scale.reset();
   CHECK(seams_refusal(pdo(flat)) == "m.pdo holds no nets: unfold the model in Pepakura Designer first");
-  CHECK(why({}) == "4 model.pdo has no faces");
+  CHECK(pdo_refusal({}) == "4 model.pdo has no faces");
   const std::string locked =
       "3 model.pdo is locked by its author with a password: save it without one in Pepakura Designer, or ask "
       "its author";
-  CHECK(why(cube_file(), {.version = 5, .locked = true}) == locked);
-  CHECK(why(cube_file(), {.version = 6, .wide = true, .length_in_bytes = true, .locked = true}) == locked);
+  CHECK(pdo_refusal(cube_file(), {.version = 5, .locked = true}) == locked);
+  CHECK(pdo_refusal(cube_file(), {.version = 6, .wide = true, .length_in_bytes = true, .locked = true}) ==
+        locked);
   CHECK(
-      why(cube_file(), {.version = 7}) ==
+      pdo_refusal(cube_file(), {.version = 7}) ==
       "3 model.pdo is a Pepakura file of version 3.7, and only 3.4 to 3.6 are read (Designer 2 to 5): export "
       "it from Pepakura Designer as OBJ");
   PdoTestFile file = cube_file();
   file.objects[0].faces[2].points[1] = 8;
-  CHECK(why(file).find("object 0: face 2 names point 8, but there are 8") != std::string::npos);
+  CHECK(pdo_refusal(file).find("object 0: face 2 names point 8, but there are 8") != std::string::npos);
   file = cube_file();
   file.objects[0].points[3].y = 1.0 / 0.0;
-  const std::string not_finite = why(file);
+  const std::string not_finite = pdo_refusal(file);
   CHECK(not_finite.starts_with("4 model.pdo, byte "));
   CHECK(not_finite.ends_with("object 0: a coordinate of point 3 is not finite"));
   file = cube_file();

@@ -12,7 +12,7 @@ namespace {
 
 const std::string points_header = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string faces_header = "element face 1\nproperty list uchar int vertex_indices\n";
-const std::string points = "0 0 0\n1 0 0\n0 1 0.5\n";
+const std::string point_lines = "0 0 0\n1 0 0\n0 1 0.5\n";
 
 std::string ascii(const std::string& header, const std::string& body) {
   return "ply\nformat ascii 1.0\n" + header + "end_header\n" + body;
@@ -24,11 +24,11 @@ TEST_CASE("PLY: elements in any order, unknown ones skipped") {
   const std::string thing = "element thing 2\nproperty list int float numbers\nproperty char c\n";
   const std::string things = "2 0.5 nan 7\n0 -3\n";
   for (const auto& [header, body] :
-       {std::pair{points_header + faces_header, points + "3 0 1 2\n"},
-        std::pair{faces_header + points_header, "3 0 1 2\n" + points},
-        std::pair{thing + points_header + faces_header, things + points + "3 0 1 2"},
-        std::pair{points_header + thing + faces_header, points + things + "3 0 1 2"},
-        std::pair{"element nothing 4000000000\n" + points_header + faces_header, points + "3 0 1 2"},
+       {std::pair{points_header + faces_header, point_lines + "3 0 1 2\n"},
+        std::pair{faces_header + points_header, "3 0 1 2\n" + point_lines},
+        std::pair{thing + points_header + faces_header, things + point_lines + "3 0 1 2"},
+        std::pair{points_header + thing + faces_header, point_lines + things + "3 0 1 2"},
+        std::pair{"element nothing 4000000000\n" + points_header + faces_header, point_lines + "3 0 1 2"},
         std::pair{points_header + "property list uchar int tags\n" + faces_header,
                   std::string("0 0 0 1 9\n1 0 0 0\n0 1 0.5 2 1 1\n3 0 1 2")}}) {
     const Soup soup = parsed(ascii(header, body), "ply");
@@ -44,14 +44,14 @@ TEST_CASE("PLY: edges mark cuts, wherever they stand; those without two points o
   const std::string edges_header = "element edge 2\nproperty int vertex1\nproperty int vertex2\n";
   const std::string edges = "0 1\n2 1\n";
   for (const auto& [header, body] :
-       {std::pair{points_header + faces_header + edges_header, points + "3 0 1 2\n" + edges},
-        std::pair{edges_header + points_header + faces_header, edges + points + "3 0 1 2\n"},
+       {std::pair{points_header + faces_header + edges_header, point_lines + "3 0 1 2\n" + edges},
+        std::pair{edges_header + points_header + faces_header, edges + point_lines + "3 0 1 2\n"},
         std::pair{
             points_header +
                 "element edge 2\nproperty uchar red\nproperty uint vertex2\nproperty list uchar float w\n"
                 "property ushort vertex1\n" +
                 faces_header,
-            points + "255 1 2 0.5 -1 0\n7 1 0 2\n3 0 1 2"}}) {
+            point_lines + "255 1 2 0.5 -1 0\n7 1 0 2\n3 0 1 2"}}) {
     const Soup soup = parsed(ascii(header, body), "ply");
     CHECK(soup.lines == Lines{{0, 1}, {2, 1}});
     CHECK(soup.corner_point == std::vector<std::uint32_t>{0, 1, 2});
@@ -59,33 +59,36 @@ TEST_CASE("PLY: edges mark cuts, wherever they stand; those without two points o
   }
   const Soup bad = parsed(
       ascii(points_header + faces_header + "element edge 4\nproperty int vertex1\nproperty int vertex2\n",
-            points + "3 0 1 2\n0 3\n-1 0\n1 1\n2 0\n"),
+            point_lines + "3 0 1 2\n0 3\n-1 0\n1 1\n2 0\n"),
       "ply");
   CHECK(bad.lines == Lines{{2, 0}});
   CHECK(bad.remarks.count(RepairKind::element_ignored) == 3);
   // Edges of another kind are skipped, like any element.
   const Soup other = parsed(
       ascii(points_header + faces_header + "element edge 1\nproperty float vertex1\nproperty int vertex2\n",
-            points + "3 0 1 2\n0 1\n"),
+            point_lines + "3 0 1 2\n0 1\n"),
       "ply");
   CHECK(other.lines.empty());
   CHECK(other.remarks.entries().empty());
   // A file that ends among its edges is cut off.
-  CHECK_THROWS(parsed(ascii(points_header + faces_header + edges_header, points + "3 0 1 2\n0 1\n2"), "ply"));
+  CHECK_THROWS(
+      parsed(ascii(points_header + faces_header + edges_header, point_lines + "3 0 1 2\n0 1\n2"), "ply"));
 }
 
 TEST_CASE("PLY: remarks before the elements that lack the word comment") {
-  CHECK(parsed(ascii("Created by somebody: 3 things\n" + points_header + faces_header, points + "3 0 1 2\n"),
+  CHECK(parsed(ascii("Created by somebody: 3 things\n" + points_header + faces_header,
+                     point_lines + "3 0 1 2\n"),
                "ply")
             .polygon_count() == 1);
-  CHECK(refusal(ascii(points_header + "Created by somebody\n" + faces_header, points + "3 0 1 2\n"), "ply")
-            .find("doesn't belong") != std::string::npos);
+  CHECK(
+      refusal(ascii(points_header + "Created by somebody\n" + faces_header, point_lines + "3 0 1 2\n"), "ply")
+          .find("doesn't belong") != std::string::npos);
 }
 
 TEST_CASE("PLY: headers with other line ends") {
   for (const std::string end : {"\r\n", "\r"}) {
     std::string text;
-    for (const char c : ascii(points_header + faces_header, points + "3 0 1 2\n")) {
+    for (const char c : ascii(points_header + faces_header, point_lines + "3 0 1 2\n")) {
       text += c == '\n' ? end : std::string(1, c);
     }
     CHECK(parsed(text, "ply").polygon_count() == 1);
@@ -100,7 +103,7 @@ TEST_CASE("PLY: headers with other line ends") {
 TEST_CASE("PLY: triangle strips turn every other triangle and end at -1") {
   const Soup soup = parsed(ascii("element vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
                                  "element tristrips 1\nproperty list int int vertex_indices\n",
-                                 points + points.substr(6) + "11 0 1 2 3 3 4 -1 1 2 3 4"),
+                                 point_lines + point_lines.substr(6) + "11 0 1 2 3 3 4 -1 1 2 3 4"),
                            "ply");
   CHECK(soup.corner_point == std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 1, 2, 3, 3, 2, 4});
 }
@@ -108,12 +111,12 @@ TEST_CASE("PLY: triangle strips turn every other triangle and end at -1") {
 TEST_CASE("PLY: colours and texture coordinates of faces") {
   const std::string colours = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   const Soup coloured =
-      parsed(ascii(points_header + faces_header + colours, points + "3 0 1 2 255 0 51"), "ply");
+      parsed(ascii(points_header + faces_header + colours, point_lines + "3 0 1 2 255 0 51"), "ply");
   REQUIRE(coloured.materials.size() == 1);
   CHECK(coloured.materials[0].colour == mesh::Colour{1.0, 0.0, 0.2});
   const Soup wedges = parsed(ascii("comment TextureFile a.png\n" + points_header + faces_header +
                                        "property list uchar float texcoord\n",
-                                   points + "3 0 1 2 6 0 0 1 0 0 1"),
+                                   point_lines + "3 0 1 2 6 0 0 1 0 0 1"),
                              "ply");
   CHECK(wedges.texture_points == std::vector<Vec2>{{0, 0}, {1, 0}, {0, 1}});
   CHECK(wedges.corner_texture == std::vector<std::uint32_t>{0, 1, 2});
@@ -126,7 +129,7 @@ TEST_CASE("PLY: colours and texture coordinates of faces") {
   CHECK(by_point.corner_texture == std::vector<std::uint32_t>{2, 1, 0});
   const Soup bad = parsed(ascii("comment TextureFile a.png\n" + points_header + faces_header +
                                     "property list uchar float texcoord\n",
-                                points + "3 0 1 2 4 0 0 1 0"),
+                                point_lines + "3 0 1 2 4 0 0 1 0"),
                           "ply");
   CHECK(bad.corner_texture.empty());
   CHECK(bad.remarks.count(RepairKind::texture_point_dropped) == 1);
@@ -146,28 +149,30 @@ TEST_CASE("PLY: refusals") {
     return refusal(ascii(header, body), "ply");
   };
   const std::string both = points_header + faces_header;
-  CHECK(refused(both, points + "3 0 1 2").empty());
-  CHECK(refused(both, points + "3 0 1 3") ==
+  CHECK(refused(both, point_lines + "3 0 1 2").empty());
+  CHECK(refused(both, point_lines + "3 0 1 3") ==
         "3 model.ply, line 13: face 1 of 1: it names point 3, but points are numbered 0 to 2");
-  CHECK(refused(both, points + "3 0 1 -1").starts_with("3 model.ply, line 13: "));
-  CHECK(refused(both, points + "3 0 1").find("cut off") != std::string::npos);
-  CHECK(refused(both, points + "-3 0 1 2").starts_with("3 "));
-  CHECK(refused(both, points + "4000000000 0 1 2").find("more than the") != std::string::npos);
+  CHECK(refused(both, point_lines + "3 0 1 -1").starts_with("3 model.ply, line 13: "));
+  CHECK(refused(both, point_lines + "3 0 1").find("cut off") != std::string::npos);
+  CHECK(refused(both, point_lines + "-3 0 1 2").starts_with("3 "));
+  CHECK(refused(both, point_lines + "4000000000 0 1 2").find("more than the") != std::string::npos);
   CHECK(refused(both, "0 0 nan\n1 0 0\n0 1 0\n3 0 1 2").starts_with("4 model.ply, line 10: vertex 1 of 3: "));
   CHECK(refused(both, "0 0 x\n1 0 0\n0 1 0\n3 0 1 2").starts_with("3 model.ply, line 10: "));
-  CHECK(refused(points_header, points).starts_with("4 "));
+  CHECK(refused(points_header, point_lines).starts_with("4 "));
   CHECK(refused("element vertex 3\nproperty float x\nproperty float y\n" + faces_header, "")
             .find("x, y and z") != std::string::npos);
-  CHECK(refused(points_header + "element face 1\nproperty int vertex_indices\n", points + "1")
+  CHECK(refused(points_header + "element face 1\nproperty int vertex_indices\n", point_lines + "1")
             .starts_with("3 "));
-  CHECK(refused(points_header + "element face 1\nproperty list uchar float vertex_indices\n", points + "0")
-            .starts_with("3 "));
-  CHECK(refused("property float x\n" + both, points).starts_with("3 model.ply, line 3: "));
+  CHECK(
+      refused(points_header + "element face 1\nproperty list uchar float vertex_indices\n", point_lines + "0")
+          .starts_with("3 "));
+  CHECK(refused("property float x\n" + both, point_lines).starts_with("3 model.ply, line 3: "));
   CHECK(refused("element vertex -1\n", "").starts_with("3 model.ply, line 3: "));
   CHECK(refused("element vertex 3\nproperty quad x\n", "").find("\"quad\"") != std::string::npos);
-  CHECK(refused(points_header + both, points + points + "3 0 1 2").find("two elements") != std::string::npos);
+  CHECK(refused(points_header + both, point_lines + point_lines + "3 0 1 2").find("two elements") !=
+        std::string::npos);
   CHECK(refusal("ply\nformat ascii 1.0\n" + both, "ply").find("end_header") != std::string::npos);
-  CHECK(refusal("ply\n" + both + "end_header\n" + points + "3 0 1 2", "ply").find("no format") !=
+  CHECK(refusal("ply\n" + both + "end_header\n" + point_lines + "3 0 1 2", "ply").find("no format") !=
         std::string::npos);
   CHECK(refusal("ply\nformat ebcdic 1.0\n", "ply").find("\"ebcdic\"") != std::string::npos);
 }

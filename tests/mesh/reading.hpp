@@ -2,10 +2,12 @@
 // Short words for tests of the readers: text in, soup or refusal out.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/vector.hpp"
 #include "mesh/reading/read_soup.hpp"
 
 namespace ridgecraft::test {
@@ -27,6 +29,16 @@ namespace ridgecraft::test {
            std::string(error.what());
   }
   return {};
+}
+
+/// The volume that the triangles from `from` to before `to` enclose, negative where they look inwards.
+[[nodiscard]] inline double signed_volume(const mesh::Soup& soup, std::size_t from, std::size_t to) {
+  double volume = 0.0;
+  for (std::size_t i = from; i < to; ++i) {
+    const auto t = soup.polygon(i);
+    volume += dot(soup.points[t[0]], cross(soup.points[t[1]], soup.points[t[2]])) / 6.0;
+  }
+  return volume;
 }
 
 }  // namespace ridgecraft::test

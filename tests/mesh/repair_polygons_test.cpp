@@ -27,7 +27,7 @@ Model repaired_polygons(const std::vector<Vec3>& points, const Polygons& polygon
   return mesh::repair(points, polygons, {}, {});
 }
 
-std::string refusal(const std::vector<Vec3>& points, const Triangles& triangles) {
+std::string triangles_refusal(const std::vector<Vec3>& points, const Triangles& triangles) {
   try {
     (void)mesh::repair(points, triangles, {}, {});
   } catch (const Error& error) {
@@ -96,11 +96,11 @@ TEST_CASE("the digest of a model in memory is that of its numbers", "[repair]") 
 }
 
 TEST_CASE("triangles in memory that mean nothing are refused in one sentence", "[repair]") {
-  CHECK(refusal(tetra, {{0, 1, 2}, {0, 1, 4}}) == "polygon 1 names point 4, and there are 4");
+  CHECK(triangles_refusal(tetra, {{0, 1, 2}, {0, 1, 4}}) == "polygon 1 names point 4, and there are 4");
   std::vector<Vec3> points = tetra;
   points[2].y = std::numeric_limits<double>::quiet_NaN();
-  CHECK(refusal(points, {{0, 1, 2}}) == "point 2 has a coordinate that is no finite number");
-  CHECK(refusal(tetra, {}) == "there are no faces");
-  CHECK(refusal({}, {}) == "there are no faces");
-  CHECK(refusal(tetra, {{0, 1, 1}}) == "no face has an area");
+  CHECK(triangles_refusal(points, {{0, 1, 2}}) == "point 2 has a coordinate that is no finite number");
+  CHECK(triangles_refusal(tetra, {}) == "there are no faces");
+  CHECK(triangles_refusal({}, {}) == "there are no faces");
+  CHECK(triangles_refusal(tetra, {{0, 1, 1}}) == "no face has an area");
 }

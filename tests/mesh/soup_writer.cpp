@@ -15,7 +15,7 @@ std::string decimal(Vec3 p) {
 }
 
 template <class Unsigned>
-void append(std::string& bytes, Unsigned value, bool big_endian) {
+void append_bytes(std::string& bytes, Unsigned value, bool big_endian) {
   std::string more;
   for (std::size_t i = 0; i < sizeof value; ++i) {
     more += static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
@@ -73,13 +73,13 @@ std::string ply(const mesh::Soup& soup, SoupFormat format) {
   }
   for (const Vec3 p : soup.points) {
     for (const double coordinate : {p.x, p.y, p.z}) {
-      append(bytes, std::bit_cast<std::uint64_t>(coordinate), big_endian);
+      append_bytes(bytes, std::bit_cast<std::uint64_t>(coordinate), big_endian);
     }
   }
   for (std::size_t i = 0; i < soup.polygon_count(); ++i) {
-    append(bytes, static_cast<std::uint16_t>(soup.polygon(i).size()), big_endian);
+    append_bytes(bytes, static_cast<std::uint16_t>(soup.polygon(i).size()), big_endian);
     for (const std::uint32_t p : soup.polygon(i)) {
-      append(bytes, p, big_endian);
+      append_bytes(bytes, p, big_endian);
     }
   }
   return bytes;
@@ -99,12 +99,12 @@ std::string stl_ascii(const mesh::Soup& soup) {
 
 std::string stl_binary(const mesh::Soup& soup) {
   std::string bytes(80, ' ');
-  append(bytes, static_cast<std::uint32_t>(soup.polygon_count()), false);
+  append_bytes(bytes, static_cast<std::uint32_t>(soup.polygon_count()), false);
   for (std::size_t i = 0; i < soup.polygon_count(); ++i) {
     bytes += std::string(12, '\0');
     for (const std::uint32_t p : soup.polygon(i)) {
       for (const double coordinate : {soup.points[p].x, soup.points[p].y, soup.points[p].z}) {
-        append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)), false);
+        append_bytes(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)), false);
       }
     }
     bytes += "ab";

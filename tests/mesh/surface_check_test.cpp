@@ -19,13 +19,13 @@ using mesh::Surface;
 
 namespace {
 
-struct Triangles {
+struct PointsAndFaces {
   std::vector<Vec3> points;
   std::vector<std::array<VertexId, 3>> faces;
 };
 
-Triangles triangles_of(const Surface& surface) {
-  Triangles made{{surface.points().begin(), surface.points().end()}, {}};
+PointsAndFaces triangles_of(const Surface& surface) {
+  PointsAndFaces made{{surface.points().begin(), surface.points().end()}, {}};
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     made.faces.push_back(surface.vertices(f));
   }
@@ -37,7 +37,7 @@ std::array<VertexId, 3> face(std::size_t a, std::size_t b, std::size_t c) {
 }
 
 /// What is said; empty where it is a surface.
-std::string fault(const Triangles& triangles) {
+std::string fault(const PointsAndFaces& triangles) {
   try {
     Surface::check(triangles.points, triangles.faces);
   } catch (const Error& error) {
@@ -51,7 +51,7 @@ std::string fault(const Triangles& triangles) {
 
 TEST_CASE("what repair made is a surface, with a border or without", "[surface]") {
   for (const Surface& surface : {test::cube(), test::sphere(12, 6), test::voxels({{0, 0, 0}, {1, 0, 0}})}) {
-    Triangles triangles = triangles_of(surface);
+    PointsAndFaces triangles = triangles_of(surface);
     CHECK(fault(triangles).empty());
     triangles.faces.pop_back();
     CHECK(fault(triangles).empty());
@@ -67,8 +67,8 @@ TEST_CASE("what repair made is a surface, with a border or without", "[surface]"
 }
 
 TEST_CASE("each broken invariant is told in one sentence", "[surface]") {
-  const Triangles cube = triangles_of(test::cube());
-  Triangles broken = cube;
+  const PointsAndFaces cube = triangles_of(test::cube());
+  PointsAndFaces broken = cube;
   broken.points[3].y = std::numeric_limits<double>::quiet_NaN();
   CHECK(fault(broken) == "point 3 has a coordinate that isn't a finite number");
 

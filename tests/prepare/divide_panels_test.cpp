@@ -19,7 +19,7 @@ using prepare::Prepared;
 namespace {
 
 /// A4 with borders of 10 mm and tabs of 5 mm.
-constexpr PanelRoom page{{190.0, 277.0}, 5.0};
+constexpr PanelRoom a4_page{{190.0, 277.0}, 5.0};
 constexpr Vec2 room{180.0, 267.0};
 
 Prepared prepared(const mesh::Surface& surface, double size_mm) {
@@ -27,7 +27,7 @@ Prepared prepared(const mesh::Surface& surface, double size_mm) {
   keep.mode = prepare::Simplification::keep;
   prepare::SizeOptions size;
   size.largest_extent_mm = size_mm;
-  return prepare::prepare(test::repaired(test::soup_of(surface)), size, keep, page, {});
+  return prepare::prepare(test::repaired(test::soup_of(surface)), size, keep, a4_page, {});
 }
 
 /// The corners of a panel in its plane.
@@ -60,7 +60,7 @@ void check_cells(const Prepared& p) {
   for (const PanelId id : ids<PanelId>(p.panels.count())) {
     faces += p.panels.faces[id].size();
     CHECK(std::is_sorted(p.panels.faces[id].begin(), p.panels.faces[id].end()));
-    CHECK(prepare::fits_page(corners(p, id), {page.sheet.width, page.sheet.height}));
+    CHECK(prepare::fits_page(corners(p, id), {a4_page.sheet.width, a4_page.sheet.height}));
     for (const FaceId f : p.panels.faces[id]) {
       CHECK(p.panels.panel[f] == id);
     }
@@ -170,7 +170,7 @@ TEST_CASE("cells don't depend on how the model lies", "[divide_panels]") {
     std::vector<std::vector<double>> areas;
     for (const double angle : {0.0, 0.4, 2.0}) {
       const Prepared p =
-          prepare::prepare(test::repaired(test::soup_of(turned(shape, angle))), size, keep, page, {});
+          prepare::prepare(test::repaired(test::soup_of(turned(shape, angle))), size, keep, a4_page, {});
       check_cells(p);
       std::vector<double>& own = areas.emplace_back();
       for (const PanelId id : ids<PanelId>(p.panels.count())) {
@@ -193,7 +193,7 @@ TEST_CASE("an L is cut at its concave corner, where the arms are as wide as the 
   prepare::SizeOptions size;
   size.mm_per_unit = 130.0;
   // 260 by 260 with arms 130 wide: 130 by 260 and 130 by 130 are two pieces.
-  const Prepared p = prepare::prepare(test::repaired(test::soup_of(ell(0.1))), size, keep, page, {});
+  const Prepared p = prepare::prepare(test::repaired(test::soup_of(ell(0.1))), size, keep, a4_page, {});
   check_cells(p);
   CHECK(p.divided_panels == 2);
   CHECK(p.panels.count() == 6 + 2 * 2);

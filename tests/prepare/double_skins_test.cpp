@@ -6,12 +6,14 @@
 #include <numbers>
 
 #include "mesh/mesh.hpp"
+#include "prepare/common_models.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 
 using namespace ridgecraft;
 using prepare::Skins;
+using test::model_of;
 
 namespace {
 
@@ -20,10 +22,6 @@ mesh::Surface cup(double wall) {
   const double inside = 40.0 - wall;
   return test::revolve({{0.0, 0.0}, {40.0, 0.0}, {40.0, 80.0}, {inside, 80.0}, {inside, wall}, {0.0, wall}},
                        24);
-}
-
-mesh::Model model_of(const mesh::Surface& surface) {
-  return test::repaired(test::soup_of(surface));
 }
 
 /// The greatest distance of a point from the axis.

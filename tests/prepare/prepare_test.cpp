@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
+#include "prepare/common_models.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 
@@ -11,12 +12,11 @@ using namespace ridgecraft;
 using prepare::Prepared;
 using prepare::SimplifyOptions;
 using prepare::SizeOptions;
+using test::page;
 
 namespace {
 
-constexpr prepare::PanelRoom page{{190.0, 270.0}};
-
-Prepared prepared(const mesh::Surface& surface, SizeOptions size = {}) {
+Prepared prepared_unchanged(const mesh::Surface& surface, SizeOptions size = {}) {
   SimplifyOptions keep;
   keep.mode = prepare::Simplification::keep;
   return prepare::prepare(test::repaired(test::soup_of(surface)), size, keep, page, {});
@@ -25,7 +25,7 @@ Prepared prepared(const mesh::Surface& surface, SizeOptions size = {}) {
 }  // namespace
 
 TEST_CASE("the largest extent becomes the size asked for, centred", "[prepare]") {
-  const Prepared p = prepared(test::revolve({{0, 0}, {3, 4}, {0, 5}}, 16));
+  const Prepared p = prepared_unchanged(test::revolve({{0, 0}, {3, 4}, {0, 5}}, 16));
   const Box3& box = p.model.surface.bounds();
   CHECK(std::max({box.size().x, box.size().y, box.size().z}) == Approx(150.0));
   CHECK(length(box.low + box.high) < 1e-9);
@@ -49,7 +49,7 @@ TEST_CASE("sizes that no paper has are refused", "[prepare]") {
     SizeOptions size;
     size.mm_per_unit = scale;
     try {
-      static_cast<void>(prepared(test::cube(), size));
+      static_cast<void>(prepared_unchanged(test::cube(), size));
       FAIL("no error");
     } catch (const Error& error) {
       CHECK(error.kind() == ErrorKind::no_nets);

@@ -4,22 +4,18 @@
 
 #include "mesh/mesh.hpp"
 #include "mesh/model/surface_distance.hpp"
+#include "prepare/common_models.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 
 using namespace ridgecraft;
+using test::free_points;
+using test::ring;
 
 namespace {
 
 mesh::LooseFaces fine(const mesh::Surface& surface) {
   return mesh::take_apart(test::repaired(test::soup_of(surface)));
-}
-
-prepare::PointRules free_points(const mesh::LooseFaces& loose) {
-  prepare::PointRules points;
-  points.plane.assign(loose.points.size(), prepare::PointRules::none);
-  points.copies.assign(loose.points.size(), 1);
-  return points;
 }
 
 mesh::Surface surface_of(const mesh::LooseFaces& loose) {
@@ -33,9 +29,6 @@ double distance(const mesh::LooseFaces& a, const mesh::LooseFaces& b) {
   const mesh::Surface of_b = surface_of(b);
   return greatest_distance(mesh::SurfaceTree(of_a, 0.05), mesh::SurfaceTree(of_b, 0.05), INFINITY, {});
 }
-
-const std::vector<Vec2> ring{{2, -0.5},  {2.3, -0.4}, {2.5, 0},    {2.3, 0.4}, {2, 0.5},
-                             {1.7, 0.4}, {1.5, 0},    {1.7, -0.4}, {2, -0.5}};
 
 }  // namespace
 

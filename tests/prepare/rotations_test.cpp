@@ -25,7 +25,7 @@ mesh::Surface twisted(int sides) {
   });
 }
 
-Vec3 moved(Vec3 p) {
+Vec3 put_elsewhere(Vec3 p) {
   return 12.0 * Vec3{0.6 * p.x - 0.8 * p.z, p.y, 0.8 * p.x + 0.6 * p.z} + Vec3{3, 2, 1};
 }
 
@@ -45,7 +45,8 @@ void check_orbits(const PartialRotation& rotation) {
 
 TEST_CASE("turned bodies and towers have their turn, wherever they stand", "[symmetry]") {
   for (const int sides : {5, 6, 12}) {
-    for (const mesh::Surface& s : {twisted(sides), test::mapped(test::shuffled(twisted(sides), 4), moved)}) {
+    for (const mesh::Surface& s :
+         {twisted(sides), test::mapped(test::shuffled(twisted(sides), 4), put_elsewhere)}) {
       const std::optional<PartialRotation> found = widest_rotation(s, near, 0.5, 2);
       REQUIRE(found.has_value());
       CHECK(found->order == static_cast<unsigned>(sides));
@@ -62,7 +63,7 @@ TEST_CASE("a brick is turned by a half, a lopsided body not at all", "[symmetry]
   const mesh::Surface odd = test::mapped(
       test::star_shaped(
           [](Vec3 d) { return 1.0 + 0.3 * d.x + 0.2 * std::sin(3.0 * d.y + d.z) + 0.2 * d.z * d.x; }, 12, 7),
-      moved);
+      put_elsewhere);
   CHECK_FALSE(widest_rotation(odd, near, 0.5, 2).has_value());
 }
 
@@ -78,7 +79,7 @@ TEST_CASE("half turns don't hide the turn of a wheel, however it lies", "[symmet
                            +[](Vec3 p) {
                              return Vec3{p.y, p.z, p.x};
                            },
-                           +[](Vec3 p) { return moved(p); }}) {
+                           +[](Vec3 p) { return put_elsewhere(p); }}) {
     const std::optional<PartialRotation> found = widest_rotation(test::mapped(wheel, laid), near, 0.5, 2);
     REQUIRE(found.has_value());
     CHECK(found->order == 3);

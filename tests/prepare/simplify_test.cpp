@@ -4,6 +4,7 @@
 
 #include "mesh/mesh.hpp"
 #include "mesh/model/surface_distance.hpp"
+#include "prepare/common_models.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/simplify/collapse_sequence.hpp"
 #include "prepare/simplify/fold_figures.hpp"
@@ -13,21 +14,14 @@
 using namespace ridgecraft;
 using prepare::Prepared;
 using prepare::SimplifyOptions;
+using test::free_points;
+using test::page;
+using test::ring;
 
 namespace {
 
-/// Points of which each stands for itself.
-prepare::PointRules free_points(const mesh::LooseFaces& loose) {
-  prepare::PointRules points;
-  points.plane.assign(loose.points.size(), prepare::PointRules::none);
-  points.copies.assign(loose.points.size(), 1);
-  return points;
-}
-
-constexpr prepare::PanelRoom page{{190.0, 270.0}};
-
-Prepared prepared(const mesh::Surface& surface, const SimplifyOptions& options = {},
-                  const prepare::SizeOptions& size = {}) {
+Prepared simplified(const mesh::Surface& surface, const SimplifyOptions& options = {},
+                    const prepare::SizeOptions& size = {}) {
   return prepare::prepare(test::repaired(test::soup_of(surface)), size, options, page, {});
 }
 
@@ -45,9 +39,6 @@ double farthest(const mesh::Surface& a, const mesh::Surface& b) {
   return greatest;
 }
 
-const std::vector<Vec2> ring{{2, -0.5},  {2.3, -0.4}, {2.5, 0},    {2.3, 0.4}, {2, 0.5},
-                             {1.7, 0.4}, {1.5, 0},    {1.7, -0.4}, {2, -0.5}};
-
 }  // namespace
 
 TEST_CASE("a fine sphere is simplified until it can be folded, within the deviation", "[simplify]") {
@@ -56,7 +47,7 @@ TEST_CASE("a fine sphere is simplified until it can be folded, within the deviat
   // anew.
   prepare::SizeOptions size;
   size.mm_per_unit = 75.0;
-  const Prepared p = prepared(fine, {}, size);
+  const Prepared p = simplified(fine, {}, size);
   test::check_invariants(p.model.surface);
   CHECK(p.simplified.short_edges_before > 0.1);
   CHECK(p.simplified.short_edges_after <= 0.1);
@@ -69,7 +60,7 @@ TEST_CASE("a fine sphere is simplified until it can be folded, within the deviat
   // What the report says is what brute force finds.
   SimplifyOptions keep;
   keep.mode = prepare::Simplification::keep;
-  const Prepared whole = prepared(fine, keep, size);
+  const Prepared whole = simplified(fine, keep, size);
   CHECK(farthest(p.model.surface, whole.model.surface) <= p.simplified.deviation_mm + 1e-9);
   CHECK(farthest(whole.model.surface, p.model.surface) <= p.simplified.deviation_mm + 1e-9);
   // No edge is folded shut.
@@ -79,17 +70,17 @@ TEST_CASE("a fine sphere is simplified until it can be folded, within the deviat
 }
 
 TEST_CASE("a simplified model has the size that was asked for", "[simplify]") {
-  const Prepared p = prepared(test::sphere(120, 60));
+  const Prepared p = simplified(test::sphere(120, 60));
   REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
   const Vec3 size = p.model.surface.bounds().size();
   CHECK(std::max({size.x, size.y, size.z}) == Approx(150.0).margin(1e-9));
 }
 
 TEST_CASE("what can be folded stays as it is", "[simplify]") {
-  const Prepared p = prepared(test::sphere(16, 8));
+  const Prepared p = simplified(test::sphere(16, 8));
   CHECK(p.simplified.faces_after == 16 * 14);
   CHECK(p.simplified.deviation_mm == 0.0);
-  const Prepared cube = prepared(test::voxels({{0, 0, 0}}, 40));
+  const Prepared cube = simplified(test::voxels({{0, 0, 0}}, 40));
   CHECK(cube.simplified.faces_after == 12);
 }
 
@@ -97,13 +88,13 @@ TEST_CASE("a count is kept to, and genus and borders stay", "[simplify]") {
   SimplifyOptions options;
   options.mode = prepare::Simplification::count;
   options.faces = 300;
-  const Prepared torus = prepared(test::revolve(ring, 100), options);
+  const Prepared torus = simplified(test::revolve(ring, 100), options);
   CHECK(torus.simplified.faces_after <= 300);
   CHECK(torus.simplified.faces_after >= 290);
   CHECK(test::euler(torus.model.surface) == 0);
   test::check_invariants(torus.model.surface);
   options.faces = 60;
-  const Prepared tube = prepared(test::revolve({{1, 0}, {1.1, 0.5}, {1.05, 1}, {1, 1.5}}, 80), options);
+  const Prepared tube = simplified(test::revolve({{1, 0}, {1.1, 0.5}, {1.05, 1}, {1, 1.5}}, 80), options);
   CHECK(test::euler(tube.model.surface) == 0);
   CHECK(test::border_edges(tube.model.surface) > 0);
   // Its rims stay where they are.
@@ -167,7 +158,7 @@ TEST_CASE("short folds are counted at the size that was asked for", "[simplify]"
   for (const double size_mm : {60.0, 100.0, 150.0}) {
     prepare::SizeOptions size;
     size.largest_extent_mm = size_mm;
-    const Prepared p = prepared(test::sphere(120, 60), options, size);
+    const Prepared p = simplified(test::sphere(120, 60), options, size);
     REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
     CHECK(p.simplified.short_edges_after == prepare::fold_figures(p.model.surface, options).brief_share());
   }

@@ -99,7 +99,7 @@ double visible_area(const Shape& shape, const std::vector<Shape>& others) {
   return area;
 }
 
-Model model_of(const Shape& shape) {
+Model model_of_shape(const Shape& shape) {
   return test::repaired(soup(shape.points, shape.faces));
 }
 
@@ -108,7 +108,7 @@ struct United {
   prepare::SkinReport report;
 };
 United united(const Shape& shape) {
-  United result{model_of(shape), {}};
+  United result{model_of_shape(shape), {}};
   result.report = prepare::unite_bodies(result.model, {});
   test::check_invariants(result.model.surface);
   REQUIRE(result.model.polygon.size() == result.model.surface.face_count());
@@ -172,7 +172,7 @@ TEST_CASE("bodies that touch in a face, a part of one, an edge or a corner", "[s
   SECTION("an edge, a corner, nothing") {
     const Vec3 at = GENERATE(Vec3{2, 2, 0.5}, Vec3{2, 2, 2}, Vec3{2, 2, 3});
     shape.add(box(at, at + Vec3{1, 1, 1}));
-    const Model before = model_of(shape);
+    const Model before = model_of_shape(shape);
     const United two = united(shape);
     CHECK(two.report.united == 0);
     CHECK(std::equal(two.model.surface.points().begin(), two.model.surface.points().end(),
@@ -293,7 +293,7 @@ TEST_CASE("boxes on a grid: the volume is counted in cells", "[skin]") {
     }
     // Two boxes with one face lose a copy of it in reading; cavities that touch the outside are no matter
     // here.
-    if (model_of(shape).repairs.count(mesh::RepairKind::duplicate_faces_dropped) > 0 ||
+    if (model_of_shape(shape).repairs.count(mesh::RepairKind::duplicate_faces_dropped) > 0 ||
         cells.closed(false) != cells.closed(true)) {
       continue;
     }
@@ -328,7 +328,7 @@ TEST_CASE("random bodies: area of what can be seen, by points spread over it", "
     }
     CHECK(test::area(one.model.surface) == Approx(area).epsilon(0.01));
     // What is seen from outside is the same as before, from everywhere.
-    const Model before = model_of(all);
+    const Model before = model_of_shape(all);
     for (int k = 0; k < 40; ++k) {
       const Vec3 from{8 * random.unit() - 4, 8 * random.unit() - 4, 9.0};
       const Vec3 to{3 * random.unit() - 1, 3 * random.unit() - 1, 3 * random.unit() - 1};
@@ -440,7 +440,7 @@ TEST_CASE("a bent leaf with a stem through it stays a sheet", "[skin]") {
   }
   CHECK(solid == Approx(4 * 0.2 * 2.5 + 2 * 0.04));
   // What the stem goes through is a hole in the leaf now.
-  CHECK(test::area(leaf.model.surface) < test::area(model_of(shape).surface) - 0.04);
+  CHECK(test::area(leaf.model.surface) < test::area(model_of_shape(shape).surface) - 0.04);
 }
 
 TEST_CASE("the brim of a hat stays, though what closes the hat lies on it", "[skin]") {
@@ -448,7 +448,7 @@ TEST_CASE("the brim of a hat stays, though what closes the hat lies on it", "[sk
   no_floor.erase(no_floor.begin());
   Shape shape{both(box_points({0, 0, 0}, {2, 2, 2}), {{-1, -1, 0}, {3, -1, 0}, {3, 3, 0}, {-1, 3, 0}}),
               both(no_floor, {{8, 9, 1, 0}, {9, 10, 2, 1}, {10, 11, 3, 2}, {11, 8, 0, 3}})};
-  REQUIRE(model_of(shape).surface.component_count() == 1);
+  REQUIRE(model_of_shape(shape).surface.component_count() == 1);
   shape.add(box({0.5, 0.5, 1.5}, {1, 1, 3}));
   const United hat = united(shape);
   CHECK(hat.report.united == 2);
@@ -465,7 +465,7 @@ TEST_CASE("a strip that would be closed by itself for the most part stays a shee
   // over which it is larger.
   shape.add({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0.6}, {3, 0, 0.6}, {3, 1, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}},
              {{0, 1, 6}, {0, 6, 7}, {1, 2, 6}, {2, 5, 6}, {2, 3, 4}, {2, 4, 5}}});
-  const double own = test::area(model_of(shape).surface);
+  const double own = test::area(model_of_shape(shape).surface);
   const United strip = united(shape);
   CHECK(test::area(strip.model.surface) == Approx(own - 0.2 * 0.5));
   CHECK(strip.report.rims_closed == 0);
@@ -596,7 +596,7 @@ TEST_CASE("a rail that ends just before a leg touches it", "[skin]") {
         p.x += p.x < 2.0 ? lean * (p.z - 4.25) + gap : 0.0;
       }
       shape.add(rail);
-      const Model before = model_of(shape);
+      const Model before = model_of_shape(shape);
       const United one = united(shape);
       if (gap == 0.02) {
         CHECK(one.report.united == 0);

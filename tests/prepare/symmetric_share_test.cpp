@@ -9,6 +9,7 @@
 
 #include "base/random.hpp"
 #include "mesh/mesh.hpp"
+#include "prepare/common_models.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/simplify/collapse_sequence.hpp"
@@ -19,10 +20,11 @@
 
 using namespace ridgecraft;
 using prepare::SymmetricShare;
+using test::model_of;
 
 namespace {
 
-constexpr prepare::PanelRoom page{{190.0, 270.0}, 8.0};
+constexpr prepare::PanelRoom page_with_tabs{{190.0, 270.0}, 8.0};
 
 prepare::Prepared prepared(const mesh::Model& model, std::size_t faces = 0) {
   prepare::SimplifyOptions options;
@@ -30,7 +32,7 @@ prepare::Prepared prepared(const mesh::Model& model, std::size_t faces = 0) {
     options.mode = prepare::Simplification::count;
     options.faces = faces;
   }
-  return prepare::prepare(model, {}, options, page, {});
+  return prepare::prepare(model, {}, options, page_with_tabs, {});
 }
 
 /// The surface has a plane at which all corners have images, to rounding.
@@ -84,10 +86,6 @@ double shortest_edge(const mesh::Surface& surface) {
     shortest = std::min(shortest, surface.length(e));
   }
   return shortest;
-}
-
-mesh::Model model_of(const mesh::Surface& surface) {
-  return test::repaired(test::soup_of(surface));
 }
 
 }  // namespace

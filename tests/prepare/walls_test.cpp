@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "mesh/mesh.hpp"
+#include "prepare/common_models.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/simplify/features.hpp"
@@ -22,10 +23,9 @@
 using namespace ridgecraft;
 using prepare::Prepared;
 using prepare::SimplifyOptions;
+using test::page;
 
 namespace {
-
-constexpr prepare::PanelRoom page{{190.0, 270.0}};
 
 /// Polygons of which each has its own points; repair joins them.
 struct Polygons {

@@ -11,13 +11,13 @@
 #include <catch2/catch.hpp>
 
 #include "segment/surface/exact_orientation.hpp"
+#include "segmented.hpp"
 
 namespace ridgecraft {
 namespace {
 
 using segment::Bridge;
-
-constexpr double tolerance = 0.1;
+using test::tolerance;
 
 /// A tetrahedron with two corners that are 0.02 apart, 1 and 2, and its bridges, all open.
 struct Thin {

@@ -102,7 +102,7 @@ struct Compared {
   std::size_t open;
 };
 
-Compared compare(const CutGraph& graph) {
+Compared compare_cuts(const CutGraph& graph) {
   CoarseCut coarse;
   std::vector<CutSide> side;
   coarse.run(graph, side);
@@ -133,7 +133,7 @@ TEST_CASE("a cut along a cheap line is found among clusters", "[segment]") {
         arc.crease = arc.capacity == 30;
       }
     }
-    const Compared found = compare(graph);
+    const Compared found = compare_cuts(graph);
     CHECK(found.narrowed == found.whole);
     CHECK(found.open < graph.sides.size());
   }
@@ -145,7 +145,7 @@ TEST_CASE("narrowed cuts are the whole graph's or little dearer", "[segment]") {
   for (int round = 0; round < 20; ++round) {
     const CutGraph graph =
         grid([&](std::uint32_t, std::uint32_t) { return std::int64_t{85 + random.below(30)}; });
-    const Compared found = compare(graph);
+    const Compared found = compare_cuts(graph);
     CHECK(found.narrowed >= found.whole);
     CHECK(static_cast<double>(found.narrowed) <= 1.05 * static_cast<double>(found.whole));
     equal += found.narrowed == found.whole ? 1 : 0;
@@ -166,14 +166,14 @@ TEST_CASE("clusters of one node, of no node, and arcs that can't be cut", "[segm
       arc.crease = true;
     }
   }
-  const Compared creased = compare(graph);
+  const Compared creased = compare_cuts(graph);
   CHECK(creased.narrowed == creased.whole);
   // Infinite arcs in all but one column of squares: the cut must run there.
   graph = grid([](std::uint32_t s, std::uint32_t t) {
     const bool cheap = s % columns == 29 && t % columns == 30;
     return cheap ? std::int64_t{100} : MaximumFlow::infinite_capacity;
   });
-  const Compared held = compare(graph);
+  const Compared held = compare_cuts(graph);
   CHECK(held.whole == 60 * 100);
   CHECK(held.narrowed == held.whole);
 }

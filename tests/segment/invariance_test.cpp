@@ -17,6 +17,7 @@
 #include "segment/judging/agreement.hpp"
 #include "segment/judging/evaluate.hpp"
 #include "segment/segment.hpp"
+#include "segmented.hpp"
 #include "support/benchmark_models.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
@@ -24,6 +25,8 @@
 
 namespace ridgecraft {
 namespace {
+
+using test::labels_of;
 
 namespace fs = std::filesystem;
 
@@ -36,14 +39,6 @@ segment::Segmentation segmented(const mesh::Surface& s, int effort, std::uint64_
   Context context;
   context.seed = seed;
   return segment::segment(s, {}, {.concavity = 0.1, .effort = effort}, context);
-}
-
-std::vector<std::uint32_t> labels_of(const segment::Segmentation& s) {
-  std::vector<std::uint32_t> labels;
-  for (const PartId p : s.part) {
-    labels.push_back(p.value());
-  }
-  return labels;
 }
 
 Vec3 rotated(Vec3 p) {

@@ -17,13 +17,14 @@
 #include "segment/judging/evaluate.hpp"
 #include "segment/segment.hpp"
 #include "segment/surface/enclosing_ball.hpp"
+#include "segmented.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft {
 namespace {
 
-constexpr double tolerance = 0.1;
+using test::tolerance;
 
 struct Plane {
   Vec3 normal;

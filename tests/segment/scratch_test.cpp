@@ -14,13 +14,15 @@
 #include "segment/concavity/valley_concavity.hpp"
 #include "segment/segment.hpp"
 #include "segment/surface/enclosing_ball.hpp"
+#include "segmented.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft {
 namespace {
 
-constexpr double tolerance = 0.1;
+using test::tolerance;
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 

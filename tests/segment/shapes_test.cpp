@@ -14,24 +14,18 @@
 #include "base/random.hpp"
 #include "segment/judging/evaluate.hpp"
 #include "segment/segment.hpp"
+#include "segmented.hpp"
 #include "support/concave_shapes.hpp"
 
 namespace ridgecraft {
 namespace {
 
 using segment::Segmentation;
+using test::labels_of;
+using test::tolerance;
 
-constexpr double tolerance = 0.1;
 /// Rays a side for volumes; faces parallel to the grid cost up to 1.5 % with fewer.
 constexpr unsigned rays = 512;
-
-std::vector<std::uint32_t> labels_of(const Segmentation& s) {
-  std::vector<std::uint32_t> labels;
-  for (const PartId p : s.part) {
-    labels.push_back(p.value());
-  }
-  return labels;
-}
 
 /// What must hold for every segmentation whatever the shape.
 void check_promises(const mesh::Surface& surface, const Segmentation& s) {
@@ -69,14 +63,14 @@ void check_promises(const mesh::Surface& surface, const Segmentation& s) {
   CHECK(faces == surface.face_count());
 }
 
-Segmentation segmented(const mesh::Surface& surface) {
+Segmentation checked_parts(const mesh::Surface& surface) {
   Segmentation s = segment::segment(surface, {}, {tolerance}, Context{});
   check_promises(surface, s);
   return s;
 }
 
 std::size_t parts_of(const mesh::Surface& surface) {
-  return segmented(surface).parts.size();
+  return checked_parts(surface).parts.size();
 }
 
 double ratio_of(const mesh::Surface& surface, const Segmentation& s) {
@@ -101,7 +95,7 @@ std::vector<std::array<int, 3>> operator+(std::vector<std::array<int, 3>> a,
 
 TEST_CASE("Convex shapes are one part") {
   CHECK(parts_of(test::voxels({{0, 0, 0}}, 10)) == 1);
-  const Segmentation ball = segmented(test::sphere(64, 32));
+  const Segmentation ball = checked_parts(test::sphere(64, 32));
   CHECK(ball.parts.size() == 1);
   CHECK(ball.max_concavity() < 1e-6);
   CHECK(ball.parts[PartId(0)].hull_volume == Approx(4.0 / 3.0 * std::numbers::pi).epsilon(0.01));
@@ -113,7 +107,7 @@ TEST_CASE("Convex shapes are one part") {
 
 TEST_CASE("Overlapping spheres part at their crease") {
   const mesh::Surface two = test::sphere_chain({-0.7, 0.7});
-  const Segmentation s = segmented(two);
+  const Segmentation s = checked_parts(two);
   REQUIRE(s.parts.size() == 2);
   CHECK(ratio_of(two, s) == Approx(1.0).margin(0.005));
   for (const FaceId f : ids<FaceId>(two.face_count())) {
@@ -127,17 +121,17 @@ TEST_CASE("Overlapping spheres part at their crease") {
 }
 
 TEST_CASE("Shapes of cubes part into their arms") {
-  const auto l = segmented(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 8));
+  const auto l = checked_parts(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 8));
   CHECK(l.parts.size() >= 2);
   CHECK(l.parts.size() <= 3);
   const mesh::Surface plus = test::voxels({{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, 6);
-  const auto plus_parts = segmented(plus);
+  const auto plus_parts = checked_parts(plus);
   CHECK(plus_parts.parts.size() >= 2);
   CHECK(plus_parts.parts.size() <= 3);
   CHECK(ratio_of(plus, plus_parts) <= 1.05);
   const mesh::Surface cross =
       test::voxels({{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, 6);
-  const auto cross_parts = segmented(cross);
+  const auto cross_parts = checked_parts(cross);
   CHECK(cross_parts.parts.size() == 6);
   CHECK(ratio_of(cross, cross_parts) == Approx(6.0 / 7.0).margin(0.01));
   CHECK(parts_of(test::voxels(row(0, 2) + std::vector<std::array<int, 3>>{{0, 1, 0}, {2, 1, 0}}, 8)) == 3);
@@ -167,11 +161,11 @@ TEST_CASE("A table is its top and its legs") {
 
 TEST_CASE("Round shapes part at their waists") {
   const mesh::Surface dumbbell = test::dumbbell();
-  const auto d = segmented(dumbbell);
+  const auto d = checked_parts(dumbbell);
   CHECK(d.parts.size() == 3);
   CHECK(ratio_of(dumbbell, d) == Approx(1.0).margin(0.005));
   const mesh::Surface hourglass = test::turned({{0, -1}, {0.8, -1}, {0.15, 0}, {0.8, 1}, {0, 1}});
-  const auto h = segmented(hourglass);
+  const auto h = checked_parts(hourglass);
   REQUIRE(h.parts.size() == 2);
   for (const EdgeId e : ids<EdgeId>(hourglass.edge_count())) {
     const auto [c, t] = hourglass.sides(e);
@@ -327,7 +321,7 @@ TEST_CASE("A polygon's triangles stay in one part") {
 TEST_CASE("A surface rougher than the tolerance comes to an end") {
   Random random(3);
   const mesh::Surface hedgehog = test::star_shaped([&](Vec3) { return 1.0 + random.unit(); }, 60, 30);
-  const Segmentation s = segmented(hedgehog);
+  const Segmentation s = checked_parts(hedgehog);
   CHECK(s.parts.size() > 64);
 }
 

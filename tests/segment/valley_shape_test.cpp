@@ -13,11 +13,12 @@
 #include "segment/concavity/residual_concavity.hpp"
 #include "segment/concavity/separators.hpp"
 #include "segment/concavity/valley_concavity.hpp"
+#include "segmented.hpp"
 
 namespace ridgecraft {
 namespace {
 
-constexpr double tolerance = 0.1;
+using test::tolerance;
 
 std::vector<double> concavity_of(const std::vector<Vec2>& chain) {
   std::vector<double> c;

@@ -7,13 +7,14 @@
 #include <catch2/catch.hpp>
 
 #include "segment/concavity/vertex_graph.hpp"
+#include "segmented.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft {
 namespace {
 
-constexpr double tolerance = 0.1;
+using test::tolerance;
 
 /// The whole of a dumbbell as a part, and two vertices on its two balls.
 struct Whole {

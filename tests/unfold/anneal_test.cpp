@@ -20,6 +20,7 @@
 #include "unfold/search/tree_search.hpp"
 
 using namespace ridgecraft;
+using test::tolerance;
 using unfold::ChangingNet;
 using unfold::Folds;
 using unfold::NetEnergy;
@@ -29,8 +30,6 @@ using unfold::Swap;
 using unfold::Weights;
 
 namespace {
-
-constexpr double tolerance = 1e-5;
 
 /// A sphere with dents and bumps; `even`: those of one side are mirrored in the plane y = 0.
 mesh::Surface lumpy(std::uint64_t seed, bool even) {
@@ -54,8 +53,8 @@ mesh::Surface lumpy(std::uint64_t seed, bool even) {
 }
 
 /// A surface as one patch, and a clean net of it that is cut into pieces at some of its folds.
-struct Example {
-  Example(std::uint64_t seed, std::size_t more_pieces, bool even = false)
+struct CutExample {
+  CutExample(std::uint64_t seed, std::size_t more_pieces, bool even = false)
       : surface(lumpy(seed, even)), panels(test::no_panels(surface)) {
     patch = test::whole_patch(surface, panels);
     Random random(seed);
@@ -96,7 +95,7 @@ double hull_area(const std::vector<Vec2>& hull) {
 
 TEST_CASE("the energy is kept up to date from swap to swap, in a piece and between pieces", "[energy]") {
   for (const std::size_t more : {0U, 3U}) {
-    const Example example(5 + more, more);
+    const CutExample example(5 + more, more);
     ChangingNet net = example.net();
     const Room room{unfold::Sheet{180.0, 250.0}, 5.0, 400};
     const unfold::CutFacts facts = unfold::cut_facts(net, {});
@@ -147,7 +146,7 @@ TEST_CASE("the energy is kept up to date from swap to swap, in a piece and betwe
 }
 
 TEST_CASE("hollows are those of the convex hull, a little enlarged", "[energy]") {
-  const Example example(8, 0);
+  const CutExample example(8, 0);
   ChangingNet net = example.net();
   Weights hollow{};
   hollow.seam = hollow.bare = hollow.slits = hollow.mirror = hollow.open = hollow.outline = hollow.thin = 0.0;
@@ -161,7 +160,7 @@ TEST_CASE("hollows are those of the convex hull, a little enlarged", "[energy]")
 
 TEST_CASE("annealing lowers the energy and keeps nets clean, as many, and the same for a seed", "[energy]") {
   for (const std::size_t more : {0U, 1U, 3U}) {
-    const Example example(11 + more, more);
+    const CutExample example(11 + more, more);
     const Room anywhere;
     const auto run = [&](ChangingNet& net) {
       unfold::anneal(net, unfold::cut_facts(net, {}), anywhere, {},
@@ -190,7 +189,7 @@ TEST_CASE("annealing lowers the energy and keeps nets clean, as many, and the sa
 }
 
 TEST_CASE("pieces that fit the sheet still do, and none gets too many panels", "[energy]") {
-  const Example example(21, 3);
+  const CutExample example(21, 3);
   ChangingNet net = example.net();
   const Room room{unfold::Sheet{200.0, 240.0}, 5.0, 120};
   NetEnergy energy(net.patch(), net.tree(), unfold::cut_facts(net, {}), room, {});
@@ -202,7 +201,7 @@ TEST_CASE("pieces that fit the sheet still do, and none gets too many panels", "
 }
 
 TEST_CASE("edges that are mirror images are cut together", "[energy]") {
-  const Example example(31, 0, true);
+  const CutExample example(31, 0, true);
   ChangingNet net = example.net();
   const Patch& patch = example.patch;
   // The mirror image of a side lies between the mirror images of its ends.

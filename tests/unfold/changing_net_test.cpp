@@ -24,6 +24,7 @@
 using namespace ridgecraft;
 using mesh::Surface;
 using prepare::Panels;
+using test::tolerance;
 using unfold::ConvexShape;
 using unfold::Folds;
 using unfold::Patch;
@@ -34,10 +35,8 @@ using unfold::TreeSearch;
 
 namespace {
 
-constexpr double tolerance = 1e-5;
-
 /// A sphere with dents and bumps: 2 * 16 * 9 faces, 120 mm across.
-Surface lumpy(std::uint64_t seed) {
+Surface large_lumpy(std::uint64_t seed) {
   const Surface ball = test::sphere(16, 10);
   Random random(seed);
   std::vector<Vec3> points;
@@ -52,8 +51,8 @@ Surface lumpy(std::uint64_t seed) {
 }
 
 /// A surface as one patch, and a clean net of it.
-struct Example {
-  explicit Example(Surface s, std::uint64_t seed)
+struct NetExample {
+  explicit NetExample(Surface s, std::uint64_t seed)
       : surface(std::move(s)), panels(prepare::find_panels(surface)) {
     patch = test::whole_patch(surface, panels);
     Random random(seed);
@@ -123,7 +122,7 @@ void check_no_collision(const Patch& patch, const RootedNet& net, const TabState
 }  // namespace
 
 TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_search]") {
-  const Example example(lumpy(7), 7);
+  const NetExample example(large_lumpy(7), 7);
   const Patch& patch = example.patch;
   unfold::ChangingNet net(example.surface, example.panels, patch, example.folds, TabOptions(), tolerance);
   unfold::ChangingNet bare(patch, example.folds, tolerance);
@@ -187,7 +186,7 @@ TEST_CASE("a changing net knows its tabs, its hull and its way back", "[tab_sear
 
 TEST_CASE("tabs that are kept up to date collide with nothing, and changes can be taken back",
           "[tab_search]") {
-  const Example example(lumpy(5), 5);
+  const NetExample example(large_lumpy(5), 5);
   const Patch& patch = example.patch;
   RootedNet net(patch);
   unfold::OverlapPairs pairs(net, tolerance);

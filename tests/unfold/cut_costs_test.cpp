@@ -9,6 +9,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
 #include "support/shapes.hpp"
+#include "unfold/nets_checks.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/start_tree.hpp"
@@ -18,6 +19,7 @@
 #include "unfold/tabs/place/targets.hpp"
 
 using namespace ridgecraft;
+using test::tolerance;
 using unfold::CutCosts;
 using unfold::Folds;
 using unfold::Patch;
@@ -26,7 +28,6 @@ using unfold::TreeSearch;
 
 namespace {
 
-constexpr double tolerance = 1e-5;
 constexpr double clearance = 0.2;
 
 /// A lathe's work with twelve flat regions in each of its four walls, about 60 mm high.
@@ -36,7 +37,7 @@ mesh::Surface turned() {
 }
 
 /// A sphere with dents and bumps, about 60 mm across, so that many of its edges are short of room.
-mesh::Surface lumpy(std::uint64_t seed) {
+mesh::Surface small_lumpy(std::uint64_t seed) {
   const mesh::Surface ball = test::sphere(14, 9);
   Random random(seed);
   std::vector<Vec3> points;
@@ -50,9 +51,10 @@ mesh::Surface lumpy(std::uint64_t seed) {
   return mesh::Surface(std::move(points), std::move(faces));
 }
 
-struct Example {
-  explicit Example(std::uint64_t seed, std::size_t left_out = 0) : Example(lumpy(seed), seed, left_out) {}
-  Example(mesh::Surface made, std::uint64_t seed, std::size_t left_out)
+struct CostExample {
+  explicit CostExample(std::uint64_t seed, std::size_t left_out = 0)
+      : CostExample(small_lumpy(seed), seed, left_out) {}
+  CostExample(mesh::Surface made, std::uint64_t seed, std::size_t left_out)
       : surface(std::move(made)), panels(prepare::find_panels(surface)) {
     std::vector<FaceId> faces;
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
@@ -107,7 +109,7 @@ struct Example {
 TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     // The third one is open: it has seams. The fourth has bands.
-    Example example = seed == 4 ? Example(turned(), seed, 0) : Example(seed, seed == 3 ? 20 : 0);
+    CostExample example = seed == 4 ? CostExample(turned(), seed, 0) : CostExample(seed, seed == 3 ? 20 : 0);
     example.pair_edges(seed);
     CutCosts costs = example.costs({});
     CutCosts fresh = example.costs({});
@@ -156,7 +158,7 @@ TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
 }
 
 TEST_CASE("without other weights cuts cost their length, and each weight costs something", "[energy]") {
-  Example example(4);
+  CostExample example(4);
   example.pair_edges(4);
   unfold::Weights alone{};
   alone.bare = alone.slits = alone.mirror = alone.open = 0.0;
@@ -180,7 +182,7 @@ TEST_CASE("without other weights cuts cost their length, and each weight costs s
 }
 
 TEST_CASE("mirror images that count more cost what a greater weight would", "[energy]") {
-  Example example(4);
+  CostExample example(4);
   example.pair_edges(4);
   unfold::Weights thrice{};
   thrice.mirror *= 3.0;
@@ -199,7 +201,7 @@ TEST_CASE("mirror images that count more cost what a greater weight would", "[en
 }
 
 TEST_CASE("a band that is parted more than once costs the cuts beyond its longest", "[energy]") {
-  Example example(turned(), 5, 0);
+  CostExample example(turned(), 5, 0);
   unfold::Weights alone{};
   alone.bare = alone.slits = alone.mirror = alone.open = alone.bands = 0.0;
   unfold::Weights banded = alone;
@@ -229,7 +231,7 @@ TEST_CASE("a band that is parted more than once costs the cuts beyond its longes
 }
 
 TEST_CASE("the overlaps that a swap adds are counted as after the swap") {
-  const Example example(4);
+  const CostExample example(4);
   RootedNet net(example.patch);
   net.set_tree(example.folds);
   unfold::OverlapPairs pairs(net, tolerance);

@@ -17,6 +17,7 @@
 
 using namespace ridgecraft;
 using test::faults_of;
+using test::none;
 using test::scaled;
 using unfold::EdgeUse;
 using unfold::EdgeWish;
@@ -27,8 +28,6 @@ using unfold::PieceReason;
 using unfold::Segment;
 
 namespace {
-
-const std::vector<std::string> none;
 
 Segment segment_of(const mesh::Surface& s, EdgeId e) {
   const CornerId c = s.sides(e)[0];

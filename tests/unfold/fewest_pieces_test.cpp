@@ -16,10 +16,9 @@
 
 using namespace ridgecraft;
 using namespace ridgecraft::unfold;
+using test::tolerance;
 
 namespace {
-
-constexpr double tolerance = 1e-5;
 
 NetFound best_of_a_moment(const Patch& patch, std::uint64_t iterations) {
   NetSearch search;

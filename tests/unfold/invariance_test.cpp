@@ -53,13 +53,13 @@ double scale_of(Change change) {
   return change == Change::larger ? 3.0 : change == Change::smaller ? 0.25 : 1.0;
 }
 
-struct Model {
+struct PanelledModel {
   mesh::Surface surface;
   prepare::Panels panels;
 };
 
 /// The model with its panels, put otherwise.
-Model changed(const Model& model, Change change) {
+PanelledModel changed(const PanelledModel& model, Change change) {
   const mesh::Surface& s = model.surface;
   Random random(11);
   std::vector<std::uint32_t> number(s.vertex_count());
@@ -77,7 +77,7 @@ Model changed(const Model& model, Change change) {
     points[number[v]] = moved(s.point(VertexId(v)), change);
   }
   std::vector<std::array<VertexId, 3>> faces;
-  Model result;
+  PanelledModel result;
   result.panels.panel = IdVector<FaceId, PanelId>(order.size());
   result.panels.faces.resize(model.panels.faces.size());
   for (const FaceId f : order) {
@@ -123,7 +123,7 @@ Figures figures_of(const mesh::Surface& surface, const Nets& nets) {
   return figures;
 }
 
-Model sample(const std::string& file) {
+PanelledModel sample(const std::string& file) {
   prepare::SimplifyOptions keep;
   keep.mode = prepare::Simplification::keep;
   const std::string path = std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + file;
@@ -136,7 +136,7 @@ Model sample(const std::string& file) {
 TEST_CASE("turning, scaling, renumbering and mirroring keep success, lengths and coverage",
           "[invariance][slow]") {
   for (const std::string file : {"whale.obj", "star.obj", "vase.ply", "fox_head.obj"}) {
-    const Model model = sample(file);
+    const PanelledModel model = sample(file);
     Options whole;  // no sheet, so that scale is no obstacle
     whole.tabs.wanted = false;
     whole.panel_cuts = unfold::PanelCuts::before_pieces;
@@ -144,7 +144,7 @@ TEST_CASE("turning, scaling, renumbering and mirroring keep success, lengths and
     for (const Change change : {Change::none, Change::turned, Change::larger, Change::smaller,
                                 Change::renumbered, Change::mirrored}) {
       INFO(file << ", change " << static_cast<int>(change));
-      const Model other = changed(model, change);
+      const PanelledModel other = changed(model, change);
       const Nets nets = unfold::unfold(other.surface, other.panels, test::one_part(other.surface), whole, {});
       CHECK(faults_of(other.surface, nets, whole) == no_faults);
       const Figures figures = figures_of(other.surface, nets);
@@ -168,7 +168,7 @@ TEST_CASE("on paper a model put otherwise becomes nearly as many pieces, with ne
   // The search draws other random numbers for other faces, so pieces may differ by one in five or one, and
   // seam without a tab by a tenth of all seam.
   for (const std::string file : {"whale.obj"}) {
-    const Model model = sample(file);
+    const PanelledModel model = sample(file);
     Options options;
     options.sheet = unfold::Sheet{190.0, 277.0};
     options.pieces = unfold::rules_of(unfold::PieceMode::parts);
@@ -183,7 +183,7 @@ TEST_CASE("on paper a model put otherwise becomes nearly as many pieces, with ne
     double without_tab = 0.0;
     for (const Change change : {Change::none, Change::turned, Change::renumbered, Change::mirrored}) {
       INFO(file << ", change " << static_cast<int>(change));
-      const Model other = changed(model, change);
+      const PanelledModel other = changed(model, change);
       const Nets nets =
           unfold::unfold(other.surface, other.panels, test::one_part(other.surface), options, {});
       CHECK(faults_of(other.surface, nets, options) == no_faults);

@@ -21,24 +21,10 @@
 
 using namespace ridgecraft;
 using namespace ridgecraft::unfold;
+using test::grown;
+using test::tolerance;
 
 namespace {
-
-constexpr double tolerance = 1e-5;
-
-/// Faces of a patch that grow from one of them at random.
-std::vector<std::uint32_t> grown(const Patch& patch, std::size_t size, Random& random) {
-  std::vector<std::uint32_t> faces{random.below(patch.size())};
-  while (faces.size() < size) {
-    const std::uint32_t from = faces[random.below(static_cast<std::uint32_t>(faces.size()))];
-    const std::uint32_t twin = patch.twin[3 * from + random.below(3)];
-    if (twin != nothing && std::find(faces.begin(), faces.end(), twin / 3) == faces.end()) {
-      faces.push_back(twin / 3);
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  return faces;
-}
 
 /// The fewest trees of any forest without overlap, by trying all sets of folds.
 std::size_t by_trying_all(const Patch& patch) {

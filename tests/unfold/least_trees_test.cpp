@@ -15,10 +15,10 @@
 
 using namespace ridgecraft;
 using namespace ridgecraft::unfold;
+using test::grown;
+using test::tolerance;
 
 namespace {
-
-constexpr double tolerance = 1e-5;
 
 Patch patch_of(const mesh::Surface& s, const prepare::Panels& panels) {
   std::vector<FaceId> faces;
@@ -36,20 +36,6 @@ std::size_t least_by_forests(const Patch& patch) {
   const LeastForest least = least_forest(patch, {tolerance, patch.size(), 50'000'000}, {});
   REQUIRE(least.finished);
   return least.at_least;
-}
-
-/// Faces of a patch that grow from one of them at random.
-std::vector<std::uint32_t> grown(const Patch& patch, std::size_t size, Random& random) {
-  std::vector<std::uint32_t> faces{random.below(patch.size())};
-  while (faces.size() < size) {
-    const std::uint32_t from = faces[random.below(static_cast<std::uint32_t>(faces.size()))];
-    const std::uint32_t twin = patch.twin[3 * from + random.below(3)];
-    if (twin != nothing && std::find(faces.begin(), faces.end(), twin / 3) == faces.end()) {
-      faces.push_back(twin / 3);
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  return faces;
 }
 
 /// A plate of so many cells by as many with columns of `height` cells on some of them.

@@ -254,6 +254,19 @@ unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& p
   return unfold::make_patch(surface, panels, faces, {}, labels);
 }
 
+std::vector<std::uint32_t> grown(const unfold::Patch& patch, std::size_t size, Random& random) {
+  std::vector<std::uint32_t> faces{random.below(patch.size())};
+  while (faces.size() < size) {
+    const std::uint32_t from = faces[random.below(static_cast<std::uint32_t>(faces.size()))];
+    const std::uint32_t twin = patch.twin[3 * from + random.below(3)];
+    if (twin != unfold::nothing && std::find(faces.begin(), faces.end(), twin / 3) == faces.end()) {
+      faces.push_back(twin / 3);
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
 IdVector<FaceId, PartId> one_part(const mesh::Surface& surface) {
   return IdVector<FaceId, PartId>(surface.face_count(), PartId(0));
 }

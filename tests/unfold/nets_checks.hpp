@@ -2,17 +2,25 @@
 // What must hold of every result of unfold(), checked from the nets alone.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/random.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "support/flat_panels.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::test {
+
+/// Depth to which faces of a net may lie over each other without a fault, mm.
+inline constexpr double tolerance = 1e-5;
+
+/// What faults_of() gives where nothing is wrong.
+inline const std::vector<std::string> none;
 
 /// Sentences about what is wrong; empty when nothing is.
 [[nodiscard]] std::vector<std::string> faults_of(const mesh::Surface& surface, const unfold::Nets& nets,
@@ -27,6 +35,8 @@ namespace ridgecraft::test {
 [[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface);
 [[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& panels,
                                         std::span<const std::uint32_t> labels = {});
+/// `size` faces of a patch that grow from one of them at random, in order.
+[[nodiscard]] std::vector<std::uint32_t> grown(const unfold::Patch& patch, std::size_t size, Random& random);
 /// All faces in part 0.
 [[nodiscard]] IdVector<FaceId, PartId> one_part(const mesh::Surface& surface);
 /// Of flat panels and one part, with default options.

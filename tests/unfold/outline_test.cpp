@@ -143,7 +143,7 @@ TEST_CASE("a slit that lies closed is run there and back, and drawn once", "[out
     cuts.push_back(test::edge_between(grid, VertexId(10 + x), VertexId(11 + x)));
   }
   const Nets nets = [&] {
-    Nets n = test::lay_out(grid, test::shuffled(grid, 1), cuts);
+    Nets n = test::lay_out(grid, test::random_order(grid, 1), cuts);
     // Every edge but the two is flat and becomes a fold: the piece is a disc with circles of folds.
     for (const EdgeId e : ids<EdgeId>(grid.edge_count())) {
       if (n.use[e] == EdgeUse::cut && std::find(cuts.begin(), cuts.end(), e) == cuts.end()) {
@@ -165,7 +165,7 @@ TEST_CASE("a slit that lies closed is run there and back, and drawn once", "[out
 TEST_CASE("a spanning tree of a flat grid has slits everywhere", "[outline]") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Surface grid = test::scaled(test::flat_grid(6), 7.0);
-    const Nets nets = test::lay_out(grid, test::shuffled(grid, seed));
+    const Nets nets = test::lay_out(grid, test::random_order(grid, seed));
     check_outline(grid, nets);
     const unfold::CutLines lines = unfold::cut_lines(grid, nets, PieceId(0));
     CHECK(lines.loops.size() == 1);

@@ -26,6 +26,7 @@
 
 using namespace ridgecraft;
 using test::faults_of;
+using test::none;
 using test::scaled;
 using unfold::Nets;
 using unfold::Options;
@@ -33,8 +34,6 @@ using unfold::PieceMode;
 using unfold::PieceReason;
 
 namespace {
-
-const std::vector<std::string> none;
 
 /// The same surface with points moved by a rigid motion and faces in the reverse order.
 mesh::Surface turned_and_renumbered(const mesh::Surface& s) {
@@ -104,7 +103,7 @@ mesh::Surface staircase() {
 }
 
 /// Parts by the height of the faces' middles.
-IdVector<FaceId, PartId> slices(const mesh::Surface& s, double height) {
+IdVector<FaceId, PartId> slices_of_height(const mesh::Surface& s, double height) {
   IdVector<FaceId, PartId> part(s.face_count());
   for (const FaceId f : ids<FaceId>(s.face_count())) {
     const auto [a, b, c] = s.vertices(f);
@@ -147,7 +146,7 @@ TEST_CASE("every mode makes clean pieces, whole panels, and keeps to its limit",
   const mesh::Surface shapes[] = {staircase(), bumpy_ball(12, 8, 50.0, 11), torus(45.0)};
   for (const mesh::Surface& s : shapes) {
     const prepare::Panels panels = test::flat_panels(s);
-    const auto part = unfold::parts_of_whole_panels(s, panels, slices(s, 10.0));
+    const auto part = unfold::parts_of_whole_panels(s, panels, slices_of_height(s, 10.0));
     for (const PieceMode mode : {PieceMode::few, PieceMode::parts, PieceMode::small}) {
       const Options options = on_paper(mode);
       const Nets nets = unfold::unfold(s, panels, part, options, {});
@@ -173,7 +172,7 @@ TEST_CASE("few pieces are never more than the parts' pieces, and those never mor
           "[pieces]") {
   const mesh::Surface s = staircase();
   const prepare::Panels panels = test::flat_panels(s);
-  const auto part = unfold::parts_of_whole_panels(s, panels, slices(s, 45.0));
+  const auto part = unfold::parts_of_whole_panels(s, panels, slices_of_height(s, 45.0));
   std::vector<std::size_t> counts;
   for (const PieceMode mode : {PieceMode::few, PieceMode::parts, PieceMode::small}) {
     counts.push_back(unfold::unfold(s, panels, part, on_paper(mode), {}).pieces.size());

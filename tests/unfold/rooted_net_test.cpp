@@ -17,12 +17,11 @@
 #include "unfold/search/swap_overlaps.hpp"
 
 using namespace ridgecraft;
+using test::tolerance;
 using unfold::Patch;
 using unfold::RootedNet;
 
 namespace {
-
-constexpr double tolerance = 1e-5;
 
 /// A side of a random cut, and a random fold that may be removed for it.
 std::pair<std::uint32_t, std::uint32_t> draw_swap(RootedNet& net, Random& random) {

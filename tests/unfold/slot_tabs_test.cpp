@@ -23,6 +23,7 @@
 
 using namespace ridgecraft;
 using mesh::Surface;
+using test::Sample;
 using unfold::Arrow;
 using unfold::arrow_measures;
 using unfold::ConvexShape;
@@ -31,12 +32,6 @@ using unfold::Span;
 using unfold::Tab;
 
 namespace {
-
-struct Sample {
-  Surface surface;
-  prepare::Panels panels;
-  Nets nets;
-};
 
 Sample with_slots(const Surface& surface, std::uint64_t seed) {
   Sample sample{surface, test::flat_panels(surface), {}};
@@ -67,17 +62,17 @@ Surface model(int number) {
           test::revolve({{0.0, 0.0}, {30.0, 0.0}, {18.0, 40.0}, {24.0, 60.0}, {0.0, 75.0}}, 9), 1.5);
   }
 }
-constexpr int models = 7;
+constexpr int model_count = 7;
 
 PieceId piece_of_slit(const Sample& sample, const Tab& tab) {
   return sample.nets.piece[mesh::face_of(sample.surface.twin(tab.side))];
 }
 
-struct Segment {
+struct Line {
   Vec2 a, b;
 };
 
-double apart(const Segment& s, const Segment& t) {
+double apart(const Line& s, const Line& t) {
   const Vec2 u = s.b - s.a;
   const Vec2 v = t.b - t.a;
   if (cross(u, t.a - s.a) * cross(u, t.b - s.a) < 0.0 && cross(v, s.a - t.a) * cross(v, s.b - t.a) < 0.0) {
@@ -88,8 +83,8 @@ double apart(const Segment& s, const Segment& t) {
 }
 
 /// Cuts and folds of a piece; edges inside flat panels are neither.
-std::vector<Segment> lines_of(const Sample& sample, PieceId piece) {
-  std::vector<Segment> lines;
+std::vector<Line> lines_of(const Sample& sample, PieceId piece) {
+  std::vector<Line> lines;
   for (const FaceId f : sample.nets.pieces[piece].faces) {
     for (unsigned k = 0; k < 3; ++k) {
       const CornerId c = mesh::corner(f, k);
@@ -157,14 +152,14 @@ TEST_CASE("arrows are cut from their ground, and slits lie where they are free",
 
 TEST_CASE("a slit lies where its tab comes, inside its piece, away from cuts, folds and other slits",
           "[tabs][slots]") {
-  const int number = GENERATE(range(0, models));
+  const int number = GENERATE(range(0, model_count));
   const std::uint64_t seed = GENERATE(std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3});
   const Sample sample = with_slots(model(number), seed);
   INFO("model " << number << ", seed " << seed);
   if (test::faces_overlap(sample.nets)) {
     return;  // folds at random; where faces lie on each other, so do the lines of others
   }
-  std::map<PieceId, std::vector<Segment>> slits;
+  std::map<PieceId, std::vector<Line>> slits;
   for (const Tab& tab : sample.nets.tabs) {
     if (!tab.slit) {
       continue;
@@ -172,10 +167,10 @@ TEST_CASE("a slit lies where its tab comes, inside its piece, away from cuts, fo
     REQUIRE(tab.polygon.size() == 8);
     const auto& [from, to] = *tab.slit;
     const PieceId piece = piece_of_slit(sample, tab);
-    for (const Segment& line : lines_of(sample, piece)) {
+    for (const Line& line : lines_of(sample, piece)) {
       CHECK(apart({from, to}, line) >= arrow_measures.slit_from_edge - 1e-6);
     }
-    for (const Segment& other : slits[piece]) {
+    for (const Line& other : slits[piece]) {
       CHECK(apart({from, to}, other) >= 0.5 - 1e-6);
     }
     slits[piece].push_back({from, to});
@@ -198,7 +193,7 @@ TEST_CASE("a slit lies where its tab comes, inside its piece, away from cuts, fo
   // Each is cut, once, and outlines have the arrows in them.
   for (const PieceId piece : ids<PieceId>(sample.nets.pieces.size())) {
     const unfold::CutLines cuts = unfold::cut_lines(sample.surface, sample.nets, piece);
-    for (const Segment& slit : slits[piece]) {
+    for (const Line& slit : slits[piece]) {
       CHECK(std::ranges::count(cuts.slits, std::vector<Vec2>{slit.a, slit.b}) == 1);
     }
     double area = 0.0;
@@ -236,7 +231,7 @@ TEST_CASE("arrows go into large faces; joins without room for a slit keep their 
 }
 
 TEST_CASE("nothing else lies where an arrow lies", "[tabs][slots]") {
-  const Sample sample = with_slots(model(GENERATE(range(0, models))), 2);
+  const Sample sample = with_slots(model(GENERATE(range(0, model_count))), 2);
   const auto hull = [&](const Tab& tab) {
     const CornerId side = tab.side;
     const Vec2 start = sample.nets.flat[mesh::face_of(side)][mesh::next(side).value() % 3];
@@ -245,7 +240,7 @@ TEST_CASE("nothing else lies where an arrow lies", "[tabs][slots]") {
     const auto& flat = sample.nets.flat[mesh::face_of(twin)];
     const Vec2 to = flat[twin.value() % 3];
     const Vec2 there = flat[mesh::next(twin).value() % 3] - to;
-    std::vector<Segment> lines;
+    std::vector<Line> lines;
     const auto place = [&](Vec2 p) {
       const double x = dot(p - start, along) / length(along);
       const double y = cross(along, p - start) / length(along);
@@ -267,8 +262,8 @@ TEST_CASE("nothing else lies where an arrow lies", "[tabs][slots]") {
           piece_of_slit(sample, one) != piece_of_slit(sample, other)) {
         continue;
       }
-      for (const Segment& s : hull(one)) {
-        for (const Segment& r : hull(other)) {
+      for (const Line& s : hull(one)) {
+        for (const Line& r : hull(other)) {
           CHECK(apart(s, r) > 0.4);
         }
       }

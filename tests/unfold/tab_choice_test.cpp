@@ -44,7 +44,7 @@ TEST_CASE("nothing is glued behind a face without area", "[tabs]") {
   }
   std::size_t cut_around_sliver = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const Nets nets = with_tabs(shape, panels, test::lay_out(shape, test::shuffled(shape, seed)));
+    const Nets nets = with_tabs(shape, panels, test::lay_out(shape, test::random_order(shape, seed)));
     for (const Tab& tab : nets.tabs) {
       CHECK(shape.neighbor(tab.side) != FaceId(5));
     }
@@ -112,7 +112,7 @@ TEST_CASE("what is left without a tab says why", "[tabs]") {
                                 {v(1), v(2), v(4)},
                                 {v(2), v(3), v(4)},
                                 {v(3), v(0), v(4)}});
-    const Nets nets = with_tabs(lens, flat_panels(lens), test::lay_out(lens, test::shuffled(lens, 3)));
+    const Nets nets = with_tabs(lens, flat_panels(lens), test::lay_out(lens, test::random_order(lens, 3)));
     for (const unfold::Join& join : nets.joins) {
       if (lens.length(join.edge) > 20.0) {
         CHECK((join.no_tab == NoTab::target_too_small || join.no_tab == NoTab::too_little_paper));
@@ -121,7 +121,7 @@ TEST_CASE("what is left without a tab says why", "[tabs]") {
   }
   SECTION("a flat slit") {
     const Surface grid = test::scaled(test::flat_grid(3), 30.0);
-    const Nets nets = with_tabs(grid, flat_panels(grid), test::lay_out(grid, test::shuffled(grid, 2)));
+    const Nets nets = with_tabs(grid, flat_panels(grid), test::lay_out(grid, test::random_order(grid, 2)));
     for (const unfold::Join& join : nets.joins) {
       CHECK(join.no_tab == NoTab::no_room);
     }

@@ -9,13 +9,12 @@
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
+using test::none;
 using test::on_sheet;
 using unfold::Nets;
 using unfold::Options;
 
 namespace {
-
-const std::vector<std::string> none;
 
 /// Every piece lies on the sheet with its tabs; how many joins have none.
 std::size_t missing_tabs(const mesh::Surface& surface, const Options& options) {

@@ -25,13 +25,12 @@
 
 using namespace ridgecraft;
 using mesh::Surface;
+using test::none;
 using unfold::Nets;
 using unfold::Options;
 using unfold::PieceReason;
 
 namespace {
-
-const std::vector<std::string> none;
 
 /// Corners of a surface moved in or out at random, up to a share of their distance from the origin.
 Surface dented(const Surface& s, double share, std::uint64_t seed) {

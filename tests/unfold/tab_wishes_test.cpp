@@ -23,23 +23,18 @@
 
 using namespace ridgecraft;
 using mesh::Surface;
+using test::Sample;
 using unfold::Nets;
 using unfold::TabChoice;
 using unfold::TabSides;
 
 namespace {
 
-struct Sample {
-  Surface surface;
-  prepare::Panels panels;
-  Nets nets;
-};
-
 /// A box with many small faces along its seams.
 Sample box() {
   Sample sample{test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}}, 3), 45.0), {}, {}};
   sample.panels = test::flat_panels(sample.surface);
-  sample.nets = test::lay_out(sample.surface, test::shuffled(sample.surface, 3));
+  sample.nets = test::lay_out(sample.surface, test::random_order(sample.surface, 3));
   return sample;
 }
 
@@ -257,7 +252,7 @@ TEST_CASE("second tabs that are higher than others overlap nothing", "[tab_wishe
 TEST_CASE("tabs at borders follow the length of the edge, too", "[tab_wishes]") {
   Sample sample{test::scaled(test::revolve({{1.0, 0.0}, {1.0, 1.0}}, 6), 30.0), {}, {}};
   sample.panels = test::flat_panels(sample.surface);
-  sample.nets = test::lay_out(sample.surface, test::shuffled(sample.surface, 1));
+  sample.nets = test::lay_out(sample.surface, test::random_order(sample.surface, 1));
   TabChoice choice = with_borders();
   choice.heights_mm = {{0.0, 3.0}, {14.0, 8.0}};
   const Nets nets = chosen(sample, choice);
@@ -271,7 +266,7 @@ TEST_CASE("tabs at borders follow the length of the edge, too", "[tab_wishes]") 
 TEST_CASE("borders get tabs where they are wanted", "[tab_wishes]") {
   Sample sample{test::scaled(test::revolve({{1.0, 0.0}, {1.0, 1.0}}, 6), 30.0), {}, {}};
   sample.panels = test::flat_panels(sample.surface);
-  sample.nets = test::lay_out(sample.surface, test::shuffled(sample.surface, 1));
+  sample.nets = test::lay_out(sample.surface, test::random_order(sample.surface, 1));
   CHECK(chosen(sample, {}).tabs.size() <= sample.nets.joins.size());
   const Nets nets = chosen(sample, with_borders());
   std::size_t at_borders = 0;

@@ -95,7 +95,7 @@ FoldOrder breadth_first(const Surface& s) {
   return order;
 }
 
-FoldOrder shuffled(const Surface& s, std::uint64_t seed) {
+FoldOrder random_order(const Surface& s, std::uint64_t seed) {
   FoldOrder order;
   for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
     order.push_back(e);

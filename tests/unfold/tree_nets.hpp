@@ -6,10 +6,18 @@
 #include <vector>
 
 #include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
 #include "support/shapes.hpp"
 #include "unfold/net/nets.hpp"
 
 namespace ridgecraft::test {
+
+/// A surface and a net of it.
+struct Sample {
+  mesh::Surface surface;
+  prepare::Panels panels;
+  unfold::Nets nets;
+};
 
 /// The surface's edges in the order in which a spanning tree takes them as folds.
 using FoldOrder = std::vector<EdgeId>;
@@ -17,7 +25,7 @@ using FoldOrder = std::vector<EdgeId>;
 /// Folds as a breadth-first search from face 0 of each component meets them.
 [[nodiscard]] FoldOrder breadth_first(const mesh::Surface& surface);
 /// A random order.
-[[nodiscard]] FoldOrder shuffled(const mesh::Surface& surface, std::uint64_t seed);
+[[nodiscard]] FoldOrder random_order(const mesh::Surface& surface, std::uint64_t seed);
 /// Cuts go along the edge that climbs steepest from each vertex in a random direction (Schlickenrieder 1997);
 /// convex solids hardly ever overlap.
 [[nodiscard]] FoldOrder steepest_edge(const mesh::Surface& surface, std::uint64_t seed);

@@ -15,6 +15,7 @@
 
 using namespace ridgecraft;
 using test::faults_of;
+using test::none;
 using test::on_sheet;
 using test::scaled;
 using unfold::Nets;
@@ -22,8 +23,6 @@ using unfold::Options;
 using unfold::PieceReason;
 
 namespace {
-
-const std::vector<std::string> none;
 
 bool same(const Nets& a, const Nets& b) {
   bool equal = a.use == b.use && a.piece == b.piece && a.flat == b.flat && a.notes == b.notes &&

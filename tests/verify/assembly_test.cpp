@@ -14,12 +14,12 @@
 #include "verify/written_job.hpp"
 
 using namespace ridgecraft;
+using test::statement_promise;
 using Json = nlohmann::json;
 
 namespace {
 
 constexpr int form_promise = 0;
-constexpr int statement_promise = 8;
 
 const Json& whale() {
   static const Json json = Json::parse(test::whale().fold);

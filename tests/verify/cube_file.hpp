@@ -19,6 +19,9 @@ namespace ridgecraft::test {
 /// model is the same figures, lying in one plane far apart.
 [[nodiscard]] nlohmann::json loose_file(const std::vector<std::vector<Vec2>>& polygons);
 
+/// The number of the promise that what a file says of itself is so, as broken() tells it.
+inline constexpr int statement_promise = 8;
+
 [[nodiscard]] verify::Report verify_json(const nlohmann::json& json);
 /// The promises of which faults are listed, each once, in order.
 [[nodiscard]] std::vector<int> broken(const verify::Report& report);

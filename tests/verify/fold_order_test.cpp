@@ -94,7 +94,7 @@ std::size_t quick_piece() {
   return piece_with(2);
 }
 
-void check_found(const std::string& words, const std::function<void(Json&)>& break_order) {
+void check_order_found(const std::string& words, const std::function<void(Json&)>& break_order) {
   Json json = sheets();
   break_order(json[key]);
   const verify::Report report = test::verify_json(json);
@@ -120,14 +120,14 @@ TEST_CASE("the program's fold orders are sound", "[fold_order]") {
 TEST_CASE("a fold order that isn't one of the folds is found", "[fold_order]") {
   const std::size_t slow = slow_piece();
   const std::size_t quick = quick_piece();
-  check_found("lacks the fold", [&](Json& order) { order[quick][0].erase(0); });
-  check_found("lacks the fold", [&](Json& order) { order[slow].erase(3); });
-  check_found("twice", [&](Json& order) { order[quick][0].push_back(order[quick][0][0]); });
-  check_found("which is no fold", [&](Json& order) {
+  check_order_found("lacks the fold", [&](Json& order) { order[quick][0].erase(0); });
+  check_order_found("lacks the fold", [&](Json& order) { order[slow].erase(3); });
+  check_order_found("twice", [&](Json& order) { order[quick][0].push_back(order[quick][0][0]); });
+  check_order_found("which is no fold", [&](Json& order) {
     const Json& kinds = sheets().at("edges_assignment");
     order[quick][0].push_back(std::find(kinds.begin(), kinds.end(), "B") - kinds.begin());
   });
-  check_found("which stays flat", [&](Json& order) {
+  check_order_found("which stays flat", [&](Json& order) {
     const Json& kinds = sheets().at("edges_assignment");
     const Json& pieces = sheets().at("ridgecraft:faces_piece");
     const Json& faces = sheets().at("faces_vertices");
@@ -145,12 +145,12 @@ TEST_CASE("a fold order that isn't one of the folds is found", "[fold_order]") {
     }
     FAIL("no flat fold in the piece");
   });
-  check_found("names edge", [&](Json& order) { std::swap(order[quick], order[slow]); });
+  check_order_found("names edge", [&](Json& order) { std::swap(order[quick], order[slow]); });
 }
 
 TEST_CASE("a fold order that paper can't follow is found", "[fold_order]") {
   const std::size_t slow = slow_piece();
-  check_found("several creases in one of many steps", [&](Json& order) {
+  check_order_found("several creases in one of many steps", [&](Json& order) {
     const Json moved = order[slow][1][0];
     order[slow].erase(1);
     order[slow][0].push_back(moved);

@@ -6,8 +6,10 @@
 #include "base/random.hpp"
 #include "cli/telling/summary.hpp"
 #include "verify/cube_file.hpp"
+#include "verify/replaced.hpp"
 
 using namespace ridgecraft;
+using test::replaced;
 using Json = nlohmann::json;
 
 namespace {
@@ -21,12 +23,6 @@ void check_refused(std::string_view bytes) {
   const Json json = Json::parse(cli::summary("nets.fold", report).json());
   CHECK(json.at("faces").is_null());
   CHECK(json.at("cut_mm").is_null());
-}
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
 }
 
 }  // namespace

@@ -9,10 +9,12 @@
 #include "verify/pages/line_set.hpp"
 #include "verify/pages/path_data.hpp"
 #include "verify/pages/printed.hpp"
+#include "verify/replaced.hpp"
 #include "verify/written_job.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::verify;
+using test::replaced;
 
 namespace {
 
@@ -26,12 +28,6 @@ std::string svg_with(const std::string& content,
 
 std::string cut_layer(const std::string& content) {
   return "<g inkscape:groupmode=\"layer\" id=\"cut\" fill=\"none\"><g id=\"cut-a\">" + content + "</g></g>";
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
 }
 
 std::string defect_of(const std::string& svg) {

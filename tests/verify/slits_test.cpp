@@ -16,14 +16,14 @@ using Json = nlohmann::json;
 
 namespace {
 
-const test::WrittenJob& house() {
+const test::WrittenJob& slotted_house() {
   static const test::WrittenJob job(test::sample("house.obj"), {"--tabs", "slots"});
   return job;
 }
 
 /// The file with a change of the slits of all tabs: each becomes what is made of its two ends.
 Json with_slits(const std::function<std::vector<Vec2>(Vec2, Vec2)>& changed) {
-  Json json = Json::parse(house().fold);
+  Json json = Json::parse(slotted_house().fold);
   for (const char* const list : {"ridgecraft:tabs", "ridgecraft:more_tabs"}) {
     if (!json.contains(list)) {
       continue;
@@ -59,7 +59,7 @@ TEST_CASE("slits that the program makes are sound, and printed", "[slits]") {
   CHECK(std::ranges::count_if(json["ridgecraft:tabs"], [](const Json& tab) { return tab.contains("slit"); }) >
         5);
   for (const bool of_pdf : {false, true}) {
-    const verify::Report report = test::verify_pages(house().fold, house().pages(of_pdf));
+    const verify::Report report = test::verify_pages(slotted_house().fold, slotted_house().pages(of_pdf));
     INFO(test::first_fault(report));
     CHECK(report.sound());
   }
@@ -71,7 +71,7 @@ TEST_CASE("slits that the program makes are sound, and printed", "[slits]") {
       break;
     }
   }
-  CHECK_FALSE(test::verify_pages(less.dump(), house().pages(true)).sound());
+  CHECK_FALSE(test::verify_pages(less.dump(), slotted_house().pages(true)).sound());
 }
 
 TEST_CASE("slits that can't be cut or don't fit their tabs are faults", "[slits]") {
@@ -102,7 +102,7 @@ TEST_CASE("slits that can't be cut or don't fit their tabs are faults", "[slits]
               }),
               "beside its piece"));
   CHECK(tells(with_slits([](Vec2 a, Vec2 /*b*/) { return Ends{a}; }), "doesn't have two ends"));
-  Json convex = Json::parse(house().fold);
+  Json convex = Json::parse(slotted_house().fold);
   for (Json& tab : convex["ridgecraft:tabs"]) {
     tab.erase("slit");
   }

@@ -12,11 +12,10 @@
 #include "verify/written_job.hpp"
 
 using namespace ridgecraft;
+using test::statement_promise;
 using Json = nlohmann::json;
 
 namespace {
-
-constexpr int statement_promise = 8;
 
 /// Small, with tabs, several pieces of some parts, and folds of both kinds.
 const Json& house() {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What several tests of preparation start from: a page, a profile to turn, models of surfaces.
+#pragma once
+
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "mesh/repair/loose_faces.hpp"
+#include "prepare/prepared/options.hpp"
+#include "prepare/simplify/collapses.hpp"
+#include "support/soups.hpp"
+
+namespace ridgecraft::test {
+
+/// A4 with margins, as much as panels get; nothing is kept free for tabs.
+inline constexpr prepare::PanelRoom page{{190.0, 270.0}};
+
+/// The profile of a ring, to be turned about the axis: eight corners around (2, 0).
+inline const std::vector<Vec2> ring{{2, -0.5},  {2.3, -0.4}, {2.5, 0},    {2.3, 0.4}, {2, 0.5},
+                                    {1.7, 0.4}, {1.5, 0},    {1.7, -0.4}, {2, -0.5}};
+
+/// Points of which each stands for itself.
+[[nodiscard]] inline prepare::PointRules free_points(const mesh::LooseFaces& loose) {
+  prepare::PointRules points;
+  points.plane.assign(loose.points.size(), prepare::PointRules::none);
+  points.copies.assign(loose.points.size(), 1);
+  return points;
+}
+
+/// The model that a file of the surface would become.
+[[nodiscard]] inline mesh::Model model_of(const mesh::Surface& surface) {
+  return repaired(soup_of(surface));
+}
+
+}  // namespace ridgecraft::test
