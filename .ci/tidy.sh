@@ -28,10 +28,9 @@ python3 - "$clang" "$gcc" "$changed" "$limit_s" <<'END'
 import concurrent.futures, json, os, re, subprocess, sys, tempfile, time
 
 clang, gcc, changed, limit = sys.argv[1:]
-changed = open(changed).read().splitlines()
+changed = set(open(changed).read().splitlines())
 # What all code is looked at by, and compiled with.
-if {".clang-tidy", "cmake/compiler.cmake", "cmake/dependencies.cmake", "tests/clang-packages.txt"} & set(changed):
-    changed = ["all but tests"]
+common = {".clang-tidy", "cmake/compiler.cmake", "cmake/dependencies.cmake", "tests/clang-packages.txt"}
 
 
 def repository_name(path):
@@ -48,18 +47,26 @@ def entries_of(build):
         if lines:
             reads[lines[0].split(":")[0]] = {repository_name(os.path.join(build, line.strip())) for line in lines[1:]}
     for entry in json.load(open(f"{build}/compile_commands.json")):
-        entry["test"] = os.path.relpath(entry["file"]).startswith("tests/")
         # Nothing is known of what hasn't been compiled.
-        entry["reads"] = reads.get(re.search(r" -o (\S+)", entry["command"])[1], set(changed))
-        yield entry
+        entry["reads"] = reads.get(re.search(r" -o (\S+)", entry["command"])[1], changed)
+        if "tests" in os.path.relpath(entry["file"]).split(os.sep):
+            yield from tests_of(entry)
+        else:
+            yield entry | {"test": False}
+
+
+def tests_of(entry):
+    """Tests are looked at one by one, where they or the headers of their names have changed: for a unit of them its files."""
+    unit = entry["file"]
+    for file in re.findall(r'#include "(.+)"', open(unit).read()) if f"{os.sep}Unity{os.sep}" in unit else [unit]:
+        name = os.path.relpath(file)
+        yield entry | {"test": True, "file": file, "command": entry["command"].replace(unit, file),
+                       "reads": {name, re.sub(r"\.cpp$", ".hpp", name)}}
 
 
 def to_be_looked_at(entry):
-    if changed == ["all"]:
-        return True
-    if changed == ["all but tests"]:
-        return not entry["test"]
-    return not entry["reads"].isdisjoint(changed)
+    return ("all" in changed or not entry["reads"].isdisjoint(changed)
+            or (not entry["test"] and ("all but tests" in changed or not common.isdisjoint(changed))))
 
 
 entries = [entry for entry in entries_of(clang) if to_be_looked_at(entry)]
