@@ -29,7 +29,7 @@ constexpr std::array<double, 2> powers{2.0, 6.0};
 constexpr double bound = 0.9;
 /// Bodies of more faces than this are made coarser than they must be, where the surface hardly moves by it
 /// ...
-constexpr std::size_t many_faces = 400;
+constexpr std::size_t many_faces = 120;
 /// ... as a share of what it may move, until their edges aren't crowded.
 constexpr double hardly = 0.5;
 /// A body that can't be made foldable is left as it is unless its share of short folds sinks by this much,

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "base/elementary.hpp"
 
@@ -23,6 +25,10 @@ constexpr double bevel = 75.0 * degrees;
 constexpr double detail = 0.5;
 /// ... and regions of this size are walls whatever is around them.
 constexpr double large = 4.0;
+/// Regions whose planes differ by less are of one plane: components of their normals, and distances along
+/// these as a share of the short edge.
+constexpr double same_normal = 2e-3;
+constexpr double same_height = 0.01;
 /// Planes at smaller angles have a common line that isn't known well.
 const double distinct = elementary::sin(2.0 * degrees);
 /// Components of which walls are less of the area are no hard surfaces.
@@ -31,7 +37,9 @@ constexpr double least_share = 0.4;
 /// A flat region, and what it meets.
 struct Region {
   double area = 0.0;
-  Vec3 normal;  ///< of length twice the area
+  Vec3 normal;                 ///< of length twice the area
+  Vec3 moment;                 ///< its middle times its area
+  double area_in_plane = 0.0;  ///< with all other regions of its plane that look the same way
   double perimeter = 0.0;
   double sharp = 0.0;  ///< length of its sides that are sharp or borders
   /// Of each neighbour: the length of the common sides, and that times the fold.
@@ -68,9 +76,68 @@ struct Region {
     if (area < detail * unit) {
       return false;
     }
+    if (area_in_plane >= large * unit && area_in_plane > area) {
+      return true;  // a wall that something runs across
+    }
     return width() >= short_edge ? has_edges || area >= large * unit : has_edges && !is_bevel();
   }
 };
+
+/// Adds up the areas of regions that lie in one plane and are no details. O(n log n).
+void add_areas_in_planes(std::vector<Region>& regions, double short_edge) {
+  struct Plane {
+    Vec3 normal;
+    double height = 0.0;
+    double area = 0.0;
+  };
+  const double near = same_height * short_edge;
+  std::vector<Plane> planes;
+  std::map<std::array<std::int64_t, 4>, std::vector<std::size_t>> in_cell;
+  const auto cell_of = [&](const Plane& plane) {
+    return std::array<std::int64_t, 4>{
+        std::llround(plane.normal.x / same_normal), std::llround(plane.normal.y / same_normal),
+        std::llround(plane.normal.z / same_normal), std::llround(plane.height / near)};
+  };
+  const auto find = [&](const Plane& plane) -> std::optional<std::size_t> {
+    const std::array<std::int64_t, 4> middle = cell_of(plane);
+    for (int neighbour = 0; neighbour < 81; ++neighbour) {
+      std::array<std::int64_t, 4> cell = middle;
+      for (int k = 0, rest = neighbour; k < 4; ++k, rest /= 3) {
+        cell[static_cast<std::size_t>(k)] += rest % 3 - 1;
+      }
+      const auto at = in_cell.find(cell);
+      if (at == in_cell.end()) {
+        continue;
+      }
+      for (const std::size_t p : at->second) {
+        const Vec3 off = planes[p].normal - plane.normal;
+        if (std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) <= same_normal &&
+            std::abs(planes[p].height - plane.height) <= near) {
+          return p;
+        }
+      }
+    }
+    return std::nullopt;
+  };
+  std::vector<std::size_t> plane_of(regions.size(), regions.size());
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const Vec3 normal = normalized(regions[r].normal);
+    if (normal == Vec3{} || regions[r].area < detail * short_edge * short_edge) {
+      continue;
+    }
+    const Plane own{normal, dot(regions[r].moment, normal) / regions[r].area, 0.0};
+    const std::optional<std::size_t> known = find(own);
+    plane_of[r] = known.value_or(planes.size());
+    if (!known) {
+      in_cell[cell_of(own)].push_back(planes.size());
+      planes.push_back(own);
+    }
+    planes[plane_of[r]].area += regions[r].area;
+  }
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    regions[r].area_in_plane = plane_of[r] < planes.size() ? planes[plane_of[r]].area : 0.0;
+  }
+}
 
 std::vector<Region> regions_of(const mesh::Surface& surface, const Panels& panels) {
   std::vector<Region> regions(panels.count());
@@ -78,6 +145,8 @@ std::vector<Region> regions_of(const mesh::Surface& surface, const Panels& panel
     Region& region = regions[panels.panel[f].value()];
     region.area += surface.area(f);
     region.normal += 2.0 * surface.area(f) * surface.normal(f);
+    const auto [a, b, c] = surface.vertices(f);
+    region.moment += (surface.area(f) / 3.0) * (surface.point(a) + surface.point(b) + surface.point(c));
   }
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
@@ -142,7 +211,8 @@ void Meeting::add(Vec3 normal, double offset) {
 }
 
 Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm) {
-  const std::vector<Region> regions = regions_of(surface, panels);
+  std::vector<Region> regions = regions_of(surface, panels);
+  add_areas_in_planes(regions, short_edge_mm);
   Walls result;
   std::vector<std::uint32_t> wall(regions.size(), Walls::none);
   for (std::size_t r = 0; r < regions.size(); ++r) {

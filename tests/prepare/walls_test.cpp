@@ -262,6 +262,45 @@ TEST_CASE("small holes through walls are closed", "[walls]") {
   CHECK(deep.surface.face_count() == model.surface.face_count());
 }
 
+TEST_CASE("a wall that grooves run across is one, however narrow what they leave of it", "[walls]") {
+  // Strips of 4.5 x 30 mm, which are no walls by themselves, with grooves of 22 degrees between them; each
+  // strip is higher than the one before by `step`.
+  const auto strips_that_are_walls = [](double step) {
+    constexpr int strips = 8;
+    std::vector<Vec2> outline{{6.0 * strips, -10.0}, {6.0 * strips, step * (strips - 1)}};
+    for (int i = strips - 1; i >= 0; --i) {
+      outline.push_back({6.0 * i + 5.25, step * i - 0.3});
+      outline.push_back({6.0 * i + 4.5, step * i});
+      outline.push_back({6.0 * i, step * i});
+    }
+    outline.push_back({0.0, -10.0});
+    Polygons polygons;
+    std::vector<Vec3> front;
+    std::vector<Vec3> back;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2 a = outline[i];
+      const Vec2 b = outline[(i + 1) % outline.size()];
+      polygons.add({{a.x, 0, a.y}, {a.x, 30, a.y}, {b.x, 30, b.y}, {b.x, 0, b.y}});
+      front.push_back({a.x, 0, a.y});
+      back.insert(back.begin(), Vec3{a.x, 30, a.y});
+    }
+    polygons.add(front);
+    polygons.add(back);
+    mesh::Model model = test::repaired(polygons.soup);
+    prepare::remesh_panels(model, {});
+    const mesh::Surface& surface = model.surface;
+    const prepare::Walls walls = prepare::find_walls(surface, prepare::find_panels(surface), 6.0);
+    std::size_t count = 0;
+    for (const FaceId f : ids<FaceId>(surface.face_count())) {
+      count += surface.normal(f).z > 0.999 && walls.wall(f.value()) != prepare::Walls::none ? 1U : 0U;
+    }
+    return count / 2;  // of two triangles each
+  };
+  CHECK(strips_that_are_walls(0.0) == 8);
+  // The first one ends at edges for the most part.
+  CHECK(strips_that_are_walls(0.2) == 1);
+}
+
 TEST_CASE("what is shallow within a wall goes, whatever its length", "[walls]") {
   // A block of 40 x 40 x 20 mm. On its upper side stands a plate of 2 mm, in its lower one is a hollow as
   // deep, ...
