@@ -124,18 +124,24 @@ void add_advice(const GuideModel& guide, const Box2& box, Group& group) {
   rows.item("3", "Score every fold along the ruler, with the needle or the pen, before you cut.");
   rows.item("4", "Cut out a piece, and fold it: mountain folds away from you, valley folds towards you.");
   const auto& tabs = guide.nets->tabs;
-  if (std::ranges::any_of(tabs, [](const unfold::Tab& tab) { return tab.slit.has_value(); })) {
-    rows.item(
-        "5",
-        "Join edges of equal numbers, one after the other, in the order of the steps: put arrows from "
-        "outside through the slits beside the other edge, one barb after the other; glue tinted tabs. What "
-        "a step says to close is joined before the piece is put on.");
-    return;
-  }
+  const bool has_slits =
+      std::ranges::any_of(tabs, [](const unfold::Tab& tab) { return tab.slit.has_value(); });
   rows.item(
       "5",
-      "Glue edges of equal numbers together, one after the other, in the order of the steps. What a step "
-      "says to close is glued before the piece is put on.");
+      has_slits
+          ? "Join edges of equal numbers, one after the other, in the order of the steps: put arrows from "
+            "outside through the slits beside the other edge, one barb after the other; glue tinted tabs. "
+            "What "
+            "a step says to close is joined before the piece is put on."
+          : "Glue edges of equal numbers together, one after the other, in the order of the steps. What a "
+            "step "
+            "says to close is glued before the piece is put on.");
+  if (guide.nets->pieces.size() > 1) {
+    rows.item("6",
+              "In the picture of a step what is new has a colour. What it is glued to is white; its name is "
+              "grey, or "
+              "in brackets beside the picture.");
+  }
 }
 
 }  // namespace
