@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 
@@ -29,7 +30,9 @@ constexpr std::array<double, 2> powers{2.0, 6.0};
 constexpr double bound = 0.9;
 /// Bodies of more faces than this are made coarser than they must be, where the surface hardly moves by it
 /// ...
-constexpr std::size_t many_faces = 120;
+constexpr std::size_t many_faces = 400;
+/// ... and so are smooth ones of more than this: no wall of theirs becomes crooked by it ...
+constexpr std::size_t many_smooth_faces = 120;
 /// ... as a share of what it may move, until their edges aren't crowded.
 constexpr double hardly = 0.5;
 /// A body that can't be made foldable is left as it is unless its share of short folds sinks by this much,
@@ -56,9 +59,15 @@ struct Candidate {
 /// Looks in a sequence for the largest number of faces that can be folded.
 class Search {
  public:
+  /// `many`: faces above which crowded ones get fewer.
   Search(const Sequence& sequence, const mesh::SurfaceTree& original, const BodyRules& rules,
-         const SimplifyOptions& options, const Context& context)
-      : sequence_(sequence), original_(original), rules_(rules), options_(options), context_(context) {}
+         std::size_t many, const SimplifyOptions& options, const Context& context)
+      : sequence_(sequence),
+        original_(original),
+        rules_(rules),
+        many_(many),
+        options_(options),
+        context_(context) {}
 
   [[nodiscard]] Candidate best() const {
     std::size_t count = 0;
@@ -76,7 +85,7 @@ class Search {
     count = uncrowded(count);
     candidate.share = sequence_.share(count);
     candidate.folds = folds(count);
-    candidate.crowded = sequence_.faces_after(count) > many_faces && candidate.folds.crowded();
+    candidate.crowded = sequence_.faces_after(count) > many_ && candidate.folds.crowded();
     candidate.faces = sequence_.faces_after(count);
     return candidate;
   }
@@ -132,9 +141,9 @@ class Search {
 
   /// More collapses of a body that has many faces, as long as these are crowded and the surface hardly moves.
   [[nodiscard]] std::size_t uncrowded(std::size_t count) const {
-    while (sequence_.faces_after(count) > many_faces && folds(count).crowded()) {
-      const std::size_t next = std::max(
-          count + 1, sequence_.count_for(std::max(many_faces, sequence_.faces_after(count) * 9 / 10)));
+    while (sequence_.faces_after(count) > many_ && folds(count).crowded()) {
+      const std::size_t next =
+          std::max(count + 1, sequence_.count_for(std::max(many_, sequence_.faces_after(count) * 9 / 10)));
       if (next > sequence_.all() || brief(next) > std::max(brief(count), options_.short_edge_share) ||
           deviation(next) > hardly * rules_.largest_mm) {
         break;
@@ -161,6 +170,7 @@ class Search {
   const Sequence& sequence_;
   const mesh::SurfaceTree& original_;
   const BodyRules& rules_;
+  std::size_t many_;
   const SimplifyOptions& options_;
   const Context& context_;
 };
@@ -216,6 +226,10 @@ std::optional<SymmetricShare> simplified_body(const SymmetricShare& body, const 
       start = body;
     }
   }
+  const Walls walls = walls_of(*rules.walls, body);
+  const bool smooth = std::all_of(walls.of_face.begin(), walls.of_face.end(),
+                                  [](std::uint32_t wall) { return wall == Walls::none; });
+  const std::size_t many = smooth ? many_smooth_faces : many_faces;
   mesh::NearField field(original, bound * rules.largest_mm);
   std::optional<Candidate> best;
   for (const double power : powers) {
@@ -223,7 +237,7 @@ std::optional<SymmetricShare> simplified_body(const SymmetricShare& body, const 
     const Sequence sequence(start, rules.model, *rules.walls, fewest_faces, how, context);
     Candidate candidate;
     if (sequence.all() > 0) {
-      candidate = Search(sequence, original, rules, options, context).best();
+      candidate = Search(sequence, original, rules, many, options, context).best();
     } else {
       // Nothing more can go: what the first sequence left is the result.
       candidate.share = start;
