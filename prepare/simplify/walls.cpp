@@ -76,7 +76,8 @@ struct Region {
     if (area < detail * unit) {
       return false;
     }
-    if (area_in_plane >= large * unit && area_in_plane > area && width() >= 0.5 * short_edge) {
+    if (area_in_plane >= large * unit && area_in_plane > area && area >= 0.5 * large * unit &&
+        width() >= 0.5 * short_edge) {
       return true;  // a wall that something runs across; no narrower than a fold can be short
     }
     return width() >= short_edge ? has_edges || area >= large * unit : has_edges && !is_bevel();
