@@ -94,8 +94,7 @@ void SizeTexts::add_to(Verb& verb, const std::string& default_faces) {
       .option("Size", "--depth", depth, "LENGTH", "The same from its back to its front.")
       .option("Size", "--up", up, "x|y|z",
               "The axis of the file that points up, where the guide has the model lie (as the file says, or "
-              "else as it "
-              "stands best).")
+              "else as it stands best).")
       .option("Size", "--scale", scale, "FACTOR",
               "Instead of --size: 1:50, 0.5 or 30% of the size that the file's numbers give in --unit.")
       .option(

@@ -131,16 +131,13 @@ void add_advice(const GuideModel& guide, const Box2& box, Group& group) {
       has_slits
           ? "Join edges of equal numbers, one after the other, in the order of the steps: put arrows from "
             "outside through the slits beside the other edge, one barb after the other; glue tinted tabs. "
-            "What "
-            "a step says to close is joined before the piece is put on."
+            "What a step says to close is joined before the piece is put on."
           : "Glue edges of equal numbers together, one after the other, in the order of the steps. What a "
-            "step "
-            "says to close is glued before the piece is put on.");
+            "step says to close is glued before the piece is put on.");
   if (guide.nets->pieces.size() > 1) {
     rows.item("6",
               "In the picture of a step what is new has a colour. What it is glued to is white; its name is "
-              "grey, or "
-              "in brackets beside the picture.");
+              "grey, or in brackets beside the picture.");
   }
 }
 

@@ -13,7 +13,8 @@ namespace ridgecraft::prepare {
 /// `largest_mm`: holes through plates, blind ones, studs, engraved and raised letters. So it does with what
 /// is larger, up to half as large as the wall, where it goes nowhere deeper or higher than a fold can be
 /// short, nor than `largest_mm`: windows, panels, frames. The wall goes on flat there. Returns how many.
-/// Panels must have been remeshed; they must be again. O(n log n).
+/// Panels must have been remeshed; they must be again. O(n log n), times how deep shallow
+/// features are nested.
 std::size_t remove_features(mesh::Model& model, const SimplifyOptions& options, double largest_mm);
 
 }  // namespace ridgecraft::prepare

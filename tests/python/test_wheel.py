@@ -41,3 +41,13 @@ def test_a_wheel_is_built_and_works(tmp_path):
         check=True, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(tmp_path / "site")},
     ).stdout.split()
     assert told == [str(tmp_path / "site" / "ridgecraft" / "__init__.py"), "1"]
+
+
+def test_a_wheel_has_a_build_of_its_own_elsewhere(tmp_path):
+    # Configured as setup.py does where nothing is built yet; the build itself would take minutes.
+    options = ["-DCMAKE_BUILD_TYPE=Release", "-DRIDGECRAFT_UNITY=ON", "-DRIDGECRAFT_PROGRAM=OFF", "-DRIDGECRAFT_PYTHON=ON"]
+    assert all(option in (ROOT / "python" / "setup.py").read_text() for option in options)
+    subprocess.run(["cmake", "-G", "Ninja", "-S", ROOT, "-B", tmp_path, f"-DPython_EXECUTABLE={sys.executable}", *options],
+                   check=True, capture_output=True)
+    told = subprocess.run(["ninja", "-C", tmp_path, "-t", "commands", "ridgecraft_python"], check=True, capture_output=True, text=True).stdout
+    assert "python/background.cpp" in told and "ridgecraft_job" in told
