@@ -11,4 +11,4 @@ if ! sh wasm/sources.sh "$PWD/build/wasm/sources"; then
 fi
 wasm/build.sh
 cd build/test
-ctest --output-on-failure -L wasm
+ctest --output-on-failure -L wasm --parallel "$(nproc)"

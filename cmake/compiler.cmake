@@ -30,6 +30,8 @@ target_compile_options(ridgecraft_options INTERFACE
   $<$<CXX_COMPILER_ID:Clang>:-Wno-double-promotion>
   # GCC 12's library makes use of what it calls deprecated itself, in std::stable_sort; so does CGAL 5.5.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
+  # Pointers of WebAssembly have 32 bits: an iterator plus a std::uint32_t would be a conversion of signs there.
+  $<$<PLATFORM_ID:Emscripten>:-Wno-sign-conversion>
   # Catch2 counts its tests by __COUNTER__, which clang 22 calls an extension.
   $<$<AND:$<CXX_COMPILER_ID:Clang>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,22>>:-Wno-c2y-extensions>)
 if(RIDGECRAFT_WERROR)

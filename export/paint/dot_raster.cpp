@@ -13,7 +13,7 @@ DotRaster::DotRaster(const Box2& box, double dots_per_mm)
       low_{std::floor(box.low.x * dots_per_mm) - 2.0, std::floor(box.low.y * dots_per_mm) - 2.0},
       width_(static_cast<int>(std::ceil(box.high.x * dots_per_mm) + 2.0 - low_.x)),
       height_(static_cast<int>(std::ceil(box.high.y * dots_per_mm) + 2.0 - low_.y)),
-      pixels_(std::make_unique_for_overwrite<std::uint8_t[]>(bytes())),
+      pixels_(new std::uint8_t[bytes()]),  // std::make_unique_for_overwrite isn't in emscripten's library
       painted_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0) {}
 
 int DotRaster::column(double x) const {
