@@ -462,22 +462,40 @@ class Arranger {
         flat.insert_constraint(known[a], known[b]);
       }
     }
-    for (auto v = flat.finite_vertices_begin(); v != flat.finite_vertices_end(); ++v) {
-      if (v->info().value == none) {
-        v->info().value = number_of(lifted(v->point(), plane, view));
-      }
-    }
+    number_crossings(flat, plane, view);
     const std::vector<Outline> outlines =
         group.size() == 1 ? std::vector<Outline>() : outlines_of(group, view);
-    for (auto f = flat.finite_faces_begin(); f != flat.finite_faces_end(); ++f) {
+    std::vector<std::pair<Corners, Flat::Face_handle>> facets;
+    for (const Flat::Face_handle f : flat.finite_face_handles()) {
+      Corners corners{f->vertex(0)->info().value, f->vertex(1)->info().value, f->vertex(2)->info().value};
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+      facets.emplace_back(corners, f);
+    }
+    std::sort(facets.begin(), facets.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [corners, f] : facets) {
       const std::vector<Source> sources =
           group.size() == 1 ? std::vector<Source>{{group[0], true}} : sources_of(f, outlines);
       if (!sources.empty()) {
-        add_facet({f->vertex(0)->info().value, f->vertex(1)->info().value, f->vertex(2)->info().value},
-                  sources);
+        add_facet(corners, sources);
         divided_.resize(result_.facets.size(), 0);
         divided_.back() = 1;
       }
+    }
+  }
+
+  /// Gives numbers to the points where lines cross, in the order of the points: that of a triangulation's
+  /// vertices and faces depends on the machine.
+  void number_crossings(const Flat& flat, const Exact::Plane_3& plane, View view) {
+    std::vector<Flat::Vertex_handle> crossings;
+    for (const Flat::Vertex_handle v : flat.finite_vertex_handles()) {
+      if (v->info().value == none) {
+        crossings.push_back(v);
+      }
+    }
+    std::sort(crossings.begin(), crossings.end(),
+              [](Flat::Vertex_handle a, Flat::Vertex_handle b) { return a->point() < b->point(); });
+    for (const Flat::Vertex_handle v : crossings) {
+      v->info().value = number_of(lifted(v->point(), plane, view));
     }
   }
 
@@ -526,7 +544,7 @@ class Arranger {
   static Vec2 roughly(const Exact::Point_2& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
 
   /// The triangles of a group that a face of its triangulation lies in.
-  static std::vector<Source> sources_of(Flat::Finite_faces_iterator f, const std::vector<Outline>& outlines) {
+  static std::vector<Source> sources_of(Flat::Face_handle f, const std::vector<Outline>& outlines) {
     const Exact::Point_2 middle =
         CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
     const Vec2 rough = roughly(middle);
