@@ -178,7 +178,8 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   for (std::size_t i = 0; style.numbers == Numbers::back && i < pages.count; ++i) {
     backs[i] = take_to_back(pieces[i], pages.paper.size, style.turned_over);
   }
-  paint_pieces(model, nets, contents, pages, style, piece_ids, pieces, context);
+  sum.pictures = paint_pieces(model, nets, contents, pages, style, piece_ids, pieces,
+                              report == nullptr ? nullptr : report->pictures.get(), context);
   for (std::vector<PieceDrawing>& on_page : pieces) {
     drawings.emplace_back();
     for (PieceDrawing& piece : on_page) {

@@ -49,7 +49,9 @@ namespace ridgecraft::paper {
 /// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, the index of what is
 /// glued to what, legend, scale bar. When the context's deadline and grace have passed, numbers that have no
 /// place near their edge are treated as if they had none at all: they stand in a list on their page, or on
-/// pages at the end that have nothing else. Throws Error(interrupted).
+/// pages at the end that have nothing else. `report` may come from an earlier drawing of the same surface:
+/// its pictures are taken where nothing of them changes, which gives the same pages sooner. Throws
+/// Error(interrupted).
 [[nodiscard]] std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets,
                                         const Pages& pages, const Style& style, DrawReport* report = nullptr,
                                         const Context& context = {});

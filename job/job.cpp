@@ -238,7 +238,10 @@ std::string with_new_pages(const std::string& edits) {
 /// All that follows from nets that have changed. `pages`: where they lie already.
 Paper with_new_nets(Paper made, StageClock clock, const Context& context,
                     std::optional<paper::Pages> pages = std::nullopt) {
-  made.drawn = {};
+  // What was painted is painted again only where it changes.
+  paper::DrawReport drawn;
+  drawn.pictures = std::move(made.drawn.pictures);
+  made.drawn = std::move(drawn);
   if (made.options.paper) {
     if (pages) {
       made.pages = std::move(*pages);

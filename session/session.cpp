@@ -30,7 +30,8 @@ bool of_one_job(const verify::File& a, const verify::File& b) {
   return a.digest == b.digest && but_for_edits(a) == but_for_edits(b);
 }
 
-/// The same steps with the paper that follows from those that are done.
+/// The same steps with the paper that follows from those that are done; pictures that its paper has are used
+/// again.
 Project with_paper(Project project, Context context) {
   if (project.done == 0) {
     project.now = *project.start;
@@ -39,8 +40,12 @@ Project with_paper(Project project, Context context) {
   context.deadline.reset();
   context.give_up.reset();
   const State& state = project.state();
+  job::Paper start = *project.start;
+  if (project.now.drawn.pictures) {
+    start.drawn.pictures = project.now.drawn.pictures;
+  }
   project.now =
-      job::with_nets(*project.start, *state.nets, state.pages ? std::optional(*state.pages) : std::nullopt,
+      job::with_nets(std::move(start), *state.nets, state.pages ? std::optional(*state.pages) : std::nullopt,
                      text_of_steps(project), context);
   return project;
 }
@@ -61,9 +66,11 @@ std::optional<Refusal> add_step(Project& project, std::span<const Edit> edits, c
   return std::nullopt;
 }
 
-/// Its steps without the paper, which is made anew.
+/// Its steps without the paper, which is made anew, but for pictures.
 Project steps_alone(const Project& project) {
-  return {project.start, project.first, project.steps, project.done, {}};
+  Project alone{project.start, project.first, project.steps, project.done, {}};
+  alone.now.drawn.pictures = project.now.drawn.pictures;
+  return alone;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "base/elementary.hpp"
@@ -70,8 +71,8 @@ struct Ground {
 class PiecePainter {
  public:
   PiecePainter(const prepare::Prepared& model, const IdVector<FaceId, FaceColours>& colours,
-               const Style& style)
-      : surface_(model.model.surface), look_(*model.look), colours_(colours), style_(style) {
+               const Style& style, const DrawnPictures* before)
+      : surface_(model.model.surface), look_(*model.look), colours_(colours), style_(style), before_(before) {
     if (style.ink == Ink::pale) {
       shade_ = pale;
     } else {
@@ -79,7 +80,9 @@ class PiecePainter {
     }
   }
 
-  void paint(std::vector<Cell> cells, PieceDrawing& piece, const Context& context) {
+  /// Returns the piece's picture, if it has one.
+  std::optional<DrawnPictures::OfPiece> paint(std::vector<Cell> cells, PieceDrawing& piece,
+                                              const Context& context) {
     cells_ = std::move(cells);
     std::vector<const Cell*> pictures;
     std::map<mesh::Rgb, Fill> ground, fills;
@@ -105,15 +108,30 @@ class PiecePainter {
     for (auto& [colour, fill] : fills) {
       piece.group.fills.push_back(std::move(fill));
     }
+    std::optional<DrawnPictures::OfPiece> picture;
     if (!pictures.empty()) {
-      piece.group.images.push_back(
-          picture_of(pictures, surface_, look_, style_.dots_per_inch, shade_, context));
+      picture = picture_from(pictures, context);
+      piece.group.images.push_back(picture->image);
     }
     uncover_strips(piece);
     set_tones(piece);
+    return picture;
   }
 
  private:
+  [[nodiscard]] DrawnPictures::OfPiece picture_from(const std::vector<const Cell*>& pictures,
+                                                    const Context& context) const {
+    DrawnPictures::OfPiece picture;
+    for (const Cell* const cell : pictures) {
+      picture.cells.push_back(*cell);
+    }
+    const Image* const known = before_ == nullptr ? nullptr : before_->find(picture.cells);
+    picture.image = known != nullptr
+                        ? *known
+                        : picture_of(pictures, surface_, look_, style_.dots_per_inch, shade_, context);
+    return picture;
+  }
+
   void add(std::map<mesh::Rgb, Fill>& fills, const mesh::Rgb& colour, std::vector<Vec2> polygon) const {
     const mesh::Rgb shown = shade_(colour);
     if (shown == white_ground) {
@@ -230,21 +248,32 @@ class PiecePainter {
   const mesh::Look& look_;
   const IdVector<FaceId, FaceColours>& colours_;
   const Style& style_;
+  const DrawnPictures* before_;
   Shade shade_;
   std::vector<Cell> cells_;
 };
 
 }  // namespace
 
-void paint_pieces(const prepare::Prepared& model, const unfold::Nets& nets,
-                  const IdVector<PieceId, PieceContents>& contents, const Pages& layout, const Style& style,
-                  const std::vector<std::vector<PieceId>>& ids, std::vector<std::vector<PieceDrawing>>& pages,
-                  const Context& context) {
+std::shared_ptr<const DrawnPictures> paint_pieces(const prepare::Prepared& model, const unfold::Nets& nets,
+                                                  const IdVector<PieceId, PieceContents>& contents,
+                                                  const Pages& layout, const Style& style,
+                                                  const std::vector<std::vector<PieceId>>& ids,
+                                                  std::vector<std::vector<PieceDrawing>>& pages,
+                                                  const DrawnPictures* before, const Context& context) {
   if (!model.look || style.ink == Ink::lines) {
-    return;
+    return nullptr;
+  }
+  if (before != nullptr && !before->fit(model.look, style)) {
+    before = nullptr;
   }
   const mesh::Surface& surface = model.model.surface;
-  const IdVector<FaceId, FaceColours> colours = face_colours(surface, *model.look, context);
+  const DrawnPictures::Colours found = before != nullptr
+                                           ? before->colours()
+                                           : std::make_shared<const IdVector<FaceId, FaceColours>>(
+                                                 face_colours(surface, *model.look, context));
+  const IdVector<FaceId, FaceColours>& colours = *found;
+  auto drawn = std::make_shared<DrawnPictures>(model.look, found, style);
   for (std::size_t page = 0; page < pages.size(); ++page) {
     // Outlines are read by all, and drawings written by each: cells come first.
     std::vector<std::vector<Cell>> cells(pages[page].size());
@@ -253,11 +282,19 @@ void paint_pieces(const prepare::Prepared& model, const unfold::Nets& nets,
       const PieceId piece = ids[page][i];
       cells[i] = cells_of(surface, nets, piece, contents[piece], layout.placements[piece], pages[page], i);
     });
+    std::vector<std::optional<DrawnPictures::OfPiece>> pictures(cells.size());
     do_in_parallel(cells.size(), context, [&](std::size_t i, const Context& own) {
       own.check();
-      PiecePainter(model, colours, style).paint(std::move(cells[i]), pages[page][i], own);
+      pictures[i] =
+          PiecePainter(model, colours, style, before).paint(std::move(cells[i]), pages[page][i], own);
     });
+    for (std::optional<DrawnPictures::OfPiece>& picture : pictures) {
+      if (picture) {
+        drawn->add(std::move(*picture));
+      }
+    }
   }
+  return drawn;
 }
 
 }  // namespace ridgecraft::paper

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,9 @@ struct Style {
   double dots_per_inch = 300.0;  ///< of pictures; areas of one colour have no dots
 };
 
+/// Pictures of pieces, for drawing again (export/paint/drawn_pictures.hpp).
+class DrawnPictures;
+
 /// What is drawn, beside the pages themselves.
 struct DrawReport {
   /// The number of a join, on a piece that has it at one of its edges.
@@ -85,6 +89,7 @@ struct DrawReport {
   std::vector<Body> bodies;                ///< separate ones, if there are several (export/sheet/bodies.hpp)
   std::vector<PieceKind> kinds;            ///< of pieces that there are several of, as Nets::equal
   IdVector<PieceId, std::string> objects;  ///< of each piece, as find_piece_objects()
+  std::shared_ptr<const DrawnPictures> pictures;  ///< for drawing again; none of a model without colours
 };
 
 }  // namespace ridgecraft::paper

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours on pages: where they are, where they aren't, and that lines can be seen on them.
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -76,6 +79,36 @@ std::optional<paper::Color> colour_at(const Drawing& page, Vec2 p) {
 
 paper::Color color_of(const mesh::Rgb& colour) {
   return {colour[0], colour[1], colour[2]};
+}
+
+/// Each face bears a part of one picture.
+void give_picture(SamplePages& sample) {
+  std::vector<std::uint8_t> pixels;
+  for (std::uint32_t y = 0; y < 64; ++y) {
+    for (std::uint32_t x = 0; x < 64; ++x) {
+      pixels.insert(pixels.end(), {static_cast<std::uint8_t>(4 * x), static_cast<std::uint8_t>(4 * y), 90});
+    }
+  }
+  const auto flat = look_of(sample, {{200, 30, 30}});
+  std::vector<mesh::LookFace> faces = flat->faces();
+  for (mesh::LookFace& face : faces) {
+    face.places = {Vec2{0.1, 0.1}, {0.9, 0.1}, {0.5, 0.9}};
+  }
+  sample.model.look = std::make_shared<const mesh::Look>(mesh::LookParts{
+      faces, {{{255, 255, 255}, std::make_shared<const mesh::Picture>(64, 64, pixels), nullptr}}});
+}
+
+/// Of all pages, in order.
+std::vector<std::shared_ptr<const std::string>> pictures_of(const std::vector<Drawing>& pages) {
+  std::vector<std::shared_ptr<const std::string>> all;
+  for (const Drawing& page : pages) {
+    for (const paper::Group& group : page.groups) {
+      for (const paper::Image& image : group.images) {
+        all.push_back(image.jpeg);
+      }
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -303,19 +336,7 @@ TEST_CASE("Pages in lines alone are those of a model without colours, and thread
 
 TEST_CASE("Pictures have the dots that are asked for, and lie under their faces") {
   SamplePages sample = sample_pages(cube(), 50.0, 5.0);
-  std::vector<std::uint8_t> pixels;
-  for (std::uint32_t y = 0; y < 64; ++y) {
-    for (std::uint32_t x = 0; x < 64; ++x) {
-      pixels.insert(pixels.end(), {static_cast<std::uint8_t>(4 * x), static_cast<std::uint8_t>(4 * y), 90});
-    }
-  }
-  const auto flat = look_of(sample, {{200, 30, 30}});
-  std::vector<mesh::LookFace> faces = flat->faces();
-  for (mesh::LookFace& face : faces) {
-    face.places = {Vec2{0.1, 0.1}, {0.9, 0.1}, {0.5, 0.9}};
-  }
-  sample.model.look = std::make_shared<const mesh::Look>(mesh::LookParts{
-      faces, {{{255, 255, 255}, std::make_shared<const mesh::Picture>(64, 64, pixels), nullptr}}});
+  give_picture(sample);
   for (const double dots : {72.0, 300.0}) {
     paper::Style style;
     style.dots_per_inch = dots;
@@ -340,5 +361,36 @@ TEST_CASE("Pictures have the dots that are asked for, and lie under their faces"
       }
     }
     CHECK(images == sample.nets.pieces.size());
+  }
+}
+
+TEST_CASE("Pictures are painted again only where something of them changes, and pages are the same") {
+  SamplePages sample = sample_pages(sphere(7, 5), 40.0, 5.0, {}, "Sample", {}, 0.3);
+  give_picture(sample);
+  paper::DrawReport report;
+  const auto first = pictures_of(paper::draw(sample.model, sample.nets, sample.pages, {}, &report));
+  REQUIRE(first.size() > 1);
+  CHECK(pictures_of(paper::draw(sample.model, sample.nets, sample.pages, {}, &report)) == first);
+
+  // One piece goes to a page of its own, where nothing is near it, so all others keep theirs or lose a
+  // neighbour.
+  sample.pages.placements[PieceId(sample.nets.pieces.size() - 1)].page = PageId(sample.pages.count++);
+  const std::vector<Drawing> moved = paper::draw(sample.model, sample.nets, sample.pages, {}, &report);
+  const std::vector<Drawing> fresh = drawn(sample);
+  REQUIRE(moved.size() == fresh.size());
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    CHECK(paper::write_svg(moved[i], mark) == paper::write_svg(fresh[i], mark));
+  }
+  const auto after = pictures_of(moved);
+  CHECK(std::any_of(after.begin(), after.end(), [&](const auto& picture) {
+    return std::find(first.begin(), first.end(), picture) != first.end();
+  }));
+
+  // Another style has other pictures.
+  paper::Style pale;
+  pale.ink = paper::Ink::pale;
+  for (const auto& picture :
+       pictures_of(paper::draw(sample.model, sample.nets, sample.pages, pale, &report))) {
+    CHECK(std::find(after.begin(), after.end(), picture) == after.end());
   }
 }
