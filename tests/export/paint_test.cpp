@@ -115,7 +115,8 @@ std::vector<std::shared_ptr<const std::string>> pictures_of(const std::vector<Dr
 
 TEST_CASE("Faces bear their own colour, and tabs that of the face that covers them") {
   const std::vector<mesh::Rgb> colours{{200, 30, 30}, {30, 160, 50}, {20, 30, 120}, {250, 220, 90}};
-  SamplePages sample = sample_pages(sphere(7, 5), 40.0, 5.0, {}, "Sample", {}, 0.3);
+  const mesh::Surface ball = sphere(7, 5);
+  SamplePages sample = sample_pages(ball, 40.0, 5.0, all_edges(ball));
   sample.model.look = look_of(sample, colours);
   const std::vector<Drawing> pages = painted(sample);
   const mesh::Surface& surface = sample.model.model.surface;
@@ -365,7 +366,8 @@ TEST_CASE("Pictures have the dots that are asked for, and lie under their faces"
 }
 
 TEST_CASE("Pictures are painted again only where something of them changes, and pages are the same") {
-  SamplePages sample = sample_pages(sphere(7, 5), 40.0, 5.0, {}, "Sample", {}, 0.3);
+  const mesh::Surface ball = sphere(7, 5);
+  SamplePages sample = sample_pages(ball, 40.0, 5.0, all_edges(ball));
   give_picture(sample);
   paper::DrawReport report;
   const auto first = pictures_of(paper::draw(sample.model, sample.nets, sample.pages, {}, &report));
@@ -376,7 +378,7 @@ TEST_CASE("Pictures are painted again only where something of them changes, and 
   // neighbour.
   sample.pages.placements[PieceId(sample.nets.pieces.size() - 1)].page = PageId(sample.pages.count++);
   const std::vector<Drawing> moved = paper::draw(sample.model, sample.nets, sample.pages, {}, &report);
-  const std::vector<Drawing> fresh = drawn(sample);
+  const std::vector<Drawing> fresh = painted(sample);
   REQUIRE(moved.size() == fresh.size());
   for (std::size_t i = 0; i < moved.size(); ++i) {
     CHECK(paper::write_svg(moved[i], mark) == paper::write_svg(fresh[i], mark));
