@@ -161,12 +161,16 @@ export class App {
     this.setMoment(view.folded);
   }
 
-  /** Lets go of the page, so that another App can have it: its elements are made anew. */
+  /**
+   * Lets go of the page, so that another App can have it: its elements are made anew, but for the canvas, for a new one
+   * would take a second where there is no graphics card, and browsers give a page sixteen at most.
+   */
   stop() {
     this.ending.abort();
     this.playing = 0;
     this.motions = [];
     byId("app").replaceWith(blank.cloneNode(true));
+    byId("stage").replaceWith(this.stage);
   }
 
   /** The graphics card has forgotten what it had. */
@@ -184,6 +188,9 @@ export class App {
     const pictures = [];
     for (let p = 0; p < this.nets.pages.length; ++p) {
       pictures.push(await this.drawer.picture(p, scale));
+    }
+    if (this.ending.signal.aborted) {
+      return;
     }
     this.scene.setPaint(pictures);
     this.scene.painted = byId("colours").getAttribute("aria-pressed") === "true";
@@ -413,6 +420,9 @@ export class App {
   /** @param {number} now */
   frame(now) {
     this.requested = false;
+    if (this.ending.signal.aborted) {
+      return;
+    }
     const begin = performance.now();
     const seconds = Math.min(0.1, Math.max(0, (now - this.frames.last) / 1000));
     this.frames.last = now;
@@ -612,6 +622,8 @@ export class App {
     const {camera} = scene;
     /** @type {Map<number, {x: number, y: number}>} */
     const fingers = new Map();
+    // The canvas stays when this ends.
+    const ended = {signal: this.ending.signal};
     let moved = 0;
     const at = (/** @type {MouseEvent} */ event) => {
       const box = stage.getBoundingClientRect();
@@ -623,7 +635,7 @@ export class App {
       fingers.set(event.pointerId, at(event));
       moved = 0;
       this.motions = [];
-    });
+    }, ended);
     stage.addEventListener("pointermove", (event) => {
       const now = at(event);
       const before = fingers.get(event.pointerId);
@@ -653,7 +665,7 @@ export class App {
         camera.turn(dx, dy);
       }
       this.request();
-    });
+    }, ended);
     const up = (/** @type {PointerEvent} */ event) => {
       if (event.type === "pointerup" && moved <= 4 && fingers.size === 1 && event.button === 0) {
         const now = at(event);
@@ -661,21 +673,21 @@ export class App {
       }
       fingers.delete(event.pointerId);
     };
-    stage.addEventListener("pointerup", up);
-    stage.addEventListener("pointercancel", up);
-    stage.addEventListener("pointerleave", () => this.hover(null));
-    stage.addEventListener("contextmenu", (event) => event.preventDefault());
+    stage.addEventListener("pointerup", up, ended);
+    stage.addEventListener("pointercancel", up, ended);
+    stage.addEventListener("pointerleave", () => this.hover(null), ended);
+    stage.addEventListener("contextmenu", (event) => event.preventDefault(), ended);
     stage.addEventListener("wheel", (event) => {
       event.preventDefault();
       const now = at(event);
       camera.zoomAt(Math.exp(-wheelSteps(event) * 0.14), now.x, now.y);
       this.request();
-    }, {passive: false});
+    }, {passive: false, ...ended});
     stage.addEventListener("dblclick", (event) => {
       const now = at(event);
       const spot = scene.pick(now.x, now.y, 7);
       spot ? this.visit(spot) : this.fit();
-    });
+    }, ended);
   }
 
   #listenControls() {

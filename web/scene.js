@@ -4,7 +4,7 @@
 import {Camera, roomBetween} from "./camera.js";
 import {hasLine} from "./nets.js";
 import {PainterView} from "./painter.js";
-import {WebglView} from "./webgl.js";
+import {webglView} from "./webgl.js";
 
 /** @typedef {import("./camera.js").Room} Room */
 /** @typedef {import("./folding.js").Folding} Folding */
@@ -79,17 +79,17 @@ export class Scene {
     this.camera = new Camera();
     this.simple = false;
     try {
-      this.view = new WebglView(canvas);
-      canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-      canvas.addEventListener("webglcontextrestored", () => {
-        this.view = new WebglView(canvas);
-        this.view.setSpots(spotsOf(this.nets, this.triangles));
+      this.view = webglView(canvas, (view) => {
+        this.view = view;
+        view.setSpots(spotsOf(this.nets, this.triangles));
         renewed();
       });
     } catch {
       // A canvas that WebGL was begun on gives nothing else.
-      this.canvas = /** @type {HTMLCanvasElement} */ (canvas.cloneNode());
-      canvas.replaceWith(this.canvas);
+      if (!canvas.getContext("2d")) {
+        this.canvas = /** @type {HTMLCanvasElement} */ (canvas.cloneNode());
+        canvas.replaceWith(this.canvas);
+      }
       this.view = new PainterView(this.canvas);
       this.simple = true;
     }

@@ -114,7 +114,7 @@ void main() { shown = vec4(colour.rgb, colour.a * opacity * clamp(half_width + 0
 
 const shadowSize = 1024;
 
-export class WebglView {
+class WebglView {
   /** @param {HTMLCanvasElement} canvas Throws where there is no WebGL 2. */
   constructor(canvas) {
     const gl = canvas.getContext("webgl2", {antialias: true, alpha: true});
@@ -385,4 +385,30 @@ export class WebglView {
     gl.depthMask(true);
     gl.disable(gl.BLEND);
   }
+}
+
+/** What draws on a canvas, and whom it tells that it began anew. @type {WeakMap<HTMLCanvasElement, {view: WebglView, renewed: (view: WebglView) => void}>} */
+const views = new WeakMap();
+
+/**
+ * What draws on this canvas: one for all models that it shows one after the other, as programs take long to compile, and
+ * what one holds on the graphics card stays there as long as the canvas. It has no paint yet.
+ * @param {HTMLCanvasElement} canvas Throws where there is no WebGL 2.
+ * @param {(view: WebglView) => void} renewed the graphics card had lost everything: this one draws from now on
+ */
+export function webglView(canvas, renewed) {
+  const known = views.get(canvas);
+  if (known) {
+    known.renewed = renewed;
+    known.view.setPaint([]);
+    return known.view;
+  }
+  const own = {view: new WebglView(canvas), renewed};
+  views.set(canvas, own);
+  canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+  canvas.addEventListener("webglcontextrestored", () => {
+    own.view = new WebglView(canvas);
+    own.renewed(own.view);
+  });
+  return own.view;
 }

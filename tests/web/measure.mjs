@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What studio.html takes (docs/studio.md, "What it takes"): until it is ready, until a model that is dropped is shown, and from a
-// click to the answer of an edit. No test: seconds are nobody's promise. Each is told by the clock and, behind it, by the
+// click to the core's answer of an edit, and to the new picture. No test: seconds are nobody's promise. Each is told by the clock and, behind it, by the
 // processors of all the browser's processes, which counts where other programs run beside it.
 //   node measure.mjs --browser chromium --page FILE --tools FOLDER [--edits N] [--wish KEY=VALUE]... MODEL...
 import {readdirSync, readFileSync} from "node:fs";
@@ -56,6 +56,20 @@ for (const model of positionals) {
   const context = await browser.newContext({viewport: {width: 1280, height: 800}, reducedMotion: "reduce", locale: "en-GB"});
   const page = await context.newPage();
   page.setDefaultTimeout(600000);
+  // When the core was asked last, and when it answered: what is left of an edit's time is drawing.
+  await page.addInitScript(() => {
+    globalThis.asked = globalThis.answered = 0;
+    globalThis.Worker = class extends Worker {
+      constructor(...words) {
+        super(...words);
+        this.addEventListener("message", ({data}) => (globalThis.answered = "id" in data ? performance.now() : globalThis.answered));
+      }
+      postMessage(...words) {
+        globalThis.asked = performance.now();
+        super.postMessage(...words);
+      }
+    };
+  });
   const inspect = (about) => page.evaluate((a) => globalThis.ridgecraft.inspect(a), about);
   const idle = async () => {
     await page.waitForFunction(() => !globalThis.ridgecraft.inspect().busy);
@@ -92,7 +106,7 @@ for (const model of positionals) {
   console.log(`largest process ${used().mb.toFixed(0)} MB`);
 
   // Cuts at folds all over the sheets, each taken back: from the click to the new sheets.
-  const walls = [], processors = [], backs = [];
+  const walls = [], processors = [], answers = [], backs = [];
   let tried = 0;
   for (; walls.length < Number(values.edits) && tried < 4 * Number(values.edits); ++tried) {
     const {folds, pieces} = await inspect();
@@ -112,6 +126,7 @@ for (const model of positionals) {
       continue;
     }
     walls.push(cut.wall);
+    answers.push(await page.evaluate(() => globalThis.answered - globalThis.asked));
     processors.push(cut.cpu);
     backs.push((await timed(async () => {
       await page.evaluate(() => document.getElementById("undo").click());
@@ -119,7 +134,7 @@ for (const model of positionals) {
     })).cpu);
   }
   if (walls.length > 0) {
-    console.log(`${walls.length} cuts of ${tried}: p50 ${at(walls, 0.5)}, p95 ${at(walls, 0.95)} ms, of processors ${at(processors, 0.5)} / ${at(processors, 0.95)} ms; undo ${at(backs, 0.5)} / ${at(backs, 0.95)} ms of processors`);
+    console.log(`${walls.length} cuts of ${tried}: p50 ${at(walls, 0.5)}, p95 ${at(walls, 0.95)} ms, the core's answer ${at(answers, 0.5)} / ${at(answers, 0.95)} ms, of processors ${at(processors, 0.5)} / ${at(processors, 0.95)} ms; undo ${at(backs, 0.5)} / ${at(backs, 0.95)} ms of processors`);
   }
   await context.close();
 }

@@ -181,6 +181,7 @@ async function editsByHand() {
   // The middle of a fold on the sheet, where nothing else is near it.
   const fold = start.folds[Math.floor(start.folds.length / 2)];
   const cut = await offered(fold, "sheet");
+  await page.evaluate(() => (globalThis.firstStage = document.getElementById("stage")));
   check(cut.edits.map(({kind}) => kind).join() === "cut", `at a fold there is offered ${JSON.stringify(cut)}`);
   check(await page.textContent("#edit button") === "Hier schneiden", "the offer isn't German");
   check((await inspect()).error === "", `a sample that is opened at once is shown with "${(await inspect()).error}"`);
@@ -189,6 +190,7 @@ async function editsByHand() {
   const parted = await takes();
   console.log(`    a cut of the whale after ${(performance.now() - clicked).toFixed(0)} ms`);
   check(parted.error === "", `the cut is refused: ${parted.error}`);
+  check(await page.evaluate(() => document.getElementById("stage") === globalThis.firstStage), "an edit takes another canvas, and another context of WebGL");
   check(parted.pieces === start.pieces + 1, `a cut makes ${parted.pieces} pieces of ${start.pieces}`);
   check(JSON.stringify(parted.camera) === JSON.stringify(camera), `the camera has moved: ${JSON.stringify(parted.camera)}`);
   check(parted.canUndo && !parted.canRedo, "a cut can't be undone");
