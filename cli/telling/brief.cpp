@@ -139,18 +139,6 @@ void add_glue(const GlueFigures& glue, Clauses& clauses) {
   }
 }
 
-/// That simplification moves so much of the model that it looks otherwise; empty where it doesn't.
-std::string looks_otherwise(const job::Paper& made) {
-  constexpr double seen_share = 0.03;
-  const double mm = made.prepared.simplified.deviation_mm;
-  const double share = mm / made.prepared.model.surface.bounds().largest_extent();
-  return share < seen_share ? std::string()
-                            : fmt::format(
-                                  "it looks otherwise where simplification moved it by up to {:.1f} mm, "
-                                  "{:.0f} % of its size: more --faces stay nearer",
-                                  mm, 100.0 * share);
-}
-
 std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
   Clauses clauses;
   if (std::string why =
@@ -158,7 +146,9 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
       !why.empty()) {
     clauses.push_back(std::move(why));
   }
-  if (std::string why = looks_otherwise(made); !why.empty()) {
+  if (std::string why =
+          looks_otherwise(made.prepared.simplified.deviation_mm, made.prepared.model.surface.bounds());
+      !why.empty()) {
     clauses.push_back(std::move(why));
   }
   if (made.slivers > 0) {
@@ -299,6 +289,25 @@ std::string size_words(const job::Paper& made, const std::string& asked) {
 double size_saving_a_page(const job::Paper& made) {
   return std::floor(made.share_saving_a_page.value_or(1.0) *
                     made.prepared.model.surface.bounds().largest_extent());
+}
+
+std::string looks_otherwise(double moved_mm, const Box3& bounds) {
+  constexpr double seen_share = 0.03;
+  constexpr double seen_share_of_thickness = 0.1;
+  constexpr double least_mm = 1.0;
+  const Vec3 size = bounds.high - bounds.low;
+  const double share = moved_mm / bounds.largest_extent();
+  const double thickness = std::min({size.x, size.y, size.z});
+  const std::string where =
+      fmt::format("it looks otherwise where simplification moved it by up to {:.1f} mm, ", moved_mm);
+  const std::string advice = ": more --faces stay nearer";
+  if (share >= seen_share) {
+    return where + fmt::format("{:.0f} % of its size", 100.0 * share) + advice;
+  }
+  if (moved_mm >= std::max(least_mm, seen_share_of_thickness * thickness)) {
+    return where + fmt::format("and it is {:.0f} mm thick", thickness) + advice;
+  }
+  return {};
 }
 
 void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result) {

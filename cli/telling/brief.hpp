@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "base/vector.hpp"
 #include "cli/arguments/options.hpp"
 #include "cli/jobs/paper_job.hpp"
 #include "cli/telling/figures.hpp"
@@ -22,6 +23,11 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
 
 /// Pieces with faces that are thinner than job::sliver_mm.
 [[nodiscard]] std::vector<PieceId> pieces_with_slivers(const job::Paper& made);
+
+/// That simplification moves so much of a model with these bounds (mm) that it looks otherwise; empty where
+/// it doesn't. Seen is what is 3 % of the largest extent, or a tenth of the smallest: a thin model looks
+/// otherwise sooner.
+[[nodiscard]] std::string looks_otherwise(double moved_mm, const Box3& bounds);
 
 /// "a thin wall of up to 1.2 mm became a sheet".
 [[nodiscard]] std::string sheets_text(const prepare::SheetsReport& sheets);
