@@ -6,9 +6,11 @@
 #include <numbers>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "base/near_boxes.hpp"
 #include "base/solid_angle.hpp"
+#include "mesh/model/surface_distance.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -24,15 +26,63 @@ bool holds_box(const Box3& outer, const Box3& inner) {
          inner.high.x < outer.high.x && inner.high.y < outer.high.y && inner.high.z < outer.high.z;
 }
 
+/// The corners of a body that lie farthest along its axes and its diagonals, both ways: what stands out of
+/// another body does so with one of these.
+std::vector<Vec3> farthest_corners(const mesh::Surface& surface, const GroupBody& body) {
+  std::vector<Vec3> corners;
+  for (int code = 0; code < 27; ++code) {
+    const Vec3 way{static_cast<double>(code % 3 - 1), static_cast<double>(code / 3 % 3 - 1),
+                   static_cast<double>(code / 9 - 1)};
+    double most = -INFINITY;
+    Vec3 farthest;
+    for (const FaceId face : body.faces) {
+      for (const VertexId v : surface.vertices(face)) {
+        if (const double reach = dot(way, surface.point(v)); reach > most) {
+          most = reach;
+          farthest = surface.point(v);
+        }
+      }
+    }
+    corners.push_back(farthest);
+  }
+  return corners;
+}
+
+/// What lies nearer to a body than this lies on it, mm: simplification leaves sheets a hair behind walls.
+constexpr double on_body_mm = 1.0;
+
+enum class Side { outside, on, inside };
+
 /// By how often the body winds around the point, either way round: no edge or corner has to be missed, as
 /// with a ray.
-bool is_inside(const mesh::Surface& surface, Vec3 point, const GroupBody& body) {
+Side side_of(const mesh::Surface& surface, Vec3 point, const GroupBody& body) {
   double angle = 0.0;
+  double nearest = INFINITY;
   for (const FaceId face : body.faces) {
     const auto [u, v, w] = surface.vertices(face);
-    angle += solid_angle(surface.point(u) - point, surface.point(v) - point, surface.point(w) - point);
+    const Vec3 a = surface.point(u);
+    const Vec3 b = surface.point(v);
+    const Vec3 c = surface.point(w);
+    angle += solid_angle(a - point, b - point, c - point);
+    nearest = std::min(nearest, mesh::squared_distance(a, b, c, point));
   }
-  return std::abs(angle) > 2.0 * std::numbers::pi;  // half of once around
+  if (nearest < on_body_mm * on_body_mm) {
+    return Side::on;
+  }
+  return std::abs(angle) > 2.0 * std::numbers::pi ? Side::inside : Side::outside;  // half of once around
+}
+
+/// What only begins in another body, as a dormer in a roof, or lies on it, isn't inside.
+bool is_whole_inside(const mesh::Surface& surface, const GroupBody& inner, const GroupBody& outer) {
+  bool inside = false;
+  for (const Vec3 corner : farthest_corners(surface, inner)) {
+    const Side side = side_of(surface, corner, outer);
+    if (side == Side::outside) {
+      return false;
+    }
+    inside = inside || side == Side::inside;
+  }
+  return inside;
 }
 
 }  // namespace
@@ -60,7 +110,7 @@ std::vector<std::size_t> inner_groups_first(const mesh::Surface& surface, const 
   const auto compare = [&](std::size_t inner, std::size_t outer) {
     if (bodies[outer].closed && !bodies[inner].faces.empty() &&
         holds_box(bodies[outer].box, bodies[inner].box) &&
-        is_inside(surface, surface.point(surface.vertices(bodies[inner].faces.front())[0]), bodies[outer])) {
+        is_whole_inside(surface, bodies[inner], bodies[outer])) {
       ++depth[inner];
     }
   };

@@ -12,6 +12,7 @@
 #include "base/random.hpp"
 #include "export/assembly/nesting.hpp"
 #include "export/assembly/seam_graph.hpp"
+#include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 #include "support/simple_nets.hpp"
 
@@ -184,6 +185,26 @@ TEST_CASE("inner bodies come before those around them", "[assembly]") {
   const auto order = paper::inner_groups_first(nested, nets, paper::seam_graph(nested, nets));
   CHECK(order == std::vector<std::size_t>{3, 2, 0, 1});
   CHECK(paper::assembly_order(nested, nets).steps.front().pieces == std::vector<PieceId>{PieceId(3)});
+}
+
+TEST_CASE("a body that begins in another one and stands out of it, or lies on it, isn't inside",
+          "[assembly]") {
+  // A large cube with a corner cut out, and a small one that fills a part of the notch and of what is around
+  // it; or one a hair inside of a side.
+  const Surface notched = test::scaled(
+      test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}), 40.0);
+  const auto order_with = [&](double scale, Vec3 shift) {
+    const Surface both = test::together({notched, copies(test::cube(), {{scale, shift}})});
+    const unfold::Nets nets = test::simple_nets(both);
+    const paper::SeamGraph graph = paper::seam_graph(both, nets);
+    REQUIRE(graph.groups.size() == 2);
+    return paper::inner_groups_first(both, nets, graph);
+  };
+  const std::vector<std::size_t> as_numbered{0, 1};
+  const std::vector<std::size_t> inner_first{1, 0};
+  CHECK(order_with(20.0, {32.0, 32.0, 32.0}) == as_numbered);
+  CHECK(order_with(0.4, {10.0, 10.0, 0.2}) == as_numbered);
+  CHECK(order_with(20.0, {10.0, 10.0, 10.0}) == inner_first);
 }
 
 TEST_CASE("a body is found inside another wherever it stands on a grid", "[assembly]") {
