@@ -304,7 +304,8 @@ std::string looks_otherwise(double moved_mm, const Box3& bounds) {
   if (share >= seen_share) {
     return where + fmt::format("{:.0f} % of its size", 100.0 * share) + advice;
   }
-  if (moved_mm >= std::max(least_mm, seen_share_of_thickness * thickness)) {
+  // Of what is flat, only outlines have moved.
+  if (thickness >= least_mm && moved_mm >= std::max(least_mm, seen_share_of_thickness * thickness)) {
     return where + fmt::format("and it is {:.0f} mm thick", thickness) + advice;
   }
   return {};

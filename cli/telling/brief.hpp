@@ -26,7 +26,7 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
 
 /// That simplification moves so much of a model with these bounds (mm) that it looks otherwise; empty where
 /// it doesn't. Seen is what is 3 % of the largest extent, or a tenth of the smallest: a thin model looks
-/// otherwise sooner.
+/// otherwise sooner, though not one that is flat.
 [[nodiscard]] std::string looks_otherwise(double moved_mm, const Box3& bounds);
 
 /// "a thin wall of up to 1.2 mm became a sheet".

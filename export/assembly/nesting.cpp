@@ -26,11 +26,15 @@ bool holds_box(const Box3& outer, const Box3& inner) {
          inner.high.x < outer.high.x && inner.high.y < outer.high.y && inner.high.z < outer.high.z;
 }
 
-/// The corners of a body that lie farthest along its axes and its diagonals, both ways: what stands out of
-/// another body does so with one of these.
+/// The corners of a body that lie farthest along the axes and their diagonals, both ways: what stands out of
+/// another body does so with one of these, but for what no direction of these meets first.
 std::vector<Vec3> farthest_corners(const mesh::Surface& surface, const GroupBody& body) {
   std::vector<Vec3> corners;
-  for (int code = 0; code < 27; ++code) {
+  constexpr int ways = 27;  // each component -1, 0 or 1
+  for (int code = 0; code < ways; ++code) {
+    if (code == ways / 2) {
+      continue;  // no direction
+    }
     const Vec3 way{static_cast<double>(code % 3 - 1), static_cast<double>(code / 3 % 3 - 1),
                    static_cast<double>(code / 9 - 1)};
     double most = -INFINITY;

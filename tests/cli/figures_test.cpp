@@ -81,6 +81,7 @@ TEST_CASE("what moves looks otherwise sooner where the model is thin", "[figures
         "it looks otherwise where simplification moved it by up to 3.8 mm, and it is 12 mm thick: more "
         "--faces stay nearer");
   CHECK(cli::looks_otherwise(0.9, sheet).empty());
+  CHECK(cli::looks_otherwise(1.5, sheet).empty());
 }
 
 TEST_CASE("rows of piece names are short", "[figures]") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What studio.html takes (docs/studio.md, "What it takes"): until it is ready, until a model that is dropped is shown, and from a
-// click to the core's answer of an edit, and to the new picture. No test: seconds are nobody's promise. Each is told by the clock and, behind it, by the
-// processors of all the browser's processes, which counts where other programs run beside it.
+// click to the core's answer of an edit, and to the new picture. No test: seconds are nobody's promise. Each is told by the
+// clock and, behind it, by the processors of all the browser's processes, which counts where other programs run beside it.
 //   node measure.mjs --browser chromium --page FILE --tools FOLDER [--edits N] [--wish KEY=VALUE]... MODEL...
 import {readdirSync, readFileSync} from "node:fs";
 import {basename} from "node:path";
