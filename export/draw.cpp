@@ -11,12 +11,14 @@
 #include "base/utf8.hpp"
 #include "export/export.hpp"
 #include "export/page/back_of_page.hpp"
+#include "export/page/enlarged.hpp"
 #include "export/page/furniture.hpp"
 #include "export/page/glue_spots.hpp"
 #include "export/page/list_pages.hpp"
 #include "export/page/neighbours.hpp"
 #include "export/page/number_list.hpp"
 #include "export/page/page_index.hpp"
+#include "export/page/page_marks.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/page/tab_shadows.hpp"
 #include "export/page/text_placement.hpp"
@@ -68,7 +70,7 @@ IdVector<PieceId, std::vector<std::string>> piece_notes(const mesh::Surface& sur
 void report_numbers(const std::vector<PieceDrawing>& pieces, bool can_list, DrawReport& report) {
   for (const PieceDrawing& piece : pieces) {
     for (const Seam& seam : piece.seams) {
-      if (!seam.numbered) {
+      if (seam.told == NumberAt::enlarged || seam.told == NumberAt::list) {
         (can_list ? report.labels_listed : report.labels_left_out).push_back({piece.name, seam.number});
       }
     }
@@ -87,40 +89,6 @@ void report_lines(const Group& group, DrawReport& report) {
   }
 }
 
-/// Rows that their page has no room for.
-struct Unlisted {
-  std::size_t page = 0;
-  std::vector<std::string> rows;
-};
-
-/// Puts lists of one kind where pages have room for them by themselves, their own page first, then any.
-/// Returns the rows for which none has.
-RowList list_beside_pieces(const Paper& paper, const std::vector<std::vector<PieceDrawing>>& pieces,
-                           std::string_view heading, const std::vector<Unlisted>& lists,
-                           std::vector<std::vector<Text>>& indices) {
-  const auto listed = [&](std::size_t page, const std::vector<std::string>& rows) {
-    const auto texts = list_beside(paper, pieces[page], indices[page], {heading, rows});
-    if (texts) {
-      indices[page].insert(indices[page].end(), texts->begin(), texts->end());
-    }
-    return texts.has_value();
-  };
-  std::vector<std::string> left;
-  for (const Unlisted& list : lists) {
-    if (!list.rows.empty() && !listed(list.page, list.rows)) {
-      for (const std::string& row : list.rows) {
-        left.push_back(fmt::format("page {}, {}", list.page + 1, row));
-      }
-    }
-  }
-  for (std::size_t page = pieces.size(); page-- > 0 && !left.empty();) {
-    if (listed(page, left)) {
-      left.clear();
-    }
-  }
-  return {heading, std::move(left)};
-}
-
 }  // namespace
 
 std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
@@ -131,8 +99,8 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   sum.objects = find_piece_objects(model, nets);
   const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds, sum.objects);
   const auto neighbours = find_neighbours(model.model.surface, nets);
-  std::vector<std::vector<Text>> indices;
-  std::vector<Unlisted> partners, numbers;
+  std::vector<PageMarks> indices;
+  Unplaced left;
   const bool can_list = has_room_for_lists(pages.paper);
   const auto contents = piece_contents(model.model.surface, nets);
   std::vector<std::vector<PieceDrawing>> pieces(pages.count);
@@ -154,25 +122,35 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   for (std::size_t i = 0; i < pages.count; ++i) {
     context.check();
     place_texts(pieces[i], pages.paper.size, piece_box(pages.paper), style, sum, context);
+    std::vector<Enlarged> larger;
+    for (std::size_t k = 0; can_list && k < pieces[i].size(); ++k) {
+      for (Enlarged& picture : enlarged_parts(pieces[i][k], style, piece_area(pages.paper), context)) {
+        larger.push_back(std::move(picture));
+      }
+    }
     report_numbers(pieces[i], can_list, sum);
     for (std::size_t k = 0; style.tab_shadows && k < pieces[i].size(); ++k) {
       const PieceId piece = piece_ids[i][k];
       add_tab_shadows(model.model.surface, nets, piece, contents[piece], pages.placements[piece],
                       pieces[i][k]);
     }
-    PageIndex index = page_index(nets, pages, PageId(i), neighbours, sum.kinds, pieces[i]);
-    indices.push_back(std::move(index.texts));
-    partners.push_back({i, std::move(index.partners)});
-    numbers.push_back({i, std::move(index.numbers)});
-  }
-  std::vector<RowList> left;
-  if (can_list) {
-    left.push_back(list_beside_pieces(pages.paper, pieces, number_list_heading, numbers, indices));
-    left.push_back(list_beside_pieces(pages.paper, pieces, partner_list_heading, partners, indices));
-    // Where all pieces lie on one page, anybody sees where an edge goes on: that is worth no page.
-    if (pages.count == 1 && left.front().rows.empty()) {
-      left.clear();
+    const auto index_with = [&](const Unplaced& others) {
+      return page_index(nets, pages, PageId(i), neighbours, sum.kinds, pieces[i], larger, others);
+    };
+    PageIndex index = index_with({});
+    // All that pages have no room for stands on the last one, if all of it finds room there.
+    if (i + 1 == pages.count && !left.empty()) {
+      if (PageIndex joint = index_with(left); joint.left.empty()) {
+        index = std::move(joint);
+        left = {};
+      }
     }
+    indices.push_back(std::move(index.marks));
+    left.add(std::move(index.left), i + 1, pages.count > 1);
+  }
+  // Where all pieces lie on one page, anybody sees where an edge goes on: that is worth no page.
+  if (pages.count == 1 && left.numbers.empty() && left.pictures.empty()) {
+    left = {};
   }
   std::vector<std::vector<Group>> backs(pages.count);
   for (std::size_t i = 0; style.numbers == Numbers::back && i < pages.count; ++i) {
@@ -187,7 +165,7 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
     }
   }
   if (can_list) {
-    for (std::vector<Text>& list : list_pages(left, pages.paper)) {
+    for (PageMarks& list : list_pages(std::move(left), pages.paper)) {
       indices.push_back(std::move(list));
       drawings.emplace_back();
       ++sum.list_pages;
@@ -212,7 +190,10 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
       foot = furniture(pages.paper, drawing.title, drawing.page, drawing.page_count,
                        line_kinds(drawing.groups), anywhere);
     }
-    foot.texts.insert(foot.texts.end(), indices[i].begin(), indices[i].end());
+    const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+    append(foot.texts, indices[i].texts);
+    append(foot.lines, indices[i].lines);
+    append(foot.areas, indices[i].areas);
     drawing.groups.push_back(std::move(foot));
     if (i < backs.size() && !backs[i].empty()) {
       drawing.back = std::move(backs[i]);

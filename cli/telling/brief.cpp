@@ -167,9 +167,9 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
                                   made.off_grain.size() == 1 ? "it fits" : "they fit"));
   }
   if (const std::size_t listed = made.drawn.labels_listed.size(); listed > 0) {
-    clauses.push_back(counted(listed, "number") + (listed == 1
-                                                       ? " had no room at its edge and stands in a list"
-                                                       : " had no room at their edges and stand in a list"));
+    clauses.push_back(counted(listed, "number") +
+                      (listed == 1 ? " had no room at its edge and stands in a larger picture"
+                                   : " had no room at their edges and stand in larger pictures"));
   }
   if (made.nets.broken_wishes > 0) {
     clauses.push_back(counted(made.nets.broken_wishes, "edge") + " that " +

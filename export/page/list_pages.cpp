@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "export/page/number_list.hpp"
 #include "export/page/text_table.hpp"
 #include "export/style/stroke_font.hpp"
 
@@ -20,6 +22,7 @@ constexpr std::array<double, 3> letters_mm{2.6, 2.2, table_text_height};
 constexpr double row_share = table_row_height / table_text_height;
 constexpr double least_column_mm = 75.0;
 constexpr double column_gap_mm = 8.0;
+constexpr double least_list_mm = 40.0;  ///< a list below pictures has at least so much room
 constexpr double heading_share = 1.15;  ///< height of headings, of the letters'
 constexpr double entry_share = 1.3;     ///< of the lines that entries begin with
 constexpr double indent_share = 2.0;
@@ -37,7 +40,9 @@ struct ListLine {
 
 class Setter {
  public:
-  Setter(const Paper& paper, double letters) : area_(piece_box(paper)), letters_(letters) {
+  /// `first_top`: where the first page begins; none where nothing stands on it yet.
+  Setter(const Paper& paper, double letters, std::optional<double> first_top)
+      : area_(piece_box(paper)), letters_(letters), first_top_(first_top) {
     const double width = area_.size().x;
     columns_ = std::max(1.0, std::floor((width + column_gap_mm) / (least_column_mm + column_gap_mm)));
     width_ = (width - (columns_ - 1.0) * column_gap_mm) / columns_;
@@ -45,29 +50,18 @@ class Setter {
 
   std::vector<std::vector<Text>> set(const std::vector<RowList>& lists) {
     for (const RowList& list : lists) {
-      const std::vector<ListLine> heading = wrapped_as(Kind::heading, list.heading);
+      const std::vector<ListLine> heading = wrapped_as(Kind::heading, list.heading, full_width());
       const std::vector<ListLine> lines = lines_of(list.rows);
-      bool headed = false;
+      bool begun = false;
       for (std::size_t i = 0; i < lines.size(); ++i) {
         // An entry's own line stands above another one.
         double needed = height_of(lines[i]);
         needed += lines[i].kind == Kind::entry && i + 1 < lines.size() ? height_of(lines[i + 1]) : 0.0;
-        if (!headed) {
-          for (const ListLine& line : heading) {
-            needed += height_of(line);
-          }
-        }
-        if (pages_.empty() || y_ - needed < area_.low.y) {
-          next_column();
-          headed = false;
-        }
-        if (!headed) {
-          y_ -= at_top_ ? 0.0 : row();
-          for (const ListLine& line : heading) {
-            put(line);
-          }
-          y_ -= after_heading_share * row();
-          headed = true;
+        if (!begun) {
+          begin_list(heading, needed);
+          begun = true;
+        } else if (y_ - needed < area_.low.y) {
+          next_column(heading);
         }
         put(lines[i]);
       }
@@ -88,10 +82,10 @@ class Setter {
            (line.kind == Kind::entry && line.begins ? before_entry_share * row() : 0.0);
   }
 
-  [[nodiscard]] std::vector<ListLine> wrapped_as(Kind kind, std::string_view text) const {
+  [[nodiscard]] std::vector<ListLine> wrapped_as(Kind kind, std::string_view text, double width) const {
     const double indent = kind == Kind::words ? indent_share * letters_ : 0.0;
     std::vector<std::string> rows;
-    append_wrapped(rows, text, (width_ - indent) * table_text_height / letters_of(kind));
+    append_wrapped(rows, text, (width - indent) * table_text_height / letters_of(kind));
     std::vector<ListLine> lines;
     for (const std::string& row : rows) {
       lines.push_back({kind, row.substr(row.find_first_not_of(' ')), lines.empty()});
@@ -103,7 +97,7 @@ class Setter {
   [[nodiscard]] std::vector<ListLine> lines_of(const std::vector<std::string>& rows) const {
     std::vector<ListLine> lines;
     const auto add = [&](Kind kind, std::string_view text) {
-      const std::vector<ListLine> own = wrapped_as(kind, text);
+      const std::vector<ListLine> own = wrapped_as(kind, text, width_);
       lines.insert(lines.end(), own.begin(), own.end());
     };
     for (const std::string& row : rows) {
@@ -118,14 +112,47 @@ class Setter {
     return lines;
   }
 
-  void next_column() {
-    column_ += 1.0;
-    if (pages_.empty() || column_ >= columns_) {
-      pages_.emplace_back();
-      column_ = 0.0;
+  [[nodiscard]] double full_width() const { return area_.size().x; }
+
+  void begin_page() {
+    pages_.emplace_back();
+    y_ = pages_.size() == 1 ? first_top_.value_or(area_.high.y) : area_.high.y;
+    lowest_ = y_;
+  }
+
+  /// Below all that stands on the page, or on the next one. The heading stands once over all columns.
+  void begin_list(const std::vector<ListLine>& heading, double needed) {
+    for (const ListLine& line : heading) {
+      needed += height_of(line);
     }
-    y_ = area_.high.y;
+    needed += (1.0 + after_heading_share) * row();
+    if (pages_.empty() || lowest_ - needed < area_.low.y) {
+      begin_page();
+    } else {
+      y_ = lowest_ - row();
+    }
+    put_heading(heading);
+  }
+
+  void put_heading(const std::vector<ListLine>& heading) {
+    column_ = 0.0;
+    for (const ListLine& line : heading) {
+      put(line);
+    }
+    y_ -= after_heading_share * row();
+    columns_top_ = y_;
     at_top_ = true;
+  }
+
+  void next_column(const std::vector<ListLine>& heading) {
+    column_ += 1.0;
+    if (column_ < columns_) {
+      y_ = columns_top_;
+      at_top_ = true;
+    } else {
+      begin_page();
+      put_heading(heading);
+    }
   }
 
   void put(const ListLine& line) {
@@ -139,30 +166,89 @@ class Setter {
                              0.0,
                              false});
     y_ -= row_share * height;
+    lowest_ = std::min(lowest_, y_);
     at_top_ = false;
   }
 
   Box2 area_;
   double letters_;
+  std::optional<double> first_top_;
   double columns_ = 1.0;
   double width_ = 0.0;
   double column_ = 0.0;
   double y_ = 0.0;
+  double lowest_ = 0.0;       ///< of all that stands on the page
+  double columns_top_ = 0.0;  ///< of the list's columns
   bool at_top_ = true;
   std::vector<std::vector<Text>> pages_;
 };
 
+/// Pictures side by side, row below row.
+class PictureRows {
+ public:
+  explicit PictureRows(const Box2& area) : area_(area) {}
+
+  void put(Enlarged picture) {
+    if (x_ + picture.size.x > area_.high.x) {
+      begin_row();
+    }
+    // The first in a row, and whatever is higher than what stands there.
+    if (pages_.empty() || top_ - picture.size.y < area_.low.y) {
+      pages_.emplace_back();
+      top_ = area_.high.y;
+      bottom_ = top_;
+      x_ = area_.low.x;
+    }
+    pages_.back().add(std::move(picture.marks), {x_, top_ - picture.size.y});
+    x_ += picture.size.x + column_gap_mm;
+    bottom_ = std::min(bottom_, top_ - picture.size.y);
+  }
+
+  /// Where lists may begin on the last page; none where it has no room for any.
+  [[nodiscard]] std::optional<double> lowest() const {
+    const double top = bottom_ - column_gap_mm;
+    return pages_.empty() || top - area_.low.y < least_list_mm ? std::nullopt : std::optional<double>(top);
+  }
+  std::vector<PageMarks> pages() && { return std::move(pages_); }
+
+ private:
+  void begin_row() {
+    x_ = area_.low.x;
+    top_ = bottom_ - column_gap_mm;
+  }
+
+  Box2 area_;
+  std::vector<PageMarks> pages_;
+  double x_ = 0.0;
+  double top_ = 0.0;
+  double bottom_ = 0.0;
+};
+
 }  // namespace
 
-std::vector<std::vector<Text>> list_pages(const std::vector<RowList>& lists, const Paper& paper) {
-  std::vector<std::vector<Text>> best = Setter(paper, letters_mm.back()).set(lists);
+std::vector<PageMarks> list_pages(Unplaced left, const Paper& paper) {
+  PictureRows rows(piece_box(paper));
+  for (Enlarged& picture : left.pictures) {
+    rows.put(with_words(std::move(picture)));
+  }
+  const std::vector<RowList> lists{{number_list_heading, std::move(left.numbers)},
+                                   {partner_list_heading, std::move(left.partners)}};
+  const std::optional<double> top = rows.lowest();
+  std::vector<PageMarks> pages = std::move(rows).pages();
+  std::vector<std::vector<Text>> best = Setter(paper, letters_mm.back(), top).set(lists);
   for (const double letters : letters_mm) {
-    std::vector<std::vector<Text>> larger = Setter(paper, letters).set(lists);
+    std::vector<std::vector<Text>> larger = Setter(paper, letters, top).set(lists);
     if (larger.size() <= best.size()) {
-      return larger;
+      best = std::move(larger);
+      break;
     }
   }
-  return best;
+  const std::size_t first = top ? pages.size() - 1 : pages.size();
+  pages.resize(std::max(pages.size(), first + best.size()));
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    pages[first + i].add({std::move(best[i]), {}, {}}, {});
+  }
+  return pages;
 }
 
 }  // namespace ridgecraft::paper

@@ -4,17 +4,16 @@
 
 #include <vector>
 
-#include "export/page/number_list.hpp"
-#include "export/sheet/drawing.hpp"
+#include "export/page/page_index.hpp"
+#include "export/page/page_marks.hpp"
 #include "export/sheet/paper.hpp"
 
 namespace ridgecraft::paper {
 
-/// The lists on pages of their own, one after the other, each under its heading, which stands again where it
-/// goes on in another column or page. What stands before the first colon of a row is the entry's own line,
-/// and what semicolons part has a line each. In columns; letters are as large as costs no page. Only where
-/// has_room_for_lists().
-[[nodiscard]] std::vector<std::vector<Text>> list_pages(const std::vector<RowList>& lists,
-                                                        const Paper& paper);
+/// What pages have no room for, on pages of their own. Pictures come first, side by side in rows. The lists
+/// follow, one after the other, each under its heading, which stands again where it goes on in another column
+/// or page. What stands before the first colon of a row is the entry's own line, and what semicolons part has
+/// a line each. In columns; letters are as large as costs no page. Only where has_room_for_lists().
+[[nodiscard]] std::vector<PageMarks> list_pages(Unplaced left, const Paper& paper);
 
 }  // namespace ridgecraft::paper

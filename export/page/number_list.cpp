@@ -20,7 +20,7 @@ using Shown = std::vector<std::uint32_t>;
 Shown shown_on(const PieceDrawing& piece, const std::vector<std::size_t>& rim) {
   Shown numbers;
   for (const std::size_t seam : rim) {
-    if (piece.seams[seam].numbered) {
+    if (piece.seams[seam].told == NumberAt::edge) {
       numbers.push_back(piece.seams[seam].number);
     }
   }
@@ -43,39 +43,42 @@ std::size_t count_of(const Shown& wanted, const PieceDrawing& piece) {
   return count;
 }
 
-/// "between 12 and 21", or "between 11, 12 and 21" where 12 and 21 follow each other on the piece twice: as
-/// many of the numbers before a run as there have to be for one place to be meant. `around`: those on the
-/// run's outline, from the first behind the run to the last before it.
-std::string words_of_place(const PieceDrawing& piece, const Shown& around) {
-  if (around.size() == 1) {
-    return fmt::format("after {}:", around.front());
-  }
-  for (std::size_t size = 1; size <= around.size(); ++size) {
+/// As many of the last numbers before a run as there have to be for one place to be meant. `around`: those on
+/// the run's outline, from the first behind the run to the last before it.
+Shown numbers_before(const PieceDrawing& piece, const Shown& around) {
+  for (std::size_t size = 1; size < around.size(); ++size) {
     const Shown last(around.end() - static_cast<std::ptrdiff_t>(size), around.end());
     Shown place = last;
     place.push_back(around.front());
-    if (size == around.size() || count_of(place, piece) == 1) {
-      return fmt::format("between {} and {}:", fmt::join(last, ", "), around.front());
+    if (count_of(place, piece) == 1) {
+      return last;
     }
   }
-  return {};
+  return around;
 }
 
-/// "between 12 and 21: 13, 14"
-std::string words_of_run(const PieceDrawing& piece, const std::vector<std::size_t>& run,
-                         const std::string& where) {
-  std::string text = where;
-  for (std::size_t i = 0; i < run.size(); ++i) {
-    text += (i == 0 ? " " : ", ") + std::to_string(piece.seams[run[i]].number);
+/// "13, 14"
+std::string numbers_of(const PieceDrawing& piece, const std::vector<std::size_t>& run) {
+  std::string text;
+  for (const std::size_t seam : run) {
+    text += (text.empty() ? "" : ", ") + std::to_string(piece.seams[seam].number);
   }
   return text;
 }
 
+/// "after 12 come 13, 14, then 21"
+std::string words_of_run(const PieceDrawing& piece, const std::vector<std::size_t>& run,
+                         const Shown& around) {
+  return fmt::format("after {} {} {}, then {}", fmt::join(numbers_before(piece, around), ", "),
+                     run.size() == 1 ? "comes" : "come", numbers_of(piece, run), around.front());
+}
+
 /// The words for one outline; none where all its numbers were placed.
 std::vector<std::string> words_of_rim(const PieceDrawing& piece, const std::vector<std::size_t>& rim) {
-  const auto is_lost = [&](std::size_t seam) { return !piece.seams[seam].numbered; };
+  const auto is_lost = [&](std::size_t seam) { return piece.seams[seam].told != NumberAt::edge; };
+  const auto is_listed = [&](std::size_t seam) { return piece.seams[seam].told == NumberAt::list; };
   const auto lost = static_cast<std::size_t>(std::count_if(rim.begin(), rim.end(), is_lost));
-  if (lost == 0) {
+  if (std::ranges::none_of(rim, is_listed)) {
     return {};
   }
   const auto size = [&](std::size_t seam) {
@@ -89,7 +92,7 @@ std::vector<std::string> words_of_rim(const PieceDrawing& piece, const std::vect
   std::vector<std::size_t> around(first, rim.end());
   around.insert(around.end(), rim.begin(), first);
   if (none_placed) {
-    return {words_of_run(piece, around, "all round from the longest edge:")};
+    return {"all round, from the longest edge: " + numbers_of(piece, around)};
   }
   std::vector<std::string> words;
   // Those that come before the first one clockwise are the last ones.
@@ -100,8 +103,8 @@ std::vector<std::string> words_of_rim(const PieceDrawing& piece, const std::vect
     for (++i; i < around.size() && is_lost(around[i]); ++i) {
       run.push_back(around[i]);
     }
-    if (!run.empty()) {
-      words.push_back(words_of_run(piece, run, words_of_place(piece, shown)));
+    if (std::ranges::any_of(run, is_listed)) {
+      words.push_back(words_of_run(piece, run, shown));
     }
     std::ranges::rotate(shown, shown.begin() + 1);
   }

@@ -13,11 +13,12 @@ namespace ridgecraft::paper {
 
 /// What stands above the rows of number_row().
 inline constexpr std::string_view number_list_heading =
-    "numbers without room at their edges, and between which others on their piece they belong, clockwise";
+    "numbers without room at their edges, clockwise round their piece";
 
-/// "E: between 12 and 21: 13, 14": the piece's numbers that weren't placed, in the order in which their
-/// edges follow each other clockwise on the printed side. Where a whole outline has no number: "all round
-/// from the longest edge: 13, 14, 15". Empty where all numbers were placed. O(seams).
+/// "E: after 12 come 13, 14, then 21": the piece's numbers that stand nowhere else (NumberAt::list), among
+/// those at edges in the order in which they follow each other clockwise on the printed side. Where a whole
+/// outline has no number: "all round, from the longest edge: 13, 14, 15". Empty where all numbers stand
+/// elsewhere. O(seams).
 [[nodiscard]] std::string number_row(const PieceDrawing& piece);
 
 /// Whether a page of this paper can hold such a list.

@@ -1,43 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The index of a page: for each of its pieces, which other pieces it is glued to, on which pages, by which
-// numbers; and which numbers have no room at their edges.
+// numbers; and where the numbers are that have no room at their edges.
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "export/page/enlarged.hpp"
 #include "export/page/neighbours.hpp"
 #include "export/page/number_list.hpp"
+#include "export/page/page_marks.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/pages.hpp"
 
 namespace ridgecraft::paper {
 
-struct PageIndex {
-  std::vector<Text> texts;
-  /// What the page has no room for: rows that tell where the other edges are, and numbers that have no room
-  /// at their edges (Seam::numbered).
+/// What a page has no room for: rows that tell where the other edges are, numbers that stand nowhere else
+/// (NumberAt::list), and pictures.
+struct Unplaced {
   std::vector<std::string> partners, numbers;
+  std::vector<Enlarged> pictures;
+
+  [[nodiscard]] bool empty() const { return partners.empty() && numbers.empty() && pictures.empty(); }
+  /// What a page has left, each with its page (from 1) before it where there are several.
+  void add(Unplaced others, std::size_t page, bool several);
 };
 
-/// The texts of the index, where the page has room for them: beside the pieces, as low as possible. In fewer
-/// words where there is little room, then without what isn't needed most: numbers that have no room at their
-/// edges come first. `pieces` are all of the page, with their texts. O(places tried x lines).
+struct PageIndex {
+  PageMarks marks;
+  Unplaced left;
+};
+
+/// The index, where the page has room for it: beside the pieces, as low as possible. Pictures of parts of its
+/// pieces come first; then what there is in words, in fewer of them where there is little room, then without
+/// what isn't needed most. `pieces` are all of the page, with their texts; `others` is what other pages have
+/// left, to stand there, too. O(places tried x lines).
 [[nodiscard]] PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
                                    const IdVector<PieceId, std::vector<Neighbour>>& neighbours,
                                    const std::vector<PieceKind>& kinds,
-                                   const std::vector<PieceDrawing>& pieces);
+                                   const std::vector<PieceDrawing>& pieces, std::vector<Enlarged> pictures,
+                                   const Unplaced& others);
 
 /// What stands above rows that tell where the other edges are.
 inline constexpr std::string_view partner_list_heading = "where the other edges are: piece and numbers";
-
-/// The list at the lowest place of a page that has room for it beside its pieces, with their texts, and
-/// `others`, which stand there, too. None where there is no room. O(places tried x lines).
-[[nodiscard]] std::optional<std::vector<Text>> list_beside(const Paper& paper,
-                                                           const std::vector<PieceDrawing>& pieces,
-                                                           const std::vector<Text>& others,
-                                                           const RowList& list);
 
 }  // namespace ridgecraft::paper

@@ -13,13 +13,21 @@
 
 namespace ridgecraft::paper {
 
+/// Where a seam's number is told.
+enum class NumberAt : std::uint8_t {
+  edge,      ///< at the edge or on its tab
+  closing,   ///< nowhere: its other edge lies beside it when the paper closes
+  enlarged,  ///< in a part of the piece that is drawn once more, larger
+  list,      ///< in words, or nowhere on paper too small for them
+};
+
 /// A cut edge of a piece that is glued to another edge.
 struct Seam {
   std::uint32_t number = 0;
   std::string partner;    ///< name of the piece that the other edge is on; empty where it is this one
   Segment2 edge;          ///< its face lies on the left
   std::vector<Vec2> tab;  ///< the tab that grows from it, first two corners on the edge; or nothing
-  bool numbered = false;  ///< its number stands at it or on its tab
+  NumberAt told = NumberAt::list;
 };
 
 /// Where a piece that no join connects with this one is glued on.

@@ -2,7 +2,6 @@
 // Where the numbers and names of a page's pieces stand.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "base/context.hpp"
@@ -18,8 +17,5 @@ namespace ridgecraft::paper {
 /// and grace it is left out where it finds no room at its edge.
 void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& area, const Style& style,
                  DrawReport& report, const Context& context);
-
-/// Whether a number can be read as another one upside down: 6 and 9, 68 and 89, 16 and 91.
-[[nodiscard]] bool ambiguous_upside_down(std::string_view number);
 
 }  // namespace ridgecraft::paper

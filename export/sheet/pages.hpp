@@ -74,15 +74,15 @@ struct DrawReport {
     std::uint32_t number = 0;
     friend auto operator<=>(const Number&, const Number&) = default;
   };
-  /// Numbers that found no place at their edges even at the smallest height, and stand in a list on the page
-  /// or at the end; page by page.
+  /// Numbers that found no place at their edges even at the smallest height, and stand in a part of the piece
+  /// that is drawn larger or in a list, on the page or at the end; page by page.
   std::vector<Number> labels_listed;
-  std::vector<Number> labels_left_out;  ///< the same where the paper is too small for a list
+  std::vector<Number> labels_left_out;  ///< the same where the paper is too small for either
   /// Of lines to cut, and of lines to fold, bases of tabs among them, as they are drawn, mm: none twice, and
   /// no folds that get no line.
   double cut_mm = 0.0;
   double fold_mm = 0.0;
-  std::size_t list_pages = 0;              ///< pages at the end that have such a list and no pieces
+  std::size_t list_pages = 0;              ///< pages at the end that have such and no pieces
   std::size_t labels_outside = 0;          ///< numbers that stand beside their piece, with a leader
   std::size_t names_left_out = 0;          ///< pieces whose name found no place
   std::vector<Contact> contacts;           ///< where pieces of separate bodies are glued to each other

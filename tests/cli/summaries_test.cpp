@@ -225,7 +225,7 @@ TEST_CASE("numbers in lists are told by their pieces", "[summaries]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
   const Json json =
-      Json::parse(run_program({"house.obj", "--size", "3mm", "--json", "-o", "x.fold"}, in(folder)).out);
+      Json::parse(run_program({"house.obj", "--size", "1mm", "--json", "-o", "x.fold"}, in(folder)).out);
   REQUIRE_FALSE(json["numbers_in_lists"].empty());
   CHECK(json["labels_listed"] == json["numbers_in_lists"].size());
   CHECK(json["labels_left_out"] == 0);

@@ -11,7 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "export/page/furniture.hpp"
-#include "export/page/text_placement.hpp"
+#include "export/page/number_placer.hpp"
 #include "export/style/stroke_font.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"

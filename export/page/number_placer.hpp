@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds places for numbers, one after the other: on tabs, at edges, further inside, at the end of leaders.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "export/page/obstacles.hpp"
+#include "export/page/piece_drawing.hpp"
+#include "export/sheet/pages.hpp"
+
+namespace ridgecraft::paper {
+
+/// A number on the piece that still needs a place.
+struct Wanted {
+  PieceDrawing* piece = nullptr;
+  Seam* seam = nullptr;
+  bool on_tab = false;  ///< its number stands on the tab already
+};
+
+/// Which side of an edge.
+enum class Beside { inside, outside };
+
+/// Each attempt adds the text, and its leader, to the piece's group where it finds a place, and says whether
+/// it did. No text covers a line or another text, or reaches out of the area. Heights of letters go from
+/// Style::label_height down to Style::smallest_label_height. O(places tried x lines near them).
+class NumberPlacer {
+ public:
+  NumberPlacer(Vec2 page_size, const Box2& area, const Style& style);
+
+  [[nodiscard]] Obstacles& obstacles() { return obstacles_; }
+  /// All lines of the piece are in the way from now on.
+  void add_lines(const PieceDrawing& piece);
+
+  bool place_on_tab(PieceDrawing& piece, const Seam& seam);
+  /// Along the edge, close to it.
+  bool place_near(const Wanted& wanted, Beside side = Beside::inside);
+  /// Along the edge, further inside the same panel.
+  bool place_inside(const Wanted& wanted);
+  /// Anywhere around, with a line to the edge.
+  bool place_with_leader(const Wanted& wanted, Beside side);
+  /// Numbers tell on which piece the other edge is ("B:12"), where there is room for it.
+  void name_partners();
+
+ private:
+  struct Frame;
+  /// A number that stands by its edge or on its tab.
+  struct Placed {
+    PieceDrawing* piece = nullptr;
+    const Seam* seam = nullptr;
+    std::size_t text = 0;  ///< of the piece's texts
+    std::uint32_t obstacle = 0;
+    bool on_tab = false;
+  };
+
+  [[nodiscard]] std::optional<Text> with_partner(const Text& plain, const Placed& placed) const;
+  [[nodiscard]] bool on_area(const TurnedBox& box) const;
+  bool put(PieceDrawing& piece, const Text& text, const TurnedBox& box);
+  bool place_along(const Wanted& wanted, double height, double offset, bool across, Beside side);
+  /// `text` wherever around a point of its edge there is room for it.
+  bool lead_from(const Wanted& wanted, Text text, Vec2 start, const Frame& frame, Beside side);
+  bool put_with_leader(const Wanted& wanted, const Text& text, const TurnedBox& box, const Segment2& leader,
+                       Vec2 out);
+
+  Obstacles obstacles_;
+  Box2 area_;
+  std::vector<double> heights_;
+  std::vector<Placed> placed_;
+  std::uint32_t last_text_ = 0;  ///< number of the obstacle that was added last
+};
+
+/// Whether a number can be read as another one upside down: 6 and 9, 68 and 89, 16 and 91.
+[[nodiscard]] bool ambiguous_upside_down(std::string_view number);
+
+}  // namespace ridgecraft::paper

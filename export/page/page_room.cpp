@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/page/page_room.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "export/page/text_table.hpp"
+
+namespace ridgecraft::paper {
+namespace {
+
+constexpr double index_clearance = 2.5;  ///< from lines and texts of the page, mm
+constexpr double place_step = 5.0;       ///< between places that are tried, mm
+
+/// Calls try_at(corner) for the lower left corners that a box of this size may have, the lowest ones first,
+/// until it returns true.
+template <class Try>
+void at_places(const Box2& area, Vec2 size, Try try_at) {
+  for (double y = area.low.y; y + size.y <= area.high.y; y += place_step) {
+    for (double x = area.low.x; x + size.x <= area.high.x; x += place_step) {
+      if (try_at(Vec2{x, y})) {
+        return;
+      }
+    }
+  }
+}
+
+/// Whether two rectangles are no further apart than lists may be.
+bool crowd(const Box2& a, const Box2& b) {
+  return a.low.x - index_clearance < b.high.x && b.low.x < a.high.x + index_clearance &&
+         a.low.y - index_clearance < b.high.y && b.low.y < a.high.y + index_clearance;
+}
+
+}  // namespace
+
+PageRoom::PageRoom(const Paper& paper, const std::vector<PieceDrawing>& pieces)
+    : area_(piece_box(paper)), obstacles_(paper.size), pieces_(pieces) {
+  for (const PieceDrawing& piece : pieces) {
+    for (const Line& line : piece.group.lines) {
+      for (std::size_t i = 1; i < line.points.size(); ++i) {
+        obstacles_.add({line.points[i - 1], line.points[i]}, Obstacles::Kind::cut);
+      }
+      if (line.closed) {
+        obstacles_.add({line.points.back(), line.points.front()}, Obstacles::Kind::cut);
+      }
+    }
+    add(piece.group.texts);
+  }
+}
+
+void PageRoom::add(const std::vector<Text>& texts) {
+  for (const Text& text : texts) {
+    obstacles_.add(text);
+  }
+}
+
+void PageRoom::add(const Box2& box) {
+  boxes_.push_back(box);
+}
+
+std::optional<std::vector<Text>> PageRoom::place(const std::vector<Text>& texts) const {
+  Box2 box;
+  for (const Text& text : texts) {
+    const Box2 own = box_of(text).bounds();
+    box.add(own.low);
+    box.add(own.high);
+  }
+  std::optional<std::vector<Text>> found;
+  at_places(area_, box.size(), [&](Vec2 corner) {
+    std::vector<Text> here = texts;
+    for (Text& text : here) {
+      text.centre += corner - box.low;
+    }
+    if (std::ranges::all_of(here, [&](const Text& text) { return free(text); })) {
+      found = std::move(here);
+    }
+    return found.has_value();
+  });
+  return found;
+}
+
+std::optional<Vec2> PageRoom::place(Vec2 size) const {
+  std::optional<Vec2> found;
+  at_places(area_, size, [&](Vec2 corner) {
+    if (free(Box2{corner, corner + size})) {
+      found = corner;
+    }
+    return found.has_value();
+  });
+  return found;
+}
+
+bool PageRoom::free(const Text& text) const {
+  // The foot lies below the area: it needs no more than the distance to a line.
+  const Box2 own = box_of(text).bounds();
+  return std::ranges::none_of(boxes_, [&](const Box2& box) { return crowd(own, box); }) &&
+         obstacles_.is_free(text, std::min(index_clearance, 0.5 * table_row_height), index_clearance) &&
+         !on_a_piece(text.centre);
+}
+
+bool PageRoom::free(const Box2& box) const {
+  const Vec2 half = 0.5 * box.size();
+  const TurnedBox turned{box.low + half, {1.0, 0.0}, half.x, half.y};
+  return std::ranges::none_of(boxes_, [&](const Box2& other) { return crowd(box, other); }) &&
+         obstacles_.is_free(turned, table_text_height, 0.0, index_clearance) && !on_a_piece(turned.centre);
+}
+
+bool PageRoom::on_a_piece(Vec2 p) const {
+  return std::ranges::any_of(pieces_, [&](const PieceDrawing& piece) {
+    return std::ranges::any_of(piece.faces, [&](const std::array<Vec2, 3>& f) {
+      return cross(f[1] - f[0], p - f[0]) >= 0.0 && cross(f[2] - f[1], p - f[1]) >= 0.0 &&
+             cross(f[0] - f[2], p - f[2]) >= 0.0;
+    });
+  });
+}
+
+}  // namespace ridgecraft::paper

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room beside the pieces of a page, for lists and pictures.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "export/page/obstacles.hpp"
+#include "export/page/piece_drawing.hpp"
+#include "export/sheet/paper.hpp"
+
+namespace ridgecraft::paper {
+
+/// All that is drawn on the page, and where its pieces are. Keeps a reference to these.
+class PageRoom {
+ public:
+  PageRoom(const Paper& paper, const std::vector<PieceDrawing>& pieces);
+
+  /// The texts at the lowest place that has room, the leftmost of those. They don't count as being there
+  /// until add(). O(places tried x texts).
+  [[nodiscard]] std::optional<std::vector<Text>> place(const std::vector<Text>& texts) const;
+  /// The lower left corner of a rectangle at such a place. O(places tried).
+  [[nodiscard]] std::optional<Vec2> place(Vec2 size) const;
+
+  void add(const std::vector<Text>& texts);
+  void add(const Box2& box);
+
+ private:
+  [[nodiscard]] bool free(const Text& text) const;
+  [[nodiscard]] bool free(const Box2& box) const;
+  [[nodiscard]] bool on_a_piece(Vec2 p) const;
+
+  Box2 area_;
+  Obstacles obstacles_;
+  const std::vector<PieceDrawing>& pieces_;
+  std::vector<Box2> boxes_;
+};
+
+}  // namespace ridgecraft::paper
