@@ -155,7 +155,7 @@ Group cover(const GuideModel& guide, const Context& context) {
   const Box2 frame{{room.low.x + gap, facts_top + gap},
                    {room.high.x - gap, room.high.y - title_height_mm - gap}};
   const Viewpoint& side = guide_sides().front();
-  const Camera camera = look_from(guide.stance, side.azimuth, side.elevation);
+  const Camera camera = look_from(guide.shown, side.azimuth, side.elevation);
   const Fit fit = fit_into(seen_box(guide.scene, camera), frame);
   if (guide.in_colour) {
     add_coloured_picture(*guide.model, guide.scene, *guide.nets, camera, fit, group, context);

@@ -25,15 +25,11 @@ int points_above(Value value, const std::array<Value, N>& limits) {
   return static_cast<int>(
       std::count_if(limits.begin(), limits.end(), [&](Value limit) { return value >= limit; }));
 }
-template <std::size_t N>
-int points_below(double value, const std::array<double, N>& limits) {
-  return static_cast<int>(
-      std::count_if(limits.begin(), limits.end(), [&](double limit) { return value < limit; }));
-}
 
 constexpr std::array<std::size_t, 3> many_edges{60, 200, 600};
-constexpr std::array<double, 2> short_joins_mm{15.0, 8.0};
-constexpr std::array<double, 2> small_tabs_mm{6.0, 3.0};
+/// Shares of the edges to glue that take tweezers.
+constexpr std::array<double, 3> many_short{0.05, 0.15, 0.3};
+constexpr double short_join_mm = 6.0;
 
 }  // namespace
 
@@ -64,11 +60,11 @@ Effort effort_of(const mesh::Surface& surface, const unfold::Nets& nets, double 
                    minutes_per_piece * static_cast<double>(nets.pieces.size());
   int points = points_above(effort.joins + effort.folds, many_edges);
   if (effort.joins > 0) {
-    points += points_below(effort.median_join_mm, short_joins_mm);
-    points += effort.smallest_tab_mm > 0.0 ? points_below(effort.smallest_tab_mm, small_tabs_mm) : 0;
+    const auto count =
+        std::count_if(lengths.begin(), lengths.end(), [](double size) { return size < short_join_mm; });
+    points += points_above(static_cast<double>(count) / static_cast<double>(effort.joins), many_short);
   }
-  // 0 points are 1, 1 and 2 are 2, 3 and 4 are 3, 5 is 4, more are 5.
-  constexpr std::array<int, 8> difficulty{1, 2, 2, 3, 3, 4, 5, 5};
+  constexpr std::array<int, 7> difficulty{1, 2, 2, 3, 4, 4, 5};
   effort.difficulty = difficulty[static_cast<std::size_t>(points)];
   return effort;
 }
@@ -91,9 +87,9 @@ std::string paper_weight(double extent_mm, double median_join_mm) {
   constexpr std::array<std::string_view, 5> weights{"100 to 120", "120 to 160", "160 to 200", "200 to 250",
                                                     "250 to 300"};
   constexpr std::array<double, 3> extents_mm{150.0, 300.0, 600.0};
-  constexpr double short_join_mm = 8.0;  // thick paper doesn't fold there
+  constexpr double fine_join_mm = 8.0;  // thick paper doesn't fold there
   const int size = 1 + points_above(extent_mm, extents_mm);
-  const int finer = median_join_mm > 0.0 && median_join_mm < short_join_mm ? 1 : 0;
+  const int finer = median_join_mm > 0.0 && median_join_mm < fine_join_mm ? 1 : 0;
   return std::string(weights[static_cast<std::size_t>(size - finer)]) + " g/m\u00b2";
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/utf8.hpp"
 #include "export/guide/cover.hpp"
+#include "export/guide/cover_side.hpp"
 #include "export/guide/guide_model.hpp"
 #include "export/guide/hues.hpp"
 #include "export/guide/overview.hpp"
@@ -37,6 +38,7 @@ Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const
   for (const PieceId piece : nets.piece) {
     guide.piece_of_face.push_back(piece.value());
   }
+  guide.shown = turned_to_cover(guide);
   std::vector<Group> groups{cover(guide, context)};
   groups.push_back(overview(guide, context));
   for (Group& page : step_pages(guide, context)) {

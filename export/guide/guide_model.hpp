@@ -30,7 +30,8 @@ struct GuideModel {
   bool in_colour = false;  ///< the finished model is shown in its own colours
   std::string title;
   GuideSheet sheet;
-  Stance stance;
+  Stance stance;  ///< as the model stands, which its size is told by
+  Stance shown;   ///< the same turned to the side that the first page shows
   Effort effort;
   Scene scene;                         ///< all pieces
   IdVector<PieceId, PieceLook> looks;  ///< in their hues
@@ -47,8 +48,8 @@ struct Viewpoint {
   double elevation = 0.0;  ///< radians
   std::string_view words;
 };
-/// Four sides from above, one after the other round the model, then the same from below. Their words don't
-/// say what is its front: files don't, either.
+/// Seen from GuideModel::shown: four sides from above, one after the other round the model, then the same
+/// from below. Their words don't say what is its front: files don't, either.
 [[nodiscard]] const std::array<Viewpoint, 8>& guide_sides();
 
 }  // namespace ridgecraft::paper

@@ -34,23 +34,27 @@ constexpr double least_shown = 1.0 / 3.0;
 constexpr double least_named = 0.1;
 /// More sides are drawn where there is room for them: if pictures stay as large, but for this share.
 constexpr double least_scale = 0.95;
+/// Lines end on faces where these have so much room round them.
+constexpr double least_face_mm = 1.0;
 constexpr std::size_t sides_above = 4;
 constexpr std::size_t most_sides = 6;
 
 struct SideView {
   Camera camera;
   Box2 seen;                    ///< of the whole model, in its unit
-  std::vector<Anchor> anchors;  ///< of each piece
+  std::vector<Anchor> anchors;  ///< of each piece, on faces
+  std::vector<Anchor> inside;   ///< of each piece, farthest from other pieces
   std::vector<double> area;     ///< of each piece
 };
 
 SideView look_at_pieces(const GuideModel& guide, const Viewpoint& side) {
   SideView view;
-  view.camera = look_from(guide.stance, side.azimuth, side.elevation);
+  view.camera = look_from(guide.shown, side.azimuth, side.elevation);
   view.seen = seen_box(guide.scene, view.camera);
   const CoarseView coarse = look_coarsely(guide.scene, view.camera, anchor_pixels);
   const std::size_t count = guide.nets->pieces.size();
   view.anchors = find_anchors_on_faces(coarse, guide.scene, guide.piece_of_face, count);
+  view.inside = find_anchors(coarse, guide.piece_of_face, count);
   view.area = seen_areas(coarse, count, [&](FaceId face) { return guide.piece_of_face[face]; });
   return view;
 }
@@ -220,7 +224,7 @@ class Overview {
     std::vector<std::size_t> order;
     for (std::size_t p = 0; p < pieces_; ++p) {
       const std::size_t best = best_side(p);
-      const bool enough = arrangement_.scale * view.anchors[p].room >= least_room &&
+      const bool enough = arrangement_.scale * view.inside[p].room >= least_room &&
                           view.area[p] >= least_named * views_[best].area[p];
       if (view.anchors[p].seen && (best == side || enough)) {
         order.push_back(p);
@@ -251,7 +255,9 @@ class Overview {
     const std::vector<std::size_t> order = pieces_to_name(drawn_[i]);
     std::vector<Callout> callouts;
     for (const std::size_t p : order) {
-      callouts.push_back({guide_.nets->pieces[PieceId(p)].name, fit(view.anchors[p].at)});
+      const Anchor anchor =
+          anchor_to_point_at(view.anchors[p], view.inside[p], least_face_mm / arrangement_.scale);
+      callouts.push_back({guide_.nets->pieces[PieceId(p)].name, fit(anchor.at)});
     }
     const std::size_t texts_before = group_.texts.size();
     const std::size_t placed = add_callouts(callouts, columns, group_);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -53,6 +54,15 @@ constexpr double small_share = 0.3;
 constexpr double surroundings = 3.2;
 /// Beyond this many faces in all pictures of steps, each shows only what is added and what that is glued to.
 constexpr std::size_t most_faces_drawn = 100'000;
+
+/// Of what is added nobody sees that it is glued to a piece of which less than this share of it is seen.
+constexpr double sliver_share = 0.02;
+/// Lines end on faces where these have so much room round them.
+constexpr double least_room_mm = 1.0;
+
+constexpr std::size_t most_nets = 3;  ///< of a step that are shown
+/// Of two pieces one is on the left where they are farther apart than this share of the model.
+constexpr double least_apart_share = 0.03;
 
 /// What a step's picture shows, and from where.
 struct StepScene {
@@ -166,7 +176,7 @@ class StepPages {
       if (side != before) {
         step.turned = guide_sides()[side].words;
       }
-      step.camera = look_from(guide_.stance, guide_sides()[side].azimuth, guide_sides()[side].elevation);
+      step.camera = look_from(guide_.shown, guide_sides()[side].azimuth, guide_sides()[side].elevation);
       scenes.push_back(std::move(step));
     }
     return scenes;
@@ -177,7 +187,7 @@ class StepPages {
     std::vector<double> shows;
     for (const Viewpoint& side : guide_sides()) {
       const CoarseView view =
-          look_coarsely(scene, look_from(guide_.stance, side.azimuth, side.elevation), side_pixels);
+          look_coarsely(scene, look_from(guide_.shown, side.azimuth, side.elevation), side_pixels);
       const std::vector<double> areas = seen_areas(view, guide_.nets->pieces.size(),
                                                    [&](FaceId face) { return guide_.piece_of_face[face]; });
       double sum = 0.0;
@@ -196,7 +206,7 @@ class StepPages {
     const Box2 box = box_of_step(index);
     const double top = add_head(index, box, step.turned, group);
     const std::vector<PieceId> behind = pieces_behind(index, step);
-    const double bottom = add_sentences(index, box, behind, group);
+    const double bottom = add_sentences(index, box, step, behind, group);
     Box2 picture{{box.low.x, bottom}, {box.high.x, top}};
     add_net(index, picture, group);
     picture.high.x -= grid_.net_width + 2.0;
@@ -204,7 +214,7 @@ class StepPages {
     return group;
   }
 
-  /// Of what is added and glued to in this step, the pieces that nothing is seen of.
+  /// Of what is added and glued to in this step, the pieces that nothing is seen of, or but a sliver.
   [[nodiscard]] std::vector<PieceId> pieces_behind(std::size_t index, const StepScene& step) const {
     const CoarseView coarse = look_coarsely(step.scene, step.camera, name_pixels);
     const std::vector<double> areas = seen_areas(coarse, guide_.nets->pieces.size(),
@@ -212,7 +222,13 @@ class StepPages {
     std::vector<PieceId> behind = glued_before(guide_.surface(), *guide_.nets, steps_[index]);
     behind.insert(behind.end(), steps_[index].pieces.begin(), steps_[index].pieces.end());
     std::sort(behind.begin(), behind.end());
-    std::erase_if(behind, [&](PieceId piece) { return areas[piece.value()] > 0.0; });
+    double added = 0.0;
+    for (const PieceId piece : steps_[index].pieces) {
+      added += areas[piece.value()];
+    }
+    std::erase_if(behind, [&](PieceId piece) {
+      return areas[piece.value()] > (is_new(index, piece) ? 0.0 : sliver_share * added);
+    });
     return behind;
   }
 
@@ -255,12 +271,17 @@ class StepPages {
   }
 
   /// At the foot of the cell; returns where they begin.
-  double add_sentences(std::size_t index, const Box2& box, const std::vector<PieceId>& behind,
-                       Group& group) const {
+  double add_sentences(std::size_t index, const Box2& box, const StepScene& step,
+                       const std::vector<PieceId>& behind, Group& group) const {
     const double height = grid_.words_height;
     std::vector<std::string> rows;
     std::vector<std::string> sentences =
         step_sentences(guide_.surface(), *guide_.nets, *guide_.assembly, index, guide_.bodies);
+    for (const MirrorPair& pair : mirror_pairs(*guide_.nets, steps_[index])) {
+      if (std::string words = words_of_sides(pair, step.camera); !words.empty()) {
+        sentences.insert(sentences.begin(), std::move(words));
+      }
+    }
     if (!behind.empty()) {
       std::vector<std::string> names;
       for (const PieceId piece : behind) {
@@ -287,14 +308,73 @@ class StepPages {
     return top;
   }
 
+  /// Which of two mirror images comes where: "Of the mirror images C and G, C is on the left here." Nothing
+  /// where one lies before the other.
+  [[nodiscard]] std::string words_of_sides(const MirrorPair& pair, const Camera& camera) const {
+    const auto middle = [&](PieceId piece) {
+      Box2 box;
+      for (const FaceId face : guide_.nets->pieces[piece].faces) {
+        for (const VertexId v : guide_.surface().vertices(face)) {
+          box.add(camera(guide_.surface().point(v)));
+        }
+      }
+      return 0.5 * (box.low.x + box.high.x);
+    };
+    const double apart = middle(pair.image) - middle(pair.piece);
+    if (std::abs(apart) < least_apart_share * guide_.surface().bounds().largest_extent()) {
+      return {};
+    }
+    const std::string& name = guide_.nets->pieces[pair.piece].name;
+    const std::string& other = guide_.nets->pieces[pair.image].name;
+    return fmt::format("Of the mirror images {} and {}, {} is on the {} here.", std::min(name, other),
+                       std::max(name, other), name, apart > 0.0 ? "left" : "right");
+  }
+
+  /// Those of a step whose nets are shown: one of those that are equal, both of mirror images.
+  [[nodiscard]] std::vector<PieceId> nets_to_show(std::size_t index) const {
+    std::vector<PieceId> shown;
+    std::set<std::pair<std::size_t, bool>> kinds;
+    for (const PieceId piece : steps_[index].pieces) {
+      bool fresh = true;
+      for (std::size_t kind = 0; kind < guide_.nets->equal.size(); ++kind) {
+        for (const unfold::EqualPiece& equal : guide_.nets->equal[kind]) {
+          fresh = fresh && (equal.piece != piece || kinds.insert({kind, equal.mirrored}).second);
+        }
+      }
+      if (fresh && shown.size() < most_nets) {
+        shown.push_back(piece);
+      }
+    }
+    return shown;
+  }
+
   void add_net(std::size_t index, const Box2& picture, Group& group) const {
-    const PieceId piece = steps_[index].pieces.front();
-    const double height = std::min(1.2 * grid_.net_width, 0.5 * picture.size().y);
+    const std::vector<PieceId> shown = nets_to_show(index);
     const double caption = 0.8 * grid_.words_height;
     // The net begins as high as the step's number.
     const double top = picture.high.y + grid_.number_height + 1.0;
-    const Box2 frame{{picture.high.x - grid_.net_width, top - height}, {picture.high.x, top}};
-    add_net_picture(guide_, piece, frame, group);
+    const double gap = 1.5;
+    const double name_row = shown.size() > 1 ? caption + gap : 0.0;
+    const auto count = static_cast<double>(shown.size());
+    const double height =
+        std::min(1.2 * grid_.net_width, shown.size() == 1
+                                            ? 0.5 * picture.size().y
+                                            : (top - picture.low.y - caption - gap) / count - name_row - gap);
+    Box2 frame{{picture.high.x - grid_.net_width, top - height}, {picture.high.x, top}};
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      if (i > 0) {
+        const Vec2 down{0.0, height + name_row + gap};
+        frame = {frame.low - down, frame.high - down};
+      }
+      add_net_picture(guide_, shown[i], frame, group);
+      if (shown.size() > 1) {
+        frame.low.y -= name_row;
+        group.texts.push_back(in_grey(
+            words_to(guide_.nets->pieces[shown[i]].name, {frame.high.x, frame.low.y + 0.3 * gap}, caption)));
+        frame.low.y += name_row;
+      }
+    }
+    frame.low.y -= name_row;
     std::vector<std::size_t> sheets;
     for (const PieceId other : steps_[index].pieces) {
       sheets.push_back(guide_.pages->placements[other].page.value() + 1);
@@ -393,7 +473,8 @@ class StepPages {
         find_anchors_on_faces(coarse, step.scene, guide_.piece_of_face, guide_.nets->pieces.size());
     std::vector<Callout> callouts;
     for (const PieceId piece : steps_[index].pieces) {
-      const Anchor& anchor = on_faces[piece.value()];
+      const Anchor anchor =
+          anchor_to_point_at(on_faces[piece.value()], anchors[piece.value()], least_room_mm / fit.scale);
       if (anchor.seen && is_in_picture(fit(anchor.at))) {
         callouts.push_back({guide_.nets->pieces[piece].name, fit(anchor.at)});
       }

@@ -193,4 +193,21 @@ std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Ne
   return pieces;
 }
 
+std::vector<MirrorPair> mirror_pairs(const unfold::Nets& nets, const AssemblyStep& step) {
+  std::vector<MirrorPair> pairs;
+  for (const std::vector<unfold::EqualPiece>& kind : nets.equal) {
+    if (kind.size() != 2 || kind[0].mirrored == kind[1].mirrored) {
+      continue;
+    }
+    const PieceId a = kind[0].piece;
+    const PieceId b = kind[1].piece;
+    if (is_in(step, a) || is_in(step, b)) {
+      pairs.push_back(is_in(step, a) ? MirrorPair{a, b} : MirrorPair{b, a});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end(),
+            [](const MirrorPair& p, const MirrorPair& q) { return p.piece < q.piece; });
+  return pairs;
+}
+
 }  // namespace ridgecraft::paper

@@ -26,4 +26,12 @@ namespace ridgecraft::paper {
 [[nodiscard]] std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Nets& nets,
                                                 const AssemblyStep& step);
 
+/// Two pieces of which one is the mirror image of the other, and no third is like them.
+struct MirrorPair {
+  PieceId piece, image;
+};
+/// The pairs that a step's pieces belong to; the other piece may come in another step. In the order of the
+/// step's pieces, none twice.
+[[nodiscard]] std::vector<MirrorPair> mirror_pairs(const unfold::Nets& nets, const AssemblyStep& step);
+
 }  // namespace ridgecraft::paper

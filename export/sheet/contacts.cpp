@@ -79,13 +79,20 @@ std::vector<Vec2> grown(const std::vector<Vec2>& polygon, double by) {
   return result;
 }
 
-/// The part of another body's face that lies on a face, in the plane of that face's piece.
+/// What may lie on a face of another body: a face, or a part of an opening.
+struct Lying {
+  std::array<Vec3, 3> corners;
+  Vec3 normal;
+  FaceId face;  ///< itself, or one beside the opening
+};
+
+/// The part of it that lies on a face, in the plane of that face's piece.
 std::vector<Vec2> common_area(const mesh::Surface& surface, const unfold::Nets& nets, FaceId face,
-                              FaceId on_it) {
+                              const Lying& on_it) {
   const Laid laid(surface, nets, face);
   std::vector<Vec3> polygon;
-  for (const VertexId v : surface.vertices(on_it)) {
-    polygon.push_back(laid(surface.point(v)));
+  for (const Vec3 p : on_it.corners) {
+    polygon.push_back(laid(p));
   }
   polygon = part_where(polygon, [](Vec3 p) { return contact_mm - p.z; });
   polygon = part_where(polygon, [](Vec3 p) { return contact_mm + p.z; });
@@ -182,15 +189,80 @@ std::vector<std::vector<Vec2>> outlines_of(const std::vector<std::vector<Vec2>>&
   return outlines;
 }
 
-/// The faces' boxes, grown so that those touch whose faces do.
-NearBoxes boxes_of(const mesh::Surface& surface) {
-  std::vector<Box3> boxes;
+/// The sides of an opening, as they follow each other.
+std::vector<CornerId> border_from(const mesh::Surface& surface, CornerId first) {
+  std::vector<CornerId> sides;
+  CornerId c = first;
+  do {
+    sides.push_back(c);
+    c = mesh::next(c);
+    while (!surface.is_border(surface.edge(c))) {
+      c = mesh::next(surface.twin(c));
+    }
+  } while (c != first);
+  return sides;
+}
+
+/// Triangles from the middle of an opening to its sides; none where its border isn't flat, or the middle
+/// doesn't see all of it.
+std::vector<Lying> parts_of_opening(const mesh::Surface& surface, const std::vector<CornerId>& sides) {
+  const auto corner = [&](CornerId c) { return surface.point(surface.vertex(c)); };
+  Vec3 middle;
+  for (const CornerId c : sides) {
+    middle += corner(c) / static_cast<double>(sides.size());
+  }
+  Vec3 normal;
+  for (const CornerId c : sides) {
+    normal += cross(corner(c) - middle, corner(mesh::next(c)) - middle);
+  }
+  if (!(length(normal) > 0.0)) {
+    return {};
+  }
+  normal = normalized(normal);
+  std::vector<Lying> parts;
+  for (const CornerId c : sides) {
+    const Vec3 a = corner(c);
+    const Vec3 b = corner(mesh::next(c));
+    if (std::abs(dot(a - middle, normal)) > contact_mm ||
+        !(dot(cross(a - middle, b - middle), normal) > 0.0)) {
+      return {};
+    }
+    parts.push_back({{middle, a, b}, normal, mesh::face_of(c)});
+  }
+  return parts;
+}
+
+/// All faces, each at its place, then what openings are made of.
+std::vector<Lying> all_lying(const mesh::Surface& surface) {
+  std::vector<Lying> all;
   for (const FaceId face : ids<FaceId>(surface.face_count())) {
+    const auto [a, b, c] = surface.vertices(face);
+    all.push_back({{surface.point(a), surface.point(b), surface.point(c)}, surface.normal(face), face});
+  }
+  std::vector<bool> seen(3 * surface.face_count(), false);
+  for (const CornerId first : ids<CornerId>(3 * surface.face_count())) {
+    if (seen[first.value()] || !surface.is_border(surface.edge(first))) {
+      continue;
+    }
+    const std::vector<CornerId> sides = border_from(surface, first);
+    for (const CornerId c : sides) {
+      seen[c.value()] = true;
+    }
+    const std::vector<Lying> parts = parts_of_opening(surface, sides);
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  return all;
+}
+
+/// Their boxes, grown so that those touch that do.
+NearBoxes boxes_of(const std::vector<Lying>& all) {
+  std::vector<Box3> boxes;
+  for (const Lying& one : all) {
     Box3 box;
     const Vec3 reach{contact_mm, contact_mm, contact_mm};
-    for (const VertexId v : surface.vertices(face)) {
-      box.add(surface.point(v) - 0.5 * reach);
-      box.add(surface.point(v) + 0.5 * reach);
+    for (const Vec3 p : one.corners) {
+      box.add(p - 0.5 * reach);
+      box.add(p + 0.5 * reach);
     }
     boxes.push_back(box);
   }
@@ -210,20 +282,25 @@ std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::N
   std::map<std::pair<PieceId, PieceId>,
            std::vector<std::pair<std::array<std::uint32_t, 2>, std::vector<Vec2>>>>
       areas;
-  boxes_of(surface).for_pairs([&](std::uint32_t i, std::uint32_t j) {
-    FaceId face(i);
-    FaceId on_it(j);
-    const auto body = [&](FaceId f) { return surface.component(f).value(); };
-    if (body(face) == body(on_it) ||
-        !(std::abs(dot(surface.normal(face), surface.normal(on_it))) >= parallel_cosine)) {
+  const std::vector<Lying> all = all_lying(surface);
+  boxes_of(all).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+    std::uint32_t below = i;
+    std::uint32_t above = j;
+    const auto body = [&](std::uint32_t one) { return surface.component(all[one].face).value(); };
+    if (body(below) == body(above) ||
+        !(std::abs(dot(all[below].normal, all[above].normal)) >= parallel_cosine)) {
       return;
     }
-    if (std::pair(area[body(face)], body(on_it)) < std::pair(area[body(on_it)], body(face))) {
-      std::swap(face, on_it);
+    if (std::pair(area[body(below)], body(above)) < std::pair(area[body(above)], body(below))) {
+      std::swap(below, above);
     }
-    if (std::vector<Vec2> common = common_area(surface, nets, face, on_it); common.size() > 2) {
-      areas[{nets.piece[face], nets.piece[on_it]}].emplace_back(std::array{face.value(), on_it.value()},
-                                                                std::move(common));
+    if (below >= surface.face_count()) {
+      return;  // nothing is glued onto an opening
+    }
+    const FaceId face(below);
+    if (std::vector<Vec2> common = common_area(surface, nets, face, all[above]); common.size() > 2) {
+      areas[{nets.piece[face], nets.piece[all[above].face]}].emplace_back(std::array{below, above},
+                                                                          std::move(common));
     }
   });
   std::vector<Contact> contacts;

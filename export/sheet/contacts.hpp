@@ -11,20 +11,21 @@
 
 namespace ridgecraft::paper {
 
-/// Faces of two bodies touch where they are no farther apart, mm: what is printed is true within this.
-inline constexpr double contact_mm = 0.1;
+/// Faces of two bodies touch where they are no farther apart than paper is thick, mm.
+inline constexpr double contact_mm = 0.2;
 
 /// Where the face of one body is glued onto that of another.
 struct Contact {
   PieceId piece;  ///< of the larger body: on its face the other one is glued
-  PieceId other;  ///< of the smaller body: the piece whose face lies there
+  PieceId other;  ///< of the smaller body: the piece whose face, or whose border, lies there
   /// Closed outlines of the common area in the plane of `piece`, mm: counterclockwise around it, clockwise
   /// around its holes.
   std::vector<std::vector<Vec2>> outlines;
 };
 
 /// All pairs of pieces of different components that have more than a few mm^2 of parallel faces in common, in
-/// the order of the pieces. Bodies that run through each other's faces don't touch by this. O(n log n) in
+/// the order of the pieces; an opening of the smaller body counts as a face if its border is flat, so a cap
+/// without a back is glued where it stands. Bodies that run through each other's faces don't touch by this. O(n log n) in
 /// faces and pairs of faces near each other.
 [[nodiscard]] std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::Nets& nets);
 

@@ -57,4 +57,10 @@ struct Anchor {
                                                         const IdVector<FaceId, std::uint32_t>& thing,
                                                         std::size_t count);
 
+/// Where a line to a thing ends: on the face with most room, or, where that is less than `least`, where the
+/// thing itself has most.
+[[nodiscard]] inline Anchor anchor_to_point_at(const Anchor& on_face, const Anchor& on_thing, double least) {
+  return on_face.room >= least ? on_face : on_thing;
+}
+
 }  // namespace ridgecraft::paper

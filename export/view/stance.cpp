@@ -2,6 +2,8 @@
 #include "export/view/stance.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace ridgecraft::paper {
 namespace {
@@ -18,6 +20,10 @@ constexpr double flat_weight = 2.0;
 constexpr double longer_share = 0.75;
 /// Standing shares that differ by less tell nothing.
 constexpr double better = 0.15;
+/// Modellers put the origin at the foot of what they make, in its middle: within this share of its height ...
+constexpr double foot_share = 0.1;
+/// ... and no nearer to its sides than this share of its extents.
+constexpr double middle_share = 0.25;
 /// Against what is usual for the format it takes so much more.
 constexpr double much_better = 0.6;
 
@@ -63,6 +69,17 @@ double standing_share(const mesh::Surface& surface, mesh::Axis axis) {
   return footprint > 0.0 ? (flat_weight * std::max(0.0, ground - top) + level(feet.size())) / footprint : 0.0;
 }
 
+/// Whether the model's origin lies at its foot, were this axis up.
+bool stands_at_origin(const mesh::Surface& surface, mesh::Axis axis) {
+  const Box3& box = surface.bounds();
+  return std::ranges::all_of(std::array{mesh::Axis::x, mesh::Axis::y, mesh::Axis::z}, [&](mesh::Axis a) {
+    const double size = coordinate(box.size(), a);
+    const double origin = size > 0.0 ? -coordinate(box.low, a) / size : 0.5;
+    return a == axis ? std::abs(origin) <= foot_share
+                     : origin >= middle_share && origin <= 1.0 - middle_share;
+  });
+}
+
 mesh::Axis usual_up(mesh::FileFormat format) {
   switch (format) {
     case mesh::FileFormat::stl_ascii:
@@ -92,6 +109,11 @@ mesh::Axis up_axis_of(const mesh::Model& model) {
   }
   if (on_usual > on_other + better) {
     return usual;
+  }
+  for (const mesh::Axis axis : {usual, other}) {
+    if (stands_at_origin(model.surface, axis)) {
+      return axis;
+    }
   }
   const Vec3 size = model.surface.bounds().size();
   if (std::min(size.y, size.z) < longer_share * std::max(size.y, size.z)) {

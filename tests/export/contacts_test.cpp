@@ -70,7 +70,7 @@ TEST_CASE("a box on a box is glued where it stands", "[contacts]") {
 }
 
 TEST_CASE("what doesn't touch, or touches nothing but an edge, isn't glued", "[contacts]") {
-  const double gap = GENERATE(0.09, 0.11, 5.0);
+  const double gap = GENERATE(0.19, 0.21, 5.0);
   const mesh::Surface apart =
       boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20 + gap}, {40, 40, 35 + gap}}}});
   const auto sample = test::sample_pages(apart, 1.0, 5.0);
@@ -79,6 +79,47 @@ TEST_CASE("what doesn't touch, or touches nothing but an edge, isn't glued", "[c
   const mesh::Surface edge = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{60, 0, 20}, {80, 50, 40}}}});
   const auto on_edge = test::sample_pages(edge, 1.0, 5.0);
   CHECK(paper::find_contacts(on_edge.model.model.surface, on_edge.nets).empty());
+}
+
+TEST_CASE("a cap without a back is glued where its border stands", "[contacts]") {
+  // A pyramid of four faces over a box, open below; the second one stands on nothing but its tip.
+  const auto with_cap = [](double rim, double tip) {
+    mesh::Surface box = boxes({{{{0, 0, 0}, {60, 50, 20}}}});
+    std::vector<Vec3> points(box.points().begin(), box.points().end());
+    std::vector<std::array<VertexId, 3>> faces;
+    for (const FaceId f : ids<FaceId>(box.face_count())) {
+      faces.push_back(box.vertices(f));
+    }
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const Vec3 p : {Vec3{20, 10, rim}, Vec3{40, 10, rim}, Vec3{40, 30, rim}, Vec3{20, 30, rim}}) {
+      points.push_back(p);
+    }
+    points.push_back({30, 20, tip});
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const VertexId a(first + k);
+      const VertexId b(first + (k + 1) % 4);
+      faces.push_back(tip > rim ? std::array{a, b, VertexId(first + 4)}
+                                : std::array{b, a, VertexId(first + 4)});
+    }
+    return mesh::Surface(std::move(points), std::move(faces));
+  };
+  const auto sample = test::sample_pages(with_cap(20.17, 26.0), 1.0, 0.0);
+  paper::DrawReport report;
+  static_cast<void>(paper::draw(sample.model, sample.nets, sample.pages, {}, &report));
+  REQUIRE(report.contacts.size() == 1);
+  CHECK(report.contacts[0].piece == PieceId(0));
+  double area = 0.0;
+  for (const paper::Contact& contact : report.contacts) {
+    area += area_of(contact);
+  }
+  CHECK(area == Approx(400.0).epsilon(0.001));
+  // Its middle is far from its paper, but within its opening.
+  const verify::Report checked = verify::verify(fold_of(sample, report), {}, {});
+  CHECK(std::none_of(checked.faults.begin(), checked.faults.end(), [](const verify::Fault& fault) {
+    return fault.message.find("glue spot") != std::string::npos;
+  }));
+  const auto on_tip = test::sample_pages(with_cap(30.0, 20.0), 1.0, 0.0);
+  CHECK(paper::find_contacts(on_tip.model.model.surface, on_tip.nets).empty());
 }
 
 TEST_CASE("a body that reaches over an edge is glued as far as the face goes", "[contacts]") {

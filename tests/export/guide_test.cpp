@@ -13,11 +13,13 @@
 #include "base/random.hpp"
 #include "export/export.hpp"
 #include "export/guide/callouts.hpp"
+#include "export/guide/cover_side.hpp"
 #include "export/guide/effort.hpp"
 #include "export/guide/hues.hpp"
 #include "export/guide/step_words.hpp"
 #include "export/page/obstacles.hpp"
 #include "export/style/stroke_font.hpp"
+#include "export/view/coarse_view.hpp"
 #include "export/view/stance.hpp"
 #include "sample_pages.hpp"
 #include "support/concave_shapes.hpp"
@@ -252,7 +254,9 @@ TEST_CASE("time and difficulty are those of the formula", "[guide]") {
   CHECK(effort.difficulty == 1);
   const auto tiny = test::sample_pages(cube, 2.5, 1.0);
   const paper::Effort fine = paper::effort_of(tiny.model.model.surface, tiny.nets, 0.05);
-  CHECK(fine.difficulty == (fine.smallest_tab_mm > 0.0 ? 3 : 2));
+  CHECK(fine.difficulty == 3);  // few edges, but all of them short
+  const auto small = test::sample_pages(cube, 6.5, 1.0);
+  CHECK(paper::effort_of(small.model.model.surface, small.nets, 0.05).difficulty == 1);
 }
 
 TEST_CASE("durations and weights of paper in words", "[guide]") {
@@ -297,6 +301,77 @@ TEST_CASE("a model stands as its file says, or on its feet", "[guide]") {
   CHECK(paper::stance_of(lid).up == Vec3{0.0, 1.0, 0.0});
   lid.format = mesh::FileFormat::stl_ascii;
   CHECK(paper::stance_of(lid).up == Vec3{0.0, 0.0, 1.0});
+  // A plant on a pointed foot, taller than it is deep: nothing but the origin tells that it doesn't lie.
+  const auto plant = [](double foot) {
+    mesh::Model model_of_plant;
+    model_of_plant.format = mesh::FileFormat::obj;
+    model_of_plant.surface = test::mapped(test::sphere(16, 12), [&](Vec3 p) {
+      return Vec3{p.x, 3.0 * p.z + foot, 0.9 * p.y};
+    });
+    return paper::stance_of(model_of_plant).up;
+  };
+  CHECK(plant(3.0) == Vec3{0.0, 1.0, 0.0});
+  CHECK(plant(0.0) == Vec3{0.0, 0.0, 1.0});
+}
+
+TEST_CASE("the first page shows the side on which most is painted", "[guide]") {
+  // A ball of one colour, but for two on its back, or with as much on either side.
+  const auto shown_front = [](bool front_painted, bool in_colour) {
+    auto sample = test::sample_pages(test::sphere(24, 16), 30.0, 5.0);
+    const Surface& surface = sample.model.model.surface;
+    mesh::LookParts parts;
+    parts.paints = {{{200, 200, 200}, nullptr, nullptr}, {{20, 20, 20}, nullptr, nullptr}};
+    const paper::Stance stance{{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
+    for (const FaceId f : ids<FaceId>(surface.face_count())) {
+      const auto [a, b, c] = surface.vertices(f);
+      mesh::LookFace& look = parts.faces.emplace_back();
+      look.corners = {surface.point(a), surface.point(b), surface.point(c)};
+      look.normal = surface.normal(f);
+      const double toward = dot(look.normal, stance.front);
+      const bool painted = toward < -0.5 || (front_painted && toward > 0.5);
+      look.paint = painted && f.value() % 2 == 0 ? 1 : 0;
+    }
+    sample.model.look = std::make_shared<const mesh::Look>(parts);
+    paper::GuideModel guide;
+    guide.model = &sample.model;
+    guide.nets = &sample.nets;
+    guide.stance = stance;
+    guide.in_colour = in_colour;
+    guide.scene = paper::scene_of(sample.model, sample.nets, 0.0);
+    return dot(paper::turned_to_cover(guide).front, stance.front);
+  };
+  CHECK(shown_front(false, true) == Approx(-1.0));
+  CHECK(shown_front(true, true) == Approx(1.0));
+  CHECK(shown_front(false, false) == Approx(1.0));
+}
+
+TEST_CASE("mirror images of a step are known as a pair", "[guide]") {
+  unfold::Nets nets;
+  for (const char* name : {"A", "B", "C", "D", "E"}) {
+    unfold::Piece piece;
+    piece.name = name;
+    nets.pieces.push_back(piece);
+  }
+  nets.equal = {{{PieceId(1), false}, {PieceId(3), true}}, {{PieceId(0), false}, {PieceId(2), false}}};
+  paper::AssemblyStep step;
+  step.pieces = {PieceId(0), PieceId(3)};
+  const auto pairs = paper::mirror_pairs(nets, step);
+  REQUIRE(pairs.size() == 1);
+  CHECK(pairs[0].piece == PieceId(3));
+  CHECK(pairs[0].image == PieceId(1));
+  step.pieces = {PieceId(1), PieceId(3)};
+  REQUIRE(paper::mirror_pairs(nets, step).size() == 1);
+  CHECK(paper::mirror_pairs(nets, step)[0].piece == PieceId(1));
+  // Of three nobody says which is meant.
+  nets.equal[0].push_back({PieceId(4), true});
+  CHECK(paper::mirror_pairs(nets, step).empty());
+}
+
+TEST_CASE("a line to a small face ends where its piece has most room", "[guide]") {
+  const paper::Anchor face{true, {1.0, 2.0}, 0.5};
+  const paper::Anchor piece{true, {3.0, 4.0}, 2.0};
+  CHECK(paper::anchor_to_point_at(face, piece, 0.4).at == face.at);
+  CHECK(paper::anchor_to_point_at(face, piece, 0.6).at == piece.at);
 }
 
 TEST_CASE("lines to names of one column don't cross, and words don't meet", "[guide]") {

@@ -130,6 +130,45 @@ class GlueCheck {
       }
       boxes_.emplace(body, box);
     }
+    for (auto& [body, list] : closed_openings()) {
+      openings_.emplace(body, SurfaceTree(list));
+    }
+  }
+
+  /// Triangles from the middle of each opening of a body to the sides of its border, where that is flat.
+  [[nodiscard]] std::map<Index, std::vector<Triangle3>> closed_openings() {
+    const FaceList& faces = file_.model.faces;
+    const std::vector<Index>& twin = file_.model.twin;
+    std::map<Index, std::vector<Triangle3>> closed;
+    std::set<Index> seen;
+    for (Index first = 0; first < faces.sides(); ++first) {
+      std::vector<Index> border;
+      for (Index side = first; twin[side] == none && seen.insert(side).second;) {
+        border.push_back(side);
+        // Turns around its head, face by face, to the next side without a neighbour.
+        for (side = faces.next(side); twin[side] != none;) {
+          side = faces.next(twin[side]);
+        }
+      }
+      Vec3 middle;
+      for (const Index side : border) {
+        middle += file_.model.points[faces.tail(side)] / static_cast<double>(border.size());
+      }
+      Vec3 normal;
+      for (const Index side : border) {
+        normal += cross(file_.model.points[faces.tail(side)] - middle,
+                        file_.model.points[faces.head(side)] - middle);
+      }
+      const bool flat = length(normal) > 0.0 && std::all_of(border.begin(), border.end(), [&](Index side) {
+                          const Vec3 p = file_.model.points[faces.tail(side)] - middle;
+                          return std::abs(dot(p, normal)) <= glue_mm * length(normal);
+                        });
+      for (std::size_t i = 0; flat && i < border.size(); ++i) {
+        closed[bodies_.find(faces.face(border[i]))].push_back(
+            {middle, file_.model.points[faces.tail(border[i])], file_.model.points[faces.head(border[i])]});
+      }
+    }
+    return closed;
   }
 
   /// Finds the triangles of a piece by their places in the plane.
@@ -169,10 +208,15 @@ class GlueCheck {
                   : std::nullopt;
   }
 
+  /// To the nearest place of its faces, or of what closes its openings.
   [[nodiscard]] double distance_to_body(Index body, Vec3 p) const {
-    const SurfaceTree& tree = trees_.at(body);
-    const SurfaceTree::Place guess{tree.triangles().front()[0], 0};
-    return length(tree.nearest(p, 0.0, guess).point - p);
+    const auto distance = [&](const SurfaceTree& tree) {
+      const SurfaceTree::Place guess{tree.triangles().front()[0], 0};
+      return length(tree.nearest(p, 0.0, guess).point - p);
+    };
+    const double from_faces = distance(trees_.at(body));
+    const auto opening = openings_.find(body);
+    return opening == openings_.end() ? from_faces : std::min(from_faces, distance(opening->second));
   }
 
   void check_spot(Index number) {
@@ -271,6 +315,7 @@ class GlueCheck {
   std::map<Index, BoxFinder> finders_;              ///< of the pairs of pieces that spots are on
   std::map<Index, Box3> boxes_;                     ///< per body
   std::map<Index, SurfaceTree> trees_;              ///< per body
+  std::map<Index, SurfaceTree> openings_;           ///< per body that has flat ones
 };
 
 }  // namespace

@@ -80,7 +80,7 @@ constexpr double same_surface_share = 5e-5;
 /// model.
 constexpr double simplified_share = 0.05;
 /// How far what is glued on may be from its outline, in mm, and how exactly the place of an outline is known.
-constexpr double glue_mm = 0.1;
+constexpr double glue_mm = 0.2;
 constexpr double glue_place_mm = 0.03;
 /// Distances below this aren't told apart, in mm.
 constexpr double same_point_mm = 1e-7;
