@@ -217,6 +217,8 @@ void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare
     report.specks_dropped += ready.specks_dropped;
     report.features_removed += ready.features_removed;
     report.turned += ready.turned;
+    report.rulings_removed += ready.rulings_removed;
+    report.bevels_removed += ready.bevels_removed;
   }
 }
 

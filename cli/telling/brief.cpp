@@ -114,6 +114,11 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
     clauses.push_back(fmt::format("simplified from {} to {} triangles, moved by at most {:.2f} mm",
                                   report.faces_before, report.faces_after, report.deviation_mm));
   }
+  const prepare::SimplifyOptions& asked = made.options.simplify;
+  if (asked.mode == prepare::Simplification::count && report.faces_after > asked.faces) {
+    clauses.push_back(
+        fmt::format("{} triangles rather than {}, as its shape needs them", report.faces_after, asked.faces));
+  }
   if (report.features_removed > 0) {
     clauses.push_back(counted(report.features_removed, "small feature") + " of flat walls left out");
   }
@@ -223,7 +228,7 @@ std::string next_line(const PaperJob& job, const PaperResult& result) {
     clauses.push_back(fmt::format("--size {:.0f}mm {} be folded", *made.prepared.smallest_size_mm,
                                   job::larger_size_is_sure(made.ready, made.skin) ? "can" : "may"));
   } else if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
-    clauses.emplace_back("another --size or --faces may leave less that is so fine");
+    clauses.emplace_back("a larger --size or fewer --faces may leave fewer faces that are too thin to cut");
   } else if (made.share_saving_a_page) {
     clauses.push_back(fmt::format("--size {:.0f}mm may save a page", size_saving_a_page(made)));
   }
@@ -270,8 +275,8 @@ std::string details_text(const prepare::Details& details) {
   }
   if (details.low > 0) {
     clauses.push_back(details.low == 1
-                          ? "1 body that hardly stands out of another"
-                          : fmt::format("{} bodies that hardly stand out of others", details.low));
+                          ? "1 body too low on another to be folded"
+                          : fmt::format("{} bodies too low on others to be folded", details.low));
   }
   if (details.strands > 0) {
     clauses.push_back(fmt::format("{} (at least {}: wire or thread will do)",

@@ -96,6 +96,8 @@ Value simplified_value(const prepare::SimplifyReport& report) {
                        {"specks_dropped", report.specks_dropped},
                        {"features_removed", report.features_removed},
                        {"turned", report.turned},
+                       {"rulings_removed", report.rulings_removed},
+                       {"bevels_removed", report.bevels_removed},
                        {"short_edges_before", rounded(report.short_edges_before)},
                        {"short_edges_after", rounded(report.short_edges_after)},
                        {"tiny_edges_after", rounded(report.tiny_edges_after)},
@@ -130,6 +132,15 @@ void say_simplified(Summary& summary, const job::Paper& made) {
     summary.say(Line::simplified, "turned",
                 fmt::format("{} {} fewer sides now, evenly around", bodies_text(report.turned),
                             report.turned == 1 ? "has" : "have"));
+  }
+  if (report.rulings_removed > 0) {
+    summary.say(Line::simplified, "wider",
+                counted(report.rulings_removed, "fold") + " between narrow faces side by side left out");
+  }
+  if (report.bevels_removed > 0) {
+    summary.say(
+        Line::simplified, "sharpened",
+        counted(report.bevels_removed, "bevel") + " left out: the faces beside them meet in sharp edges");
   }
   if (report.features_removed > 0) {
     summary.say(Line::simplified, "left out",

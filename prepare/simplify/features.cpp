@@ -35,7 +35,7 @@ class FeatureRemover {
   FeatureRemover(const mesh::Model& model, const SimplifyOptions& options, double largest_mm)
       : surface_(model.surface),
         all_(mesh::take_apart(model)),
-        walls_(find_walls(surface_, find_panels(surface_), options.short_edge_mm)),
+        walls_(find_walls(surface_, find_panels(surface_), options.short_edge_mm, Slats::are_none)),
         largest_loop_(options.short_edge_mm),
         shallow_(std::min(largest_mm, options.tiny_edge_mm)),
         largest_mm_(largest_mm),

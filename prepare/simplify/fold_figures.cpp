@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/model/faces_alone.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/simplify/walls.hpp"
 
@@ -82,7 +83,7 @@ class WallsAtEdges {
 
 FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& options) {
   const Panels panels = find_panels(surface);
-  const Walls walls = find_walls(surface, panels, options.short_edge_mm);
+  const Walls walls = find_walls(surface, panels, options.short_edge_mm, Slats::are_none);
   const WallsAtEdges at_edges(surface, walls);
   FoldFigures figures;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
@@ -105,6 +106,20 @@ FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& op
     }
   }
   return figures;
+}
+
+std::vector<bool> too_fine_components(const mesh::Surface& surface, const SimplifyOptions& options) {
+  std::vector<std::vector<FaceId>> faces(surface.component_count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    faces[surface.component(f).value()].push_back(f);
+  }
+  std::vector<bool> result;
+  for (const std::vector<FaceId>& component : faces) {
+    const FoldFigures figures = fold_figures(mesh::faces_alone(surface, component), options);
+    result.push_back(figures.brief_share() > options.short_edge_share ||
+                     component.size() > options.most_faces);
+  }
+  return result;
 }
 
 }  // namespace ridgecraft::prepare

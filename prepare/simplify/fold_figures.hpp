@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/options.hpp"
@@ -39,5 +40,10 @@ struct FoldFigures {
 /// Panels must have been remeshed: then a straight fold between two of them is one
 /// edge. O(n).
 [[nodiscard]] FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& options);
+
+/// Of each component: whether it can't be folded as it is, or has more faces than anybody builds. Panels must
+/// have been remeshed. O(n).
+[[nodiscard]] std::vector<bool> too_fine_components(const mesh::Surface& surface,
+                                                    const SimplifyOptions& options);
 
 }  // namespace ridgecraft::prepare

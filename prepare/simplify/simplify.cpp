@@ -17,8 +17,10 @@
 #include "prepare/simplify/fold_figures.hpp"
 #include "prepare/simplify/sequence.hpp"
 #include "prepare/simplify/share_bodies.hpp"
+#include "prepare/simplify/sharpen_bevels.hpp"
 #include "prepare/simplify/splinters.hpp"
 #include "prepare/simplify/symmetric_share.hpp"
+#include "prepare/simplify/thin_rulings.hpp"
 #include "prepare/simplify/turned.hpp"
 #include "prepare/simplify/walls.hpp"
 #include "prepare/simplify/whole.hpp"
@@ -126,7 +128,8 @@ Allowed simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& b
     if (surface.face_count() > fine_faces && !attempt.of_fine) {
       continue;
     }
-    const Walls walls = find_walls(surface, find_panels(surface), attempt.walls * options.short_edge_mm);
+    const Walls walls =
+        find_walls(surface, find_panels(surface), attempt.walls * options.short_edge_mm, Slats::are_walls);
     rules.walls = &walls;
     rules.largest_mm = attempt.deviation * largest_mm;
     // What those with few faces keep is lacking to the others.
@@ -149,6 +152,7 @@ Allowed simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& b
 struct Beforehand {
   bool features = true;
   bool turned = true;
+  bool slats = true;
 };
 
 /// How far the surface was allowed to move. `before`: the model's own.
@@ -162,8 +166,11 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
     remesh_panels(model, context);
   }
   report.turned = beforehand.turned ? simplify_turned(model, options, largest_mm, context) : 0;
+  report.rulings_removed = beforehand.slats ? thin_rulings(model, options, largest_mm, context) : 0;
+  report.bevels_removed = beforehand.slats ? sharpen_bevels(model, options, largest_mm, context) : 0;
   const mesh::LooseFaces all = mesh::take_apart(model);
-  const Walls walls = find_walls(model.surface, find_panels(model.surface), options.short_edge_mm);
+  const Walls walls =
+      find_walls(model.surface, find_panels(model.surface), options.short_edge_mm, Slats::are_walls);
   SymmetricShare start = symmetric_share(model, symmetric_within, context);
   const double evened_mm = evened(start, model);
   const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
@@ -172,7 +179,9 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   const Allowed allowed = simplify_bodies(model, bodies, rules, options, context);
   SymmetricShare share = joined(bodies);
   report.edges_turned = remove_splinters(share, options.splinter_mm);
-  if (!allowed.changed && report.features_removed + report.turned + report.edges_turned == 0) {
+  const bool changed_before =
+      report.features_removed + report.turned + report.rulings_removed + report.bevels_removed > 0;
+  if (!allowed.changed && !changed_before && report.edges_turned == 0) {
     return allowed.largest_mm;
   }
   mesh::Model result;
@@ -191,8 +200,10 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   const mesh::Model kept = model;
   const double largest_mm = simplify_components(model, kept.surface, options, {}, report, context);
   // What was simplified after the features and the turned bodies may have moved the surface as far again.
-  for (const Beforehand fewer : {Beforehand{false, true}, Beforehand{false, false}}) {
-    const bool was_tried = report.features_removed == 0 && (fewer.turned || report.turned == 0);
+  for (const Beforehand fewer :
+       {Beforehand{false, true, true}, Beforehand{false, false, true}, Beforehand{false, false, false}}) {
+    const bool was_tried = report.features_removed == 0 && (fewer.turned || report.turned == 0) &&
+                           (fewer.slats || report.rulings_removed + report.bevels_removed == 0);
     if (report.deviation_mm > largest_mm && !was_tried) {
       model = kept;
       simplify_components(model, kept.surface, options, fewer, report, context);
@@ -212,7 +223,8 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   // The number counts more than walls.
   for (const double factor : fewer_walls) {
     const Walls walls =
-        factor > 0.0 ? find_walls(model.surface, panels, factor * options.short_edge_mm) : Walls{};
+        factor > 0.0 ? find_walls(model.surface, panels, factor * options.short_edge_mm, Slats::are_walls)
+                     : Walls{};
     const Sequence sequence(share, all, walls, options.faces, {options.short_edge_mm}, context);
     simplified = sequence.share(sequence.all());
     if (sequence.faces_after(sequence.all()) <= options.faces) {

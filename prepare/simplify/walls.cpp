@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "base/elementary.hpp"
+#include "prepare/simplify/slats.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -211,14 +212,16 @@ void Meeting::add(Vec3 normal, double offset) {
   directions_.push_back(direction);
 }
 
-Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm) {
+Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm, Slats which) {
   std::vector<Region> regions = regions_of(surface, panels);
   add_areas_in_planes(regions, short_edge_mm);
+  const std::vector<bool> slats = which == Slats::are_walls ? find_slats(surface, panels, short_edge_mm)
+                                                            : std::vector<bool>(panels.count(), false);
   Walls result;
   std::vector<std::uint32_t> wall(regions.size(), Walls::none);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const Vec3 normal = normalized(regions[r].normal);
-    if (normal != Vec3{} && regions[r].is_wall(short_edge_mm)) {
+    if (normal != Vec3{} && (slats[r] || regions[r].is_wall(short_edge_mm))) {
       wall[r] = static_cast<std::uint32_t>(result.walls.size());
       result.walls.push_back({normal, 0.0});
     }

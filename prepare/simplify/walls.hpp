@@ -46,10 +46,15 @@ class Meeting {
   std::vector<Vec3> directions_;
 };
 
+/// Whether faces side by side along what is bent one way, such as a column, count as walls: where collapses
+/// would set them askew they do, where it is asked what is too narrow they don't.
+enum class Slats { are_walls, are_none };
+
 /// The walls of a surface in mm, of components of which walls are a good part; none else. A wall is a flat
 /// region that a person sees as one: large, or with sharp sides. Bevels, and the narrow faces that something
 /// round is made of, are none. O(n).
-[[nodiscard]] Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm);
+[[nodiscard]] Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm,
+                               Slats which);
 
 /// The same walls, with the faces of a share of the surface. O(n).
 [[nodiscard]] Walls walls_of(const Walls& whole, const SymmetricShare& share);

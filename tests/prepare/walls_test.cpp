@@ -289,7 +289,8 @@ TEST_CASE("a wall that grooves run across is one, however narrow what they leave
     mesh::Model model = test::repaired(polygons.soup);
     prepare::remesh_panels(model, {});
     const mesh::Surface& surface = model.surface;
-    const prepare::Walls walls = prepare::find_walls(surface, prepare::find_panels(surface), 6.0);
+    const prepare::Walls walls =
+        prepare::find_walls(surface, prepare::find_panels(surface), 6.0, prepare::Slats::are_none);
     std::size_t count = 0;
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       count += surface.normal(f).z > 0.999 && walls.wall(f.value()) != prepare::Walls::none ? 1U : 0U;
