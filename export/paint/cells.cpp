@@ -80,8 +80,10 @@ class RimMaker {
       return {};
     }
     const std::vector<Segment2> near = outlines_in_front(edge);
-    const auto count =
-        reach_of(edge, near) < bleed_mm ? static_cast<std::size_t>(std::ceil(size / strip_mm)) : 1;
+    const std::vector<ShortGap> gaps = short_gaps(edge);
+    const auto count = reach_of(edge, near) < bleed_mm || !gaps.empty()
+                           ? static_cast<std::size_t>(std::ceil(size / strip_mm))
+                           : 1;
     const auto at = [&](std::size_t i) {
       return i == count ? edge.b
                         : edge.a + (static_cast<double>(i) / static_cast<double>(count)) * (edge.b - edge.a);
@@ -89,14 +91,21 @@ class RimMaker {
     // How wide it is at the ends of these parts: as on the narrower side.
     std::vector<double> width(count + 1, bleed_mm);
     for (std::size_t i = 0; i < count; ++i) {
-      const double reach = reach_of({at(i), at(i + 1)}, near);
+      const Segment2 part{at(i), at(i + 1)};
+      double reach = reach_of(part, near);
+      for (const ShortGap& gap : gaps) {
+        // Behind its end a line is in the way as any other.
+        if (gap.extent <= std::min(length(part.a - gap.corner), length(part.b - gap.corner))) {
+          reach = std::min(reach, 0.5 * distance(part, gap.line));
+        }
+      }
       width[i] = std::min(width[i], reach);
       width[i + 1] = reach;
     }
     std::vector<std::vector<Vec2>> strips;
     for (std::size_t i = 0; i < count;) {
       const std::size_t first = i++;
-      while (i < count && width[first] == width[i] && width[i] == width[i + 1]) {
+      while (gaps.empty() && i < count && width[first] == width[i] && width[i] == width[i + 1]) {
         ++i;
       }
       if (std::max(width[first], width[i]) < narrowest_bleed_mm) {
@@ -132,6 +141,35 @@ class RimMaker {
     return found;
   }
 
+  /// A line that meets an end of an edge in front of it, and ends beside it.
+  struct ShortGap {
+    Segment2 line;        ///< from the corner
+    Vec2 corner;          ///< the edge's end
+    double extent = 0.0;  ///< how far along the edge it goes
+  };
+  [[nodiscard]] std::vector<ShortGap> short_gaps(const Segment2& edge) const {
+    const double size = length(edge.b - edge.a);
+    const Vec2 along = (edge.b - edge.a) / size;
+    const Vec2 out = -perpendicular(along);
+    std::vector<ShortGap> gaps;
+    for (const bool at_a : {true, false}) {
+      const Vec2 corner = at_a ? edge.a : edge.b;
+      const Vec2 way = at_a ? along : -along;
+      for (const Segment2& other : own_) {
+        if (distance(other, corner) > same_point_mm) {
+          continue;
+        }
+        for (const Vec2 end : {other.a, other.b}) {
+          const double extent = dot(end - corner, way);
+          if (dot(end - corner, out) > same_point_mm && extent > same_point_mm && extent < size) {
+            gaps.push_back({{corner, end}, corner, extent});
+          }
+        }
+      }
+    }
+    return gaps;
+  }
+
   /// Half the way to the nearest of them.
   [[nodiscard]] static double reach_of(const Segment2& part, const std::vector<Segment2>& in_front) {
     double reach = bleed_mm;
@@ -150,8 +188,8 @@ class RimMaker {
     const Vec2 begin = part.a == edge.a ? edge.a - at_a * along : part.a;
     const Vec2 end = part.b == edge.b ? edge.b + at_b * along : part.b;
     std::vector<Vec2> strip{end, begin, begin + at_a * out, end + at_b * out};
-    strip = cut_at_corner(std::move(strip), edge.a, along, -1.0, at_a);
-    return cut_at_corner(std::move(strip), edge.b, -along, 1.0, at_b);
+    strip = cut_at_corner(std::move(strip), edge.a, along, -1.0, at_a, length(part.a - edge.a));
+    return cut_at_corner(std::move(strip), edge.b, -along, 1.0, at_b, length(part.b - edge.b));
   }
 
   static std::optional<Segment2> in_front(Segment2 s, Vec2 at, Vec2 out) {
@@ -169,9 +207,10 @@ class RimMaker {
   }
 
   /// Two rims that meet at a corner of the outline share the gap between their edges. `way`: from the corner
-  /// along the edge; `sense`: 1 where the rim lies against the clock of it.
+  /// along the edge; `sense`: 1 where the rim lies against the clock of it; `from`: how far along the edge
+  /// the rim begins, as what ends before that shares nothing with it.
   [[nodiscard]] std::vector<Vec2> cut_at_corner(std::vector<Vec2> rim, Vec2 corner, Vec2 way, double sense,
-                                                double reach) const {
+                                                double reach, double from) const {
     double gap = 2.0 * std::numbers::pi;
     bool met = false;
     for (const Segment2& other : own_) {
@@ -179,7 +218,9 @@ class RimMaker {
         continue;
       }
       for (const Vec2 end : {other.a, other.b}) {
-        if (length(end - corner) > same_point_mm) {
+        const double extent = dot(end - corner, way);
+        const bool ends_before = extent > same_point_mm && extent <= from;
+        if (length(end - corner) > same_point_mm && !ends_before) {
           const double turn = sense > 0.0 ? turn_between(way, end - corner) : turn_between(end - corner, way);
           if (turn > smallest_gap && turn < 2.0 * std::numbers::pi - smallest_gap) {
             gap = std::min(gap, turn);

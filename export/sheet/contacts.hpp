@@ -25,8 +25,8 @@ struct Contact {
 
 /// All pairs of pieces of different components that have more than a few mm^2 of parallel faces in common, in
 /// the order of the pieces; an opening of the smaller body counts as a face if its border is flat, so a cap
-/// without a back is glued where it stands. Bodies that run through each other's faces don't touch by this. O(n log n) in
-/// faces and pairs of faces near each other.
+/// without a back is glued where it stands. Bodies that run through each other's faces don't touch by this.
+/// O(n log n) in faces and pairs of faces near each other.
 [[nodiscard]] std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::Nets& nets);
 
 }  // namespace ridgecraft::paper

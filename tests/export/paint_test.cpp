@@ -186,6 +186,49 @@ TEST_CASE("Something near one place of an edge takes its colours beyond the cut 
   CHECK_FALSE(is_coloured(25.0, 0.06));
 }
 
+TEST_CASE("A short line that meets an edge's end takes its colours beyond the cut only as far as it goes") {
+  const SamplePages sample = sample_pages(cube(), 50.0, 0.0, all_edges(cube()), "Sample", {}, 0.2);
+  const mesh::Surface& surface = sample.model.model.surface;
+  const PieceId piece(0);
+  const paper::Placement& place = sample.pages.placements[piece];
+  std::vector<Vec2> outline;
+  const auto cuts = unfold::cut_lines(surface, sample.nets, piece);
+  REQUIRE(cuts.loops.size() == 1);
+  for (const Vec2 p : cuts.loops[0]) {
+    outline.push_back(place(p));
+  }
+  const auto contents = paper::piece_contents(surface, sample.nets);
+  const double size = length(outline[1] - outline[0]);
+  for (const bool at_end : {false, true}) {
+    CAPTURE(at_end);
+    // Distances are measured from the corner that the line meets.
+    const Vec2 corner = outline[at_end ? 1 : 0];
+    const Vec2 along = (outline[at_end ? 0 : 1] - corner) / size;
+    const Vec2 out = at_end ? perpendicular(along) : -perpendicular(along);
+    std::vector<paper::PieceDrawing> page(1);
+    page[0].group.lines.push_back({Layer::cut, outline, true});
+    page[0].group.lines.push_back({Layer::cut, {corner, corner + 10.0 * along + 0.5 * out}, false});
+    const auto cells = paper::cells_of(surface, sample.nets, piece, contents[piece], place, page, 0);
+    const auto is_coloured = [&](double at, double beyond) {
+      return std::ranges::any_of(cells, [&](const paper::Cell& cell) {
+        return cell.kind == paper::CellKind::bleed &&
+               inside(cell.polygon, corner + at * along + beyond * out);
+      });
+    };
+    // The two share the gap beside it, and it is in nobody's way farther on.
+    for (const double at : {5.0, 8.0}) {
+      CAPTURE(at);
+      CHECK(is_coloured(at, 0.02 * at));
+      CHECK_FALSE(is_coloured(at, 0.03 * at));
+    }
+    CHECK(is_coloured(13.0, 0.5));
+    for (const double at : {16.0, 20.0, 35.0, 48.0}) {
+      CAPTURE(at);
+      CHECK(is_coloured(at, 1.9));
+    }
+  }
+}
+
 TEST_CASE("Where a tab is shorter than its edge, colours reach beyond the rest of it") {
   SamplePages sample = sample_pages(cube(), 50.0, 6.0);
   REQUIRE_FALSE(sample.nets.tabs.empty());
