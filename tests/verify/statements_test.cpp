@@ -320,7 +320,7 @@ bool is_free(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("every value of a file, changed in every sensible way, is found or free", "[statements]") {
+TEST_CASE("every value of a file, changed in every sensible way, is found or free", "[statements][slow]") {
   const Json& clean = house();
   std::size_t changes = 0;
   std::size_t accepted = 0;
