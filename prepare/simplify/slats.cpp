@@ -13,7 +13,7 @@ namespace ridgecraft::prepare {
 namespace {
 
 /// Slats are this share of a short edge wide at least.
-constexpr double slat_width = 0.75;
+constexpr double slat_width = 0.5;
 constexpr double slat_edge = 75.0 * std::numbers::pi / 180.0;
 
 }  // namespace
