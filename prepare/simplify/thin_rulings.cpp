@@ -2,9 +2,8 @@
 #include "prepare/simplify/thin_rulings.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -36,19 +35,6 @@ class Round {
         continue;
       }
       ChosenRulings chosen = choose_rulings(surface_, strip, rules);
-      if (getenv("DBG")) {
-        fprintf(stderr, "strip lines %zu points %zu round %d loops %d narrowest %.2f gone %zu\n",
-                strip.lines.size(), strip.lines[0].points.size(), strip.round, strip.loops, chosen.narrowest,
-                chosen.gone.size());
-        for (size_t i = 0; i < strip.lines.size(); ++i) {
-          Vec3 p = surface_.point(VertexId(strip.lines[i].points[0]));
-          bool g = false;
-          for (auto x : chosen.gone)
-            g = g || x == i;
-          fprintf(stderr, "  %zu (%.2f %.2f %.2f) fold %.1f %s\n", i, p.x, p.y, p.z,
-                  strip.lines[i].fold * 57.3, g ? "gone" : "");
-        }
-      }
       if (!chosen.gone.empty()) {
         wishes_.push_back({std::move(strip), std::move(chosen), {}, {}});
         look_up(wishes_.back());
