@@ -132,6 +132,9 @@ class Finder {
       if (next.side == from) {
         return true;  // a loop
       }
+      if (sides.size() > surface_.edge_count()) {
+        return false;  // it runs in circles beside its beginning; not seen in practice
+      }
       c = next.side;
       sides.push_back(c);
     }
