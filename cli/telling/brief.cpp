@@ -185,7 +185,8 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
     clauses.push_back(counted_bodies(made.skin.left_crossing) + " run into each other");
   }
   if (!made.drawn.bodies.empty()) {
-    clauses.push_back(fmt::format("it comes in {} bodies, which no tab joins", made.drawn.bodies.size()));
+    clauses.push_back(fmt::format("it comes in {} bodies that no tab joins{}", made.drawn.bodies.size(),
+                                  made.guide.pages.empty() ? "" : ": the guide shows where each belongs"));
   }
   return joined(clauses, "nothing in particular");
 }
@@ -275,8 +276,8 @@ std::string details_text(const prepare::Details& details) {
   }
   if (details.low > 0) {
     clauses.push_back(details.low == 1
-                          ? "1 body too low on another to be folded"
-                          : fmt::format("{} bodies too low on others to be folded", details.low));
+                          ? "1 body that stands out too little to be folded"
+                          : fmt::format("{} bodies that stand out too little to be folded", details.low));
   }
   if (details.strands > 0) {
     clauses.push_back(fmt::format("{} (at least {}: wire or thread will do)",

@@ -111,7 +111,7 @@ TEST_CASE("what was left out is called bodies whatever else was, and crossings o
   details.flat = 2;
   details.low = 1;
   CHECK(cli::details_text(details) ==
-        "2 flat bodies that lie on others and 1 body too low on another to be folded");
+        "2 flat bodies that lie on others and 1 body that stands out too little to be folded");
   details.strands = 38;
   details.strands_mm = 2660.0;
   CHECK(
