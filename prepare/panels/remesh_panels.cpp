@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "base/constrained_delaunay.hpp"
 #include "base/plane_frame.hpp"
 #include "mesh/model/soup.hpp"
 #include "mesh/repair/loose_faces.hpp"
+#include "prepare/panels/flat_outline.hpp"
 #include "prepare/panels/panel_regions.hpp"
 #include "prepare/panels/straight_chains.hpp"
 #include "prepare/prepared/panels.hpp"
@@ -153,41 +153,6 @@ class Remesher {
     return std::adjacent_find(sides.begin(), sides.end()) != sides.end();
   }
 
-  /// Each once, ascending.
-  static std::vector<std::uint32_t> vertices_of(const std::vector<std::array<std::uint32_t, 2>>& sides) {
-    std::vector<std::uint32_t> vertices;
-    for (const auto& side : sides) {
-      vertices.push_back(side[0]);
-    }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
-  }
-
-  /// What the sides enclose in the frame's plane, in an order of its own; none where they enclose nothing.
-  [[nodiscard]] std::optional<std::vector<Face>> triangles_inside(
-      const std::vector<std::uint32_t>& vertices, std::vector<std::array<std::uint32_t, 2>> sides,
-      const PlaneFrame& frame) const {
-    std::vector<Vec2> flat;
-    for (const std::uint32_t v : vertices) {
-      flat.push_back(frame.flat(place(v)));
-    }
-    for (auto& side : sides) {
-      for (std::uint32_t& v : side) {
-        v = static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
-                                       vertices.begin());
-      }
-    }
-    auto triangles = triangulate_inside(flat, sides);
-    if (triangles) {
-      std::sort(triangles->begin(), triangles->end());
-      for (Face& t : *triangles) {
-        t = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
-      }
-    }
-    return triangles;
-  }
-
   bool triangulate_region(std::uint32_t region) {
     const auto& faces = regions_.faces(region);
     Vec3 doubled;
@@ -206,12 +171,12 @@ class Remesher {
     if (has_twice(sides)) {  // a slit of no width: closing it would change what is connected
       return false;
     }
-    const std::vector<std::uint32_t> vertices = vertices_of(sides);
+    const std::vector<std::uint32_t> vertices = points_of(sides);
     double perimeter = 0.0;
     for (const auto& [a, b] : sides) {
       perimeter += length(place(b) - place(a));
     }
-    const auto triangles = triangles_inside(vertices, sides, frame);
+    const auto triangles = triangles_between(sides, old_.points, frame);
     if (!triangles) {
       return false;
     }

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/constrained_delaunay.hpp"
 #include "base/plane_frame.hpp"
+#include "prepare/panels/flat_outline.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -20,7 +20,7 @@ constexpr double turned_cosine = 0.7;
 /// The triangles cover what the outline encloses, as a share of its area.
 constexpr double same_area = 1e-6;
 
-using Side = std::array<std::uint32_t, 2>;
+using Side = OutlineSide;
 using Face = std::array<std::uint32_t, 3>;
 
 class Merger {
@@ -113,7 +113,7 @@ class Merger {
   }
 
   [[nodiscard]] std::optional<std::vector<Face>> triangulated(const std::vector<std::uint32_t>& set) {
-    std::vector<Side> sides = outline(set);
+    const std::vector<Side> sides = outline(set);
     if (sides.size() < 3) {
       // What vanishes leaves its neighbours one side, run through in both directions.
       const bool vanishes =
@@ -131,32 +131,13 @@ class Merger {
     if (normal == Vec3{} || dot(normal, normalized(old)) < turned_cosine) {
       return std::nullopt;
     }
-    std::vector<std::uint32_t> vertices;
-    for (const Side& side : sides) {
-      vertices.push_back(side[0]);
-    }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const PlaneFrame frame(place(vertices.front()), normal);
-    std::vector<Vec2> flat;
-    for (const std::uint32_t v : vertices) {
-      flat.push_back(frame.flat(place(v)));
-    }
-    for (Side& side : sides) {
-      for (std::uint32_t& v : side) {
-        v = static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
-                                       vertices.begin());
-      }
-    }
-    auto triangles = triangulate_inside(flat, sides);
+    auto triangles = triangles_between(sides, changes_.places, PlaneFrame(place(sides.front()[0]), normal));
     if (!triangles || triangles->empty()) {
       return std::nullopt;
     }
     double covered = 0.0;
-    std::sort(triangles->begin(), triangles->end());
-    for (Face& t : *triangles) {
-      covered += cross(flat[t[1]] - flat[t[0]], flat[t[2]] - flat[t[0]]);
-      t = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+    for (const auto& [a, b, c] : *triangles) {
+      covered += dot(cross(place(b) - place(a), place(c) - place(a)), normal);
     }
     const double enclosed = length(doubled);
     if (std::abs(covered - enclosed) > same_area * enclosed) {
