@@ -9,10 +9,10 @@
 #include "prepare/panels/divide_panels.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
-#include "prepare/simplify/fold_figures.hpp"
 #include "prepare/simplify/simplify.hpp"
 #include "prepare/size.hpp"
 #include "prepare/twins/twin_copies.hpp"
+#include "prepare/walls/fold_figures.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "mesh/model/surface_distance.hpp"
-#include "prepare/simplify/fold_figures.hpp"
-#include "prepare/simplify/quick_collapses.hpp"
+#include "prepare/collapses/quick_collapses.hpp"
 #include "prepare/simplify/sequence.hpp"
+#include "prepare/walls/fold_figures.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

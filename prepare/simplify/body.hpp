@@ -8,8 +8,8 @@
 #include "base/context.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/prepared/options.hpp"
-#include "prepare/simplify/share.hpp"
-#include "prepare/simplify/walls.hpp"
+#include "prepare/shares/share.hpp"
+#include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
 

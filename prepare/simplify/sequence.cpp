@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "prepare/collapses/collapse_sequence.hpp"
 #include "prepare/panels/remesh_panels.hpp"
-#include "prepare/simplify/collapse_sequence.hpp"
-#include "prepare/simplify/whole.hpp"
+#include "prepare/shares/whole.hpp"
 
 namespace ridgecraft::prepare {
 

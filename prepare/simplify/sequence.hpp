@@ -8,10 +8,10 @@
 #include "base/context.hpp"
 #include "mesh/model/model.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/simplify/collapse_rules.hpp"
-#include "prepare/simplify/collapses.hpp"
-#include "prepare/simplify/share.hpp"
-#include "prepare/simplify/walls.hpp"
+#include "prepare/collapses/collapse_rules.hpp"
+#include "prepare/shares/collapse.hpp"
+#include "prepare/shares/share.hpp"
+#include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
 

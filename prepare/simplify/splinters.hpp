@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "prepare/simplify/share.hpp"
+#include "prepare/shares/share.hpp"
 
 namespace ridgecraft::prepare {
 

@@ -7,7 +7,7 @@
 #include "mesh/mesh.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/prepared/options.hpp"
-#include "prepare/simplify/collapses.hpp"
+#include "prepare/shares/collapse.hpp"
 #include "support/soups.hpp"
 
 namespace ridgecraft::test {

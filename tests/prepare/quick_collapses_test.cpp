@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first collapses of models of very many faces.
-#include "prepare/simplify/quick_collapses.hpp"
+#include "prepare/collapses/quick_collapses.hpp"
 
 #include "mesh/mesh.hpp"
 #include "mesh/model/surface_distance.hpp"

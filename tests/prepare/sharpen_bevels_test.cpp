@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Narrow faces along the edges of walls go as a whole.
-#include "prepare/simplify/sharpen_bevels.hpp"
+#include "prepare/features/sharpen_bevels.hpp"
 
 #include <algorithm>
 #include <array>

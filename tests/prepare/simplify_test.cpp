@@ -4,10 +4,10 @@
 
 #include "mesh/mesh.hpp"
 #include "mesh/model/surface_distance.hpp"
+#include "prepare/collapses/collapse_sequence.hpp"
 #include "prepare/common_models.hpp"
 #include "prepare/prepare.hpp"
-#include "prepare/simplify/collapse_sequence.hpp"
-#include "prepare/simplify/fold_figures.hpp"
+#include "prepare/walls/fold_figures.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 

@@ -10,8 +10,8 @@
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
-#include "prepare/simplify/symmetric_share.hpp"
-#include "prepare/simplify/whole.hpp"
+#include "prepare/shares/symmetric_share.hpp"
+#include "prepare/shares/whole.hpp"
 #include "support/soups.hpp"
 
 using namespace ridgecraft;

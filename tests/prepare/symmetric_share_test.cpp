@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simplified models are as symmetric as they were.
-#include "prepare/simplify/symmetric_share.hpp"
+#include "prepare/shares/symmetric_share.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,11 +9,11 @@
 
 #include "base/random.hpp"
 #include "mesh/mesh.hpp"
+#include "prepare/collapses/collapse_sequence.hpp"
 #include "prepare/common_models.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepare.hpp"
-#include "prepare/simplify/collapse_sequence.hpp"
-#include "prepare/simplify/whole.hpp"
+#include "prepare/shares/whole.hpp"
 #include "prepare/symmetry/mirrors.hpp"
 #include "prepare/symmetry/twins.hpp"
 #include "support/symmetric_shapes.hpp"

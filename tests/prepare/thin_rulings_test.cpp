@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Narrow faces side by side become fewer and wider ones, and stay flat.
-#include "prepare/simplify/thin_rulings.hpp"
+#include "prepare/features/thin_rulings.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Turned bodies get fewer sides, evenly around.
-#include "prepare/simplify/turned.hpp"
+#include "prepare/features/turned.hpp"
 
 #include <cmath>
 #include <map>
@@ -9,8 +9,8 @@
 
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/panels/remesh_panels.hpp"
-#include "prepare/simplify/fold_figures.hpp"
 #include "prepare/simplify/simplify.hpp"
+#include "prepare/walls/fold_figures.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard surfaces keep their planes when they are simplified.
-#include "prepare/simplify/walls.hpp"
+#include "prepare/walls/walls.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,13 +10,13 @@
 
 #include "mesh/mesh.hpp"
 #include "prepare/common_models.hpp"
+#include "prepare/features/features.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepare.hpp"
-#include "prepare/simplify/features.hpp"
-#include "prepare/simplify/fold_figures.hpp"
-#include "prepare/simplify/share_bodies.hpp"
-#include "prepare/simplify/symmetric_share.hpp"
-#include "prepare/simplify/whole.hpp"
+#include "prepare/shares/share_bodies.hpp"
+#include "prepare/shares/symmetric_share.hpp"
+#include "prepare/shares/whole.hpp"
+#include "prepare/walls/fold_figures.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 

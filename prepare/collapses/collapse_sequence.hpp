@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Simplification as a sequence of edge collapses that is worked out once and can be stopped anywhere. Private
+// to prepare/.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/context.hpp"
+#include "mesh/repair/loose_faces.hpp"
+#include "prepare/collapses/collapse_rules.hpp"
+#include "prepare/shares/collapse.hpp"
+#include "prepare/walls/walls.hpp"
+
+namespace ridgecraft::prepare {
+
+/// Collapses by least quadric error (Garland, Heckbert: mesh::Surface simplification using quadric error
+/// metrics, 1997; CGAL's implementation) down to `faces` faces, or until no collapse is left that keeps the
+/// surface manifold without flipping or folding faces. Borders and sharp edges stay by the planes they add.
+/// Of a share of a symmetric whole the errors are those of the whole, and no edge or face comes to lie
+/// between points of a plane but its border. Vertices of walls stay in their planes, and no wall vanishes.
+/// Faces are counted in the whole. The input must fulfil mesh::Surface's invariants. O(n log n).
+[[nodiscard]] std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const PointRules& points,
+                                                      const Walls& walls, std::size_t faces,
+                                                      const CollapseRules& rules, const Context& context);
+
+}  // namespace ridgecraft::prepare

@@ -1,0 +1,536 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepare/features/turned.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/elementary.hpp"
+#include "mesh/model/faces_alone.hpp"
+#include "mesh/repair/loose_faces.hpp"
+#include "prepare/panels/remesh_panels.hpp"
+#include "prepare/symmetry/area_frame.hpp"
+#include "prepare/walls/fold_figures.hpp"
+
+namespace ridgecraft::prepare {
+namespace {
+
+/// With fewer sides a body is a prism by intention.
+constexpr std::uint32_t fewest_sides = 12;
+/// What is left of a round body at least.
+constexpr std::uint32_t fewest_left = 6;
+/// More sides nobody folds; larger numbers needn't be tried.
+constexpr std::uint32_t most_left = 96;
+/// How far points may be from their places on a ring, as a share of the component's extent.
+constexpr double on_ring = 2e-4;
+/// The outline between rings that are left out bends by these shares of what the surface may move.
+constexpr std::array<double, 5> outline_shares{0.0, 0.1, 0.25, 0.5, 0.75};
+/// Bodies of more faces have crowded edges (simplify/body.cpp).
+constexpr std::size_t crowded_faces = 400;
+
+constexpr std::uint32_t none = mesh::Soup::none;
+
+struct Ring {
+  double radius = 0.0;  ///< 0: one point on the axis
+  double height = 0.0;
+  std::vector<VertexId> vertices;  ///< in turn around the axis
+};
+
+/// What lies between a ring and the next one, or within a ring that has a flat end.
+struct Strip {
+  FaceId like;  ///< one of its faces
+  std::size_t faces = 0;
+  double radial = 0.0;  ///< sums over its faces: of their normals' parts away from the axis ...
+  double axial = 0.0;   ///< ... and along it
+};
+
+/// A body as its outline and an axis.
+struct Turned {
+  Vec3 centre, axis, across, beside;  ///< right-handed: axis, across, beside
+  double phase = 0.0;                 ///< angle of corner 0 of each ring
+  std::uint32_t sides = 0;
+  std::vector<Ring> rings;  ///< along the outline
+  std::vector<Strip>
+      strips;  ///< from each ring to the next; of a closed outline also from the last to the first
+  bool closed = false;
+  std::optional<Strip> first_end, last_end;  ///< flat ends at the first and the last ring
+  bool inwards = false;                      ///< faces made ring by ring would look inwards
+
+  [[nodiscard]] Vec3 place(const Ring& ring, double angle) const {
+    return centre + ring.height * axis +
+           ring.radius * (elementary::cos(angle) * across + elementary::sin(angle) * beside);
+  }
+};
+
+/// Finds out whether a component was turned about one of its principal axes.
+class Recogniser {
+ public:
+  Recogniser(const mesh::Model& model, const std::vector<FaceId>& faces)
+      : model_(model), surface_(model.surface), faces_(faces) {
+    for (const FaceId f : faces) {
+      for (const VertexId v : surface_.vertices(f)) {
+        vertices_.push_back(v);
+        box_.add(surface_.point(v));
+      }
+    }
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    near_ = on_ring * box_.largest_extent();
+  }
+
+  [[nodiscard]] std::optional<Turned> find() {
+    if (vertices_.size() < 2 * fewest_sides) {
+      return std::nullopt;
+    }
+    const AreaFrame frame = area_frame(mesh::faces_alone(surface_, faces_));
+    for (std::size_t k = 0; k < 3; ++k) {
+      result_ = Turned();
+      result_.centre = frame.centre;
+      result_.axis = frame.axes[k];
+      result_.across = frame.axes[(k + 1) % 3];
+      result_.beside = cross(result_.axis, result_.across);
+      if (find_rings() && find_strips() && put_in_order()) {
+        return std::move(result_);
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] bool find_rings() {
+    rings_.clear();
+    std::vector<std::array<double, 2>> at;  // height and radius of each vertex
+    std::vector<std::uint32_t> order(vertices_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    for (const VertexId v : vertices_) {
+      const Vec3 p = surface_.point(v) - result_.centre;
+      const double height = dot(p, result_.axis);
+      at.push_back({height, length(p - height * result_.axis)});
+    }
+    const auto sort = [&](std::size_t from, std::size_t to, std::size_t key) {
+      std::sort(order.begin() + static_cast<std::ptrdiff_t>(from),
+                order.begin() + static_cast<std::ptrdiff_t>(to), [&](std::uint32_t a, std::uint32_t b) {
+                  return std::pair(at[a][key], a) < std::pair(at[b][key], b);
+                });
+    };
+    // The end of what lies within the tolerance of its first one.
+    const auto level_end = [&](std::size_t from, std::size_t limit, std::size_t key) {
+      std::size_t end = from + 1;
+      while (end < limit && at[order[end]][key] - at[order[from]][key] <= 2.0 * near_) {
+        ++end;
+      }
+      return end;
+    };
+    sort(0, order.size(), 0);
+    for (std::size_t from = 0; from < order.size();) {
+      const std::size_t level = level_end(from, order.size(), 0);
+      sort(from, level, 1);
+      while (from < level) {
+        const std::size_t end = level_end(from, level, 1);
+        if (!add_ring({order.begin() + static_cast<std::ptrdiff_t>(from),
+                       order.begin() + static_cast<std::ptrdiff_t>(end)},
+                      at)) {
+          return false;
+        }
+        from = end;
+      }
+    }
+    return result_.sides >= fewest_sides && rings_.size() > 1;
+  }
+
+  [[nodiscard]] bool add_ring(const std::vector<std::uint32_t>& members,
+                              const std::vector<std::array<double, 2>>& at) {
+    Ring ring;
+    for (const std::uint32_t i : members) {
+      ring.height += at[i][0] / static_cast<double>(members.size());
+      ring.radius += at[i][1] / static_cast<double>(members.size());
+    }
+    if (ring.radius <= near_) {
+      ring.radius = 0.0;
+      ring.vertices.push_back(vertices_[members.front()]);
+      rings_.push_back(std::move(ring));
+      return members.size() == 1;
+    }
+    const auto sides = static_cast<std::uint32_t>(members.size());
+    if (result_.sides == 0) {
+      result_.sides = sides;
+      result_.phase = angle_of(vertices_[members.front()]);
+    }
+    if (sides != result_.sides || sides < fewest_sides) {
+      return false;
+    }
+    ring.vertices.assign(sides, VertexId());
+    for (const std::uint32_t i : members) {
+      const double turn = (angle_of(vertices_[i]) - result_.phase) * sides / (2.0 * std::numbers::pi);
+      const auto k = static_cast<std::int64_t>(std::llround(turn));
+      const double off =
+          std::abs(turn - static_cast<double>(k)) * 2.0 * std::numbers::pi / sides * ring.radius;
+      VertexId& place = ring.vertices[static_cast<std::size_t>((k % sides + sides) % sides)];
+      if (off > near_ || place.valid()) {
+        return false;
+      }
+      place = vertices_[i];
+    }
+    rings_.push_back(std::move(ring));
+    return true;
+  }
+
+  [[nodiscard]] double angle_of(VertexId v) const {
+    const Vec3 p = surface_.point(v) - result_.centre;
+    return elementary::atan2(dot(p, result_.beside), dot(p, result_.across));
+  }
+
+  /// Each face lies between two rings or within one.
+  [[nodiscard]] bool find_strips() {
+    strips_.clear();
+    std::map<VertexId, std::uint32_t> ring_of;
+    for (std::uint32_t r = 0; r < rings_.size(); ++r) {
+      for (const VertexId v : rings_[r].vertices) {
+        ring_of[v] = r;
+      }
+    }
+    for (const FaceId f : faces_) {
+      const auto vertices = surface_.vertices(f);
+      std::array<std::uint32_t, 3> ring{ring_of.at(vertices[0]), ring_of.at(vertices[1]),
+                                        ring_of.at(vertices[2])};
+      std::sort(ring.begin(), ring.end());
+      if (ring[0] != ring[1] && ring[1] != ring[2]) {
+        return false;
+      }
+      Strip& strip = strips_[{ring[0], ring[2]}];
+      strip.like = strip.faces == 0 ? f : strip.like;
+      if (!same_look(strip.like, f)) {
+        return false;
+      }
+      ++strip.faces;
+      const Vec3 middle =
+          (surface_.point(vertices[0]) + surface_.point(vertices[1]) + surface_.point(vertices[2])) / 3.0 -
+          result_.centre;
+      const Vec3 out = middle - dot(middle, result_.axis) * result_.axis;
+      strip.radial += surface_.area(f) * dot(surface_.normal(f), normalized(out));
+      strip.axial += surface_.area(f) * dot(surface_.normal(f), result_.axis);
+    }
+    return std::all_of(strips_.begin(), strips_.end(), [&](const auto& entry) {
+      const auto& [between, strip] = entry;
+      const std::size_t sides = result_.sides;
+      if (between.first == between.second) {
+        return strip.faces == sides - 2;
+      }
+      const bool tip = rings_[between.first].radius == 0.0 || rings_[between.second].radius == 0.0;
+      return strip.faces == (tip ? sides : 2 * sides);
+    });
+  }
+
+  [[nodiscard]] bool same_look(FaceId a, FaceId b) const {
+    return (model_.material.empty() || model_.material[a] == model_.material[b]) &&
+           (model_.object.empty() || model_.object[a] == model_.object[b]);
+  }
+
+  /// The rings along the outline: a line or a circle of strips.
+  [[nodiscard]] bool put_in_order() {
+    std::vector<std::vector<std::uint32_t>> next(rings_.size());
+    std::map<std::uint32_t, Strip> ends;
+    for (const auto& [between, strip] : strips_) {
+      if (between.first == between.second) {
+        ends[between.first] = strip;
+      } else {
+        next[between.first].push_back(between.second);
+        next[between.second].push_back(between.first);
+      }
+    }
+    std::uint32_t start = 0;
+    for (std::uint32_t r = 0; r < rings_.size(); ++r) {
+      const std::size_t neighbours = next[r].size() + (ends.contains(r) ? 1U : 0U);
+      if (neighbours > 2 || next[r].empty()) {
+        return false;
+      }
+      start = next[r].size() == 1 ? r : start;
+    }
+    result_.closed = next[start].size() == 2;
+    std::uint32_t before = none;
+    std::uint32_t here = start;
+    do {
+      result_.rings.push_back(rings_[here]);
+      const auto onward =
+          std::find_if(next[here].begin(), next[here].end(), [&](std::uint32_t r) { return r != before; });
+      if (onward == next[here].end()) {
+        break;
+      }
+      before = here;
+      here = *onward;
+      result_.strips.push_back(strips_.at(std::minmax(before, here)));
+    } while (here != start);
+    if (result_.rings.size() != rings_.size()) {
+      return false;
+    }
+    if (!result_.closed) {
+      result_.first_end = ends.contains(start) ? std::optional(ends[start]) : std::nullopt;
+      result_.last_end = ends.contains(here) ? std::optional(ends[here]) : std::nullopt;
+    }
+    // A strip that is made from a ring to the next looks out of the axis where the outline goes up.
+    const Ring& a = result_.rings[0];
+    const Ring& b = result_.rings[1 % result_.rings.size()];
+    const Strip& strip = result_.strips.front();
+    result_.inwards = strip.radial * (b.height - a.height) - strip.axial * (b.radius - a.radius) < 0.0;
+    return true;
+  }
+
+  const mesh::Model& model_;
+  const mesh::Surface& surface_;
+  const std::vector<FaceId>& faces_;
+  std::vector<VertexId> vertices_;
+  Box3 box_;
+  double near_ = 0.0;
+  Turned result_;
+  std::vector<Ring> rings_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Strip> strips_;
+};
+
+/// Faces of a body with other numbers of rings and sides.
+struct Made {
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<FaceId> like;  ///< of each face: what it has taken the place of
+};
+
+/// Which rings stay where the outline may bend by this much (D. Douglas, T. Peucker, 1973); those at which
+/// the look changes always do.
+class Outline {
+ public:
+  Outline(const Turned& body, const mesh::Model& model, double bend) : body_(body), bend_(bend) {
+    const std::size_t n = body.rings.size();
+    stays_.assign(n, bend <= 0.0);
+    std::vector<std::size_t> fixed;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == 0 || (!body.closed && i + 1 == n) || look_changes(model, i)) {
+        fixed.push_back(i);
+      }
+    }
+    if (body.closed && fixed.size() < 2) {
+      // What is farthest from the first one.
+      std::size_t farthest = 0;
+      for (std::size_t i = 1; i < n; ++i) {
+        farthest = distance(0, i) > distance(0, farthest) ? i : farthest;
+      }
+      fixed.push_back(farthest);
+    }
+    for (const std::size_t i : fixed) {
+      stays_[i] = true;
+    }
+    for (std::size_t k = 0; k < fixed.size(); ++k) {
+      if (k + 1 < fixed.size() || body.closed) {
+        thin_out(fixed[k], k + 1 < fixed.size() ? fixed[k + 1] : fixed[0] + n);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<std::size_t> rings() const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < stays_.size(); ++i) {
+      if (stays_[i]) {
+        result.push_back(i);
+      }
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Vec2 at(std::size_t i) const {
+    const Ring& ring = body_.rings[i % body_.rings.size()];
+    return {ring.radius, ring.height};
+  }
+  [[nodiscard]] double distance(std::size_t i, std::size_t k) const { return length(at(k) - at(i)); }
+
+  [[nodiscard]] bool look_changes(const mesh::Model& model, std::size_t i) const {
+    const std::size_t n = body_.strips.size();
+    if (i == 0 && !body_.closed) {
+      return false;
+    }
+    const FaceId before = body_.strips[(i + n - 1) % n].like;
+    const FaceId after = body_.strips[i % n].like;
+    return (!model.material.empty() && model.material[before] != model.material[after]) ||
+           (!model.object.empty() && model.object[before] != model.object[after]);
+  }
+
+  void thin_out(std::size_t from, std::size_t to) {
+    std::size_t farthest = from;
+    double most = bend_;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const Vec2 way = at(to) - at(from);
+      const double size = length(way);
+      const double off = size > 0.0 ? std::abs(cross(way, at(i) - at(from))) / size : distance(from, i);
+      if (off > most) {
+        most = off;
+        farthest = i;
+      }
+    }
+    if (farthest != from) {
+      stays_[farthest % stays_.size()] = true;
+      thin_out(from, farthest);
+      thin_out(farthest, to);
+    }
+  }
+
+  const Turned& body_;
+  double bend_;
+  std::vector<bool> stays_;
+};
+
+Made turn(const Turned& body, const std::vector<std::size_t>& rings, std::uint32_t sides) {
+  Made made;
+  std::vector<std::uint32_t> first;
+  for (const std::size_t r : rings) {
+    const Ring& ring = body.rings[r];
+    first.push_back(static_cast<std::uint32_t>(made.points.size()));
+    for (std::uint32_t k = 0; k < (ring.radius > 0.0 ? sides : 1U); ++k) {
+      made.points.push_back(body.place(ring, body.phase + 2.0 * std::numbers::pi * k / sides));
+    }
+  }
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, FaceId like) {
+    if (a != b && b != c && c != a) {
+      made.faces.push_back({a, body.inwards ? c : b, body.inwards ? b : c});
+      made.like.push_back(like);
+    }
+  };
+  const std::size_t strips = body.closed ? rings.size() : rings.size() - 1;
+  for (std::size_t i = 0; i < strips; ++i) {
+    const std::size_t j = (i + 1) % rings.size();
+    const auto corner = [&](std::size_t ring, std::uint32_t k) {
+      return first[ring] + (body.rings[rings[ring]].radius > 0.0 ? k % sides : 0U);
+    };
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const FaceId like = body.strips[rings[i]].like;
+      add(corner(i, k), corner(i, k + 1), corner(j, k + 1), like);
+      add(corner(i, k), corner(j, k + 1), corner(j, k), like);
+    }
+  }
+  for (std::uint32_t k = 2; k < sides; ++k) {
+    if (body.first_end) {
+      const std::uint32_t f = first.front();
+      add(f, f + k, f + k - 1, body.first_end->like);
+    }
+    if (body.last_end) {
+      const std::uint32_t f = first.back();
+      add(f, f + k - 1, f + k, body.last_end->like);
+    }
+  }
+  return made;
+}
+
+mesh::Surface surface_of(const Made& made) {
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const auto& [a, b, c] : made.faces) {
+    faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  }
+  return {made.points, std::move(faces)};
+}
+
+class Chooser {
+ public:
+  Chooser(const Turned& body, const mesh::Model& model, const SimplifyOptions& options, double largest_mm,
+          const Context& context)
+      : body_(body), model_(model), options_(options), largest_mm_(largest_mm), context_(context) {}
+
+  /// The most faces that can be folded.
+  [[nodiscard]] std::optional<Made> choose() const {
+    double widest = 0.0;
+    for (const Ring& ring : body_.rings) {
+      widest = std::max(widest, ring.radius);
+    }
+    // Mirror planes stay.
+    const std::uint32_t step = std::gcd(body_.sides, 4U);
+    std::optional<Made> best;
+    for (const double share : outline_shares) {
+      const double bend = share * largest_mm_;
+      const std::vector<std::size_t> rings = Outline(body_, model_, bend).rings();
+      if (rings.size() < (body_.closed ? 3U : 2U)) {
+        continue;
+      }
+      for (std::uint32_t sides = std::min(body_.sides, most_left / step * step); sides >= fewest_left;
+           sides -= step) {
+        context_.check();
+        const double sagitta = widest * (1.0 - elementary::cos(std::numbers::pi / sides));
+        if (sagitta + bend > largest_mm_ || (best && 2 * rings.size() * sides <= best->faces.size())) {
+          break;
+        }
+        Made made = turn(body_, rings, sides);
+        if (can_be_folded(made)) {
+          if (!best || made.faces.size() > best->faces.size()) {
+            best = std::move(made);
+          }
+          break;
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] bool can_be_folded(const Made& made) const {
+    if (made.faces.size() > options_.most_faces || made.faces.size() < std::size_t{2} * fewest_left) {
+      return false;
+    }
+    const FoldFigures figures = fold_figures(surface_of(made), options_);
+    return figures.brief_share() <= options_.short_edge_share &&
+           (made.faces.size() <= crowded_faces || !figures.crowded());
+  }
+
+  const Turned& body_;
+  const mesh::Model& model_;
+  const SimplifyOptions& options_;
+  double largest_mm_;
+  const Context& context_;
+};
+
+}  // namespace
+
+std::size_t simplify_turned(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
+                            const Context& context) {
+  const mesh::Surface& surface = model.surface;
+  std::vector<std::vector<FaceId>> components(surface.component_count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    components[surface.component(f).value()].push_back(f);
+  }
+  const mesh::LooseFaces all = mesh::take_apart(model);
+  mesh::LooseFaces result;
+  result.points = all.points;
+  std::size_t changed = 0;
+  for (const std::vector<FaceId>& faces : components) {
+    context.check();
+    std::optional<Made> made;
+    if (auto body = Recogniser(model, faces).find()) {
+      const FoldFigures figures = fold_figures(mesh::faces_alone(surface, faces), options);
+      if (figures.brief_share() > options.short_edge_share || faces.size() > options.most_faces) {
+        made = Chooser(*body, model, options, largest_mm, context).choose();
+      }
+    }
+    if (!made || made->faces.size() >= faces.size()) {
+      for (const FaceId f : faces) {
+        result.add(all, f.value(), all.faces[f.value()]);
+      }
+      continue;
+    }
+    ++changed;
+    const auto first = static_cast<std::uint32_t>(result.points.size());
+    result.points.insert(result.points.end(), made->points.begin(), made->points.end());
+    for (std::size_t i = 0; i < made->faces.size(); ++i) {
+      const auto& [a, b, c] = made->faces[i];
+      result.add(all, made->like[i].value(), {first + a, first + b, first + c});
+      result.polygon.back() = none;
+    }
+  }
+  if (changed > 0) {
+    mesh::put_together(model, std::move(result));
+    remesh_panels(model, context);
+  }
+  return changed;
+}
+
+}  // namespace ridgecraft::prepare
