@@ -90,7 +90,7 @@ TEST_CASE("the keys of --json are documented, each of them and no other", "[json
   const std::vector<std::pair<std::string, std::vector<std::vector<std::string>>>> verbs{
       {"ridgecraft MODEL",
        {{"bar.obj", "--size", "100mm", "--faces", "keep", "-o", flat},
-        {"house.obj", "--size", "3mm", "-o", "y.fold"},
+        {"house.obj", "--size", "1mm", "-o", "y.fold"},
         {"house.obj", "--size", "30cm", "-o", "y.fold"},
         {"house.obj", "--size", "8cm", "-o", "z.pdf"},
         {"house.obj", "--tabs", "slots", "-o", "s.fold"},
