@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the drawing of each page together: its pieces, their texts, the furniture.
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +22,7 @@
 #include "export/page/page_index.hpp"
 #include "export/page/page_marks.hpp"
 #include "export/page/piece_drawing.hpp"
+#include "export/page/place_marks.hpp"
 #include "export/page/tab_shadows.hpp"
 #include "export/page/text_placement.hpp"
 #include "export/paint/paint.hpp"
@@ -77,6 +80,21 @@ void report_numbers(const std::vector<PieceDrawing>& pieces, bool can_list, Draw
   }
 }
 
+/// Tells a picture, and smaller ones instead of it, which piece of which page it shows, and its letter: that
+/// with the number `letters`, which grows where it is used.
+void set_place(Enlarged& picture, std::size_t page, std::size_t piece, std::size_t& letters) {
+  const auto set = [&](Enlarged& one) {
+    one.shown.page = page;
+    one.shown.piece = piece;
+    one.shown.letter = one.whole ? "" : picture_letter(letters);
+  };
+  set(picture);
+  std::ranges::for_each(picture.smaller, set);
+  const bool lettered =
+      !picture.whole || std::ranges::any_of(picture.smaller, [](const Enlarged& one) { return !one.whole; });
+  letters += lettered ? 1 : 0;
+}
+
 /// How much is to be cut and folded.
 void report_lines(const Group& group, DrawReport& report) {
   for (const Line& line : group.lines) {
@@ -100,6 +118,8 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds, sum.objects);
   const auto neighbours = find_neighbours(model.model.surface, nets);
   std::vector<PageMarks> indices;
+  std::vector<PicturePlace> shown;
+  std::size_t letters = 0;
   Unplaced left;
   const bool can_list = has_room_for_lists(pages.paper);
   const auto contents = piece_contents(model.model.surface, nets);
@@ -125,6 +145,7 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
     std::vector<Enlarged> larger;
     for (std::size_t k = 0; can_list && k < pieces[i].size(); ++k) {
       for (Enlarged& picture : enlarged_parts(pieces[i][k], style, piece_area(pages.paper), context)) {
+        set_place(picture, i, k, letters);
         larger.push_back(std::move(picture));
       }
     }
@@ -146,11 +167,19 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
       }
     }
     indices.push_back(std::move(index.marks));
+    shown.insert(shown.end(), index.shown.begin(), index.shown.end());
     left.add(std::move(index.left), i + 1, pages.count > 1);
   }
   // Where all pieces lie on one page, anybody sees where an edge goes on: that is worth no page.
   if (pages.count == 1 && left.numbers.empty() && left.pictures.empty()) {
     left = {};
+  }
+  std::ranges::transform(left.pictures, std::back_inserter(shown), &Enlarged::shown);
+  for (std::size_t i = 0; i < pages.count; ++i) {
+    std::vector<PicturePlace> here;
+    std::ranges::copy_if(shown, std::back_inserter(here),
+                         [&](const PicturePlace& place) { return place.page == i; });
+    mark_places(pieces[i], here, indices[i], pages.paper.size, piece_box(pages.paper));
   }
   std::vector<std::vector<Group>> backs(pages.count);
   for (std::size_t i = 0; style.numbers == Numbers::back && i < pages.count; ++i) {

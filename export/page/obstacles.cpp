@@ -17,11 +17,8 @@ constexpr double cell_mm = 6.0;  ///< about the size of a number with its surrou
 constexpr double blank_share = 0.22;
 /// Half the distance of texts above each other, mm.
 constexpr double half_line_gap = 0.2;
-/// Lines nearer to each other than this, over more than this length, at less than this angle (sine of 20
-/// degrees) run along each other.
-constexpr double beside_mm = 0.9;
+/// Lines run along each other over more than this length.
 constexpr double beside_length_mm = 1.0;
-constexpr double beside_sine = 0.342;
 
 std::array<Vec2, 4> corners(const TurnedBox& box) {
   const Vec2 u = box.half_width * box.along;

@@ -33,6 +33,10 @@ struct TurnedBox {
 /// Whether a segment meets a box.
 [[nodiscard]] bool meets(const Segment2& segment, const TurnedBox& box);
 
+/// Lines nearer to each other than this, at less than this angle (sine of 20 degrees), run along each other.
+inline constexpr double beside_mm = 0.9;
+inline constexpr double beside_sine = 0.342;
+
 /// Lines and boxes in a grid of square cells over the page.
 class Obstacles {
  public:

@@ -139,6 +139,7 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
     const auto corner = room.place(picture.size);
     if (corner) {
       room.add(Box2{*corner, *corner + picture.size});
+      index.shown.push_back(picture.shown);
       index.marks.add(std::move(picture.marks), *corner);
     }
     return corner.has_value();

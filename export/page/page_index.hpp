@@ -30,6 +30,7 @@ struct Unplaced {
 
 struct PageIndex {
   PageMarks marks;
+  std::vector<PicturePlace> shown;  ///< by the pictures among them
   Unplaced left;
 };
 

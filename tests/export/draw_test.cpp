@@ -14,6 +14,7 @@
 #include "export/page/number_placer.hpp"
 #include "export/style/stroke_font.hpp"
 #include "sample_pages.hpp"
+#include "strokes.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft {
@@ -21,68 +22,9 @@ namespace {
 
 using paper::Layer;
 
-struct Stroke {
-  Vec2 a;
-  Vec2 b;
-};
-
-/// Distance of two segments by sampling one of them densely: slow, and nobody's idea of a clever method.
-double distance(const Stroke& s, const Stroke& t) {
-  const auto to_segment = [](Vec2 p, const Stroke& line) {
-    const Vec2 d = line.b - line.a;
-    const double size = dot(d, d);
-    const double at = size > 0.0 ? std::clamp(dot(p - line.a, d) / size, 0.0, 1.0) : 0.0;
-    return length(p - line.a - at * d);
-  };
-  constexpr int steps = 12;
-  double nearest = INFINITY;
-  for (int i = 0; i <= steps; ++i) {
-    nearest = std::min(nearest, to_segment(s.a + (s.b - s.a) * (i / static_cast<double>(steps)), t));
-  }
-  return nearest;
-}
-
-std::vector<Stroke> strokes_of(const std::vector<std::vector<Vec2>>& lines) {
-  std::vector<Stroke> strokes;
-  for (const auto& line : lines) {
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      strokes.push_back({line[i - 1], line[i]});
-    }
-  }
-  return strokes;
-}
-
-std::vector<Stroke> strokes_of(const paper::Line& line) {
-  std::vector<Vec2> points = line.points;
-  if (line.closed) {
-    points.push_back(points.front());
-  }
-  return strokes_of(std::vector<std::vector<Vec2>>{points});
-}
-
-Box2 bounds(const std::vector<Stroke>& strokes) {
-  Box2 box;
-  for (const Stroke& s : strokes) {
-    box.add(s.a);
-    box.add(s.b);
-  }
-  return box;
-}
-
-bool far_apart(const Box2& a, const Box2& b) {
-  return a.low.x > b.high.x + 1.0 || b.low.x > a.high.x + 1.0 || a.low.y > b.high.y + 1.0 ||
-         b.low.y > a.high.y + 1.0;
-}
-
-double nearest(const std::vector<Stroke>& a, const std::vector<Stroke>& b) {
-  double best = INFINITY;
-  for (const Stroke& s : a) {
-    for (const Stroke& t : b) {
-      best = std::min(best, distance(s, t));
-    }
-  }
-  return best;
-}
+using test::nearest;
+using test::Stroke;
+using test::strokes_of;
 
 std::vector<test::SamplePages> samples(double turn) {
   std::vector<test::SamplePages> all;
@@ -133,16 +75,16 @@ TEST_CASE("texts keep clear of lines and of each other") {
           }
         }
         for (std::size_t i = 0; i < texts.size(); ++i) {
-          const Box2 box = bounds(texts[i]);
+          const Box2 box = test::bounds(texts[i]);
           for (std::size_t j = i + 1; j < texts.size(); ++j) {
-            if (!far_apart(box, bounds(texts[j]))) {
+            if (!test::far_apart(box, test::bounds(texts[j]))) {
               CHECK(nearest(texts[i], texts[j]) > 0.25);
             }
           }
           for (const auto& line : lines) {
             std::vector<Stroke> close;
             std::ranges::copy_if(line, std::back_inserter(close),
-                                 [&](const Stroke& s) { return !far_apart(box, bounds({s})); });
+                                 [&](const Stroke& s) { return !test::far_apart(box, test::bounds({s})); });
             if (!close.empty()) {
               CHECK(nearest(texts[i], close) > 0.2);
             }

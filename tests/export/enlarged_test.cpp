@@ -79,10 +79,22 @@ TEST_CASE("an enlarged part lies in its frame, with texts clear of lines", "[enl
   std::size_t texts = 0;
   for (paper::PieceDrawing& piece : pieces_of(sample)) {
     for (const paper::Enlarged& picture : paper::enlarged_parts(piece, {}, most, {})) {
-      CHECK(picture.words.starts_with("part of " + piece.name + ", "));
-      const paper::Enlarged whole = paper::with_words(picture);
-      CHECK(whole.size.x <= most.x);
-      CHECK(whole.size.y <= most.y);
+      CHECK(picture.words.starts_with((picture.whole ? "" : "part of ") + piece.name + ", "));
+      const paper::Enlarged plain = paper::with_words(picture);
+      paper::Enlarged lettered = picture;
+      lettered.shown.letter = "mm";
+      lettered = paper::with_words(lettered);
+      for (const paper::Enlarged& all : {plain, lettered}) {
+        CHECK(all.size.x <= most.x);
+        CHECK(all.size.y <= most.y);
+        for (const paper::Text& text : all.marks.texts) {
+          const Box2 box = paper::box_of(text).bounds();
+          CHECK(box.low.y >= 0.0);
+          CHECK(box.high.y <= all.size.y + 1e-9);
+          // Words stand above the frame.
+          CHECK((box.low.y > picture.size.y || box.high.y < picture.size.y));
+        }
+      }
       paper::Obstacles lines(picture.size);
       for (const paper::Line& line : picture.marks.lines) {
         CHECK(line.layer == paper::Layer::mark);  // nothing that anybody cuts or folds
