@@ -18,7 +18,7 @@ constexpr double net_fold_width = 0.06;
 
 }  // namespace
 
-void add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, Group& group) {
+Box2 add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, Group& group) {
   const mesh::Surface& surface = guide.surface();
   const unfold::Nets& nets = *guide.nets;
   const Placement& placement = guide.pages->placements[piece];
@@ -31,9 +31,10 @@ void add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, 
     }
   }
   if (box.empty()) {
-    return;
+    return frame;
   }
-  const Fit fit = fit_into(box, frame);
+  Fit fit = fit_into(box, frame);
+  fit.shift.y += frame.high.y - fit(box.high).y;
   const auto at = [&](Vec2 p) { return fit(placement.turn(p)); };
   // Tabs are lighter than faces.
   for (const TabId tab : guide.contents[piece].tabs) {
@@ -68,6 +69,7 @@ void add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, 
   for (const std::vector<Vec2>& slit : cuts.slits) {
     line(slit, false, {net_cut_width, net_ink});
   }
+  return {fit(box.low), fit(box.high)};
 }
 
 }  // namespace ridgecraft::paper

@@ -6,7 +6,8 @@
 
 namespace ridgecraft::paper {
 
-/// Adds the piece with its tabs and folds to the group, as large as the frame allows. O(faces of the piece).
-void add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, Group& group);
+/// Adds the piece with its tabs and folds to the group, as large as the frame allows, at its upper border.
+/// Where it lies. O(faces of the piece).
+Box2 add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, Group& group);
 
 }  // namespace ridgecraft::paper

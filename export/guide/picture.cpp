@@ -11,6 +11,7 @@
 #include "base/polygon.hpp"
 #include "export/guide/coloured_areas.hpp"
 #include "export/guide/hues.hpp"
+#include "export/page/clip_to_box.hpp"
 #include "export/view/view.hpp"
 
 namespace ridgecraft::paper {
@@ -104,7 +105,7 @@ void add_lines(const Scene& scene, const unfold::Nets& nets, const View& view, c
     return std::pair(a.first->rank, !is_fold(*a.second)) < std::pair(b.first->rank, !is_fold(*b.second));
   });
   for (const auto& [piece, line] : lines) {
-    std::optional<PictureLine> seen = PictureLine{fit(line->a), fit(line->b)};
+    std::optional<Segment2> seen = Segment2{fit(line->a), fit(line->b)};
     if (frame) {
       seen = clipped(*seen, *frame);
     }
@@ -171,25 +172,6 @@ Fit fit_into(const Box2& seen, const Box2& frame) {
 
 Fit fit_at_scale(const Box2& seen, double scale, const Box2& frame) {
   return {scale, 0.5 * (frame.low + frame.high) - scale * 0.5 * (seen.low + seen.high)};
-}
-
-std::optional<PictureLine> clipped(const PictureLine& line, const Box2& box) {
-  double from = 0.0;
-  double to = 1.0;
-  const Vec2 along = line.b - line.a;
-  const auto cut = [&](double start, double step) {
-    // What is kept: start + t step is not negative.
-    if (step == 0.0) {
-      return start >= 0.0;
-    }
-    (step > 0.0 ? from : to) = step > 0.0 ? std::max(from, -start / step) : std::min(to, -start / step);
-    return from < to;
-  };
-  if (!cut(line.a.x - box.low.x, along.x) || !cut(box.high.x - line.a.x, -along.x) ||
-      !cut(line.a.y - box.low.y, along.y) || !cut(box.high.y - line.a.y, -along.y)) {
-    return std::nullopt;
-  }
-  return PictureLine{line.a + from * along, line.a + to * along};
 }
 
 void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& camera, const Fit& fit,

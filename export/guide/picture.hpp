@@ -55,11 +55,4 @@ void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& cam
 void add_coloured_picture(const prepare::Prepared& model, const Scene& scene, const unfold::Nets& nets,
                           const Camera& camera, const Fit& fit, Group& group, const Context& context);
 
-/// The part of a line in a box; nothing where it misses it.
-struct PictureLine {
-  Vec2 a;
-  Vec2 b;
-};
-[[nodiscard]] std::optional<PictureLine> clipped(const PictureLine& line, const Box2& box);
-
 }  // namespace ridgecraft::paper

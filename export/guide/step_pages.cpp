@@ -360,21 +360,18 @@ class StepPages {
         std::min(1.2 * grid_.net_width, shown.size() == 1
                                             ? 0.5 * picture.size().y
                                             : (top - picture.low.y - caption - gap) / count - name_row - gap);
-    Box2 frame{{picture.high.x - grid_.net_width, top - height}, {picture.high.x, top}};
+    const double left = picture.high.x - grid_.net_width;
+    double below = top;  // of what stands there already
     for (std::size_t i = 0; i < shown.size(); ++i) {
-      if (i > 0) {
-        const Vec2 down{0.0, height + name_row + gap};
-        frame = {frame.low - down, frame.high - down};
-      }
-      add_net_picture(guide_, shown[i], frame, group);
+      below -= i > 0 ? gap : 0.0;
+      const Box2 frame{{left, below - height}, {picture.high.x, below}};
+      below = add_net_picture(guide_, shown[i], frame, group).low.y;
       if (shown.size() > 1) {
-        frame.low.y -= name_row;
+        below -= name_row;
         group.texts.push_back(in_grey(
-            words_to(guide_.nets->pieces[shown[i]].name, {frame.high.x, frame.low.y + 0.3 * gap}, caption)));
-        frame.low.y += name_row;
+            words_to(guide_.nets->pieces[shown[i]].name, {picture.high.x, below + 0.3 * gap}, caption)));
       }
     }
-    frame.low.y -= name_row;
     std::vector<std::size_t> sheets;
     for (const PieceId other : steps_[index].pieces) {
       sheets.push_back(guide_.pages->placements[other].page.value() + 1);
@@ -386,7 +383,7 @@ class StepPages {
       words += (i == 0 ? "" : ", ") + std::to_string(sheets[i]);
     }
     words = shortened(words, grid_.net_width, caption);
-    group.texts.push_back(in_grey(words_to(words, {frame.high.x, frame.low.y - caption - 1.2}, caption)));
+    group.texts.push_back(in_grey(words_to(words, {picture.high.x, below - caption - 1.2}, caption)));
   }
 
   void add_step_picture(std::size_t index, const StepScene& step, const Box2& box,
