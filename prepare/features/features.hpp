@@ -10,11 +10,8 @@
 namespace ridgecraft::prepare {
 
 /// Closes what opens in a wall within a loop no larger than a short edge, and goes no deeper or higher than
-/// `largest_mm`: holes through plates, blind ones, studs, engraved and raised letters. So it does with what
-/// is larger, up to half as large as the wall, where it goes nowhere deeper or higher than a fold can be
-/// short, nor than `largest_mm`: windows, panels, frames. The wall goes on flat there. Returns how many.
-/// Panels must have been remeshed; they must be again. O(n log n), times how deep shallow
-/// features are nested.
+/// `largest_mm`: holes through plates, blind ones, studs, engraved and raised letters. The wall goes on flat
+/// there. Returns how many. Panels must have been remeshed; they must be again. O(n log n).
 std::size_t remove_features(mesh::Model& model, const SimplifyOptions& options, double largest_mm);
 
 }  // namespace ridgecraft::prepare

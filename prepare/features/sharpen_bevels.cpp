@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/features/merged_regions.hpp"
 #include "prepare/panels/panel_regions.hpp"
@@ -28,7 +30,7 @@ constexpr double bevel_fold = 75.0 * std::numbers::pi / 180.0;
 constexpr double least_fold = 3.0 * std::numbers::pi / 180.0;
 /// A bevel is so many times as long as it is wide.
 constexpr double oblong = 1.5;
-/// The surface moves by this share of what it may, since more is done to it afterwards.
+/// Planes are left by this share of what the surface may move, since more is done to it afterwards.
 constexpr double bevel_moves = 0.8;
 /// A new corner is no farther from the old ones than so many times the width of the widest bevel that ends
 /// there.
@@ -45,7 +47,7 @@ class Sharpener {
         loose_(mesh::take_apart(model)),
         regions_(surface_, find_panels(surface_), loose_),
         short_edge_(short_edge),
-        largest_mm_(bevel_moves * largest_mm),
+        largest_mm_(largest_mm),
         near_(bevel_in_plane * surface_.bounds().diagonal()),
         goes_(regions_.count(), false) {
     find_planes();
@@ -55,6 +57,9 @@ class Sharpener {
   /// How many went. What can't go is left out, and the others are tried again.
   std::size_t run(mesh::Model& model) {
     constexpr int most_attempts = 30;
+    if (!bevels_.empty()) {
+      as_it_is_.emplace(surface_, short_edge_);
+    }
     for (int attempt = 0; attempt < most_attempts && !bevels_.empty(); ++attempt) {
       RegionChanges changes(loose_, regions_);
       if (!settle(changes)) {
@@ -62,9 +67,16 @@ class Sharpener {
       }
       MergedRegions result = merged_regions(surface_, loose_, regions_, changes);
       if (result.failed.empty() && mesh::is_surface(result.faces)) {
-        const std::size_t count = bevels_.size();
-        mesh::put_together(model, std::move(result.faces));
-        return count;
+        const std::vector<Vec3> far = places_left(result.faces);
+        if (far.empty()) {
+          const std::size_t count = bevels_.size();
+          mesh::put_together(model, std::move(result.faces));
+          return count;
+        }
+        if (!leave_out_near(far)) {
+          break;
+        }
+        continue;
       }
       if (!leave_out_beside(result.failed)) {
         break;
@@ -260,18 +272,48 @@ class Sharpener {
     });
   }
 
-  /// How far a new corner is from the faces that it takes the place of.
+  /// How far a new corner is from the planes that it takes the place of, and from the surface as it is.
   [[nodiscard]] bool moves_little(Vec3 place, const std::vector<std::uint32_t>& points) const {
     for (const std::uint32_t p : points) {
       for (const CornerId c : surface_.corners_at(VertexId(p))) {
         const std::uint32_t region = regions_.region(mesh::face_of(c).value());
         if ((goes_[region] || lies_within(region, points)) &&
-            std::abs(planes_[region].height(place)) > largest_mm_) {
+            std::abs(planes_[region].height(place)) > bevel_moves * largest_mm_) {
           return false;
         }
       }
     }
-    return true;
+    return as_it_is_->distance(place, largest_mm_) <= largest_mm_;
+  }
+
+  /// Places of the surface as it is that what it becomes is far from.
+  [[nodiscard]] std::vector<Vec3> places_left(const mesh::LooseFaces& becomes) const {
+    mesh::Model model;
+    mesh::put_together(model, becomes);
+    const mesh::SurfaceTree tree(model.surface, surface_.bounds().diagonal());
+    std::vector<Vec3> far;
+    FaceId near;
+    std::copy_if(as_it_is_->samples().begin(), as_it_is_->samples().end(), std::back_inserter(far),
+                 [&](Vec3 p) { return tree.distance(p, largest_mm_, near) > largest_mm_; });
+    return far;
+  }
+
+  [[nodiscard]] Vec3 middle(const std::array<std::uint32_t, 2>& rung) const {
+    return 0.5 * (loose_.points[rung[0]] + loose_.points[rung[1]]);
+  }
+
+  /// Bevels at these places; whether there were any.
+  bool leave_out_near(const std::vector<Vec3>& places) {
+    const std::size_t before = bevels_.size();
+    leave_out([&](const Bevel& bevel) {
+      const Vec3 from = middle(bevel.rungs[0]);
+      const Vec3 along = middle(bevel.rungs[1]) - from;
+      return std::any_of(places.begin(), places.end(), [&](Vec3 p) {
+        const double t = std::clamp(dot(p - from, along) / dot(along, along), 0.0, 1.0);
+        return length(p - from - t * along) <= bevel.width + short_edge_;
+      });
+    });
+    return bevels_.size() < before;
   }
 
   template <class Which>
@@ -307,6 +349,7 @@ class Sharpener {
   std::vector<Wall> planes_;  ///< of each region
   std::vector<Bevel> bevels_;
   std::vector<bool> goes_;  ///< regions that are bevels
+  std::optional<mesh::SurfaceTree> as_it_is_;
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "prepare/features/features.hpp"
 #include "prepare/features/sharpen_bevels.hpp"
 #include "prepare/features/thin_rulings.hpp"
+#include "prepare/features/trim_reliefs.hpp"
 #include "prepare/features/turned.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/panels.hpp"
@@ -153,7 +154,24 @@ struct Beforehand {
   bool features = true;
   bool turned = true;
   bool slats = true;
+
+  bool operator==(const Beforehand&) const = default;
 };
+
+/// What is too shallow to be folded; and where there are too many faces, what is busy and no higher than a
+/// fold should be long. Returns how many of the latter there are.
+std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
+                            SimplifyReport& report, const Context& context) {
+  report.features_removed +=
+      trim_reliefs(model, options, {std::min(largest_mm, options.tiny_edge_mm)}, context);
+  if (model.surface.face_count() <= options.most_faces) {
+    return 0;
+  }
+  const double height_mm = std::min(coarser.back().deviation * largest_mm, options.short_edge_mm);
+  const std::size_t busy_ones = trim_reliefs(model, options, {height_mm, true}, context);
+  report.features_removed += busy_ones;
+  return busy_ones;
+}
 
 /// How far the surface was allowed to move. `before`: the model's own.
 double simplify_components(mesh::Model& model, const mesh::Surface& before, const SimplifyOptions& options,
@@ -165,6 +183,8 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   if (report.features_removed > 0) {
     remesh_panels(model, context);
   }
+  const std::size_t busy_ones =
+      beforehand.features ? flatten_reliefs(model, options, largest_mm, report, context) : 0;
   report.turned = beforehand.turned ? simplify_turned(model, options, largest_mm, context) : 0;
   report.rulings_removed = beforehand.slats ? thin_rulings(model, options, largest_mm, context) : 0;
   report.bevels_removed = beforehand.slats ? sharpen_bevels(model, options, largest_mm, context) : 0;
@@ -176,7 +196,10 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
   std::vector<SymmetricShare> bodies = divided(start);
   start = {};  // large
-  const Allowed allowed = simplify_bodies(model, bodies, rules, options, context);
+  Allowed allowed = simplify_bodies(model, bodies, rules, options, context);
+  if (busy_ones > 0) {
+    allowed.largest_mm = std::max(allowed.largest_mm, coarser.back().deviation * largest_mm);
+  }
   SymmetricShare share = joined(bodies);
   report.edges_turned = remove_splinters(share, options.splinter_mm);
   const bool changed_before =
@@ -199,14 +222,19 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
   report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
   const mesh::Model kept = model;
   const double largest_mm = simplify_components(model, kept.surface, options, {}, report, context);
-  // What was simplified after the features and the turned bodies may have moved the surface as far again.
-  for (const Beforehand fewer :
-       {Beforehand{false, true, true}, Beforehand{false, false, true}, Beforehand{false, false, false}}) {
-    const bool was_tried = report.features_removed == 0 && (fewer.turned || report.turned == 0) &&
-                           (fewer.slats || report.rulings_removed + report.bevels_removed == 0);
-    if (report.deviation_mm > largest_mm && !was_tried) {
+  // What was simplified after the features and the turned bodies may have moved the surface as far again:
+  // then what did so stays as it was.
+  const bool features = report.features_removed > 0;
+  const bool turned = report.turned > 0;
+  const bool slats = report.rulings_removed + report.bevels_removed > 0;
+  std::vector<Beforehand> tried{{features, turned, slats}};
+  for (const Beforehand fewer : {Beforehand{true, false, true}, Beforehand{false, true, true},
+                                 Beforehand{false, false, true}, Beforehand{false, false, false}}) {
+    const Beforehand next{features && fewer.features, turned && fewer.turned, slats && fewer.slats};
+    if (report.deviation_mm > largest_mm && std::find(tried.begin(), tried.end(), next) == tried.end()) {
+      tried.push_back(next);
       model = kept;
-      simplify_components(model, kept.surface, options, fewer, report, context);
+      simplify_components(model, kept.surface, options, next, report, context);
     }
   }
 }

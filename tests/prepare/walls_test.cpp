@@ -302,48 +302,6 @@ TEST_CASE("a wall that grooves run across is one, however narrow what they leave
   CHECK(strips_that_are_walls(0.2) == 1);
 }
 
-TEST_CASE("what is shallow within a wall goes, whatever its length", "[walls]") {
-  // A block of 40 x 40 x 20 mm. On its upper side stands a plate of 2 mm, in its lower one is a hollow as
-  // deep, ...
-  const auto block = [](double plate_mm, int plate_cells) {
-    std::vector<std::array<int, 3>> cells;
-    for (int x = 0; x < 10; ++x) {
-      for (int y = 0; y < 10; ++y) {
-        const bool inner = x >= 2 && x < 2 + plate_cells && y >= 3 && y < 6;
-        for (int z = inner ? 1 : 0; z < (inner ? 7 : 6); ++z) {
-          cells.push_back({x, y, z});
-        }
-      }
-    }
-    const mesh::Surface voxels = test::voxels(cells);
-    std::vector<Vec3> points(voxels.points().begin(), voxels.points().end());
-    for (Vec3& p : points) {
-      // Layers 0 and 6 are the hollow's and the plate's.
-      const double z = p.z <= 1.0   ? (p.z - 1.0) * plate_mm
-                       : p.z >= 6.0 ? 20.0 + (p.z - 6.0) * plate_mm
-                                    : 4.0 * (p.z - 1.0);
-      p = {4.0 * p.x, 4.0 * p.y, z};
-    }
-    mesh::Soup soup = test::soup_of(voxels);
-    soup.points = points;
-    mesh::Model model = test::repaired(soup);
-    prepare::remesh_panels(model, {});
-    return model;
-  };
-  mesh::Model model = block(2.0, 4);
-  CHECK(prepare::remove_features(model, {}, 3.0) == 2);
-  prepare::remesh_panels(model, {});
-  CHECK(model.surface.face_count() == 12);
-  test::check_invariants(model.surface);
-  // ... and what is higher than the surface may move, or than a fold can be short, stays, as does what is
-  // most of its wall.
-  for (const auto& [high, cells, may_move] : {std::tuple{2.0, 4, 1.5}, {3.5, 4, 5.0}, {2.0, 6, 3.0}}) {
-    CAPTURE(high, cells, may_move);
-    mesh::Model same = block(high, cells);
-    CHECK(prepare::remove_features(same, {}, may_move) == 0);
-  }
-}
-
 TEST_CASE("a share that is divided by components and joined again is the same model", "[walls]") {
   mesh::Soup soup = bevelled_box({20, 20, 20}, 3.0);
   append(soup, bevelled_box({20, 20, 20}, 3.0), {50, 0, 0});

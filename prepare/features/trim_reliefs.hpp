@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is shallow within a flat wall goes before anything else is simplified. Private to prepare/.
+#pragma once
+
+#include <cstddef>
+
+#include "base/context.hpp"
+#include "mesh/model/model.hpp"
+#include "prepare/prepared/options.hpp"
+
+namespace ridgecraft::prepare {
+
+struct ReliefLimits {
+  double height_mm = 0.0;
+  /// Goes only where there is much to fold: many faces, of which most edges are short.
+  bool busy_only = false;
+};
+
+/// Flattens what stands out of a wall or lies behind it by no more than that height, within a loop of the
+/// wall that isn't most of it: panels, frames, flat windows. Of what goes both ways the shallow side goes
+/// alone, cut along the wall's plane: the sill and the lintel of a deep window, or the ground that a high
+/// knob stands on. Returns how many went. Panels must have been remeshed, and are in the end. O(n log n) for
+/// each of a few rounds.
+std::size_t trim_reliefs(mesh::Model& model, const SimplifyOptions& options, const ReliefLimits& limits,
+                         const Context& context);
+
+}  // namespace ridgecraft::prepare
