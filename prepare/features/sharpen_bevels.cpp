@@ -16,6 +16,7 @@
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/features/merged_regions.hpp"
 #include "prepare/panels/panel_regions.hpp"
+#include "prepare/panels/polygon_panels.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/walls/fold_figures.hpp"
 #include "prepare/walls/walls.hpp"
@@ -45,7 +46,7 @@ class Sharpener {
   Sharpener(const mesh::Model& model, double short_edge, double largest_mm, const std::vector<bool>& too_fine)
       : surface_(model.surface),
         loose_(mesh::take_apart(model)),
-        regions_(surface_, find_panels(surface_), loose_),
+        regions_(surface_, find_polygon_panels(model), loose_),
         short_edge_(short_edge),
         largest_mm_(largest_mm),
         near_(bevel_in_plane * surface_.bounds().diagonal()),

@@ -28,8 +28,9 @@ Model made_of_polygons(const std::vector<Vec3>& points, const PolygonCorners& po
 }
 
 /// A plate whose upper edges are bevelled all around: its top is smaller by `bevel` on each side. Many
-/// notches in its underside make it too fine to be folded as it is.
-Model bevelled_plate(Vec3 size, double bevel) {
+/// notches in its underside make it too fine to be folded as it is. Every second corner of the top is farther
+/// inside by `skew`, which leaves no bevel flat.
+Model bevelled_plate(Vec3 size, double bevel, double skew = 0.0) {
   const double x = 0.5 * size.x;
   const double y = 0.5 * size.y;
   std::vector<Vec3> points;
@@ -41,6 +42,9 @@ Model bevelled_plate(Vec3 size, double bevel) {
   ring(0.0, 0.0);
   ring(0.0, size.z - bevel);
   ring(bevel, size.z);
+  for (const std::size_t k : {8U, 10U}) {
+    points[k] -= Vec3{std::copysign(skew, points[k].x), std::copysign(skew, points[k].y), 0.0};
+  }
   PolygonCorners polygons{{3, 2, 1, 0}, {8, 9, 10, 11}};
   for (std::uint32_t tier = 0; tier < 2; ++tier) {
     for (std::uint32_t k = 0; k < 4; ++k) {
@@ -133,6 +137,13 @@ void check_is_box(const mesh::Surface& surface, Vec3 size) {
 TEST_CASE("a plate with bevelled upper edges becomes a box", "[bevels]") {
   const double bevel = GENERATE(0.5, 1.5, 2.5);
   Model model = bevelled_plate({120, 60, 10}, bevel);
+  CHECK(prepare::sharpen_bevels(model, {}, 2.4, {}) == 4);
+  check_is_box(model.surface, {120, 60, 10});
+}
+
+TEST_CASE("bevels that aren't quite flat in the file go, too", "[bevels]") {
+  Model model = bevelled_plate({120, 60, 10}, 1.5, 0.2);
+  REQUIRE(prepare::find_panels(model.surface).count() == 14);
   CHECK(prepare::sharpen_bevels(model, {}, 2.4, {}) == 4);
   check_is_box(model.surface, {120, 60, 10});
 }
