@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,6 +36,8 @@ constexpr double least_named = 0.1;
 constexpr double least_scale = 0.95;
 /// Lines end on faces where these have so much room round them.
 constexpr double least_face_mm = 1.0;
+/// Two sides look alike where no larger share of what one of them shows isn't in the other.
+constexpr double most_unlike = 0.01;
 constexpr std::size_t sides_above = 4;
 constexpr std::size_t most_sides = 6;
 
@@ -45,6 +47,8 @@ struct SideView {
   std::vector<Anchor> anchors;  ///< of each piece, on faces
   std::vector<Anchor> inside;   ///< of each piece, farthest from other pieces
   std::vector<double> area;     ///< of each piece
+  std::size_t columns = 0;      ///< of pixels
+  std::vector<PieceId> pixels;  ///< what is seen in each, row by row from below; none where nothing is
 };
 
 SideView look_at_pieces(const GuideModel& guide, const Viewpoint& side) {
@@ -56,11 +60,43 @@ SideView look_at_pieces(const GuideModel& guide, const Viewpoint& side) {
   view.anchors = find_anchors_on_faces(coarse, guide.scene, guide.piece_of_face, count);
   view.inside = find_anchors(coarse, guide.piece_of_face, count);
   view.area = seen_areas(coarse, count, [&](FaceId face) { return guide.piece_of_face[face]; });
+  view.columns = coarse.columns;
+  std::ranges::transform(coarse.face, std::back_inserter(view.pixels), [&](FaceId face) {
+    return face.valid() ? PieceId(guide.piece_of_face[face]) : PieceId{};
+  });
   return view;
 }
 
-/// Which sides are drawn: four from above, and from below those two that show most pieces that none of these
-/// shows.
+/// The share of what is seen of a that b doesn't show at the same place or on a pixel beside it.
+double unlike_share(const SideView& a, const SideView& b) {
+  const auto piece_at = [](const SideView& view, std::size_t x, std::size_t y) {
+    const std::size_t i = y * view.columns + x;
+    return x < view.columns && i < view.pixels.size() ? view.pixels[i] : PieceId{};
+  };
+  std::size_t seen = 0;
+  std::size_t unlike = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    if (!a.pixels[i].valid()) {
+      continue;
+    }
+    ++seen;
+    bool found = false;
+    for (std::size_t k = 0; k < 9 && !found; ++k) {
+      // Left of and below the first pixel numbers wrap round to ones that no picture has.
+      found = piece_at(b, i % a.columns + k % 3 - 1, i / a.columns + k / 3 - 1) == a.pixels[i];
+    }
+    unlike += found ? 0U : 1U;
+  }
+  return static_cast<double>(unlike) / static_cast<double>(std::max<std::size_t>(seen, 1));
+}
+
+/// Whether a reader sees the same pieces at the same places.
+bool look_alike(const SideView& a, const SideView& b) {
+  return std::max(unlike_share(a, b), unlike_share(b, a)) <= most_unlike;
+}
+
+/// Which sides are drawn: four from above, but for those that look like an earlier one, and from below those
+/// two that show most pieces that none of these shows.
 std::vector<std::size_t> sides_to_draw(const std::vector<SideView>& views, std::size_t pieces) {
   std::vector<double> most_seen(pieces, 0.0);
   for (const SideView& view : views) {
@@ -71,7 +107,12 @@ std::vector<std::size_t> sides_to_draw(const std::vector<SideView>& views, std::
   const auto shows = [&](std::size_t side, std::size_t p) {
     return views[side].anchors[p].seen && views[side].area[p] >= least_shown * most_seen[p];
   };
-  std::vector<std::size_t> drawn{0, 1, 2, 3};
+  std::vector<std::size_t> drawn;
+  for (std::size_t side = 0; side < sides_above; ++side) {
+    if (std::ranges::none_of(drawn, [&](std::size_t d) { return look_alike(views[d], views[side]); })) {
+      drawn.push_back(side);
+    }
+  }
   std::vector<bool> shown(pieces, false);
   const auto mark = [&](std::size_t side) {
     for (std::size_t p = 0; p < pieces; ++p) {
@@ -105,7 +146,7 @@ std::vector<std::size_t> sides_to_draw(const std::vector<SideView>& views, std::
 
 /// From below, too, and from there two sides that face each other.
 std::vector<std::size_t> with_more_sides(std::vector<std::size_t> drawn) {
-  if (drawn.size() == sides_above) {
+  if (drawn.back() < sides_above) {
     drawn.push_back(sides_above);
   }
   if (drawn.size() < most_sides) {
@@ -269,12 +310,23 @@ class Overview {
     for (std::size_t k = texts_before; k < group_.texts.size(); ++k) {
       foot = std::min(foot, group_.texts[k].centre.y - 0.5 * name_height_mm);
     }
-    const std::string_view caption = guide_sides()[drawn_[i]].words;
+    const std::string caption = caption_of(drawn_[i]);
     group_.texts.push_back(
         in_grey(words_from(caption,
                            {middle - 0.5 * text_width(caption, caption_height_mm),
                             std::max(cell.low.y, foot - caption_gap_mm - caption_height_mm)},
                            caption_height_mm)));
+  }
+
+  /// Tells also which sides aren't drawn because they look like this one.
+  [[nodiscard]] std::string caption_of(std::size_t side) const {
+    std::vector<std::string> words{std::string(guide_sides()[side].words)};
+    for (std::size_t other = side + 1; side < sides_above && other < sides_above; ++other) {
+      if (std::ranges::find(drawn_, other) == drawn_.end() && look_alike(views_[side], views_[other])) {
+        words.emplace_back(guide_sides()[other].words);
+      }
+    }
+    return words.size() == sides_above ? words.front() + ", and from all other sides" : listed(words, "and");
   }
 
   void add_note() {

@@ -85,6 +85,20 @@ TEST_CASE("the guide names every piece where it is seen, and has every step", "[
   }
 }
 
+TEST_CASE("sides that look alike are drawn once", "[guide]") {
+  const auto pictures = [](const Drawn& drawn, const std::string& words) {
+    const auto overview = words_on(drawn.guide.pages[1]);
+    return std::ranges::count_if(
+        overview, [&](const std::string& text) { return text.find(words) != std::string::npos; });
+  };
+  const Drawn tower = draw(test::revolve({{0.0, 0.0}, {1.0, 0.0}, {1.0, 3.0}, {0.0, 3.0}}, 8), 30.0, false);
+  CHECK(pictures(tower, "as on the first page, and from all other sides") == 1);
+  CHECK(pictures(tower, "turn on") == 0);
+  const Drawn other = draw(bracket(), 30.0);
+  CHECK(pictures(other, "from all other sides") == 0);
+  CHECK(pictures(other, "turn on") >= 3);
+}
+
 TEST_CASE("a step names all that it glues to, also what lies behind what is seen", "[guide]") {
   // Each wall of a cube is a piece, so that the floor and the far walls are seen from no side that is shown.
   const Drawn drawn = draw(test::cube(), 60.0);
