@@ -92,7 +92,7 @@ void set_place(Enlarged& picture, std::size_t page, std::size_t piece, std::size
   std::ranges::for_each(picture.smaller, set);
   const bool lettered =
       !picture.whole || std::ranges::any_of(picture.smaller, [](const Enlarged& one) { return !one.whole; });
-  letters += lettered ? 1 : 0;
+  letters += lettered ? 1U : 0U;
 }
 
 /// How much is to be cut and folded.

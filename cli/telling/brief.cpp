@@ -144,7 +144,29 @@ void add_glue(const GlueFigures& glue, Clauses& clauses) {
   }
 }
 
-std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
+/// What becomes of numbers that have no room at their edges. Files for machines have no pictures, some of
+/// them no numbers either.
+std::string numbers_without_room(const PaperJob& job, const PaperResult& result) {
+  const std::size_t lost = result.made.drawn.labels_listed.size();
+  if (lost == 0) {
+    return {};
+  }
+  const std::string begin =
+      counted(lost, "number") + " had no room at " + (lost == 1 ? "its edge and " : "their edges and ");
+  const bool has_pages = result.shows.empty() || std::ranges::any_of(result.shows, [](Shows shows) {
+                           return shows == Shows::sheets || shows == Shows::print || shows == Shows::page;
+                         });
+  if (has_pages) {
+    return begin + (lost == 1 ? "stands in a larger picture" : "stand in larger pictures");
+  }
+  const bool writes = job.preset.paths.engraves || job.preset.pdf;
+  return writes && !job.preset.simulates
+             ? begin + (lost == 1 ? "isn't" : "aren't") + " in the machine's files: -o NAME.pdf shows where"
+             : "";
+}
+
+std::string hard_line(const PaperJob& job, const PaperResult& result, const GlueFigures& glue) {
+  const job::Paper& made = result.made;
   Clauses clauses;
   if (std::string why =
           job::verdict(made.prepared, made.options.simplify, job::larger_size_is_sure(made.ready, made.skin));
@@ -171,10 +193,8 @@ std::string hard_line(const job::Paper& made, const GlueFigures& glue) {
                                   pieces_text(made.nets, made.off_grain),
                                   made.off_grain.size() == 1 ? "it fits" : "they fit"));
   }
-  if (const std::size_t listed = made.drawn.labels_listed.size(); listed > 0) {
-    clauses.push_back(counted(listed, "number") +
-                      (listed == 1 ? " had no room at its edge and stands in a larger picture"
-                                   : " had no room at their edges and stand in larger pictures"));
+  if (std::string lost = numbers_without_room(job, result); !lost.empty()) {
+    clauses.push_back(std::move(lost));
   }
   if (made.nets.broken_wishes > 0) {
     clauses.push_back(counted(made.nets.broken_wishes, "edge") + " that " +
@@ -326,7 +346,7 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
                           size_words(made, job.size_asked.words), scale_text(made.prepared)));
   summary.say(Line::brief, "paper", paper_line(job, made, glue));
   summary.say(Line::brief, "model", model_line(job, made));
-  summary.say(Line::brief, "hard", hard_line(made, glue));
+  summary.say(Line::brief, "hard", hard_line(job, result, glue));
   summary.say(Line::brief, "next", next_line(job, result));
 }
 

@@ -17,7 +17,7 @@ constexpr Pen pen{0.3, {}};
 
 bool is_printed(Layer layer) {
   return layer == Layer::paint || layer == Layer::label || layer == Layer::piece_name ||
-         layer == Layer::shadow || layer == Layer::glue;
+         layer == Layer::mark || layer == Layer::shadow || layer == Layer::glue;
 }
 
 }  // namespace
@@ -63,7 +63,9 @@ Drawing printed_page(const Drawing& page) {
     std::erase_if(group.areas, [](const Area& area) { return !is_printed(area.layer); });
     std::erase_if(group.texts, [](const Text& text) { return !is_printed(text.layer); });
   }
-  printed.groups.push_back(registration_marks(page.size));
+  if (std::ranges::any_of(page.groups, [](const Group& group) { return has_layer(group, Layer::cut); })) {
+    printed.groups.push_back(registration_marks(page.size));
+  }
   return printed;
 }
 

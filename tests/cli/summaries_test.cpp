@@ -327,6 +327,25 @@ TEST_CASE("pieces that have to fold by themselves are split until they do, and i
   }
 }
 
+TEST_CASE("of numbers without room it is told where they stand, if that is anywhere", "[summaries]") {
+  const TemporaryFolder folder;
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin(),
+                 {RIDGECRAFT_SOURCE_DIR "/samples/penguin.obj", "--size", "45mm", "--faces", "keep"});
+    const Outcome outcome = run_program(words, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return outcome.out;
+  };
+  const std::string pictures = "numbers had no room at their edges and stand in larger pictures";
+  const std::string nowhere = "numbers had no room at their edges and aren't in the machine's files";
+  CHECK(run({"-o", "a.pdf"}).find(pictures) != std::string::npos);
+  CHECK(run({"--preset", "lightburn", "-o", "b.svg"}).find(nowhere) != std::string::npos);
+  CHECK(run({"--preset", "lightburn", "-o", "c.svg", "-o", "c.pdf"}).find(pictures) != std::string::npos);
+  CHECK(run({"--preset", "silhouette", "--print-and-cut", "-o", "d"}).find(pictures) != std::string::npos);
+  CHECK(run({"--preset", "silhouette", "-o", "e.svg"}).find("numbers had no room") == std::string::npos);
+}
+
 TEST_CASE("bodies that became one are told, and kept where that is asked for", "[summaries][slow]") {
   const TemporaryFolder folder;
   std::string obj;

@@ -376,6 +376,15 @@ TEST_CASE("registration marks lie where cutters look for them, the same in what 
                    : 0U;
     }
   }
+  // What stands beside the pieces is printed; a page of nothing else needs no marks.
+  CHECK(std::ranges::any_of(printed.groups, [](const paper::Group& group) {
+    return std::ranges::any_of(group.texts,
+                               [](const paper::Text& text) { return text.layer == paper::Layer::mark; });
+  }));
+  paper::Drawing list = page;
+  std::erase_if(list.groups, [](const paper::Group& group) { return group.id != "page"; });
+  REQUIRE(list.groups.size() == 1);
+  CHECK(paper::printed_page(list).groups.size() == 1);
   CHECK(found == 2);  // the angles; the square runs the other way round where it is cut
   // They come first, so that a machine that works down a file doesn't cut them.
   CHECK(paper::machine_paths(page, {}).front().operation == Operation::registration);
