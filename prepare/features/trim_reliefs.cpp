@@ -172,39 +172,47 @@ class ReliefTrimmer {
                        [&](VertexId v) { return height(side, v) > in_plane_; });
   }
 
-  /// What hangs together on this side of the plane: faces, some of them only with a part.
-  bool cut_off(const Side& side, FaceId start, std::set<std::uint32_t>& tried) {
+  /// What hangs together on this side of the plane: faces, some of them only with a part. None where it isn't
+  /// to go. `tried`: faces of what was looked at before.
+  std::vector<FaceId> what_stands_out(const Side& side, FaceId start, std::set<std::uint32_t>& tried) const {
     std::vector<FaceId> faces{start};
-    tried.insert(start.value());
-    bool shallow = true;
-    for (std::size_t i = 0; i < faces.size() && shallow; ++i) {
-      const auto corners = surface_.vertices(faces[i]);
-      shallow = !done_[faces[i].value()] && std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
-        return height(side, v) <= in_plane_ || is_shallow(side, v);
-      });
-      for (unsigned k = 0; k < 3 && shallow; ++k) {
+    std::set<std::uint32_t> own{start.value()};
+    bool fits = true;
+    for (std::size_t i = 0; i < faces.size() && fits; ++i) {
+      fits = !done_[faces[i].value()];
+      for (const VertexId v : surface_.vertices(faces[i])) {
+        fits = fits && (height(side, v) <= in_plane_ || is_shallow(side, v));
+      }
+      for (unsigned k = 0; k < 3 && fits; ++k) {
         const CornerId c = mesh::corner(faces[i], k);
         const CornerId beyond = surface_.twin(c);
-        if (beyond.valid() &&
-            std::max(height(side, surface_.vertex(c)), height(side, surface_.vertex(mesh::next(c)))) >
-                in_plane_ &&
-            tried.insert(mesh::face_of(beyond).value()).second) {
+        const double higher =
+            std::max(height(side, surface_.vertex(c)), height(side, surface_.vertex(mesh::next(c))));
+        if (beyond.valid() && higher > in_plane_ && own.insert(mesh::face_of(beyond).value()).second) {
+          fits = !tried.contains(mesh::face_of(beyond).value());
           faces.push_back(mesh::face_of(beyond));
         }
       }
     }
-    if (!shallow || !goes(side, {faces.begin(), faces.end()})) {
+    tried.insert(own.begin(), own.end());
+    return fits && goes(side, {faces.begin(), faces.end()}) ? faces : std::vector<FaceId>();
+  }
+
+  bool cut_off(const Side& side, FaceId start, std::set<std::uint32_t>& tried) {
+    const std::vector<FaceId> faces = what_stands_out(side, start, tried);
+    if (faces.empty()) {
       return false;
     }
-    Cut cut{all_.points, {}, {}, {}};
+    const std::size_t points = all_.points.size();
+    Cut cut;
     for (const FaceId f : faces) {
       divide(side, f, cut);
     }
     Caps caps;
     if (!cap(side, cut, caps)) {
+      all_.points.resize(points);
       return false;
     }
-    all_.points = std::move(cut.points);
     rests_.insert(rests_.end(), cut.rests.begin(), cut.rests.end());
     caps_.insert(caps_.end(), caps.begin(), caps.end());
     for (const FaceId f : faces) {
@@ -235,27 +243,26 @@ class ReliefTrimmer {
   }
 
   struct Cut {
-    std::vector<Vec3> points;
     std::map<std::array<std::uint32_t, 2>, std::uint32_t> crossing;  ///< of each edge: where the plane is
     Caps rests;                                                      ///< of faces that were cut
     std::vector<std::array<std::uint32_t, 2>> rim;  ///< in the plane, as what was cut off ran along it
   };
 
-  std::uint32_t crossing(const Side& side, VertexId a, VertexId b, Cut& cut) const {
+  std::uint32_t crossing(const Side& side, VertexId a, VertexId b, Cut& cut) {
     const std::array<std::uint32_t, 2> edge{std::min(a.value(), b.value()), std::max(a.value(), b.value())};
-    const auto [at, is_new] = cut.crossing.try_emplace(edge, static_cast<std::uint32_t>(cut.points.size()));
+    const auto [at, is_new] = cut.crossing.try_emplace(edge, static_cast<std::uint32_t>(all_.points.size()));
     if (is_new) {
       const VertexId low(edge[0]);
       const VertexId high(edge[1]);
       const double t = height(side, low) / (height(side, low) - height(side, high));
-      cut.points.push_back(surface_.point(low) + t * (surface_.point(high) - surface_.point(low)));
+      all_.points.push_back(surface_.point(low) + t * (surface_.point(high) - surface_.point(low)));
     }
     return at->second;
   }
 
   /// The part of a face behind the plane stays; the line between it and the other part, or the face's own
   /// side in the plane, is the rim.
-  void divide(const Side& side, FaceId f, Cut& cut) const {
+  void divide(const Side& side, FaceId f, Cut& cut) {
     const auto corners = surface_.vertices(f);
     std::vector<std::uint32_t> above;
     std::vector<std::uint32_t> below;
@@ -292,7 +299,7 @@ class ReliefTrimmer {
   }
 
   /// The wall goes on where something was cut off. False where its rim isn't closed.
-  static bool cap(const Side& side, const Cut& cut, Caps& caps) {
+  [[nodiscard]] bool cap(const Side& side, const Cut& cut, Caps& caps) const {
     std::map<std::uint32_t, std::uint32_t> index;
     std::map<std::uint32_t, int> balance;
     std::vector<std::uint32_t> vertices;
@@ -301,7 +308,7 @@ class ReliefTrimmer {
     if (cut.rim.empty()) {
       return false;
     }
-    const PlaneFrame frame(cut.points[cut.rim.front()[0]], side.wall->normal);
+    const PlaneFrame frame(all_.points[cut.rim.front()[0]], side.wall->normal);
     for (const auto& [p, q] : cut.rim) {
       std::array<std::uint32_t, 2> ends{};
       for (std::size_t k = 0; k < 2; ++k) {
@@ -309,7 +316,7 @@ class ReliefTrimmer {
         const auto [at, is_new] = index.try_emplace(v, static_cast<std::uint32_t>(vertices.size()));
         if (is_new) {
           vertices.push_back(v);
-          flat.push_back(frame.flat(cut.points[v]));
+          flat.push_back(frame.flat(all_.points[v]));
         }
         ends[k] = at->second;
       }
