@@ -3,6 +3,8 @@
 #include "prepare/features/trim_reliefs.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <tuple>
 #include <vector>
@@ -28,7 +30,7 @@ mesh::Model layers(
     const PointMap& map = [](Vec3 p) { return p; }) {
   mesh::Soup soup = test::soup_of(test::voxels(cells));
   for (Vec3& p : soup.points) {
-    p = map({4.0 * p.x, 4.0 * p.y, heights[static_cast<std::size_t>(p.z + 0.5)]});
+    p = map({4.0 * p.x, 4.0 * p.y, heights[static_cast<std::size_t>(std::lround(p.z))]});
   }
   mesh::Model model = test::repaired(soup);
   prepare::remesh_panels(model, {});
