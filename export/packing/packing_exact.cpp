@@ -94,7 +94,8 @@ ExactSeparation::ExactSeparation(const PackingTask& task, const std::vector<std:
       random_(random),
       context_(context),
       area_(task.area),
-      weight_(count_ * count_, 1.0) {
+      weight_(count_ * count_, 1.0),
+      taken_(count_) {
   const auto equal_turns = [](const std::vector<Turn>& a, const std::vector<Turn>& b) {
     return std::ranges::equal(
         a, b, [](const Turn& s, const Turn& t) { return s.cosine == t.cosine && s.sine == t.sine; });
@@ -222,11 +223,7 @@ double ExactSeparation::depth(const Differences& of, Vec2 place, double limit) {
 double ExactSeparation::overlap(std::uint32_t a, const ExactPlace& at, std::uint32_t b,
                                 const ExactPlace& other, double limit) {
   ++work_;
-  const Vec2 size_a = turned_[a][at.turn].size;
-  const Vec2 size_b = turned_[b][other.turn].size;
-  if (at.page != other.page || at.at.x + size_a.x + gap_ <= other.at.x ||
-      other.at.x + size_b.x + gap_ <= at.at.x || at.at.y + size_a.y + gap_ <= other.at.y ||
-      other.at.y + size_b.y + gap_ <= at.at.y) {
+  if (at.page != other.page || apart(taken_by(a, at).box, taken_by(b, other).box)) {
     return 0.0;
   }
   return depth(differences(a, at.turn, b, other.turn), other.at - at.at, limit);
@@ -235,11 +232,19 @@ double ExactSeparation::overlap(std::uint32_t a, const ExactPlace& at, std::uint
 double ExactSeparation::cost(std::uint32_t shape, const ExactPlace& place,
                              const std::vector<ExactPlace>& places, double limit) {
   double sum = 0.0;
+  const Taken here = taken_by(shape, place);
   for (std::uint32_t other = 0; other < count_ && sum < limit; ++other) {
-    if (other != shape && places[other].page == place.page) {
-      const double weight = weight_[shape * count_ + other] * std::sqrt(scale_[shape] * scale_[other]);
-      sum += weight * overlap(shape, place, other, places[other], (limit - sum) / weight);
+    const Taken& there = taken_[other];
+    if (other == shape || there.page != here.page) {
+      continue;
     }
+    ++work_;
+    if (apart(here.box, there.box)) {
+      continue;
+    }
+    const double weight = weight_[shape * count_ + other] * std::sqrt(scale_[shape] * scale_[other]);
+    sum += weight * depth(differences(shape, place.turn, other, places[other].turn),
+                          places[other].at - place.at, (limit - sum) / weight);
   }
   return sum;
 }
@@ -328,6 +333,7 @@ bool ExactSeparation::relocate(std::uint32_t shape, std::vector<ExactPlace>& pla
   descend(shape, places, descent_pauses * side, descent_ends * side, best);
   if (best.cost < here) {
     places[shape] = best.place;
+    taken_[shape] = taken_by(shape, best.place);
     return true;
   }
   return false;
@@ -362,6 +368,7 @@ bool ExactSeparation::run(std::vector<ExactPlace>& places, std::uint32_t pages, 
   area_ = area;
   for (std::uint32_t i = 0; i < count_; ++i) {
     places[i] = inside(i, places[i]);
+    taken_[i] = taken_by(i, places[i]);
   }
   const std::uint64_t begin = work_;
   std::vector<std::uint32_t> order(count_);

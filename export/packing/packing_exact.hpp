@@ -5,8 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "base/context.hpp"
@@ -72,6 +72,19 @@ class ExactSeparation {
     std::vector<Difference> of_pairs;
     std::vector<Side> sides;
   };
+  /// What a shape's box takes of which page.
+  struct Taken {
+    Box2 box;
+    std::uint32_t page = 0;
+  };
+  /// Of keys that differ in few bits (Steele, Lea and Flood 2014).
+  struct Mixed {
+    std::size_t operator()(std::uint64_t key) const {
+      key = (key ^ (key >> 30U)) * 0xbf58476d1ce4e5b9U;
+      key = (key ^ (key >> 27U)) * 0x94d049bb133111ebU;
+      return static_cast<std::size_t>(key ^ (key >> 31U));
+    }
+  };
   struct Candidate {
     ExactPlace place;
     double cost = 0.0;
@@ -80,6 +93,13 @@ class ExactSeparation {
   [[nodiscard]] const Differences& differences(std::uint32_t a, std::uint32_t turn_a, std::uint32_t b,
                                                std::uint32_t turn_b);
   [[nodiscard]] double depth(const Differences& of, Vec2 place, double limit);
+  [[nodiscard]] Taken taken_by(std::uint32_t shape, const ExactPlace& place) const {
+    return {{place.at, place.at + turned_[shape][place.turn].size}, place.page};
+  }
+  [[nodiscard]] bool apart(const Box2& a, const Box2& b) const {
+    return a.high.x + gap_ <= b.low.x || b.high.x + gap_ <= a.low.x || a.high.y + gap_ <= b.low.y ||
+           b.high.y + gap_ <= a.low.y;
+  }
   [[nodiscard]] double overlap(std::uint32_t a, const ExactPlace& at, std::uint32_t b,
                                const ExactPlace& other, double limit);
   [[nodiscard]] double cost(std::uint32_t shape, const ExactPlace& place,
@@ -102,7 +122,8 @@ class ExactSeparation {
   std::vector<std::uint32_t> kind_;  ///< shapes with equal outlines and turns share their differences
   std::vector<double> scale_;        ///< root of each shape's area
   std::vector<double> weight_;       ///< of each pair
-  std::map<std::uint64_t, Differences> differences_;
+  std::vector<Taken> taken_;         ///< by each shape where it is now
+  std::unordered_map<std::uint64_t, Differences, Mixed> differences_;
   std::size_t sides_kept_ = 0;
 };
 
