@@ -325,7 +325,7 @@ std::string looks_otherwise(double moved_mm, const Box3& bounds) {
   const double share = moved_mm / bounds.largest_extent();
   const double thickness = std::min({size.x, size.y, size.z});
   const std::string where =
-      fmt::format("it looks otherwise where simplification moved it by up to {:.1f} mm, ", moved_mm);
+      fmt::format("where it was simplified it differs from the file by up to {:.1f} mm, ", moved_mm);
   const std::string advice = ": more --faces stay nearer";
   if (share >= seen_share) {
     return where + fmt::format("{:.0f} % of its size", 100.0 * share) + advice;

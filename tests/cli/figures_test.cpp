@@ -74,11 +74,11 @@ TEST_CASE("what moves looks otherwise sooner where the model is thin", "[figures
   const Box3 sheet{{0.0, 0.0, 0.0}, {150.0, 150.0, 0.0}};
   CHECK(cli::looks_otherwise(4.4, cube).empty());
   CHECK(cli::looks_otherwise(4.6, cube) ==
-        "it looks otherwise where simplification moved it by up to 4.6 mm, 3 % of its size: more --faces "
+        "where it was simplified it differs from the file by up to 4.6 mm, 3 % of its size: more --faces "
         "stay nearer");
   CHECK(cli::looks_otherwise(1.1, pole).empty());
   CHECK(cli::looks_otherwise(3.8, pole) ==
-        "it looks otherwise where simplification moved it by up to 3.8 mm, and it is 12 mm thick: more "
+        "where it was simplified it differs from the file by up to 3.8 mm, and it is 12 mm thick: more "
         "--faces stay nearer");
   CHECK(cli::looks_otherwise(0.9, sheet).empty());
   CHECK(cli::looks_otherwise(1.5, sheet).empty());
