@@ -37,17 +37,7 @@ class FeatureRemover {
     if (count == 0) {
       return 0;
     }
-    mesh::LooseFaces result;
-    result.points = all_.points;
-    for (std::size_t f = 0; f < gone_.size(); ++f) {
-      if (!gone_[f]) {
-        result.add(all_, f, all_.faces[f]);
-      }
-    }
-    for (const auto& [face, like] : caps_) {
-      result.add(all_, like, face);
-      result.polygon.back() = mesh::Soup::none;
-    }
+    mesh::LooseFaces result = with_caps(all_, gone_, caps_);
     if (!mesh::is_surface(result)) {
       return 0;
     }

@@ -59,19 +59,9 @@ class ReliefTrimmer {
     if (count == 0) {
       return 0;
     }
-    mesh::LooseFaces result;
-    result.points = all_.points;
-    for (std::size_t f = 0; f < done_.size(); ++f) {
-      if (!done_[f]) {
-        result.add(all_, f, all_.faces[f]);
-      }
-    }
+    mesh::LooseFaces result = with_caps(all_, done_, caps_);
     for (const auto& [face, like] : rests_) {
       result.add(all_, like, face);
-    }
-    for (const auto& [face, like] : caps_) {
-      result.add(all_, like, face);
-      result.polygon.back() = mesh::Soup::none;
     }
     if (!mesh::is_surface(result)) {
       return 0;
@@ -81,8 +71,6 @@ class ReliefTrimmer {
   }
 
  private:
-  using Face = std::array<std::uint32_t, 3>;
-
   /// One side of a wall's plane, and what is near a loop in it.
   struct Side {
     const Wall* wall;

@@ -109,4 +109,19 @@ bool close_loop(const mesh::Surface& surface, const Walls& walls, const WallLoop
   return true;
 }
 
+mesh::LooseFaces with_caps(const mesh::LooseFaces& all, const std::vector<bool>& gone, const Caps& caps) {
+  mesh::LooseFaces result;
+  result.points = all.points;
+  for (std::size_t f = 0; f < gone.size(); ++f) {
+    if (!gone[f]) {
+      result.add(all, f, all.faces[f]);
+    }
+  }
+  for (const auto& [face, like] : caps) {
+    result.add(all, like, face);
+    result.polygon.back() = mesh::Soup::none;
+  }
+  return result;
+}
+
 }  // namespace ridgecraft::prepare

@@ -10,6 +10,7 @@
 
 #include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
+#include "mesh/repair/loose_faces.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
@@ -40,5 +41,9 @@ using Caps = std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>>;
 /// plane area.
 [[nodiscard]] bool close_loop(const mesh::Surface& surface, const Walls& walls, const WallLoop& loop,
                               Caps& caps);
+
+/// The faces that aren't `gone`, then the caps, which are of no polygon.
+[[nodiscard]] mesh::LooseFaces with_caps(const mesh::LooseFaces& all, const std::vector<bool>& gone,
+                                         const Caps& caps);
 
 }  // namespace ridgecraft::prepare
