@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one collapse would do to the faces around it. Private to prepare/simplify/.
+// What one collapse would do to the faces around it. Private to prepare/.
 #pragma once
 
 #include <vector>

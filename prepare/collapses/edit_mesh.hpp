@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The half-edge mesh that CGAL's algorithms change. Private to prepare/simplify/, where only headers of what
+// The half-edge mesh that CGAL's algorithms change. Private to prepare/, where only headers of what
 // works on this mesh include it; no file may include CGAL's OpenMesh traits but through it.
 #pragma once
 

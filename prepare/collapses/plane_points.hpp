@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of a share that its mirror plane holds, while collapses go on. Private to prepare/simplify/.
+// The points of a share that its mirror plane holds, while collapses go on. Private to prepare/.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first and by far the most collapses of a model of very many faces. Private to prepare/simplify/.
+// The first and by far the most collapses of a model of very many faces. Private to prepare/.
 #pragma once
 
 #include <cstddef>

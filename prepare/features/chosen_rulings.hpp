@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which lines of a ruled strip stay. Private to prepare/simplify/.
+// Which lines of a ruled strip stay. Private to prepare/.
 #pragma once
 
 #include <cstddef>

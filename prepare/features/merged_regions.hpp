@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flat regions with fewer corners, or several as one. Private to prepare/simplify/.
+// Flat regions with fewer corners, or several as one. Private to prepare/.
 #pragma once
 
 #include <cstdint>

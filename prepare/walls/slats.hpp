@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flat faces side by side along something that is bent one way. Private to prepare/simplify/.
+// Flat faces side by side along something that is bent one way. Private to prepare/.
 #pragma once
 
 #include <vector>
