@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which edge CGAL's simplification collapses next, and where its vertex comes to lie. Private to
-// prepare/simplify/.
+// prepare/.
 #pragma once
 
 // The mesh and CGAL's view of it must be known before the simplification is.

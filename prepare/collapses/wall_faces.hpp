@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Walls while collapses go on: which faces are left of them, and where a vertex of some may be. Private to
-// prepare/simplify/.
+// prepare/.
 #pragma once
 
 #include <cstddef>
