@@ -203,7 +203,8 @@ void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& co
     return true;
   });
   if (made.skin.united == 0 && made.skin.unseen == 0 && made.ready.left_out.count() == 0 &&
-      made.ready.sheets.walls == 0 && made.ready.simplified.faces_before == 0) {
+      made.ready.plain.count == 0 && made.ready.sheets.walls == 0 &&
+      made.ready.simplified.faces_before == 0) {
     made.options.bodies = prepare::Bodies::keep;
   }
 }

@@ -82,7 +82,9 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
     prepared.simplified.evened_mm *= factor;
     prepared.simplified.short_edges_after = fold_figures(prepared.model.surface, simplify).brief_share();
   }
-  prepared.simplified.tiny_edges_after = fold_figures(prepared.model.surface, simplify).tiny_share();
+  const FoldFigures folds = fold_figures(prepared.model.surface, simplify);
+  prepared.simplified.tiny_edges_after = folds.tiny_share();
+  prepared.simplified.cramped_share = folds.cramped_share();
   prepared.simplified.still_too_fine = prepared.simplified.tiny_edges_after > simplify.short_edge_share;
   copy_equal_bodies(prepared, size, simplify.mode == Simplification::keep, context);
   prepared.divided_panels = divide_panels(prepared.model, prepared.panels, room, context);

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "prepare/at_size.hpp"
 #include "prepare/prepared/expected_pages.hpp"
+#include "prepare/prepared/seen_move.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -31,6 +32,13 @@ constexpr double centimetre = 10.0;
 constexpr double smallest_tried_mm = 50.0;
 constexpr double largest_tried_mm = 1000.0;
 
+/// Where edges below short_edge_mm have more than this share of the length of all, tabs and numbers have too
+/// little room for most of the model, ...
+constexpr double most_cramped = 0.07;
+/// ... and a larger size that doesn't mend it all must lessen the share to this part of it to be worth its
+/// paper.
+constexpr double worth_paper = 0.8;
+
 double allowed_slivers(const Prepared& prepared) {
   return prepared.simplified.at_its_size ? most_slivers : most_own_slivers;
 }
@@ -41,6 +49,14 @@ bool suits(const Prepared& prepared) {
   const auto faces = static_cast<double>(prepared.model.surface.face_count());
   const double turned = static_cast<double>(prepared.simplified.edges_turned) / faces;
   return can_be_folded(prepared) && prepared.sliver_share + turned <= allowed_slivers(prepared);
+}
+
+bool is_cramped(const Prepared& prepared) {
+  return prepared.simplified.cramped_share > most_cramped;
+}
+
+bool is_spoilt(const Prepared& prepared) {
+  return seen_move(prepared.simplified.deviation_mm, prepared.model.surface.bounds()) != SeenMove::none;
 }
 
 double extent_of(const Prepared& prepared) {
@@ -62,6 +78,33 @@ class SizeSearch {
   std::optional<Prepared> larger(double mm, bool (*good)(const Prepared&),
                                  std::optional<double>& foldable_mm) const {
     return in_time([&] { return next_larger(mm, good, foldable_mm); });
+  }
+  /// The next larger size within the limits at which it isn't cramped; or else the one where it is so least,
+  /// if that is worth its paper.
+  [[nodiscard]] std::optional<Prepared> roomier(const Prepared& usual, const SizeOptions& size) const {
+    std::optional<Prepared> best;
+    constexpr double unbeaten = -1.0;
+    double to_beat =
+        is_cramped(usual) ? std::max(most_cramped, worth_paper * usual.simplified.cramped_share) : unbeaten;
+    in_time([&] {
+      for_larger(extent_of(usual), size.largest_mm, [&](Prepared found) {
+        if (pages(found) > size.most_pages) {
+          return false;
+        }
+        if (!suits(found)) {
+          return true;
+        }
+        const double share = found.simplified.cramped_share;
+        const bool enough = !is_cramped(found) && !is_spoilt(found);
+        if (enough || share <= to_beat) {
+          to_beat = is_cramped(found) ? share : unbeaten;
+          best = std::move(found);
+        }
+        return !enough;
+      });
+      return std::optional<Prepared>();
+    });
+    return best;
   }
   /// At a smaller size, if it can be folded there.
   [[nodiscard]] std::optional<Prepared> smaller(double mm) const {
@@ -89,24 +132,34 @@ class SizeSearch {
     size.largest_extent_mm = mm;
     return prepare_at_size(model_, size, simplify_, room_, context_);
   }
-  std::optional<Prepared> next_larger(double mm, bool (*good)(const Prepared&),
-                                      std::optional<double>& foldable_mm) const {
+  /// Tries one larger size after another until `go_on`, which gets each, says false.
+  template <class GoOn>
+  void for_larger(double mm, double largest_mm, const GoOn& go_on) const {
     const bool slow = model_.surface.face_count() > slow_faces;
     const double factor = slow ? large_size_step : size_step;
     int left = slow ? slow_tries : most_tries;
-    for (mm = std::max(mm * factor, smallest_tried_mm); mm <= largest_tried_mm && left > 0; mm *= factor) {
+    for (mm = std::max(mm * factor, smallest_tried_mm); mm <= largest_mm && left > 0; mm *= factor) {
       --left;
       mm = centimetre * std::ceil(mm / centimetre);
       context_.check();
-      Prepared found = at(mm);
+      if (!go_on(at(mm))) {
+        return;
+      }
+    }
+  }
+  std::optional<Prepared> next_larger(double mm, bool (*good)(const Prepared&),
+                                      std::optional<double>& foldable_mm) const {
+    std::optional<Prepared> result;
+    for_larger(mm, largest_tried_mm, [&](Prepared found) {
       if (!foldable_mm && can_be_folded(found)) {
         foldable_mm = centimetre * std::round(extent_of(found) / centimetre);
       }
       if (good(found)) {
-        return found;
+        result = std::move(found);
       }
-    }
-    return std::nullopt;
+      return !result;
+    });
+    return result;
   }
 
   const mesh::Model& model_;
@@ -115,31 +168,47 @@ class SizeSearch {
   Context context_;
 };
 
-/// Of the size that it has by default, or of another one between the limits that suits it better.
-Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
-  const double pages = search.pages(usual);
-  if (!suits(usual)) {
-    std::optional<double> foldable_mm;
-    std::optional<Prepared> larger = search.larger(extent_of(usual), suits, foldable_mm);
-    if (larger && extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
-      larger->size_reason = SizeReason::folds;
-      return std::move(*larger);
-    }
-    if (!can_be_folded(usual)) {
-      usual.smallest_size_mm = foldable_mm;
-    }
+/// Of a size at which it can be folded, if there is one within the limits.
+Prepared of_foldable_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
+  if (suits(usual)) {
     return usual;
   }
-  const double fitting =
-      std::max(size.smallest_mm,
-               centimetre * std::floor(extent_of(usual) * std::sqrt(size.most_pages / pages) / centimetre));
-  if (pages > size.most_pages && fitting < extent_of(usual)) {
+  std::optional<double> foldable_mm;
+  std::optional<Prepared> larger = search.larger(extent_of(usual), suits, foldable_mm);
+  if (larger && extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
+    larger->size_reason = SizeReason::folds;
+    return std::move(*larger);
+  }
+  if (!can_be_folded(usual)) {
+    usual.smallest_size_mm = foldable_mm;
+  }
+  return usual;
+}
+
+/// Of the size that it has by default, or of another one between the limits that suits it better.
+Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
+  Prepared foldable = of_foldable_size(std::move(usual), size, search);
+  if (!suits(foldable)) {
+    return foldable;
+  }
+  const double pages = search.pages(foldable);
+  const double fitting = std::max(
+      size.smallest_mm,
+      centimetre * std::floor(extent_of(foldable) * std::sqrt(size.most_pages / pages) / centimetre));
+  if (pages > size.most_pages && fitting < extent_of(foldable)) {
     if (std::optional<Prepared> smaller = search.smaller(fitting)) {
       smaller->size_reason = SizeReason::pages;
       return std::move(*smaller);
     }
+  } else if (is_cramped(foldable) || is_spoilt(foldable)) {
+    if (std::optional<Prepared> roomier = search.roomier(foldable, size)) {
+      roomier->size_reason = foldable.size_reason != SizeReason::none ? foldable.size_reason
+                             : is_cramped(foldable)                   ? SizeReason::room
+                                                                      : SizeReason::shape;
+      return std::move(*roomier);
+    }
   }
-  return usual;
+  return foldable;
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 #include "prepare/ready_bodies.hpp"
 
 #include "prepare/details/details.hpp"
+#include "prepare/details/plain_bodies.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/sheets/double_skins.hpp"
 #include "prepare/simplify/simplify.hpp"
+#include "prepare/walls/fold_figures.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -13,6 +15,9 @@ namespace {
 constexpr std::size_t fine_faces = 10000;
 /// Details that are hard to fold go, too, where they have this share of the faces of a model with too many.
 constexpr double busy = 0.2;
+/// What takes the place of a busy body may be so many times as far from it as simplification may move the
+/// surface: as far as that moves it where a model has too many faces.
+constexpr double busy_may_move = 2.0;
 /// Of the way that simplification may move the surface, the share that it may before (twice as far where
 /// there are too many faces, as always).
 constexpr double first_part = 0.25;
@@ -56,13 +61,25 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
     return report;
   }
   report.left_out = leave_out_details(model, size, simplify, context);
-  if (simplify.mode != Simplification::automatic || model.surface.face_count() <= fine_faces ||
-      model.surface.component_count() < 2) {
+  if (simplify.mode != Simplification::automatic) {
     return report;
   }
-  SimplifyOptions first = simplify;
-  first.short_edge_mm /= mm;
-  first.tiny_edge_mm /= mm;
+  SimplifyOptions in_units = simplify;
+  in_units.short_edge_mm /= mm;
+  in_units.tiny_edge_mm /= mm;
+  if (model.surface.face_count() > simplify.most_faces ||
+      fold_figures(model.surface, in_units).brief_share() > simplify.short_edge_share) {
+    const double extent = model.surface.bounds().largest_extent();
+    report.plain = make_plain(
+        model,
+        {in_units.short_edge_mm, in_units.tiny_edge_mm, busy_may_move * simplify.largest_deviation * extent},
+        context);
+    report.plain.moved_mm *= mm;
+  }
+  if (model.surface.face_count() <= fine_faces || model.surface.component_count() < 2) {
+    return report;
+  }
+  SimplifyOptions first = in_units;
   first.splinter_mm = 0.0;  // the union makes others
   first.largest_deviation *= first_part;
   const std::size_t faces_before = model.surface.face_count();

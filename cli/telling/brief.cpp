@@ -15,6 +15,7 @@
 #include "cli/telling/lengths.hpp"
 #include "cli/telling/net_figures.hpp"
 #include "job/verdict.hpp"
+#include "prepare/prepared/seen_move.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -22,11 +23,16 @@ namespace {
 /// A surface that moved less has moved by rounding in the file, mm.
 constexpr double seen_mm = 0.005;
 
-/// ", as folds or faces would be too small at 150 mm", where nobody asked for the size that it has.
+/// ", as folds or faces would be too small at 150 mm" or another reason, where nobody asked for the size that
+/// it has.
 std::string why_size(const job::Paper& made) {
   switch (made.prepared.size_reason) {
     case prepare::SizeReason::folds:
       return ", as folds or faces would be too small at 150 mm";
+    case prepare::SizeReason::room:
+      return ", as many tabs and numbers would be too small at 150 mm";
+    case prepare::SizeReason::shape:
+      return ", as folds that long would change its shape at 150 mm";
     case prepare::SizeReason::pages:
       return fmt::format(", as it would take more than {:g} pages at 150 mm", made.options.size.most_pages);
     case prepare::SizeReason::none:
@@ -45,7 +51,7 @@ std::string paper_line(const PaperJob& job, const job::Paper& made, const GlueFi
   const std::size_t lists = made.drawn.list_pages;
   return fmt::format("{} on {}{}, {}: {} to cut, {} to fold, {} to glue",
                      counted(made.nets.pieces.size(), "piece"), counted(made.pages.count, "page"),
-                     lists == 0 ? "" : fmt::format(" (and {} of lists)", lists), job.paper_name,
+                     lists == 0 ? "" : fmt::format(" and {} with lists of numbers", lists), job.paper_name,
                      metres(made.drawn.cut_mm), metres(made.drawn.fold_mm), metres(glue.all_mm));
 }
 
@@ -95,6 +101,9 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
   }
   if (made.ready.left_out.count() > 0) {
     clauses.push_back(details_text(made.ready.left_out) + " left out (--keep-bodies keeps them)");
+  }
+  if (made.ready.plain.count > 0) {
+    clauses.push_back(plain_text(made.ready.plain) + " (--keep-bodies keeps them)");
   }
   if (skin.united > 0) {
     const std::string united =
@@ -174,7 +183,7 @@ std::string hard_line(const PaperJob& job, const PaperResult& result, const Glue
     clauses.push_back(std::move(why));
   }
   if (std::string why =
-          looks_otherwise(made.prepared.simplified.deviation_mm, made.prepared.model.surface.bounds());
+          where_it_differs(made.prepared.simplified.deviation_mm, made.prepared.model.surface.bounds());
       !why.empty()) {
     clauses.push_back(std::move(why));
   }
@@ -306,6 +315,14 @@ std::string details_text(const prepare::Details& details) {
   return listed(clauses, "and");
 }
 
+std::string plain_text(const prepare::PlainBodies& plain) {
+  return plain.count == 1
+             ? fmt::format("1 busy body made a plain block, which differs from it by up to {:.1f} mm",
+                           plain.moved_mm)
+             : fmt::format("{} busy bodies made plain blocks, which differ from them by up to {:.1f} mm",
+                           plain.count, plain.moved_mm);
+}
+
 std::string size_words(const job::Paper& made, const std::string& asked) {
   return made.prepared.size_reason == prepare::SizeReason::none
              ? asked
@@ -317,22 +334,19 @@ double size_saving_a_page(const job::Paper& made) {
                     made.prepared.model.surface.bounds().largest_extent());
 }
 
-std::string looks_otherwise(double moved_mm, const Box3& bounds) {
-  constexpr double seen_share = 0.03;
-  constexpr double seen_share_of_thickness = 0.1;
-  constexpr double least_mm = 1.0;
-  const Vec3 size = bounds.high - bounds.low;
-  const double share = moved_mm / bounds.largest_extent();
-  const double thickness = std::min({size.x, size.y, size.z});
+std::string where_it_differs(double moved_mm, const Box3& bounds) {
   const std::string where =
       fmt::format("where it was simplified it differs from the file by up to {:.1f} mm, ", moved_mm);
   const std::string advice = ": more --faces stay nearer";
-  if (share >= seen_share) {
-    return where + fmt::format("{:.0f} % of its size", 100.0 * share) + advice;
-  }
-  // Of what is flat, only outlines have moved.
-  if (thickness >= least_mm && moved_mm >= std::max(least_mm, seen_share_of_thickness * thickness)) {
-    return where + fmt::format("and it is {:.0f} mm thick", thickness) + advice;
+  switch (prepare::seen_move(moved_mm, bounds)) {
+    case prepare::SeenMove::of_size:
+      return where + fmt::format("{:.0f} % of its size", 100.0 * moved_mm / bounds.largest_extent()) + advice;
+    case prepare::SeenMove::of_thickness: {
+      const Vec3 size = bounds.size();
+      return where + fmt::format("and it is {:.0f} mm thick", std::min({size.x, size.y, size.z})) + advice;
+    }
+    case prepare::SeenMove::none:
+      break;
   }
   return {};
 }

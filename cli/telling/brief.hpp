@@ -24,13 +24,15 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
 /// Pieces with faces that are thinner than job::sliver_mm.
 [[nodiscard]] std::vector<PieceId> pieces_with_slivers(const job::Paper& made);
 
-/// That simplification moves so much of a model with these bounds (mm) that it looks otherwise; empty where
-/// it doesn't. Seen is what is 3 % of the largest extent, or a tenth of the smallest: a thin model looks
-/// otherwise sooner, though not one that is flat.
-[[nodiscard]] std::string looks_otherwise(double moved_mm, const Box3& bounds);
+/// That simplification moved a model with these bounds (mm) so far that it is seen
+/// (prepare/prepared/seen_move.hpp); empty where it isn't.
+[[nodiscard]] std::string where_it_differs(double moved_mm, const Box3& bounds);
 
 /// "a thin wall of up to 1.2 mm became a sheet".
 [[nodiscard]] std::string sheets_text(const prepare::SheetsReport& sheets);
+
+/// "12 busy bodies made plain blocks, which differ from them by up to 4.2 mm".
+[[nodiscard]] std::string plain_text(const prepare::PlainBodies& plain);
 
 /// "17 small bodies and 4 flat bodies that lie on others".
 [[nodiscard]] std::string details_text(const prepare::Details& details);

@@ -56,6 +56,8 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                         {"low", details.low},
                                         {"strands", details.strands},
                                         {"strands_mm", rounded(details.strands_mm)}});
+  const prepare::PlainBodies& plain = made.ready.plain;
+  summary.add("plain", Value::Object{{"count", plain.count}, {"moved_mm", rounded(plain.moved_mm)}});
   const prepare::SheetsReport& sheets = made.ready.sheets;
   summary.add("thin_walls",
               Value::Object{{"count", sheets.walls}, {"thickness_mm", rounded(sheets.thickness_mm)}});
@@ -64,6 +66,9 @@ void add_skin(Summary& summary, const job::Paper& made) {
   }
   if (details.count() > 0) {
     summary.say(Line::skin, "left out", details_text(details) + " (--keep-bodies leaves them in)");
+  }
+  if (plain.count > 0) {
+    summary.say(Line::skin, "plain", plain_text(plain) + " (--keep-bodies keeps them)");
   }
   if (skin.united > 0) {
     summary.say(
@@ -101,6 +106,7 @@ Value simplified_value(const prepare::SimplifyReport& report) {
                        {"short_edges_before", rounded(report.short_edges_before)},
                        {"short_edges_after", rounded(report.short_edges_after)},
                        {"tiny_edges_after", rounded(report.tiny_edges_after)},
+                       {"cramped_share", rounded(report.cramped_share)},
                        {"still_too_fine", report.still_too_fine}};
 }
 

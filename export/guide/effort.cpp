@@ -27,8 +27,8 @@ int points_above(Value value, const std::array<Value, N>& limits) {
 }
 
 constexpr std::array<std::size_t, 3> many_edges{60, 200, 600};
-/// Shares of the edges to glue that take tweezers.
-constexpr std::array<double, 3> many_short{0.05, 0.15, 0.3};
+/// Shares of the edges to glue that take tweezers, or a strip of paper behind them.
+constexpr std::array<double, 3> many_awkward{0.05, 0.15, 0.3};
 constexpr double short_join_mm = 6.0;
 
 }  // namespace
@@ -60,9 +60,12 @@ Effort effort_of(const mesh::Surface& surface, const unfold::Nets& nets, double 
                    minutes_per_piece * static_cast<double>(nets.pieces.size());
   int points = points_above(effort.joins + effort.folds, many_edges);
   if (effort.joins > 0) {
-    const auto count =
-        std::count_if(lengths.begin(), lengths.end(), [](double size) { return size < short_join_mm; });
-    points += points_above(static_cast<double>(count) / static_cast<double>(effort.joins), many_short);
+    // Without any tabs the maker has chosen another way to join.
+    const bool has_tabs = !nets.tabs.empty();
+    const auto count = std::count_if(nets.joins.begin(), nets.joins.end(), [&](const unfold::Join& join) {
+      return surface.length(join.edge) < short_join_mm || (has_tabs && !join.tab.valid());
+    });
+    points += points_above(static_cast<double>(count) / static_cast<double>(effort.joins), many_awkward);
   }
   constexpr std::array<int, 7> difficulty{1, 2, 2, 3, 4, 4, 5};
   effort.difficulty = difficulty[static_cast<std::size_t>(points)];

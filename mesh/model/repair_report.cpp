@@ -87,15 +87,16 @@ constexpr std::array wordings{
             "{} points where pieces only touch were cut open"},
     Wording{cut_open, "cut_open", "1 edge was cut open since the surface has only one side",
             "{} edges were cut open since the surface has only one side"},
-    Wording{t_junctions_joined, "t_junctions_joined", "1 point was set into the edge it lies on",
-            "{} points were set into the edges they lie on"},
-    Wording{open_border, "open_border", "the model isn't closed: 1 edge is the rim of a hole or of a sheet",
-            "the model isn't closed: {} edges are rims of holes or of sheets"},
+    Wording{t_junctions_joined, "t_junctions_joined",
+            "1 point that lay on an edge without being joined to it is joined to it now",
+            "{} points that lay on edges without being joined to them are joined to them now"},
+    Wording{open_border, "open_border", "the model isn't closed: 1 edge has a face on one side only",
+            "the model isn't closed: {} edges have a face on one side only"},
     Wording{self_intersections, "self_intersections", "1 face runs through another",
             "{} faces run through each other"},
     Wording{narrow_faces, "narrow_faces",
-            "1 face is too narrow to be cut at this size and stays on its neighbour",
-            "{} faces are too narrow to be cut at this size and stay on their neighbours"},
+            "1 face is narrower than 0.05 mm: on paper it is part of the face beside it",
+            "{} faces are narrower than 0.05 mm: on paper each is part of the face beside it"},
 };
 
 /// The table is in the order of the enumeration, so that a kind is its index.

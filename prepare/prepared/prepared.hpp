@@ -33,14 +33,19 @@ struct SimplifyReport {
   double short_edges_before = 0.0;  ///< share of the fold edges below short_edge_mm, but not across a plate
   double short_edges_after = 0.0;
   double tiny_edges_after = 0.0;  ///< share of those that can't be folded by hand: below tiny_edge_mm
-  bool at_its_size = false;       ///< some faces went at the model's size, not just before bodies were united
-  bool still_too_fine = false;    ///< nobody could fold it: tiny_edges_after is above short_edge_share
+  /// Share of the length of all edges between panels that edges below short_edge_mm have: there a tab holds
+  /// badly and a number finds no room, whatever made them short.
+  double cramped_share = 0.0;
+  bool at_its_size = false;     ///< some faces went at the model's size, not just before bodies were united
+  bool still_too_fine = false;  ///< nobody could fold it: tiny_edges_after is above short_edge_share
 };
 
 /// Why a model isn't of the size that it has by default.
 enum class SizeReason {
   none,   ///< it is
   folds,  ///< its folds would be too short, or its faces too narrow
+  shape,  ///< simplification would move its surface so far that it is seen
+  room,   ///< tabs and numbers would have too little room
   pages,  ///< it would take too many pages
 };
 

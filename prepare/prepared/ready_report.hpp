@@ -27,6 +27,13 @@ struct Details {
   }
 };
 
+/// Busy bodies in whose places there are plain blocks.
+struct PlainBodies {
+  std::size_t count = 0;
+  double moved_mm =
+      0.0;  ///< how far a block is from what it stands for, both ways, as far as the size is known
+};
+
 /// Thin walls that became sheets.
 struct SheetsReport {
   std::size_t walls = 0;      ///< components
@@ -37,6 +44,7 @@ struct SheetsReport {
 struct ReadyReport {
   SheetsReport sheets;
   Details left_out;
+  PlainBodies plain;
   /// Of bodies that were simplified one by one, lengths in units of the surface that was given; else without
   /// any faces.
   SimplifyReport simplified;

@@ -94,6 +94,8 @@ FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& op
     const double length = surface.length(e);
     ++figures.edges;
     figures.close += length < roomy * options.short_edge_mm ? 1U : 0U;
+    figures.length += length;
+    figures.cramped += length < options.short_edge_mm ? length : 0.0;
     if (std::abs(surface.fold_angle(e)) < options.hidden_fold_angle) {
       continue;
     }

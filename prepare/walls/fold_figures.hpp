@@ -24,12 +24,16 @@ struct FoldFigures {
   /// Edges between panels, drawn or not, and those of them between which numbers and tabs have little room.
   std::size_t edges = 0;
   std::size_t close = 0;
+  /// Lengths of these edges, mm, and of those of them that are shorter than short_edge_mm.
+  double length = 0.0;
+  double cramped = 0.0;
 
   /// Whether most edges are too close for a model of many faces.
   [[nodiscard]] bool crowded() const { return 2 * close > edges; }
   /// Shares of the folds; 0 where there are none.
   [[nodiscard]] double brief_share() const { return share(brief); }
   [[nodiscard]] double tiny_share() const { return share(tiny); }
+  [[nodiscard]] double cramped_share() const { return length > 0.0 ? cramped / length : 0.0; }
 
  private:
   [[nodiscard]] double share(std::size_t count) const {

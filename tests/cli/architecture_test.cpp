@@ -71,6 +71,7 @@ const std::vector<Folder>& folders() {
         "prepared/panels.hpp",
         "panels/divided_by.hpp",
         "prepared/ready_report.hpp",
+        "prepared/seen_move.hpp",
         "prepared/twin_bodies.hpp",
         "prepared/skin_report.hpp",
         "prepared/narrow_faces.hpp",

@@ -68,20 +68,20 @@ TEST_CASE("in brief a summary has its brief lines, and one line for all files", 
   CHECK(brief({}) == lines + "nothing was written: -o says where to\n");
 }
 
-TEST_CASE("what moves looks otherwise sooner where the model is thin", "[figures]") {
+TEST_CASE("what moves is seen sooner where the model is thin", "[figures]") {
   const Box3 cube{{0.0, 0.0, 0.0}, {150.0, 140.0, 130.0}};
   const Box3 pole{{0.0, 0.0, 0.0}, {53.0, 190.0, 12.0}};
   const Box3 sheet{{0.0, 0.0, 0.0}, {150.0, 150.0, 0.0}};
-  CHECK(cli::looks_otherwise(4.4, cube).empty());
-  CHECK(cli::looks_otherwise(4.6, cube) ==
+  CHECK(cli::where_it_differs(4.4, cube).empty());
+  CHECK(cli::where_it_differs(4.6, cube) ==
         "where it was simplified it differs from the file by up to 4.6 mm, 3 % of its size: more --faces "
         "stay nearer");
-  CHECK(cli::looks_otherwise(1.1, pole).empty());
-  CHECK(cli::looks_otherwise(3.8, pole) ==
+  CHECK(cli::where_it_differs(1.1, pole).empty());
+  CHECK(cli::where_it_differs(3.8, pole) ==
         "where it was simplified it differs from the file by up to 3.8 mm, and it is 12 mm thick: more "
         "--faces stay nearer");
-  CHECK(cli::looks_otherwise(0.9, sheet).empty());
-  CHECK(cli::looks_otherwise(1.5, sheet).empty());
+  CHECK(cli::where_it_differs(0.9, sheet).empty());
+  CHECK(cli::where_it_differs(1.5, sheet).empty());
 }
 
 TEST_CASE("rows of piece names are short", "[figures]") {

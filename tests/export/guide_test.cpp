@@ -266,6 +266,13 @@ TEST_CASE("time and difficulty are those of the formula", "[guide]") {
   CHECK(effort.median_join_mm == Approx(30.0));
   CHECK(effort.minutes == Approx(2.0 * 360.0 / 100.0 + 360.0 / 60.0 + 0.4 * 12.0 + 6.0));
   CHECK(effort.difficulty == 1);
+  // A third of the edges have no tab.
+  unfold::Nets bare = sample.nets;
+  for (const JoinId join : ids<JoinId>(4)) {
+    REQUIRE(bare.joins[join].tab.valid());
+    bare.joins[join].tab = {};
+  }
+  CHECK(paper::effort_of(sample.model.model.surface, bare, 0.05).difficulty == 3);
   const auto tiny = test::sample_pages(cube, 2.5, 1.0);
   const paper::Effort fine = paper::effort_of(tiny.model.model.surface, tiny.nets, 0.05);
   CHECK(fine.difficulty == 3);  // few edges, but all of them short

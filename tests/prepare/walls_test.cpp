@@ -365,3 +365,26 @@ TEST_CASE("a model gets the size at which it can be folded", "[size]") {
   CHECK(smaller.size_reason == prepare::SizeReason::pages);
   CHECK(smaller.model.surface.bounds().largest_extent() < 150.0);
 }
+
+TEST_CASE("a model whose tabs and numbers would have no room gets a larger size", "[size]") {
+  // Two tiles so thin that the edges around them are shorter than 6 mm at 150 mm; everything can be folded.
+  mesh::Soup tiles = prism(6, 8.0, 4.9);
+  append(tiles, prism(6, 8.0, 4.9), {134.0, 0.0, 0.0});
+  prepare::SizeOptions size;
+  size.adapts = true;
+  const Prepared larger = prepare::prepare(test::repaired(tiles), size, {}, page, {});
+  CHECK(larger.size_reason == prepare::SizeReason::room);
+  CHECK(larger.model.surface.bounds().largest_extent() == Approx(190.0));
+  CHECK(larger.simplified.cramped_share == 0.0);
+  // Not beyond the limits, though: neither that of the size ...
+  size.largest_mm = 180.0;
+  const Prepared usual = prepare::prepare(test::repaired(tiles), size, {}, page, {});
+  CHECK(usual.size_reason == prepare::SizeReason::none);
+  CHECK(usual.model.surface.bounds().largest_extent() == Approx(150.0));
+  CHECK(usual.simplified.cramped_share > 0.1);
+  // ... nor that of the pages.
+  size.largest_mm = 400.0;
+  size.smallest_mm = 150.0;
+  size.most_pages = 0.03;
+  CHECK(prepare::prepare(test::repaired(tiles), size, {}, page, {}).size_reason == prepare::SizeReason::none);
+}
