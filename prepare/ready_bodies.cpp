@@ -14,10 +14,14 @@ namespace {
 /// Models of more faces are simplified before their bodies are united.
 constexpr std::size_t fine_faces = 10000;
 /// Details that are hard to fold go, too, where they have this share of the faces of a model with too many.
-constexpr double busy = 0.2;
+constexpr double busy_share = 0.2;
 /// What takes the place of a busy body may be so many times as far from it as simplification may move the
 /// surface: as far as that moves it where a model has too many faces.
 constexpr double busy_may_move = 2.0;
+/// Short edges have this share of the length of a busy body's edges, ...
+constexpr double busy_body = 0.35;
+/// ... and this one where too many faces would crumple bodies that could be folded.
+constexpr double busy_among_many = 0.12;
 /// Of the way that simplification may move the surface, the share that it may before (twice as far where
 /// there are too many faces, as always).
 constexpr double first_part = 0.25;
@@ -42,7 +46,7 @@ Details leave_out_details(mesh::Model& model, const SizeOptions& size, const Sim
   // Where there is too much to be built, whole bodies that would be hard go before others are bent.
   Details left_out = leave_out_details(model, DetailLimits{simplify.tiny_edge_mm / mm, 0.0}, context);
   if (simplify.mode == Simplification::automatic && model.surface.face_count() > simplify.most_faces) {
-    left_out += leave_out_details(model, DetailLimits{simplify.short_edge_mm / mm, busy}, context);
+    left_out += leave_out_details(model, DetailLimits{simplify.short_edge_mm / mm, busy_share}, context);
   }
   left_out.strands_mm *= mm;
   return left_out;
@@ -67,12 +71,13 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
   SimplifyOptions in_units = simplify;
   in_units.short_edge_mm /= mm;
   in_units.tiny_edge_mm /= mm;
-  if (model.surface.face_count() > simplify.most_faces ||
-      fold_figures(model.surface, in_units).brief_share() > simplify.short_edge_share) {
+  const bool too_many = model.surface.face_count() > simplify.most_faces;
+  if (too_many || fold_figures(model.surface, in_units).brief_share() > simplify.short_edge_share) {
     const double extent = model.surface.bounds().largest_extent();
     report.plain = make_plain(
         model,
-        {in_units.short_edge_mm, in_units.tiny_edge_mm, busy_may_move * simplify.largest_deviation * extent},
+        {in_units.short_edge_mm, in_units.tiny_edge_mm, busy_may_move * simplify.largest_deviation * extent,
+         too_many ? busy_among_many : busy_body},
         context);
     report.plain.moved_mm *= mm;
   }

@@ -22,8 +22,6 @@ namespace {
 
 /// Bodies that are longer than this share of the model are what it is made of.
 constexpr double short_body = 0.34;
-/// A body is busy where short edges have this share of the length of all that are folded.
-constexpr double busy = 0.35;
 /// Bodies with no more faces are plain: a box has 12.
 constexpr std::size_t plain_faces = 20;
 /// Edges that bend less lie within a flat face (radians).
@@ -174,7 +172,7 @@ class Blocks {
       return std::nullopt;
     }
     const Edges before = folded_edges(alone, limits_.short_edge);
-    if (before.brief_length < busy * before.length) {
+    if (before.brief_length < limits_.busy * before.length) {
       return std::nullopt;
     }
     const std::vector<Vec3> directions = directions_of(alone);

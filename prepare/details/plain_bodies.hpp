@@ -8,15 +8,16 @@
 
 namespace ridgecraft::prepare {
 
-/// In the unit of the surface.
+/// Lengths in the unit of the surface.
 struct PlainLimits {
   double short_edge = 0.0;    ///< shorter edges are hard to fold
   double shallow = 0.0;       ///< lower bodies stay as they are
   double largest_move = 0.0;  ///< how far a block may be from the body whose place it takes, both ways
+  double busy = 0.0;  ///< the share of the length of its folded edges that short ones have in a busy body
 };
 
-/// What a designer does with a barrel, a window frame or a lamp of a small model: components that are short
-/// beside the model and have mostly short edges become prisms (plain_prism.hpp), where these have no more
+/// What a designer does with a barrel, a window frame or a lamp of a small model: busy components
+/// that are short beside the model become prisms (plain_prism.hpp), where these have no more
 /// than half as many short edges and are nowhere farther from them than allowed. Collapses, edge by edge,
 /// would leave crumpled paper of them. A block's sides have the material and the object of what looks the
 /// same way. Tells how many, and how far they are from what they stand for, in the unit of the surface.

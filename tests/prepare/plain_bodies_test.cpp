@@ -71,7 +71,7 @@ Scene before_wall(std::uint32_t sides, const std::vector<Vec2>& profile) {
 }
 
 prepare::PlainBodies made_plain(mesh::Model& model) {
-  return prepare::make_plain(model, {6.0, 3.0, 6.0}, {});
+  return prepare::make_plain(model, {6.0, 3.0, 6.0, 0.35}, {});
 }
 
 std::vector<Vec3> random_turn(std::vector<Vec3> points, unsigned seed) {
