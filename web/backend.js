@@ -2,6 +2,8 @@
 // Who answers the page's wishes. All backends have one interface, so that the same page shows a finished result, and
 // edits a model where a program stands behind it.
 
+import {unpackedText} from "./packed.js";
+
 /**
  * @typedef {object} State
  * @property {number} revision
@@ -50,22 +52,16 @@ export class NotEditable extends Error {
   }
 }
 
-/** Text of a script element as it was before write_html() put it there. @param {string} text */
-function unescaped(text) {
-  return text.replace(/\\(\\|u003c|u2028|u2029)/g, (all, what) =>
-    what === "\\" ? all : String.fromCharCode(parseInt(what.slice(1), 16)));
-}
-
 /**
  * One finished result, that stands in the page itself.
  * @param {Document} page
  * @returns {Backend & {state: () => State}}
  */
 export function staticBackend(page) {
-  const text = (/** @type {string} */ id) => page.getElementById(id)?.textContent ?? "";
+  const [fold, sheets] = ["fold", "sheets"].map((id) => unpackedText(page.getElementById(id)?.textContent ?? ""));
   const refuse = () => Promise.reject(new NotEditable());
   return {
-    state: () => ({revision: 0, options: {}, fold: text("fold"), sheets: text("sheets"), notes: [], figures: {},
+    state: () => ({revision: 0, options: {}, fold, sheets, notes: [], figures: {},
       canUndo: false, canRedo: false, busy: false, pinned: []}),
     capabilities: () => ({edit: false, export: ["fold"],
       version: page.querySelector("meta[name=generator]")?.getAttribute("content") ?? ""}),
@@ -76,7 +72,7 @@ export function staticBackend(page) {
     redo: refuse,
     preview: refuse,
     export: (format) =>
-      format === "fold" ? Promise.resolve(new TextEncoder().encode(unescaped(text("fold")))) : refuse(),
+      format === "fold" ? Promise.resolve(new TextEncoder().encode(fold)) : refuse(),
     cancel: () => {},
     onProgress: () => {},
     onNote: () => {},

@@ -7,7 +7,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 # In an order in which no module needs a later one while it is loaded.
-set(modules words nets folding backend camera webgl painter scene sheets guide print panel app start)
+set(modules words packed nets folding backend camera webgl painter scene sheets guide print panel app start)
 set(styles page)
 if(STUDIO)
   list(REMOVE_ITEM modules start)
@@ -138,8 +138,8 @@ if(STUDIO)
   foreach(change IN ITEMS
       "  <meta name=\"ridgecraft-model\" content=\"@MARK@\">\n|"
       "<body>|<body class=\"studio\">\n${studio}"
-      "  <script type=\"application/json\" id=\"fold\">@FOLD@</script>\n|"
-      "  <script type=\"application/json\" id=\"sheets\">@SHEETS@</script>\n|@DATA@"
+      "  <script type=\"text/plain\" id=\"fold\">@FOLD@</script>\n|"
+      "  <script type=\"text/plain\" id=\"sheets\">@SHEETS@</script>\n|@DATA@"
       "default-src 'none'; script-src|default-src 'none'; worker-src blob:; script-src 'wasm-unsafe-eval'"
       "@TITLE@|Ridgecraft"
       "This page shows a paper model and its sheets.|This page makes paper models of 3D models.")

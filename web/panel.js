@@ -15,6 +15,14 @@ export function byId(id) {
   return element;
 }
 
+/** Instead of a page that can't start. @param {unknown} error */
+export function tellBroken(error) {
+  const line = document.createElement("p");
+  line.className = "broken";
+  line.textContent = say("broken", {why: error instanceof Error ? error.message : String(error)});
+  document.body.append(line);
+}
+
 /** Puts the texts of the page in the reader's language. */
 export function sayAll() {
   document.documentElement.lang = reader.language;

@@ -3,8 +3,7 @@
 
 import {App} from "./app.js";
 import {staticBackend} from "./backend.js";
-import {byId} from "./panel.js";
-import {say} from "./words.js";
+import {byId, tellBroken} from "./panel.js";
 
 function startPage() {
   try {
@@ -13,10 +12,7 @@ function startPage() {
     Object.assign(globalThis, {ridgecraft: {inspect: (/** @type {any} */ about) => app.inspect(about)}});
   } catch (error) {
     byId("app").hidden = true;
-    const line = document.createElement("p");
-    line.className = "broken";
-    line.textContent = say("broken", {why: error instanceof Error ? error.message : String(error)});
-    document.body.append(line);
+    tellBroken(error);
     throw error;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page for browsers: the front end of web/ with one result in it, as two documents of JSON. docs/page.md
-// describes both.
+// A page for browsers: the front end of web/ with one result in it, as two documents of JSON, packed.
+// docs/page.md describes both.
 #include <array>
 #include <cmath>
 #include <string>
@@ -12,6 +12,7 @@
 #include "base/json_text.hpp"
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
+#include "export/formats/packed_text.hpp"
 #include "export/formats/page_template.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
@@ -20,27 +21,6 @@
 
 namespace ridgecraft::paper {
 namespace {
-
-/// JSON inside a script element: nothing in it ends the element or begins a comment, and no reader of
-/// JavaScript takes it for two lines.
-std::string for_script(std::string_view json) {
-  constexpr std::string_view line_separator = "\xe2\x80\xa8";
-  constexpr std::string_view paragraph_separator = "\xe2\x80\xa9";
-  std::string text;
-  text.reserve(json.size() + json.size() / 64);
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const std::string_view rest = json.substr(i);
-    if (json[i] == '<') {
-      text += "\\u003c";
-    } else if (rest.starts_with(line_separator) || rest.starts_with(paragraph_separator)) {
-      text += rest.starts_with(line_separator) ? "\\u2028" : "\\u2029";
-      i += line_separator.size() - 1;
-    } else {
-      text += json[i];
-    }
-  }
-  return text;
-}
 
 std::string hex(Color color) {
   return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue);
@@ -195,8 +175,8 @@ std::string write_html(std::string_view fold, std::span<const Drawing> pages, co
       {"@MARK@", xml_escaped(printable_utf8(mark_word(mark)))},
       {"@PRODUCER@", xml_escaped(printable_utf8(mark.producer))},
       {"@TITLE@", xml_escaped(printable_utf8(mark.title))},
-      {"@FOLD@", for_script(fold)},
-      {"@SHEETS@", for_script(write_sheets(pages))},
+      {"@FOLD@", packed_text(fold)},
+      {"@SHEETS@", packed_text(write_sheets(pages))},
   }};
   std::string html;
   std::string_view rest = page_template;

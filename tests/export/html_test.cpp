@@ -2,12 +2,15 @@
 // Pages for browsers: what a model's name can't do to them, what they promise about the network, and that
 // their documents are the nets and what else stands on the sheets.
 #include <algorithm>
+#include <array>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <zlib.h>
 
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
@@ -27,13 +30,54 @@ std::size_t count(std::string_view text, std::string_view what) {
   return found;
 }
 
+/// The text that these letters hold (docs/page.md): seven bits each, and those of what a page can't hold in
+/// front of seven more.
+std::string unpacked(const std::string& letters) {
+  std::vector<bool> bits;
+  const auto append = [&](unsigned seven) {
+    for (unsigned bit = 64; bit > 0; bit /= 2) {
+      bits.push_back((seven & bit) != 0);
+    }
+  };
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    const unsigned byte = static_cast<unsigned char>(letters[i]);
+    if (byte < 0x80) {
+      append(byte);
+    } else {
+      const unsigned letter = (byte & 0x1fU) << 6U | (static_cast<unsigned char>(letters.at(++i)) & 0x3fU);
+      append(std::array{0x00U, 0x0dU, 0x3cU}.at(letter / 0x80 - 2));
+      append(letter & 0x7fU);
+    }
+  }
+  std::string packed(bits.size() / 8, '\0');
+  for (std::size_t i = 0; i < 8 * packed.size(); ++i) {
+    packed[i / 8] = static_cast<char>(packed[i / 8] << 1U | (bits[i] ? 1 : 0));
+  }
+  z_stream stream{};
+  REQUIRE(inflateInit(&stream) == Z_OK);
+  stream.next_in = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_in = static_cast<uInt>(packed.size());
+  std::string text;
+  std::array<char, 4096> some{};
+  int told = Z_OK;
+  while (told == Z_OK) {
+    stream.next_out = reinterpret_cast<Bytef*>(some.data());
+    stream.avail_out = some.size();
+    told = inflate(&stream, Z_NO_FLUSH);
+    text.append(some.data(), some.size() - stream.avail_out);
+  }
+  inflateEnd(&stream);
+  REQUIRE(told == Z_STREAM_END);
+  return text;
+}
+
 /// What stands in the script element with this id.
 std::string document(const std::string& html, const std::string& id) {
-  const std::string begin = "<script type=\"application/json\" id=\"" + id + "\">";
+  const std::string begin = "<script type=\"text/plain\" id=\"" + id + "\">";
   const std::size_t at = html.find(begin);
   REQUIRE(at != std::string::npos);
   const std::size_t from = at + begin.size();
-  return html.substr(from, html.find("</script>", from) - from);
+  return unpacked(html.substr(from, html.find("</script>", from) - from));
 }
 
 test::SamplePages cube_pages() {
@@ -56,6 +100,21 @@ TEST_CASE("nothing in a document ends it", "[html]") {
   CHECK(Json::parse(document(html, "fold")) == Json::parse(fold));
   CHECK(Json::parse(document(html, "sheets")).at("pages").at(0).at("groups").at(0).at("texts").at(0).at(1) ==
         nasty);
+}
+
+TEST_CASE("whatever bytes a document has, the page gives them back", "[html]") {
+  std::mt19937 random(7);
+  for (std::size_t size = 0; size < 3000; size = size * 5 / 4 + 1) {
+    std::string bytes;
+    while (bytes.size() < size) {
+      bytes.push_back(static_cast<char>(random() % 256));
+    }
+    const std::string html = paper::write_html(bytes, {}, mark);
+    INFO(size << " bytes");
+    CHECK(document(html, "fold") == bytes);
+    CHECK(count(html, std::string_view("\0", 1)) == 0);
+    CHECK(count(html, "\r") == 0);
+  }
 }
 
 TEST_CASE("a name is words, whatever it is", "[html]") {

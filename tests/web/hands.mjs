@@ -8,6 +8,7 @@ import {pathToFileURL} from "node:url";
 import {parseArgs} from "node:util";
 import {gzipSync} from "node:zlib";
 
+import {unpackedText} from "../../web/packed.js";
 import {launch, toolsIn} from "./browsers.mjs";
 
 const {values} = parseArgs({options: {browser: {type: "string", default: "chromium"}, cmake: {type: "string"}, web: {type: "string"},
@@ -39,8 +40,7 @@ execFileSync(values.program, [`${values.samples}/whale.obj`, "--overwrite", "--q
   {stdio: ["ignore", "ignore", "inherit"]});
 const fold = readFileSync(`${out}/whale.fold`, "utf8");
 const written = readFileSync(`${out}/whale.html`, "utf8");
-const sheets = /id="sheets">(.*?)<\/script>/s.exec(written)[1].replace(/\\(\\|u003c|u2028|u2029)/g, (_, what) =>
-  what === "\\" ? "\\" : String.fromCharCode(parseInt(what.slice(1), 16)));
+const sheets = unpackedText(/id="sheets">(.*?)<\/script>/s.exec(written)[1]);
 execFileSync(values.cmake, ["-D", "STUDIO=ON", "-D", `HTML=${out}/frame.html`, "-P", `${values.web}/bundle.cmake`]);
 const json = (value) => JSON.stringify(value).replaceAll("<", "\\u003c");
 const data = [["program", `(${play})(${json(fold)},${json(sheets)});`], ["sample-files", json({whale: {"whale.obj": "v 0 0 0\n"}})], ["start", "{}"],
