@@ -137,6 +137,7 @@ if(STUDIO)
   file(READ ${CMAKE_CURRENT_LIST_DIR}/studio.html studio)
   foreach(change IN ITEMS
       "  <meta name=\"ridgecraft-model\" content=\"@MARK@\">\n|"
+      "  <meta name=\"ridgecraft-settings\" content=\"@SETTINGS@\">\n|"
       "<body>|<body class=\"studio\">\n${studio}"
       "  <script type=\"text/plain\" id=\"fold\">@FOLD@</script>\n|"
       "  <script type=\"text/plain\" id=\"sheets\">@SHEETS@</script>\n|@DATA@"

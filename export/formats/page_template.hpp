@@ -7,8 +7,8 @@
 
 namespace ridgecraft::paper {
 
-/// HTML with `@MARK@`, `@PRODUCER@`, `@TITLE@`, `@FOLD@` and `@SHEETS@` once each, in this order, where
-/// write_html() puts what belongs there.
+/// HTML with `@MARK@`, `@SETTINGS@`, `@PRODUCER@`, `@TITLE@`, `@FOLD@` and `@SHEETS@` once each, in this
+/// order, where write_html() puts what belongs there.
 extern const std::string_view page_template;
 
 }  // namespace ridgecraft::paper

@@ -171,8 +171,9 @@ std::string write_sheets(std::span<const Drawing> pages) {
 }
 
 std::string write_html(std::string_view fold, std::span<const Drawing> pages, const Mark& mark) {
-  const std::array<std::pair<std::string_view, std::string>, 5> places{{
+  const std::array<std::pair<std::string_view, std::string>, 6> places{{
       {"@MARK@", xml_escaped(printable_utf8(mark_word(mark)))},
+      {"@SETTINGS@", mark.settings.empty() ? "" : xml_escaped(settings_json(mark.settings))},
       {"@PRODUCER@", xml_escaped(printable_utf8(mark.producer))},
       {"@TITLE@", xml_escaped(printable_utf8(mark.title))},
       {"@FOLD@", packed_text(fold)},

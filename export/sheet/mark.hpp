@@ -19,7 +19,7 @@ struct Mark {
   std::string producer;     ///< program and version
   std::string title;        ///< the model's name
   std::string digest;       ///< mesh::Model::digest
-  Settings settings = {};   ///< FOLD, PDF and the SVG of a printed page tell them
+  Settings settings = {};   ///< FOLD, PDF, HTML and the SVG of a printed page tell them
   std::string preset = {};  ///< of the machine that the file is for; PDF tells it as its subject
 };
 

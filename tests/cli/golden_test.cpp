@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program_checks.hpp"
+#include "support/page_document.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft::test;
@@ -94,15 +95,6 @@ std::string png_text(const std::string& bytes) {
   return chunks;
 }
 
-/// Of a page for browsers, what of the sheets can't be told from the nets; its program isn't made from the
-/// model.
-std::string sheets_text(const std::string& bytes) {
-  const std::string begin = "id=\"sheets\">";
-  const std::size_t from = bytes.find(begin);
-  REQUIRE(from != std::string::npos);
-  return bytes.substr(from + begin.size(), bytes.find("</script>", from) - from - begin.size());
-}
-
 /// From the man page, where each has a section: ".SH RIDGECRAFT SEGMENT".
 std::vector<std::string> all_verbs(const TemporaryFolder& folder) {
   constexpr std::string_view heading = ".SH RIDGECRAFT ";
@@ -149,7 +141,8 @@ TEST_CASE("printed nets are as they were", "[golden]") {
   check_golden("files/house.svg", read_bytes(folder / "house.svg"));
   check_golden("files/house.fold", read_bytes(folder / "house.fold"));
   run_well({"house.obj", "--size", "45mm", "--paper", "A6", "-o", "house.html"}, folder);
-  check_golden("files/house.html.txt", sheets_text(read_bytes(folder / "house.html")));
+  // Of the page, what of the sheets can't be told from the nets; its program isn't made from the model.
+  check_golden("files/house.html.txt", page_document(read_bytes(folder / "house.html"), "sheets"));
 }
 
 TEST_CASE("parts, nets without pages, hulls, cages and shells are as they were", "[golden]") {

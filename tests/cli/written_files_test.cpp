@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "cli/program_checks.hpp"
+#include "support/page_document.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft::test;
@@ -56,7 +57,7 @@ TEST_CASE("a page for browsers stands beside the other files, unless nobody want
   // The nets in it are those of the file, byte by byte: this name needs nothing to be written otherwise.
   const std::string html = read_bytes(folder / "page.html");
   CHECK(html.starts_with("<!doctype html>"));
-  CHECK(html.find(">" + read_bytes(folder / "page.fold") + "</script>") != std::string::npos);
+  CHECK(page_document(html, "fold") == read_bytes(folder / "page.fold"));
   REQUIRE(run_program({"house.obj", "--size", "8cm", "--no-page", "-o", "out"}, in(folder)).exit_code == 0);
   CHECK_FALSE(fs::exists(folder / "out/house.html"));
   CHECK(fs::exists(folder / "out/house.fold"));

@@ -2,7 +2,6 @@
 // Pages for browsers: what a model's name can't do to them, what they promise about the network, and that
 // their documents are the nets and what else stands on the sheets.
 #include <algorithm>
-#include <array>
 #include <random>
 #include <string>
 #include <string_view>
@@ -10,9 +9,9 @@
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
-#include <zlib.h>
 
 #include "sample_pages.hpp"
+#include "support/page_document.hpp"
 #include "support/shapes.hpp"
 
 namespace ridgecraft {
@@ -20,6 +19,7 @@ namespace {
 
 using test::drawings;
 using test::mark;
+using test::page_document;
 using Json = nlohmann::json;
 
 std::size_t count(std::string_view text, std::string_view what) {
@@ -28,56 +28,6 @@ std::size_t count(std::string_view text, std::string_view what) {
     ++found;
   }
   return found;
-}
-
-/// The text that these letters hold (docs/page.md): seven bits each, and those of what a page can't hold in
-/// front of seven more.
-std::string unpacked(const std::string& letters) {
-  std::vector<bool> bits;
-  const auto append = [&](unsigned seven) {
-    for (unsigned bit = 64; bit > 0; bit /= 2) {
-      bits.push_back((seven & bit) != 0);
-    }
-  };
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    const unsigned byte = static_cast<unsigned char>(letters[i]);
-    if (byte < 0x80) {
-      append(byte);
-    } else {
-      const unsigned letter = (byte & 0x1fU) << 6U | (static_cast<unsigned char>(letters.at(++i)) & 0x3fU);
-      append(std::array{0x00U, 0x0dU, 0x3cU}.at(letter / 0x80 - 2));
-      append(letter & 0x7fU);
-    }
-  }
-  std::string packed(bits.size() / 8, '\0');
-  for (std::size_t i = 0; i < 8 * packed.size(); ++i) {
-    packed[i / 8] = static_cast<char>(packed[i / 8] << 1U | (bits[i] ? 1 : 0));
-  }
-  z_stream stream{};
-  REQUIRE(inflateInit(&stream) == Z_OK);
-  stream.next_in = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_in = static_cast<uInt>(packed.size());
-  std::string text;
-  std::array<char, 4096> some{};
-  int told = Z_OK;
-  while (told == Z_OK) {
-    stream.next_out = reinterpret_cast<Bytef*>(some.data());
-    stream.avail_out = some.size();
-    told = inflate(&stream, Z_NO_FLUSH);
-    text.append(some.data(), some.size() - stream.avail_out);
-  }
-  inflateEnd(&stream);
-  REQUIRE(told == Z_STREAM_END);
-  return text;
-}
-
-/// What stands in the script element with this id.
-std::string document(const std::string& html, const std::string& id) {
-  const std::string begin = "<script type=\"text/plain\" id=\"" + id + "\">";
-  const std::size_t at = html.find(begin);
-  REQUIRE(at != std::string::npos);
-  const std::size_t from = at + begin.size();
-  return unpacked(html.substr(from, html.find("</script>", from) - from));
 }
 
 test::SamplePages cube_pages() {
@@ -97,9 +47,15 @@ TEST_CASE("nothing in a document ends it", "[html]") {
     CHECK(count(html, part) == count(plain, part));
   }
   CHECK(count(html, "\xe2\x80\xa8") == 0);
-  CHECK(Json::parse(document(html, "fold")) == Json::parse(fold));
-  CHECK(Json::parse(document(html, "sheets")).at("pages").at(0).at("groups").at(0).at("texts").at(0).at(1) ==
-        nasty);
+  CHECK(Json::parse(page_document(html, "fold")) == Json::parse(fold));
+  CHECK(Json::parse(page_document(html, "sheets"))
+            .at("pages")
+            .at(0)
+            .at("groups")
+            .at(0)
+            .at("texts")
+            .at(0)
+            .at(1) == nasty);
 }
 
 TEST_CASE("whatever bytes a document has, the page gives them back", "[html]") {
@@ -111,7 +67,7 @@ TEST_CASE("whatever bytes a document has, the page gives them back", "[html]") {
     }
     const std::string html = paper::write_html(bytes, {}, mark);
     INFO(size << " bytes");
-    CHECK(document(html, "fold") == bytes);
+    CHECK(page_document(html, "fold") == bytes);
     CHECK(count(html, std::string_view("\0", 1)) == 0);
     CHECK(count(html, "\r") == 0);
   }
@@ -122,7 +78,7 @@ TEST_CASE("a name is words, whatever it is", "[html]") {
   const std::string html = paper::write_html("{}", {}, named);
   CHECK(count(html, "<b>") == 0);
   CHECK(html.find("<title>&lt;/title&gt;&lt;b&gt;&quot;&amp;'@FOLD@") != std::string::npos);
-  CHECK(document(html, "fold") == "{}");
+  CHECK(page_document(html, "fold") == "{}");
   CHECK(paper::read_mark_digest(html) == "0123456789abcdef");
 }
 
@@ -149,7 +105,7 @@ TEST_CASE("the second document has the texts of all pages", "[html]") {
   const test::SamplePages sample = cube_pages();
   const std::vector<paper::Drawing> pages = drawings(sample);
   const std::string html = paper::write_html("{}", pages, mark);
-  const Json sheets = Json::parse(document(html, "sheets"));
+  const Json sheets = Json::parse(page_document(html, "sheets"));
   REQUIRE(sheets.at("pages").size() == pages.size());
   for (std::size_t p = 0; p < pages.size(); ++p) {
     const Json& page = sheets["pages"][p];
@@ -182,7 +138,7 @@ TEST_CASE("colours and pictures stand in the second document as they are drawn",
   image.clip = {{{1, 2}, {3, 2}, {1, 4}}};
   group.images.push_back(image);
   page.groups.push_back(group);
-  const Json told = Json::parse(document(paper::write_html("{}", std::vector{page}, mark), "sheets"))
+  const Json told = Json::parse(page_document(paper::write_html("{}", std::vector{page}, mark), "sheets"))
                         .at("pages")
                         .at(0)
                         .at("groups")
