@@ -12,7 +12,7 @@ set(styles page)
 if(STUDIO)
   list(REMOVE_ITEM modules start)
   list(INSERT modules 1 studio_words)
-  list(APPEND modules wishes archive worker_backend hands edit studio start_studio)
+  list(APPEND modules wishes archive unpacker worker_backend hands edit studio start_studio)
   list(APPEND styles studio)
 endif()
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Starts the studio with what stands in its page: the program, samples, and perhaps a model to begin with.
 
-import {byId} from "./panel.js";
+import {byId, tellBroken} from "./panel.js";
 import {Studio} from "./studio.js";
+import {Unpacker} from "./unpacker.js";
 import {wishesOf} from "./wishes.js";
 import {WorkerBackend} from "./worker_backend.js";
 
@@ -10,7 +11,7 @@ import {WorkerBackend} from "./worker_backend.js";
 function bytesOf(base64) {
   const letters = atob(base64.trim());
   const bytes = new Uint8Array(letters.length);
-  // A function for each of the module's three million letters would take half a second.
+  // A function for each letter of a model of some megabytes would take half a second.
   for (let i = 0; i < letters.length; ++i) {
     bytes[i] = letters.charCodeAt(i);
   }
@@ -20,18 +21,15 @@ function bytesOf(base64) {
 /** @param {string} id */
 const embedded = (id) => byId(id).textContent ?? "";
 
-/** @returns {Promise<WebAssembly.Module>} */
-async function unpackModule() {
-  const packed = new Blob([bytesOf(embedded("module"))]).stream();
-  // What is unpacked is compiled while the rest is being unpacked.
-  return WebAssembly.compileStreaming(new Response(packed.pipeThrough(new DecompressionStream("gzip")),
-    {headers: {"content-type": "application/wasm"}}));
-}
-
-function startStudio() {
+async function startStudio() {
   const version = document.querySelector("meta[name=generator]")?.getAttribute("content") ?? "";
-  const backend = new WorkerBackend(embedded("program"), unpackModule(), version);
-  const studio = new Studio(backend, JSON.parse(embedded("sample-files")));
+  const sizes = (byId("packed").dataset.sizes ?? "").split(" ").map(Number);
+  const unpacker = await Unpacker.started(bytesOf(embedded("unpacker")), embedded("packed"), sizes.reduce((a, b) => a + b));
+  const [program, samples] = sizes.slice(0, 2).map((size) => unpacker.text(size));
+  // What is unpacked is compiled while the rest is being unpacked.
+  const module = WebAssembly.compileStreaming(new Response(unpacker.rest(), {headers: {"content-type": "application/wasm"}}));
+  const backend = new WorkerBackend(program, module, version);
+  const studio = new Studio(backend, JSON.parse(samples));
   Object.assign(globalThis, {ridgecraft: {inspect: (/** @type {any} */ about) => studio.inspect(about),
     export: (/** @type {string} */ format) => backend.export(format)}});
   const start = JSON.parse(embedded("start"));
@@ -43,4 +41,7 @@ function startStudio() {
   }
 }
 
-startStudio();
+startStudio().catch((error) => {
+  tellBroken(error);
+  throw error;
+});

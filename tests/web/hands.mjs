@@ -6,8 +6,8 @@ import {execFileSync} from "node:child_process";
 import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
 import {pathToFileURL} from "node:url";
 import {parseArgs} from "node:util";
-import {gzipSync} from "node:zlib";
 
+import {lettersOf} from "../../wasm/letters.mjs";
 import {unpackedText} from "../../web/packed.js";
 import {launch, toolsIn} from "./browsers.mjs";
 
@@ -42,12 +42,18 @@ const fold = readFileSync(`${out}/whale.fold`, "utf8");
 const written = readFileSync(`${out}/whale.html`, "utf8");
 const sheets = unpackedText(/id="sheets">(.*?)<\/script>/s.exec(written)[1]);
 execFileSync(values.cmake, ["-D", "STUDIO=ON", "-D", `HTML=${out}/frame.html`, "-P", `${values.web}/bundle.cmake`]);
-const json = (value) => JSON.stringify(value).replaceAll("<", "\\u003c");
-const data = [["program", `(${play})(${json(fold)},${json(sheets)});`], ["sample-files", json({whale: {"whale.obj": "v 0 0 0\n"}})], ["start", "{}"],
-  ["module", gzipSync(Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])).toString("base64")]];
+/** Unpacks nothing: what it is given is what it gives. (module (memory (export "memory") 16) (func (export "begin") (param i32 i32)
+ * (result i32) i32.const 0) (func (export "unpack") (param i32) (result i32) i32.const 0)) */
+const unpacker = "AGFzbQEAAAABDAJgAn9/AX9gAX8BfwMDAgABBQMBABAHGwMGbWVtb3J5AgAFYmVnaW4AAAZ1bnBhY2sAAQoLAgQAQQALBABBAAs=";
+const parts = [Buffer.from(`(${play})(${JSON.stringify(fold)},${JSON.stringify(sheets)});`), Buffer.from(JSON.stringify({whale: {"whale.obj": "v 0 0 0\n"}})),
+  Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])];
+const data = `<script type="text/plain" id="unpacker">${unpacker}</script>
+<script type="text/plain" id="packed" data-sizes="${parts.map(({length}) => length).join(" ")}">${lettersOf(Buffer.concat(parts))}</script>
+<script type="application/json" id="start">{}</script>
+`;
 const file = `${out}/hands.html`;
 writeFileSync(file, readFileSync(`${out}/frame.html`, "utf8").replace("@PRODUCER@", "Ridgecraft test")
-  .replace("@DATA@", () => data.map(([id, text]) => `<script type="text/plain" id="${id}">${text}</script>\n`).join("")));
+  .replace("@DATA@", () => data));
 
 const browser = await launch(require, values.browser, true);
 
