@@ -114,8 +114,11 @@ export class App {
     resized.observe(byId("model"));
     resized.observe(byId("paper"));
     ended.signal.addEventListener("abort", () => resized.disconnect());
+    /** Whether the picture of the App before stays until the pages' pictures are there. */
+    this.unpainted = false;
     if (view) {
       this.#goOn(view);
+      this.unpainted = this.drawer.painted && view.painted && !this.scene.simple;
     }
     if (this.drawer.painted) {
       this.#paint();
@@ -185,10 +188,9 @@ export class App {
     byId("colours").hidden = false;
     const [width, height] = this.drawer.size(0);
     const scale = Math.min(6, Math.sqrt(mostPixels / (this.nets.pages.length * width * height)));
-    const pictures = [];
-    for (let p = 0; p < this.nets.pages.length; ++p) {
-      pictures.push(await this.drawer.picture(p, scale));
-    }
+    const pictures = await Promise.all(this.nets.pages.map((_, p) => this.drawer.picture(p, scale))).finally(() => {
+      this.unpainted = false;
+    });
     if (this.ending.signal.aborted) {
       return;
     }
@@ -434,7 +436,9 @@ export class App {
       this.#pose();
       this.posed = true;
     }
-    this.scene.draw();
+    if (!this.unpainted) {
+      this.scene.draw();
+    }
     this.guide.label();
     if (this.frames.first === 0) {
       this.frames.first = performance.now();

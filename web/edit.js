@@ -109,6 +109,12 @@ export class Offer {
       });
       return button;
     }));
+    if (spot.edge >= 0) {
+      // Where lines are close together, a finger hits one of them rather than the piece.
+      const whole = htmlElement("button", {type: "button"}, [say("whole_piece", {name: app.nets.pieces[spot.piece].name})]);
+      whole.addEventListener("click", () => app.choose({piece: spot.piece, edge: -1}, false));
+      this.buttons.append(whole);
+    }
     this.box.hidden = false;
     if (!ok) {
       app.markFaces(faces ?? []);

@@ -135,12 +135,12 @@ export class Hands {
       const degrees = this.#turnAt(index, event);
       const [left, top, right, bottom] = plan.pieceBox(index);
       const corner = plan.corners[nets.pieces[index].page];
-      plan.pieces[index].setAttribute("transform", `rotate(${-degrees} ${0.5 * (left + right) - corner.x} ${0.5 * (top + bottom) - corner.y})`);
+      plan.shift(index, `rotate(${-degrees} ${0.5 * (left + right) - corner.x} ${0.5 * (top + bottom) - corner.y})`);
       held.edits = [placeOfPiece(nets, index, 0, 0, degrees)];
     } else {
       const over = plan.pageAtClient(event.clientX, event.clientY);
       held.edits = held.pieces.map((index) => {
-        plan.pieces[index].setAttribute("transform", `translate(${dx} ${dy})`);
+        plan.shift(index, `translate(${dx} ${dy})`);
         const own = nets.pieces[index].page;
         const page = over < 0 ? own : over;
         const [from, to] = [plan.corners[own], plan.cornerOf(page)];
@@ -196,7 +196,7 @@ export class Hands {
   /** @param {Held | null} held */
   #release(held) {
     held?.pieces.forEach((index) => {
-      this.plan.pieces[index].removeAttribute("transform");
+      this.plan.shift(index);
       this.plan.pieces[index].classList.remove("no-room");
     });
     this.plan.svg.classList.remove("holding");

@@ -177,11 +177,18 @@ export class PageDrawer {
     this.#fills(parent, p, group.fills ?? []);
   }
 
-  /** Colours that reach below other pieces. @param {Element} parent @param {number} p */
+  /** Colours that reach below other pieces. @param {Element} parent @param {number} p @returns {SVGElement[]} by piece */
   ground(parent, p) {
+    /** @type {SVGElement[]} */
+    const grounds = [];
     for (const group of this.sheets.pages[p]?.groups ?? []) {
-      this.#fills(parent, p, group.ground ?? []);
+      if (group.ground) {
+        const own = svgElement("g", {}, parent);
+        this.#fills(own, p, group.ground);
+        grounds[this.pieceByGroup.get(group.id) ?? -1] = own;
+      }
     }
+    return grounds;
   }
 
   /** Lines, areas and texts that the program has placed. @param {Element} parent @param {number} p @param {Group} group */
@@ -343,6 +350,8 @@ export class Plan {
     this.corners = [];
     /** @type {SVGGElement[]} */
     this.pieces = [];
+    /** What of a piece lies below the others. @type {SVGElement[]} */
+    this.grounds = [];
     /** @type {number[]} */
     this.edges = [];
     /** Where pieces may be moved. @type {import("./hands.js").Hands | null} */
@@ -365,7 +374,7 @@ export class Plan {
       const page = svgElement("g", {class: "page"}, this.pagesGroup);
       this.pageGroups.push(page);
       svgElement("rect", {class: "sheet", width, height}, page);
-      drawer.ground(svgElement("g", {class: "ground"}, page), p);
+      Object.assign(this.grounds, drawer.ground(svgElement("g", {class: "ground"}, page), p));
       for (const index of nets.pages[p]?.pieces ?? []) {
         const group = svgElement("g", {class: "piece", tabindex: 0, role: "img", "data-piece": index}, page);
         drawer.piece(group, index, true);
@@ -374,6 +383,13 @@ export class Plan {
       drawer.furniture(svgElement("g", {class: "furniture"}, page), p);
     }
     this.say();
+  }
+
+  /** Shows a piece elsewhere, or where it lies. @param {number} index @param {string} [transform] */
+  shift(index, transform) {
+    for (const part of [this.pieces[index], this.grounds[index]]) {
+      transform ? part?.setAttribute("transform", transform) : part?.removeAttribute("transform");
+    }
   }
 
   /** Names pieces for those who can't see them. */
@@ -774,7 +790,8 @@ export class Plan {
     svg.addEventListener("focusin", (event) => {
       const target = /** @type {Element} */ (event.target);
       const index = Number(target.closest("[data-piece]")?.getAttribute("data-piece") ?? -1);
-      if (index >= 0 && fingers.size === 0) {
+      // By a key: a finger's tap gives the focus, too, after it has chosen something.
+      if (index >= 0 && fingers.size === 0 && target.matches(":focus-visible")) {
         const edge = Number(target.getAttribute("data-edge") ?? -1);
         this.listener.hover({piece: index, edge});
         if (!this.sees(index)) {

@@ -387,6 +387,8 @@ export class Studio {
   // ---- the panel
 
   #buildPanel() {
+    const opens = byId("open-wishes");
+    opens.addEventListener("click", () => opens.setAttribute("aria-expanded", String(byId("panel").classList.toggle("open"))));
     const form = byId("wishes");
     const groups = [...new Set(wishes.map(({group}) => group))];
     const fieldset = (/** @type {string} */ group, /** @type {Wish[]} */ list) => htmlElement("fieldset", {},
