@@ -14,7 +14,7 @@ const samples = ["whale", "house", "fox_head", "rocket"];
 
 /** Of LZMA: how many bits of the byte before a literal, and of the place of a literal and of others, are heeded. Code is what
  * these suit best; what unpacks is compiled for them. */
-const [lc, lp, pb] = [3, 0, 2];
+const [lc, lp, pb] = [4, 0, 0];
 
 const text = (...path) => readFileSync(join(...path), "utf8");
 const files = Object.fromEntries(samples.map((name) => [name, Object.fromEntries([`${name}.obj`, `${name}.mtl`]
@@ -28,7 +28,7 @@ const packed = execFileSync("xz", ["--format=raw", `--lzma1=preset=9e,lc=${lc},l
 const [object, unpacker] = ["unpack.o", "unpack.wasm"].map((name) => join(build, name));
 execFileSync("emcc", ["-O2", `-DLC=${lc}`, `-DLP=${lp}`, `-DPB=${pb}`, "-c", join(source, "wasm", "unpack.c"), "-o", object]);
 execFileSync("wasm-ld", ["--no-entry", "--strip-all", "-z", "stack-size=4096", object, "-o", unpacker]);
-execFileSync("wasm-opt", ["-Os", unpacker, "-o", unpacker]);
+execFileSync("wasm-opt", ["-O2", unpacker, "-o", unpacker]);
 
 const data = `<script type="text/plain" id="unpacker">${readFileSync(unpacker).toString("base64")}</script>
 <script type="text/plain" id="packed" data-sizes="${parts.map(({length}) => length).join(" ")}">${lettersOf(packed)}</script>
