@@ -21,6 +21,7 @@ Object.assign(texts, {
   tip: ["Click a fold to cut it, or a seam to join it; drag a piece to move it.", "Einen Falz anklicken, um dort zu schneiden, eine Naht, um zu verbinden; Teile lassen sich ziehen."],
   tip_touch: ["Tap a fold to cut it, a seam to join it, a piece to move it.", "Einen Falz antippen, um zu schneiden, eine Naht, um zu verbinden, ein Teil, um es zu bewegen."],
   open_wishes: ["Options", "Einstellungen"],
+  allow_more_faces: ["\"{wish}\", below {more}, may allow that.", "„{wish}“ unter „{more}“ kann das zulassen."],
   whole_piece: ["Piece {name} …", "Teil {name} …"],
   format_pdf: ["PDF to print", "PDF zum Drucken"],
   format_guide: ["PDF: how to build it", "PDF: Bauanleitung"],
