@@ -118,6 +118,9 @@ async function byMouse() {
   await page.keyboard.press("Escape");
   await drag(60, 40, async () => {
     check(await page.locator(".new-page").count() === 1, "there is no new page while a piece is held");
+    const shifts = await page.evaluate(() => ["[data-piece]", ".ground > g"].map((kind) =>
+      [...document.querySelectorAll(`${kind}[transform]`)].map((part) => part.getAttribute("transform")).join()));
+    check(shifts[0] !== "" && shifts[0] === shifts[1], `a piece is held by ${shifts[0]}, the colour below it by ${shifts[1]}`);
     await page.screenshot({path: `${out}/${values.browser}-held.png`});
   });
   const first = (await lines("apply")).at(-1) ?? "";
@@ -141,6 +144,17 @@ async function byMouse() {
   const texts = await page.locator("#edit button").allTextContents();
   check(texts.join() === "Um 90° nach links drehen,Um 90° nach rechts drehen,Anderen Platz suchen,Andere Abwicklung,Festhalten", `the buttons say ${texts}`);
   await page.screenshot({path: `${out}/${values.browser}-offer.png`});
+
+  // From an edge a button leads to its piece.
+  await page.keyboard.press("Escape");
+  const [fold] = (await inspect()).folds;
+  await page.mouse.click(...(await inspect({edge: fold})).places.sheet);
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().offer);
+  check(/^Hier schneiden,Teil \w+ …$/.test((await page.locator("#edit button").allTextContents()).join()), "an edge doesn't lead to its piece");
+  await page.click("#edit button:last-child");
+  check((await inspect()).offer?.edits[0].kind === "place", "the piece of an edge is offered nothing");
+  await page.keyboard.press("Escape");
+  await page.mouse.click(x, y);
 
   // The handle turns it.
   const handle = await page.locator(".turn-handle").boundingBox();
@@ -190,6 +204,12 @@ async function byFinger() {
   const stroke = await strokes(context, page);
   const applied = async () => (await lines("apply")).length;
   const cornerOf = () => page.evaluate(() => document.getElementById("plan").getAttribute("viewBox"));
+
+  // The wishes stand in a drawer there.
+  check(!await page.isVisible("#wishes"), "the wishes take the sheets' room on a phone");
+  await page.click("#open-wishes");
+  check(await page.isVisible("#wish-paper") && await page.isVisible("#open-other"), "the wishes don't open on a phone");
+  await page.click("#open-wishes");
 
   const before = await cornerOf();
   await stroke([await inside(0)], [[30, 24]]);
