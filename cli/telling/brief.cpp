@@ -14,6 +14,7 @@
 #include "base/sentence.hpp"
 #include "cli/telling/lengths.hpp"
 #include "cli/telling/net_figures.hpp"
+#include "export/view/stance.hpp"
 #include "job/verdict.hpp"
 #include "prepare/prepared/seen_move.hpp"
 
@@ -23,18 +24,18 @@ namespace {
 /// A surface that moved less has moved by rounding in the file, mm.
 constexpr double seen_mm = 0.005;
 
-/// ", as folds or faces would be too small at 150 mm" or another reason, where nobody asked for the size that
+/// ": at 150 mm folds or faces would be too small" or another reason, where nobody asked for the size that
 /// it has.
 std::string why_size(const job::Paper& made) {
   switch (made.prepared.size_reason) {
     case prepare::SizeReason::folds:
-      return ", as folds or faces would be too small at 150 mm";
+      return ": at 150 mm folds or faces would be too small";
     case prepare::SizeReason::room:
-      return ", as many tabs and numbers would be too small at 150 mm";
+      return ": at 150 mm many tabs and numbers would be too small";
     case prepare::SizeReason::shape:
-      return ", as folds that long would change its shape at 150 mm";
+      return ": at 150 mm simplification would change its shape";
     case prepare::SizeReason::pages:
-      return fmt::format(", as it would take more than {:g} pages at 150 mm", made.options.size.most_pages);
+      return fmt::format(": at 150 mm it would take more than {:g} pages", made.options.size.most_pages);
     case prepare::SizeReason::none:
       break;
   }
@@ -106,11 +107,7 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
     clauses.push_back(plain_text(made.ready.plain) + " (--keep-bodies keeps them)");
   }
   if (skin.united > 0) {
-    const std::string united =
-        skin.united_into < skin.united
-            ? fmt::format("{} that meet united into {}", counted_bodies(skin.united), skin.united_into)
-            : counted_bodies(skin.united) + " made one skin where they meet";
-    clauses.push_back(united +
+    clauses.push_back(counted_bodies(skin.united) + " made one skin where they meet" +
                       (skin.faces_hidden > 0
                            ? fmt::format(", {} dropped", counted(skin.faces_hidden, "hidden face"))
                            : std::string()) +
@@ -143,12 +140,15 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
   return joined(clauses, "as it is in the file");
 }
 
+/// Seams that are shorter together hold by those beside them.
+constexpr double worth_telling_mm = 5.0;
+
 void add_glue(const GlueFigures& glue, Clauses& clauses) {
-  if (glue.without_tab_mm > 0.0) {
+  if (glue.without_tab_mm >= worth_telling_mm) {
     clauses.push_back(
         fmt::format("{} of seams have no tab: glue a strip of paper behind", metres(glue.without_tab_mm)));
   }
-  if (glue.weak_mm > 0.0) {
+  if (glue.weak_mm >= worth_telling_mm) {
     clauses.push_back(fmt::format("{} of seams have tabs too small to hold well", metres(glue.weak_mm)));
   }
 }
@@ -166,7 +166,8 @@ std::string numbers_without_room(const PaperJob& job, const PaperResult& result)
                            return shows == Shows::sheets || shows == Shows::print || shows == Shows::page;
                          });
   if (has_pages) {
-    return begin + (lost == 1 ? "stands in a larger picture" : "stand in larger pictures");
+    return begin + (lost == 1 ? "stands in a part of its piece that is drawn larger"
+                              : "stand in parts of their pieces that are drawn larger");
   }
   const bool writes = job.preset.paths.engraves || job.preset.pdf;
   return writes && !job.preset.simulates
@@ -258,7 +259,7 @@ std::string next_line(const PaperJob& job, const PaperResult& result) {
     clauses.push_back(fmt::format("--size {:.0f}mm {} be folded", *made.prepared.smallest_size_mm,
                                   job::larger_size_is_sure(made.ready, made.skin) ? "can" : "may"));
   } else if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
-    clauses.emplace_back("a larger --size or fewer --faces may leave fewer faces that are too thin to cut");
+    clauses.emplace_back("for fewer faces that are too thin to cut try a larger --size");
   } else if (made.share_saving_a_page) {
     clauses.push_back(fmt::format("--size {:.0f}mm may save a page", size_saving_a_page(made)));
   }
@@ -304,9 +305,10 @@ std::string details_text(const prepare::Details& details) {
                                         : fmt::format("{} flat bodies that lie on others", details.flat));
   }
   if (details.low > 0) {
-    clauses.push_back(details.low == 1
-                          ? "1 body that stands out too little to be folded"
-                          : fmt::format("{} bodies that stand out too little to be folded", details.low));
+    clauses.push_back(
+        details.low == 1
+            ? "1 body that stands out too little to be folded"
+            : fmt::format("{} bodies that stand out of others by less than can be folded", details.low));
   }
   if (details.strands > 0) {
     clauses.push_back(fmt::format("{} (at least {}: wire or thread will do)",
@@ -317,10 +319,12 @@ std::string details_text(const prepare::Details& details) {
 
 std::string plain_text(const prepare::PlainBodies& plain) {
   return plain.count == 1
-             ? fmt::format("1 busy body made a plain block, which differs from it by up to {:.1f} mm",
-                           plain.moved_mm)
-             : fmt::format("{} busy bodies made plain blocks, which differ from them by up to {:.1f} mm",
-                           plain.count, plain.moved_mm);
+             ? fmt::format(
+                   "1 small body with many short edges made a plain block, up to {:.1f} mm away from it",
+                   plain.moved_mm)
+             : fmt::format(
+                   "{} small bodies with many short edges made plain blocks, up to {:.1f} mm away from them",
+                   plain.count, plain.moved_mm);
 }
 
 std::string size_words(const job::Paper& made, const std::string& asked) {
@@ -337,7 +341,7 @@ double size_saving_a_page(const job::Paper& made) {
 std::string where_it_differs(double moved_mm, const Box3& bounds) {
   const std::string where =
       fmt::format("where it was simplified it differs from the file by up to {:.1f} mm, ", moved_mm);
-  const std::string advice = ": more --faces stay nearer";
+  const std::string advice = ": with more --faces it stays nearer";
   switch (prepare::seen_move(moved_mm, bounds)) {
     case prepare::SeenMove::of_size:
       return where + fmt::format("{:.0f} % of its size", 100.0 * moved_mm / bounds.largest_extent()) + advice;
@@ -354,9 +358,9 @@ std::string where_it_differs(double moved_mm, const Box3& bounds) {
 void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result) {
   const job::Paper& made = result.made;
   const GlueFigures glue = glue_figures(made.prepared.model.surface, made.nets, job.options.tabs);
-  const Vec3 size = made.prepared.model.surface.bounds().size();
+  const Vec3 size = paper::standing_size(made.prepared.model.surface, paper::stance_of(made.up));
   summary.say(Line::brief, "size",
-              fmt::format("{:.0f} x {:.0f} x {:.0f} mm ({}{})", size.x, size.y, size.z,
+              fmt::format("{:.0f} mm wide, {:.0f} deep, {:.0f} high ({}{})", size.x, size.y, size.z,
                           size_words(made, job.size_asked.words), scale_text(made.prepared)));
   summary.say(Line::brief, "paper", paper_line(job, made, glue));
   summary.say(Line::brief, "model", model_line(job, made));

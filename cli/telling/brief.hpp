@@ -15,8 +15,8 @@ namespace ridgecraft::cli {
 /// The size at which these pieces would take a page less (job::Paper::share_saving_a_page), whole mm.
 [[nodiscard]] double size_saving_a_page(const job::Paper& made);
 
-/// "--size 150mm", or the size that was chosen and why: "--size 380mm, as folds or faces would be too small
-/// at 150 mm".
+/// "--size 150mm", or the size that was chosen and why: "--size 380mm: at 150 mm folds or faces would be too
+/// small".
 [[nodiscard]] std::string size_words(const job::Paper& made, const std::string& asked);
 
 void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result);
@@ -31,7 +31,7 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
 /// "a thin wall of up to 1.2 mm became a sheet".
 [[nodiscard]] std::string sheets_text(const prepare::SheetsReport& sheets);
 
-/// "12 busy bodies made plain blocks, which differ from them by up to 4.2 mm".
+/// "12 small bodies with many short edges made plain blocks, up to 4.2 mm away from them".
 [[nodiscard]] std::string plain_text(const prepare::PlainBodies& plain);
 
 /// "17 small bodies and 4 flat bodies that lie on others".

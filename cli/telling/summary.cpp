@@ -12,7 +12,7 @@ std::vector<std::string> repair_lines(const mesh::RepairReport& report, bool uni
   for (const mesh::Repair& repair : report.entries()) {
     std::string line = mesh::sentence(repair.kind, repair.count);
     if (united && repair.kind == mesh::RepairKind::self_intersections) {
-      line = counted(repair.count, "face") + " ran through others before bodies were united";
+      line = counted(repair.count, "face") + " ran through others: uniting the bodies has mended that";
     }
     if (!repair.detail.empty()) {
       line += " (" + repair.detail + ")";

@@ -10,6 +10,7 @@
 #include "base/sentence.hpp"
 #include "export/guide/words.hpp"
 #include "export/style/stroke_font.hpp"
+#include "export/view/stance.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -60,13 +61,7 @@ class Rows {
 };
 
 std::string size_words(const GuideModel& guide) {
-  Box3 box;
-  const Stance& stance = guide.stance;
-  const Vec3 side = cross(stance.up, stance.front);
-  for (const Vec3 p : guide.surface().points()) {
-    box.add({dot(side, p), dot(stance.front, p), dot(stance.up, p)});
-  }
-  const Vec3 size = box.size();
+  const Vec3 size = standing_size(guide.surface(), guide.stance);
   return fmt::format("{:.0f} mm wide, {:.0f} mm deep, {:.0f} mm high", size.x, size.y, size.z);
 }
 

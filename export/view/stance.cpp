@@ -138,4 +138,13 @@ Stance stance_of(mesh::Axis up) {
   return {{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
 }
 
+Vec3 standing_size(const mesh::Surface& surface, const Stance& stance) {
+  Box3 box;
+  const Vec3 side = cross(stance.up, stance.front);
+  for (const Vec3 p : surface.points()) {
+    box.add({dot(side, p), dot(stance.front, p), dot(stance.up, p)});
+  }
+  return box.size();
+}
+
 }  // namespace ridgecraft::paper

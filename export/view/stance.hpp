@@ -20,4 +20,7 @@ namespace ridgecraft::paper {
 /// The same where it is known which axis points up.
 [[nodiscard]] Stance stance_of(mesh::Axis up);
 
+/// What is how wide (x), deep (y) and high (z) as it stands. O(points).
+[[nodiscard]] Vec3 standing_size(const mesh::Surface& surface, const Stance& stance);
+
 }  // namespace ridgecraft::paper

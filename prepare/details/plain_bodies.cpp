@@ -28,14 +28,21 @@ constexpr std::size_t plain_faces = 20;
 constexpr double flat_angle = 3.0 * std::numbers::pi / 180.0;
 /// Of the directions of a body's faces those are tried that have most area, ...
 constexpr std::size_t most_directions = 6;
+/// (of the first so many, by their largest faces: a round body has as many as faces), ...
+constexpr std::size_t most_looked_at = 60;
 /// ... and faces have one direction where the cosine between them is larger.
 constexpr double one_direction = 0.999;
 /// Sides of a block are shorter than a short edge only where they can't be longer; a tab needs this share.
 constexpr double tab_share = 0.75;
 /// A side of a block looks where a face of the body looks where the cosine is larger.
 constexpr double same_way = 0.7;
-/// A body covers this share of what its block covers, seen from each side: a bone isn't like a block.
-constexpr double same_silhouette = 0.65;
+/// Where blocks would have more of its area, busy bodies are what a model is made of.
+constexpr double most_of_model = 0.4;
+/// A body covers this share of what a prism around it would cover, seen along it: a frame with a sill does,
+/// ...
+constexpr double same_outline = 0.65;
+/// ... and this one, seen from each side: a barrel does, but no bone, cone or ball (pi/4).
+constexpr double same_silhouette = 0.83;
 /// Places where the distance is measured are this share of the largest move apart.
 constexpr double spacing = 0.2;
 
@@ -83,7 +90,7 @@ std::vector<Vec3> directions_of(const mesh::Surface& body) {
     });
     if (same != all.end()) {
       same->area += body.area(f);
-    } else if (normal != Vec3{}) {
+    } else if (normal != Vec3{} && all.size() < most_looked_at) {
       all.push_back({normal, body.area(f)});
     }
   }
@@ -130,14 +137,22 @@ mesh::Surface surface_of(const Prism& prism) {
   return mesh::Surface(points_of(prism), std::move(corners));
 }
 
-/// From the top, and from each of its sides.
-bool looks_like_it(const mesh::Surface& body, const mesh::Surface& plain, const Prism& prism) {
-  if (silhouette_share(body, plain, normalized(prism.along)) < same_silhouette) {
+/// Seen along the block, and from each of its sides, where the body's own outline counts, not the plain one
+/// around it.
+bool looks_like_it(const mesh::Surface& body, const Prism& block) {
+  const Vec3 along = normalized(block.along);
+  const std::array<Vec3, 1> directions{along};
+  const std::optional<Prism> tight = plain_prism(body.points(), directions, PrismRules{0.0, 0.0, SIZE_MAX});
+  if (!tight) {
     return false;
   }
-  for (std::size_t i = 0; i < prism.base.size(); ++i) {
-    const Vec3 side = prism.base[(i + 1) % prism.base.size()] - prism.base[i];
-    if (silhouette_share(body, plain, normalized(cross(side, prism.along))) < same_silhouette) {
+  const mesh::Surface whole = surface_of(*tight);
+  if (silhouette_share(body, whole, along) < same_outline) {
+    return false;
+  }
+  for (std::size_t i = 0; i < block.base.size(); ++i) {
+    const Vec3 side = block.base[(i + 1) % block.base.size()] - block.base[i];
+    if (silhouette_share(body, whole, normalized(cross(side, along))) < same_silhouette) {
       return false;
     }
   }
@@ -159,42 +174,24 @@ class Blocks {
   }
 
   [[nodiscard]] const std::vector<FaceId>& faces(std::size_t body) const { return bodies_[body]; }
-  [[nodiscard]] std::size_t count() const { return bodies_.size(); }
 
-  /// The block in the place of a body; none where it stays.
-  [[nodiscard]] std::optional<Block> block(std::size_t body) const {
-    context_.check();
-    if (bodies_[body].size() <= plain_faces) {
-      return std::nullopt;
+  /// The block in the place of each body; none where it stays, and none at all where they would have most of
+  /// the model's area.
+  [[nodiscard]] std::vector<std::optional<Block>> blocks() const {
+    std::vector<std::optional<Block>> result;
+    double area = 0.0;
+    double of_blocks = 0.0;
+    for (std::size_t body = 0; body < bodies_.size(); ++body) {
+      result.push_back(block(body));
+      for (const FaceId f : bodies_[body]) {
+        area += surface_.area(f);
+        of_blocks += result.back() ? surface_.area(f) : 0.0;
+      }
     }
-    const mesh::Surface alone = mesh::faces_alone(surface_, bodies_[body]);
-    if (alone.bounds().largest_extent() > short_body * surface_.bounds().largest_extent()) {
-      return std::nullopt;
+    if (of_blocks > most_of_model * area) {
+      result.assign(result.size(), std::nullopt);
     }
-    const Edges before = folded_edges(alone, limits_.short_edge);
-    if (before.brief_length < limits_.busy * before.length) {
-      return std::nullopt;
-    }
-    const std::vector<Vec3> directions = directions_of(alone);
-    std::optional<Prism> prism =
-        plain_prism(alone.points(), directions, {tab_share * limits_.short_edge, limits_.shallow});
-    if (!prism) {
-      return std::nullopt;
-    }
-    const mesh::Surface plain = surface_of(*prism);
-    if (2 * folded_edges(plain, limits_.short_edge).brief > before.brief) {
-      return std::nullopt;
-    }
-    if (!looks_like_it(alone, plain, *prism)) {
-      return std::nullopt;
-    }
-    const double apart = spacing * limits_.largest_move;
-    const double moved = mesh::greatest_distance(
-        mesh::SurfaceTree(alone, apart), mesh::SurfaceTree(plain, apart), limits_.largest_move, context_);
-    if (moved > limits_.largest_move) {
-      return std::nullopt;
-    }
-    return Block{std::move(*prism), moved};
+    return result;
   }
 
   /// The face of a body that most of what looks in a direction is like; of all where nothing looks there.
@@ -224,6 +221,41 @@ class Blocks {
   }
 
  private:
+  [[nodiscard]] std::optional<Block> block(std::size_t body) const {
+    context_.check();
+    if (bodies_[body].size() <= plain_faces) {
+      return std::nullopt;
+    }
+    const mesh::Surface alone = mesh::faces_alone(surface_, bodies_[body]);
+    if (alone.bounds().largest_extent() > short_body * surface_.bounds().largest_extent()) {
+      return std::nullopt;
+    }
+    const Edges before = folded_edges(alone, limits_.short_edge);
+    if (before.brief_length < limits_.busy * before.length) {
+      return std::nullopt;
+    }
+    const std::vector<Vec3> directions = directions_of(alone);
+    std::optional<Prism> prism =
+        plain_prism(alone.points(), directions, {tab_share * limits_.short_edge, limits_.shallow});
+    if (!prism) {
+      return std::nullopt;
+    }
+    const mesh::Surface plain = surface_of(*prism);
+    if (2 * folded_edges(plain, limits_.short_edge).brief > before.brief) {
+      return std::nullopt;
+    }
+    if (!looks_like_it(alone, *prism)) {
+      return std::nullopt;
+    }
+    const double apart = spacing * limits_.largest_move;
+    const double moved = mesh::greatest_distance(
+        mesh::SurfaceTree(alone, apart), mesh::SurfaceTree(plain, apart), limits_.largest_move, context_);
+    if (moved > limits_.largest_move) {
+      return std::nullopt;
+    }
+    return Block{std::move(*prism), moved};
+  }
+
   const mesh::Surface& surface_;
   PlainLimits limits_;
   const Context& context_;
@@ -234,32 +266,37 @@ class Blocks {
 
 PlainBodies make_plain(mesh::Model& model, const PlainLimits& limits, const Context& context) {
   PlainBodies result;
-  const Blocks blocks(model, limits, context);
+  const Blocks bodies(model, limits, context);
+  const std::vector<std::optional<Block>> blocks = bodies.blocks();
+  for (const std::optional<Block>& block : blocks) {
+    if (block) {
+      ++result.count;
+      result.moved_mm = std::max(result.moved_mm, block->moved);
+    }
+  }
+  if (result.count == 0) {
+    return result;
+  }
   const mesh::LooseFaces loose = mesh::take_apart(model);
   mesh::LooseFaces changed;
   changed.points = loose.points;
-  for (std::size_t body = 0; body < blocks.count(); ++body) {
-    const std::optional<Block> block = blocks.block(body);
-    if (!block) {
-      for (const FaceId f : blocks.faces(body)) {
+  for (std::size_t body = 0; body < blocks.size(); ++body) {
+    if (!blocks[body]) {
+      for (const FaceId f : bodies.faces(body)) {
         changed.add(loose, f.value(), loose.faces[f.value()]);
       }
       continue;
     }
-    ++result.count;
-    result.moved_mm = std::max(result.moved_mm, block->moved);
     const auto first = static_cast<std::uint32_t>(changed.points.size());
-    const std::vector<Vec3> points = points_of(block->prism);
+    const std::vector<Vec3> points = points_of(blocks[body]->prism);
     changed.points.insert(changed.points.end(), points.begin(), points.end());
-    for (const auto& [a, b, c] : faces_of(block->prism)) {
+    for (const auto& [a, b, c] : faces_of(blocks[body]->prism)) {
       const Vec3 normal = normalized(cross(points[b] - points[a], points[c] - points[a]));
-      changed.add(loose, blocks.looks_like(body, normal, loose).value(), {first + a, first + b, first + c});
+      changed.add(loose, bodies.looks_like(body, normal, loose).value(), {first + a, first + b, first + c});
       changed.polygon.back() = mesh::Soup::none;
     }
   }
-  if (result.count > 0) {
-    mesh::put_together(model, std::move(changed));
-  }
+  mesh::put_together(model, std::move(changed));
   return result;
 }
 

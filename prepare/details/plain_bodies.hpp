@@ -19,9 +19,10 @@ struct PlainLimits {
 /// What a designer does with a barrel, a window frame or a lamp of a small model: busy components
 /// that are short beside the model become prisms (plain_prism.hpp), where these have no more
 /// than half as many short edges and are nowhere farther from them than allowed. Collapses, edge by edge,
-/// would leave crumpled paper of them. A block's sides have the material and the object of what looks the
-/// same way. Tells how many, and how far they are from what they stand for, in the unit of the surface.
-/// O(n log n).
+/// would leave crumpled paper of them. Where
+/// blocks would have two fifths of the model's area and more, none is made. A block's sides have the material
+/// and the object of what looks the same way. Tells how many, and how far they are from what they stand for,
+/// in the unit of the surface. O(n log n).
 [[nodiscard]] PlainBodies make_plain(mesh::Model& model, const PlainLimits& limits, const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -74,12 +74,12 @@ TEST_CASE("what moves is seen sooner where the model is thin", "[figures]") {
   const Box3 sheet{{0.0, 0.0, 0.0}, {150.0, 150.0, 0.0}};
   CHECK(cli::where_it_differs(4.4, cube).empty());
   CHECK(cli::where_it_differs(4.6, cube) ==
-        "where it was simplified it differs from the file by up to 4.6 mm, 3 % of its size: more --faces "
-        "stay nearer");
+        "where it was simplified it differs from the file by up to 4.6 mm, 3 % of its size: with more "
+        "--faces it stays nearer");
   CHECK(cli::where_it_differs(1.1, pole).empty());
   CHECK(cli::where_it_differs(3.8, pole) ==
-        "where it was simplified it differs from the file by up to 3.8 mm, and it is 12 mm thick: more "
-        "--faces stay nearer");
+        "where it was simplified it differs from the file by up to 3.8 mm, and it is 12 mm thick: with "
+        "more --faces it stays nearer");
   CHECK(cli::where_it_differs(0.9, sheet).empty());
   CHECK(cli::where_it_differs(1.5, sheet).empty());
 }
@@ -120,5 +120,5 @@ TEST_CASE("what was left out is called bodies whatever else was, and crossings o
   report.add(mesh::RepairKind::self_intersections, 112);
   CHECK(cli::repair_lines(report) == std::vector<std::string>{"112 faces run through each other"});
   CHECK(cli::repair_lines(report, true) ==
-        std::vector<std::string>{"112 faces ran through others before bodies were united"});
+        std::vector<std::string>{"112 faces ran through others: uniting the bodies has mended that"});
 }

@@ -337,7 +337,8 @@ TEST_CASE("of numbers without room it is told where they stand, if that is anywh
     REQUIRE(outcome.exit_code == 0);
     return outcome.out;
   };
-  const std::string pictures = "numbers had no room at their edges and stand in larger pictures";
+  const std::string pictures =
+      "numbers had no room at their edges and stand in parts of their pieces that are drawn larger";
   const std::string nowhere = "numbers had no room at their edges and aren't in the machine's files";
   CHECK(run({"-o", "a.pdf"}).find(pictures) != std::string::npos);
   CHECK(run({"--preset", "lightburn", "-o", "b.svg"}).find(nowhere) != std::string::npos);

@@ -112,8 +112,14 @@ TEST_CASE("a barrel becomes a plain block, whichever way it lies", "[plain]") {
   }
 }
 
-TEST_CASE("what isn't like a block stays: a bone, a cone, a box, a body that is easy to fold", "[plain]") {
-  for (const auto& profile : {bone, pointed}) {
+TEST_CASE("what isn't like a block stays: a bone, a cone, a ball, a box, a body that is easy to fold",
+          "[plain]") {
+  std::vector<Vec2> ball;
+  for (int i = 1; i < 12; ++i) {
+    const double angle = std::numbers::pi * i / 12;
+    ball.push_back({7.0 * std::sin(angle), 7.0 - 7.0 * std::cos(angle)});
+  }
+  for (const auto& profile : {bone, pointed, ball}) {
     mesh::Model model = before_wall(12, profile).model();
     CHECK(made_plain(model).count == 0);
   }
