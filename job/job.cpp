@@ -2,6 +2,7 @@
 #include "job/job.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "job/edge_wishes.hpp"
 #include "job/extent.hpp"
 #include "job/model_of_nets.hpp"
+#include "job/one_skin.hpp"
 #include "job/page_labels.hpp"
 #include "job/page_layout.hpp"
 #include "job/parts.hpp"
@@ -25,8 +27,6 @@
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/expected_pages.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
-#include "prepare/ready_bodies.hpp"
-#include "prepare/skin/skin.hpp"
 #include "unfold/replace_tabs.hpp"
 #include "unfold/unfold.hpp"
 
@@ -168,14 +168,6 @@ Faces faces_to_unfold(mesh::Model model, const Options& options, std::vector<std
   return faces;
 }
 
-/// Whether bodies meet along so many lines that their skin is finer than what it is made of: the inside of a
-/// machine. Nothing makes that coarse enough to be folded, and its bodies can be.
-bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
-  constexpr std::size_t most_faces = 8000;
-  constexpr std::size_t finer = 2;
-  return faces_of_skin > most_faces && faces_of_skin > finer * faces_of_bodies;
-}
-
 /// What the model looks like as it was read, for pages in colour.
 std::optional<mesh::LookParts> look_for(const Options& options, const mesh::Model& model,
                                         const Context& context, std::vector<std::string>& notes) {
@@ -183,30 +175,38 @@ std::optional<mesh::LookParts> look_for(const Options& options, const mesh::Mode
                                                                  : std::nullopt;
 }
 
-/// The model's bodies become one skin where they meet; those that are too small are left out before.
-void unite(mesh::Model& model, Paper& made, StageClock& clock, const Context& context) {
-  clock("prepare", context, [&] {
-    made.ready =
-        prepare::ready_bodies(model, made.options.size, made.options.simplify, until_deadline(context));
-    mesh::Model apart = model;
-    made.skin = prepare::unite_bodies(model, until_deadline(context));
-    if (made.skin.united > 0 && is_tangle(model.surface.face_count(), apart.surface.face_count())) {
-      const std::size_t tangled = made.skin.united + made.skin.left_crossing;
-      model = std::move(apart);
-      made.skin = {};
-      made.skin.left_crossing = tangled;
+/// Models of more faces aren't judged once more at another size: it would take too long, and too much memory.
+constexpr std::size_t most_judged_faces = 200000;
+/// Of the time that is left.
+constexpr double judging_share = 0.5;
+
+/// A model at the size that suits it: what is too small for paper was judged at the usual size before that
+/// was known, and is judged at this one once more. Kept where the model is as good for it; then whoever asks
+/// for this size gets the same. `model`: as it was read.
+void judge_at_its_size(mesh::Model model, Paper& made, const Context& context) {
+  prepare::SizeOptions size = made.options.size;
+  size.adapts = false;
+  size.largest_extent_mm = std::round(made.prepared.model.surface.bounds().largest_extent());
+  const Context in_time = until_deadline(context, judging_share);
+  try {
+    OneSkin skin = one_skin(std::move(model), size, made.options.simplify, in_time);
+    prepare::Prepared prepared = prepare::prepare(std::move(skin.model), size, made.options.simplify,
+                                                  panel_room(made.options), in_time);
+    const Vec2 area = room_for_pieces(made.options);
+    if (prepare::is_as_good(prepared, made.prepared) &&
+        prepare::expected_pages(prepared, area) <= size.most_pages) {
+      prepared.size_reason = made.prepared.size_reason;
+      made.prepared = std::move(prepared);
+      made.ready = std::move(skin.ready);
+      made.skin = std::move(skin.skin);
+      return;
     }
-    if (made.skin.united > 0) {
-      made.ready.left_out += prepare::leave_out_details(model, made.options.size, made.options.simplify,
-                                                        until_deadline(context));
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::out_of_time) {
+      throw;
     }
-    return true;
-  });
-  if (made.skin.united == 0 && made.skin.unseen == 0 && made.ready.left_out.count() == 0 &&
-      made.ready.plain.count == 0 && made.ready.sheets.walls == 0 &&
-      made.ready.simplified.faces_before == 0) {
-    made.options.bodies = prepare::Bodies::keep;
   }
+  made.options.size.judged_at_mm = made.options.size.largest_extent_mm;
 }
 
 /// What was done to the bodies before they were united is a part of what was done to the model.
@@ -282,8 +282,21 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   const double units = model.file_scale;
   std::optional<mesh::LookParts> look =
       clock("prepare", context, [&] { return look_for(options, model, context, notes); });
+  std::optional<mesh::Model> as_read;
   if (made.options.bodies == prepare::Bodies::unite) {
-    unite(model, made, clock, context);
+    if (made.options.size.adapts && model.surface.face_count() <= most_judged_faces) {
+      as_read = model;
+    }
+    OneSkin skin = clock("prepare", context, [&] {
+      return one_skin(std::move(model), made.options.size, made.options.simplify, until_deadline(context));
+    });
+    if (!skin.changed()) {
+      made.options.bodies = prepare::Bodies::keep;
+      as_read.reset();
+    }
+    model = std::move(skin.model);
+    made.ready = std::move(skin.ready);
+    made.skin = std::move(skin.skin);
   }
   const Vec2 area = room_for_pieces(options);
   bool told_of_pages = options.paper && tell(listener, many_pages(model, made.options.size, area));
@@ -292,18 +305,23 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     return prepare::prepare(std::move(faces.model), faces.size, faces.simplify, panel_room(options),
                             until_deadline(context));
   });
+  if (made.prepared.size_reason != prepare::SizeReason::none) {
+    if (as_read) {
+      clock("prepare", context, [&] {
+        judge_at_its_size(std::move(*as_read), made, context);
+        return true;
+      });
+    } else if (made.options.bodies == prepare::Bodies::unite) {
+      made.options.size.judged_at_mm = made.options.size.largest_extent_mm;
+    }
+    made.options.size.largest_extent_mm = std::round(made.prepared.model.surface.bounds().largest_extent());
+  }
   if (look) {
     made.prepared.look = std::make_shared<const mesh::Look>(std::move(*look), made.prepared.from_model.factor,
                                                             made.prepared.from_model.shift);
   }
   const mesh::Surface& surface = made.prepared.model.surface;
   add_ready(made.ready.simplified, made.prepared.mm_per_unit * units, made.prepared.simplified);
-  if (made.prepared.size_reason != prepare::SizeReason::none) {
-    if (made.options.bodies == prepare::Bodies::unite) {
-      made.options.size.judged_at_mm = options.size.largest_extent_mm;
-    }
-    made.options.size.largest_extent_mm = std::round(surface.bounds().largest_extent());
-  }
   made.searched_with = settings_of(made.options, made.seed);
   if (const std::string why =
           verdict(made.prepared, made.options.simplify, larger_size_is_sure(made.ready, made.skin));

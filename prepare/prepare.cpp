@@ -221,6 +221,12 @@ bool can_be_folded(const Prepared& prepared) {
   return !prepared.simplified.still_too_fine && !has_many_slivers(prepared);
 }
 
+bool is_as_good(const Prepared& prepared, const Prepared& other) {
+  return suits(prepared) && prepared.sliver_share <= other.sliver_share &&
+         (!is_cramped(prepared) || prepared.simplified.cramped_share <= other.simplified.cramped_share) &&
+         (!is_spoilt(prepared) || is_spoilt(other));
+}
+
 Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                  const PanelRoom& room, const Context& context) {
   std::optional<mesh::Model> kept;

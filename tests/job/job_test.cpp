@@ -2,6 +2,8 @@
 // A whole job as a function of values, and jobs that are entered in the middle.
 #include "job/job.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,6 +14,7 @@
 #include "base/digest.hpp"
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
+#include "support/soups.hpp"
 
 using namespace ridgecraft;
 
@@ -146,6 +149,42 @@ TEST_CASE("folds that get no line are no short folds, either", "[job]") {
   options.style.hidden_fold_angle = 0.2;
   const job::Paper made = job::paper(sample("gem.stl"), options, {});
   CHECK(made.options.simplify.hidden_fold_angle == made.options.style.hidden_fold_angle);
+}
+
+TEST_CASE("a size that the program chose gives what asking for that size does", "[job]") {
+  // Ten tiles in pairs that run into each other, so thin that tabs have no room at 150 mm, and a bar that
+  // is too small at that size alone.
+  std::vector<Vec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+  const auto add = [&](Vec3 low, Vec3 high) {
+    for (const auto& face : test::shifted(test::box_faces, static_cast<std::uint32_t>(points.size()))) {
+      faces.push_back(face);
+    }
+    for (const Vec3 p : test::box_points(low, high)) {
+      points.push_back(p);
+    }
+  };
+  for (int i = 0; i < 5; ++i) {
+    const double x = 32.0 * i;
+    add({x, 0, 0}, {x + 14, 14, 4.9});
+    add({x + 8, 0, 0}, {x + 22, 14, 4.9});
+  }
+  add({130, 4, 4.9}, {150, 6.6, 7.5});
+  mesh::Model model = test::repaired(test::soup(points, faces));
+  model.digest = "0123456789abcdef";
+  job::Options options;
+  options.size.adapts = true;
+  const job::Paper chosen = job::paper(model, options, {});
+  REQUIRE(chosen.prepared.size_reason == prepare::SizeReason::room);
+  const double size = chosen.options.size.largest_extent_mm;
+  CHECK(size > 150.0);
+  CHECK_FALSE(chosen.options.size.judged_at_mm);
+  options.size.adapts = false;
+  options.size.largest_extent_mm = size;
+  const job::Paper asked = job::paper(model, options, {});
+  CHECK(std::ranges::equal(asked.prepared.model.surface.points(), chosen.prepared.model.surface.points()));
+  CHECK(asked.ready.left_out.count() == chosen.ready.left_out.count());
+  CHECK(asked.nets.pieces.size() == chosen.nets.pieces.size());
 }
 
 TEST_CASE("without paper there are nets and no pages", "[job]") {
