@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -40,16 +39,15 @@ class BoxTree {
   /// told apart by their numbers, so one list makes one tree on every machine. O(n log n).
   template <class BoxOf, class CentreOf>
   BoxTree(std::size_t count, const BoxOf& box_of, const CentreOf& centre_of) : order_(count) {
-    std::iota(order_.begin(), order_.end(), 0U);
     if (count == 0) {
       return;
     }
     nodes_.reserve(count / 2 + 2);
-    std::vector<Point> centres(count);
+    std::vector<Item> items(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-      centres[i] = centre_of(i);
+      items[i] = {centre_of(i), i};
     }
-    build(0, static_cast<std::uint32_t>(count), box_of, centres);
+    build(0, static_cast<std::uint32_t>(count), box_of, items);
   }
 
   /// The items in the order of the leaves: whoever keeps them in this order finds those of a leaf side by
@@ -153,6 +151,12 @@ class BoxTree {
     std::uint32_t count = 0;  ///< items of a leaf; 0 for any other node
   };
 
+  /// With its centre, so that nothing is looked up all over memory while items are halved.
+  struct Item {
+    Point centre;
+    std::uint32_t number = 0;
+  };
+
   static double along(Vec2 p, Vec2 size) { return size.x >= size.y ? p.x : p.y; }
   static double along(Vec3 p, Vec3 size) {
     return size.x >= size.y && size.x >= size.z ? p.x : size.y >= size.z ? p.y : p.z;
@@ -164,10 +168,13 @@ class BoxTree {
 
   template <class BoxOf>
   std::uint32_t build(std::uint32_t first, std::uint32_t last, const BoxOf& box_of,
-                      const std::vector<Point>& centres) {
+                      std::vector<Item>& items) {
     const auto number = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     if (last - first <= leaf_size) {
+      for (std::uint32_t i = first; i < last; ++i) {
+        order_[i] = items[i].number;
+      }
       // Halving leaves them in an order that differs between standard libraries.
       std::sort(order_.begin() + first, order_.begin() + last);
       for (std::uint32_t i = first; i < last; ++i) {
@@ -179,18 +186,18 @@ class BoxTree {
     }
     Box middles;
     for (std::uint32_t i = first; i < last; ++i) {
-      middles.add(centres[order_[i]]);
+      middles.add(items[i].centre);
     }
     const Point size = middles.size();
     const std::uint32_t middle = first + (last - first) / 2;
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       const double p = along(centres[a], size);
-                       const double q = along(centres[b], size);
-                       return p < q || (!(q < p) && a < b);
+    std::nth_element(items.begin() + first, items.begin() + middle, items.begin() + last,
+                     [&](const Item& a, const Item& b) {
+                       const double p = along(a.centre, size);
+                       const double q = along(b.centre, size);
+                       return p < q || (!(q < p) && a.number < b.number);
                      });
-    build(first, middle, box_of, centres);
-    const std::uint32_t second = build(middle, last, box_of, centres);
+    build(first, middle, box_of, items);
+    const std::uint32_t second = build(middle, last, box_of, items);
     nodes_[number].first = second;
     add(nodes_[number].box, nodes_[number + 1].box);
     add(nodes_[number].box, nodes_[second].box);

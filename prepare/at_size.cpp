@@ -7,7 +7,6 @@
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
 #include "prepare/panels/divide_panels.hpp"
-#include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
 #include "prepare/simplify/simplify.hpp"
 #include "prepare/size.hpp"
@@ -68,7 +67,6 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
   prepared.mm_per_unit = to_size.mm_per_unit;
   add_to_way(prepared, to_size);
   const std::size_t faces_before = prepared.model.surface.face_count();
-  remesh_panels(prepared.model, context);
   prepared.simplified = prepare::simplify(prepared.model, simplify, context);
   prepared.simplified.faces_before = faces_before;
   prepared.simplified.at_its_size = prepared.simplified.faces_after < faces_before;

@@ -3,7 +3,6 @@
 
 #include "prepare/details/details.hpp"
 #include "prepare/details/plain_bodies.hpp"
-#include "prepare/panels/remesh_panels.hpp"
 #include "prepare/sheets/double_skins.hpp"
 #include "prepare/simplify/simplify.hpp"
 #include "prepare/walls/fold_figures.hpp"
@@ -88,7 +87,6 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
   first.splinter_mm = 0.0;  // the union makes others
   first.largest_deviation *= first_part;
   const std::size_t faces_before = model.surface.face_count();
-  remesh_panels(model, context);
   report.simplified = prepare::simplify(model, first, context);
   report.simplified.faces_before = faces_before;
   return report;

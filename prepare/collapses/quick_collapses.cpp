@@ -7,17 +7,21 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <tuple>
+#include <utility>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
+#include "base/float_order.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
 /// Of all edges, the share that is considered in a pass: those of least error.
-constexpr double considered = 0.4;
-/// A pass that removes less than this share of the faces is the last one.
+constexpr double considered = 0.5;
+/// What is the largest error among these is told by about so many edges.
+constexpr std::size_t asked = 20000;
+/// After a pass that removes less than this share of the faces, more edges are considered, ...
+constexpr double good_progress = 0.2;
+constexpr double larger_share = 1.4;
+/// ... and one of all edges that removes less than this share is the last one.
 constexpr double least_progress = 0.01;
 /// Cosine of how far a face may turn in one collapse.
 constexpr double largest_turn_cosine = 0.5;
@@ -34,125 +38,164 @@ using Corners = std::array<std::uint32_t, 3>;
 /// Sum of squared distances from planes, each weighted by an area: a quadric.
 class PlaneSum {
  public:
-  void add(Vec3 normal, double offset, double weight) {
-    const Eigen::Vector3d n = vector(normal);
-    matrix_ += weight * n * n.transpose();
-    slope_ -= weight * offset * n;
+  void add(Vec3 n, double offset, double weight) {
+    xx_ += weight * n.x * n.x;
+    xy_ += weight * n.x * n.y;
+    xz_ += weight * n.x * n.z;
+    yy_ += weight * n.y * n.y;
+    yz_ += weight * n.y * n.z;
+    zz_ += weight * n.z * n.z;
+    slope_ -= (weight * offset) * n;
     constant_ += weight * offset * offset;
   }
   PlaneSum& operator+=(const PlaneSum& other) {
-    matrix_ += other.matrix_;
+    xx_ += other.xx_;
+    xy_ += other.xy_;
+    xz_ += other.xz_;
+    yy_ += other.yy_;
+    yz_ += other.yz_;
+    zz_ += other.zz_;
     slope_ += other.slope_;
     constant_ += other.constant_;
     return *this;
   }
   /// The weights together.
-  [[nodiscard]] double weight() const { return matrix_.trace(); }
-  [[nodiscard]] double at(Vec3 place) const {
-    const Eigen::Vector3d p = vector(place);
-    return std::max(0.0, p.dot(matrix_ * p) + 2.0 * slope_.dot(p) + constant_);
+  [[nodiscard]] double weight() const { return xx_ + yy_ + zz_; }
+  [[nodiscard]] double at(Vec3 p) const {
+    return std::max(0.0, dot(p, times(p)) + 2.0 * dot(slope_, p) + constant_);
   }
-  /// Where the sum is least, held by a weak pull to a place.
-  [[nodiscard]] Vec3 least_near(Vec3 place) const {
+  /// How to go from a place to where the sum is least, held by a weak pull to the place. The pull keeps the
+  /// matrix far from singular, so that Cramer's rule is good enough.
+  [[nodiscard]] Vec3 step_from(Vec3 place) const {
     if (!(weight() > 0.0)) {
-      return place;
+      return {};
     }
-    const Eigen::Matrix3d held = matrix_ + pull * weight() * Eigen::Matrix3d::Identity();
-    const Eigen::Vector3d step = held.llt().solve(-(matrix_ * vector(place) + slope_));
-    return place + Vec3{step.x(), step.y(), step.z()};
+    const double held = pull * weight();
+    const double xx = xx_ + held;
+    const double yy = yy_ + held;
+    const double zz = zz_ + held;
+    const Vec3 first{yy * zz - yz_ * yz_, xz_ * yz_ - xy_ * zz, xy_ * yz_ - xz_ * yy};
+    const Vec3 second{first.y, xx * zz - xz_ * xz_, xy_ * xz_ - xx * yz_};
+    const Vec3 third{first.z, second.z, xx * yy - xy_ * xy_};
+    const double determinant = xx * first.x + xy_ * first.y + xz_ * first.z;
+    const Vec3 down = -(times(place) + slope_);
+    return Vec3{dot(first, down), dot(second, down), dot(third, down)} / determinant;
   }
 
  private:
-  static Eigen::Vector3d vector(Vec3 v) { return {v.x, v.y, v.z}; }
+  [[nodiscard]] Vec3 times(Vec3 p) const {
+    return {xx_ * p.x + xy_ * p.y + xz_ * p.z, xy_ * p.x + yy_ * p.y + yz_ * p.z,
+            xz_ * p.x + yz_ * p.y + zz_ * p.z};
+  }
 
-  Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d slope_ = Eigen::Vector3d::Zero();
+  double xx_ = 0.0, xy_ = 0.0, xz_ = 0.0, yy_ = 0.0, yz_ = 0.0, zz_ = 0.0;
+  Vec3 slope_;
   double constant_ = 0.0;
 };
 
 class QuickCollapses {
  public:
-  QuickCollapses(const mesh::LooseFaces& loose, const PointRules& rules, const Walls& walls)
+  QuickCollapses(const mesh::LooseFaces& loose, const PointRules& rules, const Walls& walls, double farthest)
       : rules_(rules),
+        farthest_(farthest),
         points_(loose.points),
         faces_(loose.faces),
         sums_(points_.size()),
-        bound_(points_.size(), false) {
+        bound_(points_.size(), 0) {
     for (std::uint32_t v = 0; v < points_.size(); ++v) {
-      bound_[v] = rules.plane[v] != PointRules::none;
+      bound_[v] = rules.plane[v] != PointRules::none ? 1 : 0;
     }
     for (const PointRules::Crossing& c : rules.crossings) {
-      bound_[c.point] = bound_[c.end] = bound_[c.image_of_end] = true;
+      bound_[c.point] = bound_[c.end] = bound_[c.image_of_end] = 1;
     }
     std::vector<std::int64_t> open(points_.size(), 0);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const auto& [a, b, c] = faces_[f];
       const Vec3 doubled = cross(points_[b] - points_[a], points_[c] - points_[a]);
       const Vec3 normal = normalized(doubled);
+      PlaneSum plane;
+      plane.add(normal, dot(normal, points_[a]), 0.5 * length(doubled));
+      const bool of_wall = walls.wall(f) != Walls::none;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t v = faces_[f][k];
-        sums_[v].add(normal, dot(normal, points_[a]), 0.5 * length(doubled));
-        bound_[v] = bound_[v] || walls.wall(f) != Walls::none;
+        sums_[v] += plane;
+        if (of_wall) {
+          bound_[v] = 1;
+        }
         // Of a closed fan the next corners are the corners before, in another order.
         open[v] += std::int64_t{faces_[f][(k + 1) % 3]} - std::int64_t{faces_[f][(k + 2) % 3]};
       }
       all_ += rules.copies[a];
     }
     for (std::uint32_t v = 0; v < points_.size(); ++v) {
-      bound_[v] = bound_[v] || open[v] != 0;
+      if (open[v] != 0) {
+        bound_[v] = 1;
+      }
     }
     all_ -= 2 * rules.crossings.size();
   }
 
   std::vector<Collapse> run(std::size_t faces, const Context& context) {
+    double share = considered;
     while (all_ > faces) {
       context.check();
       const std::size_t before = all_;
-      pass(faces);
-      if (static_cast<double>(before - all_) < least_progress * static_cast<double>(before)) {
+      pass(faces, share);
+      // Edges that can't go are tried again and again: beside them there have to be others.
+      const double progress = static_cast<double>(before - all_) / static_cast<double>(before);
+      if (progress < least_progress && share == 1.0) {
         break;
       }
+      share = progress < good_progress ? std::min(1.0, larger_share * share) : share;
     }
     return std::move(collapses_);
   }
 
  private:
-  struct Edge {
+  /// The sides that a pass tries, in this order.
+  struct Candidates {
+    std::vector<std::uint32_t> sides;  ///< side k of face f is 3 f + k
+    double largest_error = 0.0;
+  };
+  struct Place {
+    Vec3 place;
     double error;
-    std::uint32_t a;
-    std::uint32_t b;
+    double most;  ///< that the error may be
   };
 
   [[nodiscard]] std::span<const std::uint32_t> around(std::uint32_t v) const {
-    return std::span(face_at_).subspan(first_[v], first_[v + 1] - first_[v]);
+    return std::span(face_at_).subspan(first_[v], degree_[v]);
   }
+  [[nodiscard]] bool gone(std::uint32_t face) const { return faces_[face][0] == faces_[face][1]; }
 
-  void pass(std::size_t aim) {
+  void pass(std::size_t aim, double share) {
     find_fans();
-    std::vector<Edge> edges = edges_by_error();
-    touched_.assign(points_.size(), false);
-    for (const Edge& e : edges) {
+    const Candidates candidates = least_errors(share);
+    changed_.assign(points_.size(), 0);
+    for (const std::uint32_t side : candidates.sides) {
       if (all_ <= aim) {
         break;
       }
-      if (!touched_[e.a] && !touched_[e.b]) {
-        collapse(e.a, e.b);
+      const std::uint32_t face = side / 3;
+      if (!gone(face)) {
+        const std::uint32_t k = side % 3;
+        collapse(faces_[face][k], faces_[face][k == 2 ? 0 : k + 1], candidates.largest_error);
       }
     }
     std::erase_if(faces_, [](const Corners& face) { return face[0] == face[1]; });
   }
 
   void find_fans() {
-    first_.assign(points_.size() + 1, 0);
+    degree_.assign(points_.size(), 0);
     for (const Corners& face : faces_) {
       for (const std::uint32_t v : face) {
-        ++first_[v + 1];
+        ++degree_[v];
       }
     }
-    degree_.assign(first_.begin() + 1, first_.end());
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    first_.resize(points_.size());
+    std::exclusive_scan(degree_.begin(), degree_.end(), first_.begin(), 0U);
     face_at_.resize(3 * faces_.size());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    std::vector<std::uint32_t> next = first_;
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
       for (const std::uint32_t v : faces_[f]) {
         face_at_[next[v]++] = f;
@@ -160,41 +203,58 @@ class QuickCollapses {
     }
   }
 
-  [[nodiscard]] std::vector<Edge> edges_by_error() const {
-    std::vector<Edge> edges;
-    edges.reserve(3 * faces_.size() / 2);
-    for (const Corners& face : faces_) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = face[k];
-        const std::uint32_t b = face[(k + 1) % 3];
-        if (a < b && !bound_[a] && !bound_[b]) {
-          edges.push_back({error(a, b), a, b});
+  [[nodiscard]] Candidates least_errors(double share) const {
+    Candidates candidates;
+    std::vector<float> errors;
+    errors.reserve(3 * faces_.size() / 2);
+    candidates.sides.reserve(3 * faces_.size() / 2);
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = faces_[f][k];
+        const std::uint32_t b = faces_[f][k == 2 ? 0 : k + 1];
+        if (a < b && bound_[a] == 0 && bound_[b] == 0) {
+          errors.push_back(static_cast<float>(best_place(a, b).error));
+          candidates.sides.push_back(3 * f + k);
         }
       }
     }
-    const auto before = [](const Edge& x, const Edge& y) {
-      return std::tie(x.error, x.a, x.b) < std::tie(y.error, y.a, y.b);
-    };
-    const auto count = static_cast<std::ptrdiff_t>(considered * static_cast<double>(edges.size()));
-    std::nth_element(edges.begin(), edges.begin() + count, edges.end(), before);
-    edges.resize(static_cast<std::size_t>(count));
-    std::sort(edges.begin(), edges.end(), before);
-    return edges;
+    if (errors.empty()) {
+      return candidates;
+    }
+    std::vector<float> some;
+    const std::size_t step = std::max<std::size_t>(1, errors.size() / asked);
+    for (std::size_t i = 0; i < errors.size(); i += step) {
+      some.push_back(errors[i]);
+    }
+    const auto at = some.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(some.size() - 1));
+    std::nth_element(some.begin(), at, some.end());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      if (errors[i] <= *at) {
+        errors[kept] = errors[i];
+        candidates.sides[kept++] = candidates.sides[i];
+      }
+    }
+    errors.resize(kept);
+    candidates.largest_error = *at;
+    std::vector<std::uint32_t> sorted = ascending_order(errors);
+    for (std::uint32_t& i : sorted) {
+      i = candidates.sides[i];
+    }
+    candidates.sides = std::move(sorted);
+    return candidates;
   }
 
-  [[nodiscard]] Vec3 place_of(std::uint32_t a, std::uint32_t b, const PlaneSum& sum) const {
-    const Vec3 middle = 0.5 * (points_[a] + points_[b]);
-    const Vec3 place = sum.least_near(middle);
-    const Vec3 edge = points_[b] - points_[a];
-    const Vec3 away = place - middle;
-    return dot(away, away) <= dot(edge, edge) ? place : middle;
-  }
-
-  [[nodiscard]] double error(std::uint32_t a, std::uint32_t b) const {
+  /// Where the end of an edge would best be that its two ends become, and the error there.
+  [[nodiscard]] Place best_place(std::uint32_t a, std::uint32_t b) const {
     PlaneSum sum = sums_[a];
     sum += sums_[b];
+    const Vec3 middle = 0.5 * (points_[a] + points_[b]);
+    const Vec3 step = sum.step_from(middle);
     const Vec3 edge = points_[b] - points_[a];
-    return sum.at(place_of(a, b, sum)) + flat_error * sum.weight() * dot(edge, edge);
+    const Vec3 place = dot(step, step) <= dot(edge, edge) ? middle + step : middle;
+    return {place, sum.at(place) + flat_error * sum.weight() * dot(edge, edge),
+            farthest_ * farthest_ * sum.weight()};
   }
 
   /// The corners beside those of a fan, each once.
@@ -202,8 +262,7 @@ class QuickCollapses {
     ring.clear();
     for (const std::uint32_t f : around(v)) {
       const Corners& face = faces_[f];
-      const std::size_t k = face[0] == v ? 0 : face[1] == v ? 1 : 2;
-      ring.push_back(face[(k + 1) % 3]);
+      ring.push_back(face[0] == v ? face[1] : face[1] == v ? face[2] : face[0]);
     }
   }
 
@@ -255,56 +314,93 @@ class QuickCollapses {
     return twice > 0.0 ? Shape{(1.0 / twice) * doubled, twice / longest} : Shape{{}, 0.0};
   }
 
-  void collapse(std::uint32_t a, std::uint32_t b) {
-    PlaneSum sum = sums_[a];
-    sum += sums_[b];
-    const Vec3 place = place_of(a, b, sum);
-    if (!stays_manifold(a, b) || spoils(a, b, place) || spoils(b, a, place)) {
+  void collapse(std::uint32_t a, std::uint32_t b, double largest_error) {
+    if (bound_[a] != 0 || bound_[b] != 0) {
       return;
     }
-    for (const auto* ring : {&ring_a_, &ring_b_}) {
-      for (const std::uint32_t v : *ring) {
-        touched_[v] = true;
-      }
+    const Place best = best_place(a, b);
+    // What was changed in this pass may be dearer now than what others will be.
+    if (((changed_[a] != 0 || changed_[b] != 0) && best.error > largest_error) || best.error > best.most ||
+        !stays_manifold(a, b) || spoils(a, b, best.place) || spoils(b, a, best.place)) {
+      return;
     }
-    for (const std::uint32_t f : around(b)) {
-      Corners& face = faces_[f];
-      if (std::find(face.begin(), face.end(), a) != face.end()) {
-        for (const std::uint32_t v : face) {
-          --degree_[v];
+    all_ -= 2 * rules_.copies[a];
+    put_fans_together(a, b);
+    points_[a] = best.place;
+    sums_[a] += sums_[b];
+    changed_[a] = 1;
+    collapses_.push_back({b, a, best.place, static_cast<std::uint32_t>(all_)});
+  }
+
+  /// The faces between the ends of an edge go, and those of the second end get the first as their corner.
+  void put_fans_together(std::uint32_t a, std::uint32_t b) {
+    fan_.clear();
+    for (const std::uint32_t v : {a, b}) {
+      for (const std::uint32_t f : around(v)) {
+        const Corners& face = faces_[f];
+        const bool between = std::find(face.begin(), face.end(), v == a ? b : a) != face.end();
+        if (!between) {
+          fan_.push_back(f);
+        } else if (v == a) {
+          between_.push_back(f);
         }
-        all_ -= rules_.copies[a];
-        face = {a, a, a};  // goes at the end of the pass
-      } else {
-        *std::find(face.begin(), face.end(), b) = a;
       }
     }
-    points_[a] = place;
-    sums_[a] = sum;
-    collapses_.push_back({b, a, place, static_cast<std::uint32_t>(all_)});
+    for (const std::uint32_t f : between_) {
+      for (const std::uint32_t v : faces_[f]) {
+        if (v != a && v != b) {
+          take_out(f, v);
+        }
+      }
+    }
+    for (const std::uint32_t f : between_) {
+      faces_[f] = {a, a, a};  // goes at the end of the pass
+    }
+    between_.clear();
+    for (const std::uint32_t f : around(b)) {
+      if (!gone(f)) {
+        *std::find(faces_[f].begin(), faces_[f].end(), b) = a;
+      }
+    }
+    first_[a] = static_cast<std::uint32_t>(face_at_.size());
+    degree_[a] = static_cast<std::uint32_t>(fan_.size());
+    degree_[b] = 0;
+    face_at_.insert(face_at_.end(), fan_.begin(), fan_.end());
+  }
+
+  /// A face out of the fan of one of its corners.
+  void take_out(std::uint32_t face, std::uint32_t v) {
+    const auto fan = std::span(face_at_).subspan(first_[v], degree_[v]);
+    *std::find(fan.begin(), fan.end(), face) = fan.back();
+    --degree_[v];
   }
 
   const PointRules& rules_;
+  double farthest_;
   std::vector<Vec3> points_;
   std::vector<Corners> faces_;
   std::vector<PlaneSum> sums_;
-  std::vector<bool> bound_;
-  std::size_t all_ = 0;  ///< faces of the whole
+  std::vector<std::uint8_t> bound_;  ///< of each point: whether it stays
+  std::size_t all_ = 0;              ///< faces of the whole
   std::vector<Collapse> collapses_;
-  // Of a pass: the faces at each point, how many there are now, and which points have changed faces.
-  std::vector<std::uint32_t> first_;
+  // Of a pass: the faces at each point as they are now, and which points have moved.
   std::vector<std::uint32_t> face_at_;
+  std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> degree_;
-  std::vector<bool> touched_;
+  std::vector<std::uint8_t> changed_;
+  // Of a collapse.
   std::vector<std::uint32_t> ring_a_;
   std::vector<std::uint32_t> ring_b_;
+  std::vector<std::uint32_t> fan_;
+  std::vector<std::uint32_t> between_;
 };
 
 }  // namespace
 
 std::vector<Collapse> quick_collapses(const mesh::LooseFaces& loose, const PointRules& points,
-                                      const Walls& walls, std::size_t faces, const Context& context) {
-  return QuickCollapses(loose, points, walls).run(faces, context);
+                                      const Walls& walls, std::size_t faces, double farthest,
+                                      const Context& context) {
+  return QuickCollapses(loose, points, walls, farthest).run(faces, context);
 }
 
 }  // namespace ridgecraft::prepare

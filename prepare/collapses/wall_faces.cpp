@@ -51,6 +51,7 @@ WallFaces::WallFaces(const Walls& walls, double tolerance, double step)
   for (const std::uint32_t wall : walls.of_face) {
     if (wall != Walls::none) {
       ++left_[wall];
+      any_ = true;
     }
   }
 }
@@ -58,7 +59,7 @@ WallFaces::WallFaces(const Walls& walls, double tolerance, double step)
 std::vector<std::uint32_t> WallFaces::around(const EditMesh& mesh, EditMesh::VertexHandle v0,
                                              EditMesh::VertexHandle v1) const {
   std::vector<std::uint32_t> found;
-  if (walls_->of_face.empty()) {
+  if (!any_) {
     return found;
   }
   for (const auto v : {v0, v1}) {

@@ -46,6 +46,7 @@ class WallFaces {
   const Walls* walls_;
   double tolerance_;
   double step_;
+  bool any_ = false;                 ///< whether any face is of a wall
   std::vector<std::uint32_t> left_;  ///< faces of each wall
 };
 

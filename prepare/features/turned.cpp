@@ -89,7 +89,9 @@ class Recogniser {
     if (vertices_.size() < 2 * fewest_sides) {
       return std::nullopt;
     }
-    const AreaFrame frame = area_frame(mesh::faces_alone(surface_, faces_));
+    const AreaFrame frame = faces_.size() == surface_.face_count()
+                                ? area_frame(surface_)
+                                : area_frame(mesh::faces_alone(surface_, faces_));
     for (std::size_t k = 0; k < 3; ++k) {
       result_ = Turned();
       result_.centre = frame.centre;
@@ -489,15 +491,27 @@ class Chooser {
   const Context& context_;
 };
 
+std::vector<std::vector<FaceId>> faces_of_components(const mesh::Surface& surface) {
+  std::vector<std::vector<FaceId>> faces(surface.component_count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    faces[surface.component(f).value()].push_back(f);
+  }
+  return faces;
+}
+
 }  // namespace
+
+bool has_turned(const mesh::Model& model) {
+  const std::vector<std::vector<FaceId>> components = faces_of_components(model.surface);
+  return std::any_of(components.begin(), components.end(), [&](const std::vector<FaceId>& faces) {
+    return Recogniser(model, faces).find().has_value();
+  });
+}
 
 std::size_t simplify_turned(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                             const Context& context) {
   const mesh::Surface& surface = model.surface;
-  std::vector<std::vector<FaceId>> components(surface.component_count());
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    components[surface.component(f).value()].push_back(f);
-  }
+  const std::vector<std::vector<FaceId>> components = faces_of_components(surface);
   const mesh::LooseFaces all = mesh::take_apart(model);
   mesh::LooseFaces result;
   result.points = all.points;

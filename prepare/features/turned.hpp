@@ -20,4 +20,7 @@ namespace ridgecraft::prepare {
 std::size_t simplify_turned(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                             const Context& context);
 
+/// Whether any component is one that was turned. O(n log n).
+[[nodiscard]] bool has_turned(const mesh::Model& model);
+
 }  // namespace ridgecraft::prepare

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prepare/prepared/panels.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
-#include <numeric>
 
 #include "base/elementary.hpp"
+#include "base/float_order.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -21,23 +21,19 @@ class Grower {
   }
 
   Panels run() {
-    std::vector<FaceId> order;
-    for (const FaceId f : ids<FaceId>(surface_.face_count())) {
-      order.push_back(f);
-    }
     // Areas that differ by rounding alone count as equal, so that turning the model doesn't change the seeds.
-    std::vector<float> area(order.size());
-    for (const FaceId f : order) {
+    std::vector<float> area(surface_.face_count());
+    for (const FaceId f : ids<FaceId>(area.size())) {
       area[f.value()] = static_cast<float>(surface_.area(f));
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](FaceId a, FaceId b) { return area[a.value()] > area[b.value()]; });
-    for (const FaceId seed : order) {
+    const std::vector<std::uint32_t> order = descending_order(area);
+    for (const std::uint32_t face : order) {
+      const FaceId seed(face);
       if (!panels_.panel[seed].valid() && surface_.normal(seed) != Vec3{}) {
         grow(seed);
       }
     }
-    adopt_flat_faces(order);
+    adopt_flat_faces();
     renumber();
     return std::move(panels_);
   }
@@ -77,14 +73,13 @@ class Grower {
 
   /// A face without area has no plane: it joins the neighbour across its longest side that has a panel, or
   /// has one of its own with those beside it where no neighbour has any.
-  void adopt_flat_faces(const std::vector<FaceId>& order) {
+  void adopt_flat_faces() {
     std::vector<FaceId> flat;
-    for (const FaceId f : order) {
+    for (const FaceId f : ids<FaceId>(surface_.face_count())) {
       if (!panels_.panel[f].valid()) {
         flat.push_back(f);
       }
     }
-    std::sort(flat.begin(), flat.end());
     // From those with a neighbour that has a panel outwards, breadth first.
     std::vector<FaceId> queue = flat;
     for (std::size_t i = 0; i < queue.size(); ++i) {

@@ -28,6 +28,9 @@ class TwinSharer {
 
   void run(const Context& context) {
     const std::vector<std::uint32_t> numbers = whole_bodies();
+    if (numbers.size() < 2) {
+      return;
+    }
     std::vector<std::vector<FaceId>> bodies;
     const std::vector<std::vector<FaceId>> all = components(model_);
     for (const std::uint32_t b : numbers) {

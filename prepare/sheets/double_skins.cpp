@@ -52,6 +52,31 @@ struct Behind {
   double distance = 0.0;
 };
 
+/// The share of a way from a place of a face at which it meets another face from behind, or infinity.
+double meeting_behind(const mesh::Surface& surface, FaceId from, Vec3 p, Vec3 way, FaceId f) {
+  const Vec3 normal = surface.normal(f);
+  if (f == from || dot(normal, surface.normal(from)) > opposite) {
+    return INFINITY;
+  }
+  const auto [a, b, c] = surface.vertices(f);
+  const double along = dot(normal, way);
+  const double t = dot(normal, surface.point(a) - p) / along;
+  if (along == 0.0 || !(t > 0.0)) {
+    return INFINITY;
+  }
+  const Vec3 q = p + t * way;
+  const double hair = 1e-6 * length(way);
+  const double off = mesh::squared_distance(surface.point(a), surface.point(b), surface.point(c), q);
+  return off <= hair * hair ? t : double{INFINITY};
+}
+
+Box3 box_of_way(Vec3 p, Vec3 way) {
+  Box3 box;
+  box.add(p);
+  box.add(p + way);
+  return box;
+}
+
 class FacesBehind {
  public:
   FacesBehind(const mesh::Surface& surface, const std::vector<FaceId>& faces)
@@ -63,17 +88,12 @@ class FacesBehind {
 
   /// The nearest face against `from` that is met on the way from p, as far as the way goes.
   [[nodiscard]] std::optional<Behind> find(Vec3 p, Vec3 way, FaceId from) const {
-    Box3 box;
-    box.add(p);
-    box.add(p + way);
+    const Box3 box = box_of_way(p, way);
     std::optional<Behind> nearest;
     tree_.search([&](std::uint32_t node) { return meet(box, tree_.box(node)); },
                  [&](std::uint32_t at) {
                    const FaceId f = faces_[tree_.order()[at]];
-                   if (f == from || dot(surface_.normal(f), surface_.normal(from)) > opposite) {
-                     return;
-                   }
-                   const double t = meeting(f, p, way);
+                   const double t = meeting_behind(surface_, from, p, way, f);
                    if (t <= 1.0 && (!nearest || t * length(way) < nearest->distance)) {
                      nearest = Behind{f, t * length(way)};
                    }
@@ -82,21 +102,6 @@ class FacesBehind {
   }
 
  private:
-  /// The share of the way at which it meets the face, or infinity.
-  [[nodiscard]] double meeting(FaceId f, Vec3 p, Vec3 way) const {
-    const auto [a, b, c] = surface_.vertices(f);
-    const Vec3 normal = surface_.normal(f);
-    const double along = dot(normal, way);
-    const double t = dot(normal, surface_.point(a) - p) / along;
-    if (along == 0.0 || !(t > 0.0)) {
-      return INFINITY;
-    }
-    const Vec3 q = p + t * way;
-    const double hair = 1e-6 * length(way);
-    const double off = mesh::squared_distance(surface_.point(a), surface_.point(b), surface_.point(c), q);
-    return off <= hair * hair ? t : double{INFINITY};
-  }
-
   const mesh::Surface& surface_;
   const std::vector<FaceId>& faces_;
   BoxTree<Box3> tree_;
@@ -127,11 +132,10 @@ class ThinWalls {
 
   /// One answer for each face; nothing where the component stays as it is.
   [[nodiscard]] std::optional<std::vector<bool>> stays() {
-    const FacesBehind tree(surface_, faces_);
-    if (!may_have_two_skins(tree)) {
+    if (!may_have_two_skins()) {
       return std::nullopt;
     }
-    look_behind(tree);
+    look_behind();
     find_patches();
     const std::optional<std::uint32_t> kept = larger_skin();
     if (!kept) {
@@ -144,22 +148,43 @@ class ThinWalls {
   [[nodiscard]] const std::vector<double>& thickness() const { return thickness_; }
 
  private:
-  /// A few faces tell of most bodies that they aren't thin.
-  [[nodiscard]] bool may_have_two_skins(const FacesBehind& tree) const {
+  /// A few faces tell of most bodies that they aren't thin. There are few ways and many faces, so it's the
+  /// ways that are put into a tree.
+  [[nodiscard]] bool may_have_two_skins() const {
+    struct Way {
+      Vec3 from;
+      Vec3 way;
+      FaceId face;
+      bool meets = false;
+    };
+    std::vector<Way> ways;
     const std::size_t step = std::max<std::size_t>(1, faces_.size() / few_faces);
+    for (std::size_t i = 0; i < faces_.size(); i += step) {
+      for (const Vec3 p : places_of(surface_, faces_[i], thin_)) {
+        ways.push_back({p, -thin_ * surface_.normal(faces_[i]), faces_[i]});
+      }
+    }
+    const auto box_of = [&](std::uint32_t i) { return box_of_way(ways[i].from, ways[i].way); };
+    const BoxTree<Box3> tree(ways.size(), box_of, [&](std::uint32_t i) { return centre(box_of(i)); });
+    for (const FaceId f : faces_) {
+      const Box3 box = surface_.bounds(f);
+      tree.search([&](std::uint32_t node) { return meet(box, tree.box(node)); },
+                  [&](std::uint32_t at) {
+                    Way& way = ways[tree.order()[at]];
+                    way.meets = way.meets || meeting_behind(surface_, way.face, way.from, way.way, f) <= 1.0;
+                  });
+    }
     double thin_area = 0.0;
     double area = 0.0;
-    for (std::size_t i = 0; i < faces_.size(); i += step) {
-      const FaceId f = faces_[i];
-      for (const Vec3 p : places_of(surface_, f, thin_)) {
-        thin_area += tree.find(p, -thin_ * surface_.normal(f), f) ? surface_.area(f) : 0.0;
-        area += surface_.area(f);
-      }
+    for (const Way& way : ways) {
+      thin_area += way.meets ? surface_.area(way.face) : 0.0;
+      area += surface_.area(way.face);
     }
     return thin_area >= few_thin * area;
   }
 
-  void look_behind(const FacesBehind& tree) {
+  void look_behind() {
+    const FacesBehind tree(surface_, faces_);
     behind_.resize(faces_.size());
     thickness_.assign(faces_.size(), 0.0);
     paired_.assign(faces_.size(), false);

@@ -5,25 +5,17 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/collapses/quick_collapses.hpp"
+#include "prepare/simplify/many_faces.hpp"
 #include "prepare/simplify/sequence.hpp"
 #include "prepare/walls/fold_figures.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
-/// Nothing recognisable is left of a body below this many faces: a box.
-constexpr std::size_t fewest_faces = 12;
-/// Down to this multiple of the faces that short edges would give, no care is needed.
-constexpr double coarse = 3.0;
-/// Of bodies of more faces flat regions aren't remeshed, and the first collapses are made many at a time, ...
-constexpr std::size_t very_many_faces = 100000;
-/// ... down to this multiple of what needs no care.
-constexpr std::size_t quick = 4;
 /// How strongly short edges are preferred; which is best depends on the model, so each is tried.
 constexpr std::array<double, 2> powers{2.0, 6.0};
 /// Collapses keep to this share of the deviation allowed, since they measure it at few points.
@@ -40,12 +32,6 @@ constexpr double hardly = 0.5;
 constexpr double least_gain = 0.05;
 /// ... or this share of the folds that are no use to anybody vanishes.
 constexpr double least_gone = 0.2;
-
-/// A surface of equilateral triangles with the short edge has so many faces.
-double faces_of_short_edges(const mesh::Surface& surface, double short_edge_mm) {
-  const double small_face = 0.25 * std::numbers::sqrt3 * short_edge_mm * short_edge_mm;
-  return std::clamp(mesh::total_area(surface) / small_face, double{fewest_faces}, 1e9);
-}
 
 /// A place in a sequence, and what the body is like there.
 struct Candidate {
@@ -210,12 +196,11 @@ std::optional<SymmetricShare> simplified_body(const SymmetricShare& body, const 
   SymmetricShare start = body;
   // Far from the aim the surface hardly moves: there the plain error is good and fast.
   const std::size_t copies = std::max<std::size_t>(1, 1 + body.copies.size());
-  const auto far =
-      copies * static_cast<std::size_t>(coarse * faces_of_short_edges(before.surface, options.short_edge_mm));
+  const std::size_t far = copies * careless_faces(before.surface, options.short_edge_mm);
   if (faces_before > far) {
     if (faces_before > std::max(very_many_faces, 2 * quick * far)) {
-      start = collapsed(
-          body, quick_collapses(body.faces, body.points, walls_of(*rules.walls, body), quick * far, context));
+      start = collapsed(body, quick_collapses(body.faces, body.points, walls_of(*rules.walls, body),
+                                              quick * far, quick_share * rules.largest_mm, context));
     }
     const Sequence first(start, rules.model, *rules.walls, far, {options.short_edge_mm}, context);
     const mesh::Model coarser = first.after(first.all());

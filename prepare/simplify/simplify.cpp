@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,7 @@
 #include "prepare/simplify/body.hpp"
 #include "prepare/simplify/sequence.hpp"
 #include "prepare/simplify/splinters.hpp"
+#include "prepare/simplify/thin_out.hpp"
 #include "prepare/walls/fold_figures.hpp"
 #include "prepare/walls/walls.hpp"
 
@@ -85,8 +87,8 @@ void take_over(mesh::Model& model, mesh::Model&& simplified) {
 }
 
 /// How far the sides of a model were from being mirror images; 0 where no digit would tell.
-double evened(const SymmetricShare& share, const mesh::Model& model) {
-  return share.deviation > equal_sides * model.surface.bounds().largest_extent() ? share.deviation : 0.0;
+double evened(double unevenness, const mesh::Model& model) {
+  return unevenness > equal_sides * model.surface.bounds().largest_extent() ? unevenness : 0.0;
 }
 
 std::size_t face_count(const std::vector<SymmetricShare>& bodies) {
@@ -173,9 +175,11 @@ std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, 
   return busy_ones;
 }
 
-/// How far the surface was allowed to move. `before`: the model's own.
+/// How far the surface was allowed to move. `before`: the model's own, or what that was before it was thinned
+/// out.
 double simplify_components(mesh::Model& model, const mesh::Surface& before, const SimplifyOptions& options,
                            Beforehand beforehand, SimplifyReport& report, const Context& context) {
+  const bool thinned = before.face_count() != model.surface.face_count();
   const double extent = before.bounds().largest_extent();
   const double largest_mm = options.largest_deviation * extent;
   report.deviation_mm = report.evened_mm = 0.0;
@@ -192,7 +196,7 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   const Walls walls =
       find_walls(model.surface, find_panels(model.surface), options.short_edge_mm, Slats::are_walls);
   SymmetricShare start = symmetric_share(model, symmetric_within, context);
-  const double evened_mm = evened(start, model);
+  const double evened_mm = evened(start.deviation, model);
   const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
   std::vector<SymmetricShare> bodies = divided(start);
   start = {};  // large
@@ -204,7 +208,7 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   report.edges_turned = remove_splinters(share, options.splinter_mm);
   const bool changed_before =
       report.features_removed + report.turned + report.rulings_removed + report.bevels_removed > 0;
-  if (!allowed.changed && !changed_before && report.edges_turned == 0) {
+  if (!allowed.changed && !changed_before && !thinned && report.edges_turned == 0) {
     return allowed.largest_mm;
   }
   mesh::Model result;
@@ -217,11 +221,13 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   return allowed.largest_mm;
 }
 
-void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
-                      const Context& context) {
-  report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
+/// `dense`: its surface before it was thinned out, if it was.
+void simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, const SimplifyOptions& options,
+                      SimplifyReport& report, const Context& context) {
+  report.specks_dropped += drop_specks(model, speck * options.short_edge_mm);
   const mesh::Model kept = model;
-  const double largest_mm = simplify_components(model, kept.surface, options, {}, report, context);
+  const mesh::Surface& before = dense ? dense->surface : kept.surface;
+  const double largest_mm = simplify_components(model, before, options, {}, report, context);
   // What was simplified after the features and the turned bodies may have moved the surface as far again:
   // then what did so stays as it was.
   const bool features = report.features_removed > 0;
@@ -234,7 +240,7 @@ void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, Simpli
     if (report.deviation_mm > largest_mm && std::find(tried.begin(), tried.end(), next) == tried.end()) {
       tried.push_back(next);
       model = kept;
-      simplify_components(model, kept.surface, options, next, report, context);
+      simplify_components(model, before, options, next, report, context);
     }
   }
 }
@@ -246,7 +252,7 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   const mesh::LooseFaces all = mesh::take_apart(model);
   const Panels panels = find_panels(model.surface);
   const SymmetricShare share = symmetric_share(model, symmetric_within, context);
-  report.evened_mm = evened(share, model);
+  report.evened_mm = evened(share.deviation, model);
   SymmetricShare simplified;
   // The number counts more than walls.
   for (const double factor : fewer_walls) {
@@ -272,13 +278,23 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
 SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, const Context& context) {
   SimplifyReport report;
   report.faces_before = model.surface.face_count();
-  report.short_edges_before = fold_figures(model.surface, options).brief_share();
-  if (options.mode == Simplification::automatic &&
-      (report.short_edges_before > options.short_edge_share || report.faces_before > options.most_faces)) {
-    simplify_to_fold(model, options, report, context);
+  std::optional<Dense> dense;
+  if (options.mode == Simplification::automatic && is_dense(model.surface, options)) {
+    report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
+    dense = thin_out(model, symmetric_within, options, context);
+  }
+  remesh_panels(model, context);
+  report.short_edges_before =
+      dense ? dense->short_edges_share : fold_figures(model.surface, options).brief_share();
+  if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_share ||
+                                                    model.surface.face_count() > options.most_faces)) {
+    simplify_to_fold(model, dense, options, report, context);
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
     simplify_to_count(model, options, report, context);
+  }
+  if (dense) {
+    report.evened_mm = std::max(report.evened_mm, evened(dense->unevenness_mm, model));
   }
   report.faces_after = model.surface.face_count();
   report.short_edges_after = fold_figures(model.surface, options).brief_share();

@@ -8,8 +8,8 @@
 
 namespace ridgecraft::prepare {
 
-/// Simplifies a model in millimetres with remeshed panels as the options ask; the result is remeshed, too.
-/// O(n log n).
+/// Remeshes the panels of a model in millimetres and simplifies it as the options ask; the result is
+/// remeshed, too. O(n log n).
 [[nodiscard]] SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options,
                                       const Context& context);
 

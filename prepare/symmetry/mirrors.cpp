@@ -87,7 +87,11 @@ class MirrorSearch {
         near_(tolerance.near * extent_),
         points_(surface.points().begin(), surface.points().end()),
         places_(places(points_)),
-        tree_(points_, places_) {}
+        tree_(points_, places_) {
+    for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+      longest_ = std::max(longest_, surface.length(e));
+    }
+  }
 
   std::vector<Mirror> run() {
     const AreaFrame frame = area_frame(surface_);
@@ -116,15 +120,38 @@ class MirrorSearch {
     return result;
   }
 
-  /// Distance of a point from the surface where it is more than `enough`.
+  /// Distance of a point from the surface; any other one within `enough` where it is, and beyond where not.
   [[nodiscard]] double distance(Vec3 p, double enough) {
     if (tree_.nearest(p, enough) != no_point) {
       return 0.0;
+    }
+    if (longest_ <= enough && places_.size() == points_.size()) {
+      return distance_by_corners(p, enough + longest_);
     }
     if (!faces_) {
       faces_.emplace(surface_, INFINITY);
     }
     return faces_->distance(p, enough);
+  }
+
+  /// A face has a corner that is farther off than the face by no more than its longest side. So of a fine
+  /// surface few corners, those within `far`, tell how far it is, and no tree of its faces has to be made.
+  [[nodiscard]] double distance_by_corners(Vec3 p, double far) const {
+    double least = INFINITY;
+    tree_.search(
+        p, [&](double squared) { return squared <= far * far; },
+        [&](std::uint32_t v) {
+          const Vec3 off = points_[v] - p;
+          if (dot(off, off) > far * far) {
+            return;
+          }
+          for (const CornerId corner : surface_.corners_at(VertexId(v))) {
+            const auto [a, b, c] = surface_.vertices(mesh::face_of(corner));
+            least = std::min(
+                least, mesh::squared_distance(surface_.point(a), surface_.point(b), surface_.point(c), p));
+          }
+        });
+    return std::sqrt(least);
   }
 
   [[nodiscard]] bool known(const MirrorPlane& plane, double closeness) const {
@@ -315,6 +342,7 @@ class MirrorSearch {
   double extent_;
   double exact_;
   double near_;
+  double longest_ = 0.0;  ///< side of a face
   std::vector<Vec3> points_;
   std::vector<std::uint32_t> places_;
   NearbyPoints tree_;

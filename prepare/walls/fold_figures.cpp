@@ -83,7 +83,12 @@ class WallsAtEdges {
 
 FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& options) {
   const Panels panels = find_panels(surface);
-  const Walls walls = find_walls(surface, panels, options.short_edge_mm, Slats::are_none);
+  return fold_figures(surface, panels, find_walls(surface, panels, options.short_edge_mm, Slats::are_none),
+                      options);
+}
+
+FoldFigures fold_figures(const mesh::Surface& surface, const Panels& panels, const Walls& walls,
+                         const SimplifyOptions& options) {
   const WallsAtEdges at_edges(surface, walls);
   FoldFigures figures;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
@@ -117,7 +122,9 @@ std::vector<bool> too_fine_components(const mesh::Surface& surface, const Simpli
   }
   std::vector<bool> result;
   for (const std::vector<FaceId>& component : faces) {
-    const FoldFigures figures = fold_figures(mesh::faces_alone(surface, component), options);
+    const FoldFigures figures = component.size() == surface.face_count()
+                                    ? fold_figures(surface, options)
+                                    : fold_figures(mesh::faces_alone(surface, component), options);
     result.push_back(figures.brief_share() > options.short_edge_share ||
                      component.size() > options.most_faces);
   }

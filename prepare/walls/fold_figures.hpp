@@ -8,6 +8,8 @@
 
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/options.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -44,6 +46,9 @@ struct FoldFigures {
 /// Panels must have been remeshed: then a straight fold between two of them is one
 /// edge. O(n).
 [[nodiscard]] FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& options);
+/// The same where panels and walls (without slats) are known.
+[[nodiscard]] FoldFigures fold_figures(const mesh::Surface& surface, const Panels& panels, const Walls& walls,
+                                       const SimplifyOptions& options);
 
 /// Of each component: whether it can't be folded as it is, or has more faces than anybody builds. Panels must
 /// have been remeshed. O(n).

@@ -34,6 +34,8 @@ constexpr double same_height = 0.01;
 const double distinct = elementary::sin(2.0 * degrees);
 /// Components of which walls are less of the area are no hard surfaces.
 constexpr double least_share = 0.4;
+/// A share of a detail's area that no wall and no slat, which may lean, is below.
+constexpr double nearly = 0.125;
 
 /// A flat region, and what it meets.
 struct Region {
@@ -141,7 +143,8 @@ void add_areas_in_planes(std::vector<Region>& regions, double short_edge) {
   }
 }
 
-std::vector<Region> regions_of(const mesh::Surface& surface, const Panels& panels) {
+/// Regions that are too small for a wall don't tell what is beside them: of a fine model that is nearly all.
+std::vector<Region> regions_of(const mesh::Surface& surface, const Panels& panels, double short_edge) {
   std::vector<Region> regions(panels.count());
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     Region& region = regions[panels.panel[f].value()];
@@ -150,6 +153,7 @@ std::vector<Region> regions_of(const mesh::Surface& surface, const Panels& panel
     const auto [a, b, c] = surface.vertices(f);
     region.moment += (surface.area(f) / 3.0) * (surface.point(a) + surface.point(b) + surface.point(c));
   }
+  const double smallest = detail * short_edge * short_edge;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
     const std::uint32_t a = panels.panel[mesh::face_of(c)].value();
@@ -158,9 +162,12 @@ std::vector<Region> regions_of(const mesh::Surface& surface, const Panels& panel
     if (inner && a == b) {
       continue;
     }
-    const double length = surface.length(e);
-    const double fold = surface.fold_angle(e);
     const auto add = [&](Region& region, std::uint32_t other) {
+      if (region.area < smallest) {
+        return;
+      }
+      const double length = surface.length(e);
+      const double fold = surface.fold_angle(e);
       region.perimeter += length;
       region.sharp += !inner || std::abs(fold) >= sharp ? length : 0.0;
       if (inner) {
@@ -174,6 +181,29 @@ std::vector<Region> regions_of(const mesh::Surface& surface, const Panels& panel
     }
   }
   return regions;
+}
+
+/// Whether regions that are nearly large enough for a wall or a slat are a good part of any component: of
+/// fine smooth models they aren't, and nothing more has to be looked at.
+bool may_be_hard(const mesh::Surface& surface, const Panels& panels, double short_edge) {
+  const double smallest = nearly * detail * short_edge * short_edge;
+  std::vector<double> area(panels.count(), 0.0);
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    area[panels.panel[f].value()] += surface.area(f);
+  }
+  std::vector<double> all(surface.component_count(), 0.0);
+  std::vector<double> large_enough(surface.component_count(), 0.0);
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    all[surface.component(f).value()] += surface.area(f);
+    large_enough[surface.component(f).value()] +=
+        area[panels.panel[f].value()] >= smallest ? surface.area(f) : 0.0;
+  }
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    if (large_enough[c] >= 0.5 * least_share * all[c]) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Of each component: are walls a good part of it?
@@ -213,7 +243,10 @@ void Meeting::add(Vec3 normal, double offset) {
 }
 
 Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm, Slats which) {
-  std::vector<Region> regions = regions_of(surface, panels);
+  if (!may_be_hard(surface, panels, short_edge_mm)) {
+    return {{}, std::vector<std::uint32_t>(surface.face_count(), Walls::none)};
+  }
+  std::vector<Region> regions = regions_of(surface, panels, short_edge_mm);
   add_areas_in_planes(regions, short_edge_mm);
   const std::vector<bool> slats = which == Slats::are_walls ? find_slats(surface, panels, short_edge_mm)
                                                             : std::vector<bool>(panels.count(), false);

@@ -34,7 +34,7 @@ double distance(const mesh::LooseFaces& a, const mesh::LooseFaces& b) {
 
 TEST_CASE("quick collapses leave a surface near the one before, wherever they end", "[quick_collapses]") {
   const mesh::LooseFaces loose = fine(test::sphere(160, 80));
-  const auto collapses = prepare::quick_collapses(loose, free_points(loose), {}, 2000, {});
+  const auto collapses = prepare::quick_collapses(loose, free_points(loose), {}, 2000, INFINITY, {});
   REQUIRE(collapses.size() > 10000);
   CHECK(collapses.back().faces <= 2000);
   CHECK(collapses.back().faces >= 1998);
@@ -51,7 +51,7 @@ TEST_CASE("quick collapses leave a surface near the one before, wherever they en
 TEST_CASE("quick collapses keep borders, walls and points of a plane", "[quick_collapses]") {
   const mesh::LooseFaces tube = fine(test::revolve({{1, 0}, {1.1, 0.5}, {1.05, 1}, {1, 1.5}}, 80));
   // Two rings are borders, so nothing but the two between can go.
-  const auto of_tube = prepare::quick_collapses(tube, free_points(tube), {}, 0, {});
+  const auto of_tube = prepare::quick_collapses(tube, free_points(tube), {}, 0, INFINITY, {});
   for (const prepare::Collapse& c : of_tube) {
     const double height = tube.points[c.gone].z;
     CHECK(height > 0.1);
@@ -76,7 +76,7 @@ TEST_CASE("quick collapses keep borders, walls and points of a plane", "[quick_c
       bound[v] = true;
     }
   }
-  const auto collapses = prepare::quick_collapses(torus, points, walls, 0, {});
+  const auto collapses = prepare::quick_collapses(torus, points, walls, 0, INFINITY, {});
   REQUIRE(collapses.size() > 50);
   for (const prepare::Collapse& c : collapses) {
     CHECK_FALSE(bound[c.gone]);
@@ -89,8 +89,8 @@ TEST_CASE("quick collapses keep borders, walls and points of a plane", "[quick_c
 
 TEST_CASE("quick collapses end where nothing is left to be done", "[quick_collapses]") {
   const mesh::LooseFaces cube = fine(test::voxels({{0, 0, 0}}, 1));
-  CHECK(prepare::quick_collapses(cube, free_points(cube), {}, 0, {}).size() <= 4);
+  CHECK(prepare::quick_collapses(cube, free_points(cube), {}, 0, INFINITY, {}).size() <= 4);
   const mesh::LooseFaces nothing =
-      prepare::replay(cube, prepare::quick_collapses(cube, free_points(cube), {}, 0, {}));
+      prepare::replay(cube, prepare::quick_collapses(cube, free_points(cube), {}, 0, INFINITY, {}));
   CHECK(mesh::is_surface(nothing));
 }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A smooth model of very many faces gets far fewer before anything else is looked for. Private to prepare/.
+#pragma once
+
+#include <optional>
+
+#include "base/context.hpp"
+#include "mesh/model/model.hpp"
+#include "prepare/prepared/options.hpp"
+
+namespace ridgecraft::prepare {
+
+/// What a model was before its faces became fewer.
+struct Dense {
+  mesh::Surface surface;
+  double short_edges_share = 0.0;  ///< of its folds, those that are short (fold_figures.hpp)
+  double unevenness_mm = 0.0;      ///< how far its sides were from being mirror images, which they are now
+};
+
+/// Whether a surface in mm has so many faces, and so many more than its folds can be long, that most of them
+/// may go without care. Linear.
+[[nodiscard]] bool is_dense(const mesh::Surface& surface, const SimplifyOptions& options);
+
+/// Where a dense model has no walls and no turned bodies, which later steps would have to find, quick
+/// collapses take most of its faces: what is left is still much finer than anything that can be folded. Large
+/// flat regions, borders and mirror planes stay. None where it has some: then the model stays as it is.
+/// O(n log n).
+[[nodiscard]] std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within,
+                                            const SimplifyOptions& options, const Context& context);
+
+}  // namespace ridgecraft::prepare
