@@ -267,11 +267,25 @@ Segmentation segment_ground(const Ground& ground, const Options& options, const 
   return segmentation_of(parts_of(ground, options, context), ground);
 }
 
+/// What is segmented, and whether it may be emptied when nothing is read from it any more.
+struct Given {
+  const mesh::Surface& surface;
+  mesh::Surface* own = nullptr;
+
+  void done() const {
+    if (own != nullptr) {
+      *own = mesh::Surface();
+    }
+  }
+};
+
 /// A surface as it is.
-Segmentation segment_surface(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+Segmentation segment_surface(const Given& given, std::span<const std::uint32_t> polygon,
                              const Options& options, std::span<const std::uint32_t> label,
                              const Context& context) {
-  return segment_ground(Ground(form_of(surface, polygon, options), options, label), options, context);
+  Form form = form_of(given.surface, polygon, options);
+  given.done();
+  return segment_ground(Ground(std::move(form), options, label), options, context);
 }
 
 /// Parts of a surface that another one stands for, with the numbers of that one: `to_given_numbers` changes a
@@ -290,13 +304,15 @@ Segmentation renumbered(Segmentation s, std::size_t face_count, const ToGivenNum
 }
 
 /// With points in the middle of lonely valleys.
-Segmentation segment_with_valleys(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+Segmentation segment_with_valleys(const Given& given, std::span<const std::uint32_t> polygon,
                                   const Options& options, std::span<const std::uint32_t> label,
                                   const Context& context) {
-  DividedValleys divided = divide_valleys(surface, polygon, shortest_valley_share * options.concavity);
+  const std::size_t face_count = given.surface.face_count();
+  DividedValleys divided = divide_valleys(given.surface, polygon, shortest_valley_share * options.concavity);
   if (!divided.any()) {
-    return segment_surface(surface, polygon, options, label, context);
+    return segment_surface(given, polygon, options, label, context);
   }
+  given.done();
   std::vector<std::uint32_t> divided_label;
   if (!label.empty()) {
     for (const FaceId f : divided.face_of) {
@@ -308,14 +324,13 @@ Segmentation segment_with_valleys(const mesh::Surface& surface, std::span<const 
   divided.surface = {};
   divided.polygon = {};
   const Ground ground(std::move(form), options, divided_label);
-  return renumbered(segment_ground(ground, options, context), surface.face_count(),
+  return renumbered(segment_ground(ground, options, context), face_count,
                     [&](Part& part) { divided.to_given_numbers(part); });
 }
 
-}  // namespace
-
-Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
-                     const Options& options, const Context& context, std::span<const std::uint32_t> label) {
+Segmentation segment_given(const Given& given, std::span<const std::uint32_t> polygon, const Options& options,
+                           const Context& context, std::span<const std::uint32_t> label) {
+  const mesh::Surface& surface = given.surface;
   require_possible(options);
   context.check();
   if (surface.face_count() == 0) {
@@ -323,17 +338,33 @@ Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t
   }
   // Where depth isn't capped by the hull, the ends of a valley tell it.
   if (!rules_of(options.reading).cap) {
-    return segment_surface(surface, polygon, options, label, context);
+    return segment_surface(given, polygon, options, label, context);
   }
   // Between components, and over holes, distances between points count: there all points stay.
   const bool points_count = options.components == Options::Components::tied || closes_holes(surface, options);
   const Undivided undivided = points_count ? Undivided() : undivide(surface, polygon, label);
   if (!undivided.any()) {
-    return segment_with_valleys(surface, polygon, options, label, context);
+    return segment_with_valleys(given, polygon, options, label, context);
   }
+  const std::size_t face_count = surface.face_count();
+  given.done();
   return renumbered(
-      segment_with_valleys(undivided.surface, undivided.polygon, options, undivided.label, context),
-      surface.face_count(), [&](Part& part) { undivided.to_given_numbers(part); });
+      segment_with_valleys({undivided.surface}, undivided.polygon, options, undivided.label, context),
+      face_count, [&](Part& part) { undivided.to_given_numbers(part); });
+}
+
+}  // namespace
+
+Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                     const Options& options, const Context& context, std::span<const std::uint32_t> label) {
+  return segment_given({surface}, polygon, options, context, label);
+}
+
+// It is taken where nothing is read from it any more.
+// NOLINTNEXTLINE(cppcoreguidelines-rvalue-reference-param-not-moved)
+Segmentation segment(mesh::Surface&& surface, std::span<const std::uint32_t> polygon, const Options& options,
+                     const Context& context, std::span<const std::uint32_t> label) {
+  return segment_given({surface, &surface}, polygon, options, context, label);
 }
 
 }  // namespace ridgecraft::segment

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/jobs/segment_job.hpp"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -147,6 +149,24 @@ std::vector<std::string> commit(const SegmentJob& job, const SegmentResult& resu
   });
 }
 
+/// A surface of so many faces is more than its points and faces by hundreds of megabytes. It goes while its
+/// parts are looked for, and is made again afterwards.
+constexpr std::size_t large_surface = 1000000;
+
+segment::Segmentation find_parts_of_large(mesh::Model& model, const segment::Options& options,
+                                          const Context& context) {
+  std::vector<Vec3> points(model.surface.points().begin(), model.surface.points().end());
+  std::vector<std::array<VertexId, 3>> faces;
+  faces.reserve(model.surface.face_count());
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    faces.push_back(model.surface.vertices(f));
+  }
+  segment::Segmentation found =
+      segment::segment(std::move(model.surface), model.polygon.items(), options, context);
+  model.surface = mesh::Surface(std::move(points), std::move(faces));
+  return found;
+}
+
 }  // namespace
 
 SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingFiles& pending) {
@@ -168,6 +188,9 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
       if (!job.hierarchy.empty()) {
         hierarchy = segment::find_hierarchy(result.model.surface, result.model.polygon.items(),
                                             job.parts.count, strict);
+      }
+      if (job.parts.count == 0 && !hierarchy && result.model.surface.face_count() >= large_surface) {
+        return find_parts_of_large(result.model, job.parts.options, strict);
       }
       return find_parts(result.model, shown_name(job.model), job.parts, hierarchy, strict);
     });

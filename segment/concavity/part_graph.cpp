@@ -108,9 +108,7 @@ void PartGraph::find_loops() {
 }
 
 bool PartGraph::arc_exists(std::uint32_t v, std::uint32_t i) const {
-  const Arc& a = graph_->arcs[i];
-  return i < graph_->across[v] ? has(a.first_facet) || has(a.second_facet)
-                               : has(a.first_facet) && has(a.second_facet);
+  return i < graph_->across[v] ? has_one_beside(i) : has_both_beside(i);
 }
 
 std::uint32_t PartGraph::find_arc(std::uint32_t from, std::uint32_t to) const {

@@ -43,15 +43,13 @@ class PartGraph {
       return;
     }
     for (std::uint32_t i = graph_->first[v]; i < across; ++i) {
-      const Arc& arc = graph_->arcs[i];
-      if (has(arc.first_facet) || has(arc.second_facet)) {
-        visit(i, arc);
+      if (has_one_beside(i)) {
+        visit(i, graph_->arcs[i]);
       }
     }
     for (std::uint32_t i = across; i < last; ++i) {
-      const Arc& arc = graph_->arcs[i];
-      if (has(arc.first_facet) && has(arc.second_facet)) {
-        visit(i, arc);
+      if (has_both_beside(i)) {
+        visit(i, graph_->arcs[i]);
       }
     }
   }
@@ -80,6 +78,16 @@ class PartGraph {
   [[nodiscard]] double mean_arc_length() const { return graph_->mean_length; }
 
  private:
+  /// The facets beside the edge of arc number i.
+  [[nodiscard]] bool has_one_beside(std::uint32_t i) const {
+    const std::uint32_t side = graph_->side[i];
+    return has(side / 3) || has(surface_->neighbors[side / 3][side % 3]);
+  }
+  [[nodiscard]] bool has_both_beside(std::uint32_t i) const {
+    const std::uint32_t side = graph_->side[i];
+    return has(side / 3) && has(surface_->neighbors[side / 3][side % 3]);
+  }
+
   void find_cut_edges();
   void find_loops();
 

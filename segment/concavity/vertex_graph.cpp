@@ -83,6 +83,7 @@ struct ArcPlaces {
     }
     graph.first[vertices] = total;
     graph.arcs.resize(total);
+    graph.side.resize(total);
   }
 
   std::vector<std::uint32_t> along;
@@ -114,15 +115,20 @@ VertexGraph build_vertex_graph(const ScaledSurface& s, double sagitta) {
     const std::uint32_t a = s.corners[f][k];
     const std::uint32_t b = s.corners[f][(k + 1) % 3];
     const auto size = static_cast<float>(length(s.points[b] - s.points[a]));
-    graph.arcs[places.along[a]++] = {b, size, f, g};
-    graph.arcs[places.along[b]++] = {a, size, f, g};
+    const std::uint32_t side = 3 * f + k;
+    const auto add = [&](std::uint32_t at, std::uint32_t target, float arc_length) {
+      graph.arcs[at] = {target, arc_length};
+      graph.side[at] = side;
+    };
+    add(places.along[a]++, b, size);
+    add(places.along[b]++, a, size);
     if (g == none) {
       return;
     }
     const Candidate& c = lines[line++];
     if (c.length >= 0.0F) {
-      graph.arcs[places.across[c.from]++] = {c.to, c.length, f, g};
-      graph.arcs[places.across[c.to]++] = {c.from, c.length, f, g};
+      add(places.across[c.from]++, c.to, c.length);
+      add(places.across[c.to]++, c.from, c.length);
     }
   });
   double sum = 0.0;

@@ -17,12 +17,13 @@ namespace ridgecraft::segment {
 struct Arc {
   std::uint32_t target;
   float length;
-  std::uint32_t first_facet;
-  std::uint32_t second_facet;  ///< none at a border
 };
 
 struct VertexGraph {
   std::vector<Arc> arcs;  ///< of vertex v: arcs[first[v]] ... arcs[first[v + 1]], along edges first
+  /// Of each arc the edge, as a side 3 f + k of one of its facets. Apart, since it is asked for at the
+  /// borders of parts alone.
+  std::vector<std::uint32_t> side;
   std::vector<std::uint32_t> first;   ///< one longer than there are vertices
   std::vector<std::uint32_t> across;  ///< of vertex v: its first arc across an edge
   double mean_length = 1.0;           ///< of an arc; 1 where all are points
