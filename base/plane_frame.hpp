@@ -20,6 +20,8 @@ class PlaneFrame {
     across_ = normalized(cross(axis, normal));
     up_ = cross(normal, across_);
   }
+  /// The point of the plane with these coordinates.
+  [[nodiscard]] Vec3 place(Vec2 p) const { return origin_ + p.x * across_ + p.y * up_; }
   [[nodiscard]] Vec2 flat(Vec3 p) const { return {dot(p - origin_, across_), dot(p - origin_, up_)}; }
 
  private:

@@ -175,6 +175,13 @@ std::optional<mesh::LookParts> look_for(const Options& options, const mesh::Mode
                                                                  : std::nullopt;
 }
 
+/// What was done to the bodies; where that is nothing, they are kept.
+void take_over(const OneSkin& skin, Paper& made) {
+  made.ready = skin.ready;
+  made.skin = skin.skin;
+  made.options.bodies = skin.changed() ? prepare::Bodies::unite : prepare::Bodies::keep;
+}
+
 /// Models of more faces aren't judged once more at another size: it would take too long, and too much memory.
 constexpr std::size_t most_judged_faces = 200000;
 /// Of the time that is left.
@@ -182,7 +189,7 @@ constexpr double judging_share = 0.5;
 
 /// A model at the size that suits it: what is too small for paper was judged at the usual size before that
 /// was known, and is judged at this one once more. Kept where the model is as good for it; then whoever asks
-/// for this size gets the same. `model`: as it was read.
+/// for this size gets the same. Not where the time is too short for it. `model`: as it was read.
 void judge_at_its_size(mesh::Model model, Paper& made, const Context& context) {
   prepare::SizeOptions size = made.options.size;
   size.adapts = false;
@@ -190,15 +197,14 @@ void judge_at_its_size(mesh::Model model, Paper& made, const Context& context) {
   const Context in_time = until_deadline(context, judging_share);
   try {
     OneSkin skin = one_skin(std::move(model), size, made.options.simplify, in_time);
-    prepare::Prepared prepared = prepare::prepare(std::move(skin.model), size, made.options.simplify,
-                                                  panel_room(made.options), in_time);
+    prepare::Prepared prepared = prepare::prepare_as_asked(std::move(skin.model), size, made.options.simplify,
+                                                           panel_room(made.options), in_time);
     const Vec2 area = room_for_pieces(made.options);
     if (prepare::is_as_good(prepared, made.prepared) &&
         prepare::expected_pages(prepared, area) <= size.most_pages) {
       prepared.size_reason = made.prepared.size_reason;
       made.prepared = std::move(prepared);
-      made.ready = std::move(skin.ready);
-      made.skin = std::move(skin.skin);
+      take_over(skin, made);
       return;
     }
   } catch (const Error& error) {
@@ -206,7 +212,9 @@ void judge_at_its_size(mesh::Model model, Paper& made, const Context& context) {
       throw;
     }
   }
-  made.options.size.judged_at_mm = made.options.size.largest_extent_mm;
+  if (made.options.bodies == prepare::Bodies::unite) {
+    made.options.size.judged_at_mm = made.options.size.largest_extent_mm;
+  }
 }
 
 /// What was done to the bodies before they were united is a part of what was done to the model.
@@ -221,6 +229,13 @@ void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare
     report.rulings_removed += ready.rulings_removed;
     report.bevels_removed += ready.bevels_removed;
   }
+}
+
+/// Lengths on paper that were told at another size.
+void rescale(prepare::ReadyReport& ready, double factor) {
+  ready.plain.moved_mm *= factor;
+  ready.sheets.thickness_mm *= factor;
+  ready.left_out.strands_mm *= factor;
 }
 
 /// Tabs anew, as the options ask for them.
@@ -285,18 +300,13 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   std::optional<mesh::Model> as_read;
   if (made.options.bodies == prepare::Bodies::unite) {
     if (made.options.size.adapts && model.surface.face_count() <= most_judged_faces) {
-      as_read = model;
+      as_read = model;  // its skin may be another one at another size
     }
     OneSkin skin = clock("prepare", context, [&] {
       return one_skin(std::move(model), made.options.size, made.options.simplify, until_deadline(context));
     });
-    if (!skin.changed()) {
-      made.options.bodies = prepare::Bodies::keep;
-      as_read.reset();
-    }
     model = std::move(skin.model);
-    made.ready = std::move(skin.ready);
-    made.skin = std::move(skin.skin);
+    take_over(skin, made);
   }
   const Vec2 area = room_for_pieces(options);
   bool told_of_pages = options.paper && tell(listener, many_pages(model, made.options.size, area));
@@ -306,15 +316,19 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
                             until_deadline(context));
   });
   if (made.prepared.size_reason != prepare::SizeReason::none) {
+    const double judged_at_mm = made.options.size.largest_extent_mm;
     if (as_read) {
       clock("prepare", context, [&] {
         judge_at_its_size(std::move(*as_read), made, context);
         return true;
       });
     } else if (made.options.bodies == prepare::Bodies::unite) {
-      made.options.size.judged_at_mm = made.options.size.largest_extent_mm;
+      made.options.size.judged_at_mm = judged_at_mm;
     }
     made.options.size.largest_extent_mm = std::round(made.prepared.model.surface.bounds().largest_extent());
+    if (made.options.size.judged_at_mm) {
+      rescale(made.ready, made.options.size.largest_extent_mm / judged_at_mm);
+    }
   }
   if (look) {
     made.prepared.look = std::make_shared<const mesh::Look>(std::move(*look), made.prepared.from_model.factor,

@@ -69,6 +69,8 @@ class SizeSearch {
              const Context& context)
       : model_(model), simplify_(simplify), room_(room), context_(until_deadline(context, time_share)) {}
 
+  /// Whether the program says how far, and not who asks for a number of faces.
+  [[nodiscard]] bool simplifies() const { return simplify_.mode == Simplification::automatic; }
   [[nodiscard]] double pages(const Prepared& prepared) const {
     return expected_pages(prepared, {room_.sheet.width, room_.sheet.height});
   }
@@ -96,7 +98,8 @@ class SizeSearch {
         }
         const double share = found.simplified.cramped_share;
         const bool enough = !is_cramped(found) && !is_spoilt(found);
-        if (enough || share <= to_beat) {
+        const bool no_worse = !is_spoilt(found) || is_spoilt(usual);
+        if (enough || (no_worse && share <= to_beat)) {
           to_beat = is_cramped(found) ? share : unbeaten;
           best = std::move(found);
         }
@@ -200,7 +203,7 @@ Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSear
       smaller->size_reason = SizeReason::pages;
       return std::move(*smaller);
     }
-  } else if (is_cramped(foldable) || is_spoilt(foldable)) {
+  } else if (is_cramped(foldable) || (search.simplifies() && is_spoilt(foldable))) {
     if (std::optional<Prepared> roomier = search.roomier(foldable, size)) {
       roomier->size_reason = foldable.size_reason != SizeReason::none ? foldable.size_reason
                              : is_cramped(foldable)                   ? SizeReason::room
@@ -245,6 +248,11 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
     search.larger(extent_of(prepared), can_be_folded, prepared.smallest_size_mm);
   }
   return prepared;
+}
+
+Prepared prepare_as_asked(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
+                          const PanelRoom& room, const Context& context) {
+  return prepare_at_size(std::move(model), size, simplify, room, context);
 }
 
 }  // namespace ridgecraft::prepare

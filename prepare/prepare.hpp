@@ -32,10 +32,16 @@ inline constexpr double most_own_slivers = 0.15;
 /// keeps a mirror plane of the model and the equality of equal components (symmetry/). Cost O(n log n).
 /// Throws no_nets where every face is narrower than 0.005 mm (below 0.05 mm they are noted as narrow_faces),
 /// or where the model would be larger than 100 m or than a million faces of this paper.
-/// Where the size adapts it is that of SizeOptions if the model can be folded there on few enough pages, else
-/// the next larger one at which it can, or a smaller one. Where it can't be folded, the smallest size at
+/// Where the size adapts it is that of SizeOptions if the model can be folded there on few enough pages, with
+/// room for tabs and numbers, and without simplification that is seen; else the next larger one at which that
+/// is so, or a smaller one. Where it can't be folded, the smallest size at
 /// which it can is told. Each size that is tried costs as much again.
 [[nodiscard]] Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                                const PanelRoom& room, const Context& context);
+
+/// The same at the size that is asked for, and without telling which other one would do.
+[[nodiscard]] Prepared prepare_as_asked(mesh::Model model, const SizeOptions& size,
+                                        const SimplifyOptions& simplify, const PanelRoom& room,
+                                        const Context& context);
 
 }  // namespace ridgecraft::prepare

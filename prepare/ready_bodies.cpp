@@ -76,7 +76,7 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
     report.plain = make_plain(
         model,
         {in_units.short_edge_mm, in_units.tiny_edge_mm, busy_may_move * simplify.largest_deviation * extent,
-         too_many ? busy_among_many : busy_body},
+         too_many ? busy_among_many : busy_body, simplify.hidden_fold_angle},
         context);
     report.plain.moved_mm *= mm;
   }

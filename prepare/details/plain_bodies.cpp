@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,8 +23,6 @@ namespace {
 constexpr double short_body = 0.34;
 /// Bodies with no more faces are plain: a box has 12.
 constexpr std::size_t plain_faces = 20;
-/// Edges that bend less lie within a flat face (radians).
-constexpr double flat_angle = 3.0 * std::numbers::pi / 180.0;
 /// Of the directions of a body's faces those are tried that have most area, ...
 constexpr std::size_t most_directions = 6;
 /// (of the first so many, by their largest faces: a round body has as many as faces), ...
@@ -54,15 +51,15 @@ struct Edges {
   double brief_length = 0.0;
 };
 
-Edges folded_edges(const mesh::Surface& surface, double short_edge) {
+Edges folded_edges(const mesh::Surface& surface, const PlainLimits& limits) {
   Edges edges;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    if (surface.sides(e)[1].valid() && std::abs(surface.fold_angle(e)) < flat_angle) {
+    if (surface.sides(e)[1].valid() && std::abs(surface.fold_angle(e)) < limits.hidden_fold_angle) {
       continue;
     }
     const double length = surface.length(e);
     edges.length += length;
-    if (length < short_edge) {
+    if (length < limits.short_edge) {
       ++edges.brief;
       edges.brief_length += length;
     }
@@ -230,7 +227,7 @@ class Blocks {
     if (alone.bounds().largest_extent() > short_body * surface_.bounds().largest_extent()) {
       return std::nullopt;
     }
-    const Edges before = folded_edges(alone, limits_.short_edge);
+    const Edges before = folded_edges(alone, limits_);
     if (before.brief_length < limits_.busy * before.length) {
       return std::nullopt;
     }
@@ -241,7 +238,7 @@ class Blocks {
       return std::nullopt;
     }
     const mesh::Surface plain = surface_of(*prism);
-    if (2 * folded_edges(plain, limits_.short_edge).brief > before.brief) {
+    if (2 * folded_edges(plain, limits_).brief > before.brief) {
       return std::nullopt;
     }
     if (!looks_like_it(alone, *prism)) {

@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <utility>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/convex_hull_2.h>
+#include "base/convex_hull.hpp"
+#include "base/plane_frame.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// Sides that turn more towards each other don't meet anywhere near (cosine of 135 degrees).
 constexpr double sharpest = -0.71;
@@ -20,23 +18,35 @@ constexpr double sharpest = -0.71;
 constexpr double straight = 0.6;
 /// Sides and turns of an outline that differ by less, as a share of its size or in radians, are equal.
 constexpr double alike = 1e-3;
+/// Corners that are off by less, as a share of an outline's size, are so by rounding.
+constexpr double rounding = 1e-5;
 /// Areas that differ by less, as a share, are equal.
 constexpr double same_area = 1e-6;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-std::vector<Vec2> convex_outline(const std::vector<Vec2>& points) {
-  std::vector<Kernel::Point_2> all;
-  all.reserve(points.size());
-  for (const Vec2 p : points) {
-    all.emplace_back(p.x, p.y);
+/// The hull of points, without corners that are none but for rounding: those that are nearer to the one
+/// before, or to the line between those beside them, than `near`.
+std::vector<Vec2> convex_outline(std::vector<Vec2> points, double near) {
+  std::vector<Vec2> apart;
+  for (const Vec2 p : convex_hull(std::move(points))) {
+    if (apart.empty() || length(p - apart.back()) > near) {
+      apart.push_back(p);
+    }
   }
-  std::vector<Kernel::Point_2> hull;
-  CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
+  while (apart.size() > 1 && length(apart.back() - apart.front()) <= near) {
+    apart.pop_back();
+  }
   std::vector<Vec2> result;
-  result.reserve(hull.size());
-  for (const Kernel::Point_2& p : hull) {
-    result.push_back({p.x(), p.y()});
+  const auto is_corner = [&](Vec2 before, Vec2 p, Vec2 after) {
+    const Vec2 way = after - before;
+    return std::abs(cross(way, p - before)) > near * length(way);
+  };
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    const Vec2 before = result.empty() ? apart.back() : result.back();
+    if (is_corner(before, apart[i], apart[(i + 1) % apart.size()])) {
+      result.push_back(apart[i]);
+    }
   }
   return result;
 }
@@ -65,41 +75,35 @@ class Sides {
     for (std::size_t i = 0; i < all_.size(); ++i) {
       left_.push_back(i);
     }
+    area_ = area_of(outline);
     find_mirror();
   }
 
   [[nodiscard]] std::vector<Vec2> outline() const { return outline_of(left_); }
 
-  /// Leaves out short sides, those that add least area first, and then the others until few are left.
+  /// Leaves out short sides, those that add least area first, and then the others until few are left. Each
+  /// step looks at every side.
   void make_plain(double short_side, std::size_t most_sides) {
     for (;;) {
-      const std::vector<Vec2> corners = outline();
       const bool too_many = left_.size() > most_sides;
       double least = never;
-      std::vector<std::size_t> best;
+      std::size_t best = 0;
       for (std::size_t k = 0; k < left_.size(); ++k) {
-        const double size = length(corners[(k + 1) % corners.size()] - corners[k]);
-        if (size >= short_side && !too_many) {
+        if (side_length(k) >= short_side && !too_many) {
           continue;
         }
-        const std::size_t other = partner_[left_[k]];
-        std::vector<std::size_t> rest;
-        std::copy_if(left_.begin(), left_.end(), std::back_inserter(rest),
-                     [&](std::size_t s) { return s != left_[k] && s != other; });
-        if (rest.size() < 3 || !is_closed(rest)) {
-          continue;
-        }
-        const double each = other == left_[k] ? 1.0 : 2.0;
-        const double added = (area_of(outline_of(rest)) - area_of(corners)) / each;
-        if (added < least - same_area * area_of(corners)) {
+        const double added = added_without(k);
+        if (added < least - same_area * area_) {
           least = added;
-          best = std::move(rest);
+          best = k;
         }
       }
-      if (best.empty()) {
+      if (least == never) {
         return;
       }
-      left_ = std::move(best);
+      const std::size_t side = left_[best];
+      const std::size_t other = partner_[side];
+      std::erase_if(left_, [&](std::size_t s) { return s == side || s == other; });
     }
   }
 
@@ -108,6 +112,46 @@ class Sides {
     Vec2 through;
     Vec2 way;  ///< counterclockwise around what it bounds, of length 1
   };
+
+  [[nodiscard]] std::size_t count() const { return left_.size(); }
+  /// Of those that are left, counted on from one and around.
+  [[nodiscard]] const Line& line(std::size_t k) const { return all_[left_[k % count()]]; }
+  [[nodiscard]] double side_length(std::size_t k) const {
+    return length(meeting(line(k), line(k + 1)) - meeting(line(k + count() - 1), line(k)));
+  }
+
+  /// The area that sides `first` to `last` cut off where those beside them would meet; never where they
+  /// don't.
+  [[nodiscard]] double cut_off(std::size_t first, std::size_t last) const {
+    const Line& before = line(first + count() - 1);
+    const Line& after = line(last + 1);
+    if (cross(before.way, after.way) <= 0.0 || dot(before.way, after.way) < sharpest) {
+      return never;
+    }
+    std::vector<Vec2> corners{meeting(before, after)};
+    for (std::size_t k = last + 1; k-- > first;) {
+      corners.push_back(meeting(line(k), line(k + 1)));
+    }
+    corners.push_back(meeting(before, line(first)));
+    return area_of(corners);
+  }
+
+  /// For each of the sides that go, with one its mirror image.
+  [[nodiscard]] double added_without(std::size_t k) const {
+    const auto at = std::lower_bound(left_.begin(), left_.end(), partner_[left_[k]]);
+    const auto other = static_cast<std::size_t>(at - left_.begin());
+    const std::size_t gone = other == k ? 1 : 2;
+    if (count() < 3 + gone) {
+      return never;
+    }
+    if ((k + 1) % count() == other) {
+      return 0.5 * cut_off(k, k + 1);
+    }
+    if ((other + 1) % count() == k) {
+      return 0.5 * cut_off(k + count() - 1, k + count());
+    }
+    return cut_off(k + count(), k + count());
+  }
 
   /// Where two sides that follow each other meet.
   [[nodiscard]] static Vec2 meeting(const Line& a, const Line& b) {
@@ -122,17 +166,6 @@ class Sides {
       result.push_back(meeting(all_[sides[(k + sides.size() - 1) % sides.size()]], all_[sides[k]]));
     }
     return result;
-  }
-
-  [[nodiscard]] bool is_closed(const std::vector<std::size_t>& sides) const {
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      const Vec2 a = all_[sides[k]].way;
-      const Vec2 b = all_[sides[(k + 1) % sides.size()]].way;
-      if (cross(a, b) <= 0.0 || dot(a, b) < sharpest) {
-        return false;
-      }
-    }
-    return true;
   }
 
   /// Each side's mirror image about the first axis that there is; itself where there is none.
@@ -161,32 +194,15 @@ class Sides {
     partner_ = left_;
   }
 
+  double area_ = 0.0;
   std::vector<Line> all_;
   std::vector<double> lengths_;
   std::vector<std::size_t> left_;
   std::vector<std::size_t> partner_;
 };
 
-/// Coordinates across a direction, and back.
-struct Across {
-  Vec3 along;
-  Vec3 right;
-  Vec3 up;
-
-  explicit Across(Vec3 direction) : along(direction) {
-    const Vec3 size{std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)};
-    const Vec3 axis = size.x <= size.y && size.x <= size.z ? Vec3{1, 0, 0}
-                      : size.y <= size.z                   ? Vec3{0, 1, 0}
-                                                           : Vec3{0, 0, 1};
-    right = normalized(cross(axis, direction));
-    up = cross(direction, right);
-  }
-  [[nodiscard]] Vec2 flat(Vec3 p) const { return {dot(p, right), dot(p, up)}; }
-  [[nodiscard]] Vec3 place(Vec2 p, double height) const { return p.x * right + p.y * up + height * along; }
-};
-
 std::optional<Prism> prism_along(std::span<const Vec3> points, Vec3 direction, const PrismRules& rules) {
-  const Across across(direction);
+  const PlaneFrame across({}, direction);
   double low = never;
   double high = -never;
   for (const Vec3 p : points) {
@@ -212,17 +228,22 @@ std::optional<Prism> prism_along(std::span<const Vec3> points, Vec3 direction, c
       upper.push_back(flat);
     }
   }
-  const std::vector<Vec2> outline = convex_outline(all);
+  Box2 box;
+  for (const Vec2 p : all) {
+    box.add(p);
+  }
+  const double near = rounding * length(box.size());
+  const std::vector<Vec2> outline = convex_outline(std::move(all), near);
   const double area = outline.size() < 3 ? 0.0 : area_of(outline);
-  if (!(area > 0.0) || area_of(convex_outline(lower)) < straight * area ||
-      area_of(convex_outline(upper)) < straight * area) {
+  if (!(area > 0.0) || area_of(convex_outline(std::move(lower), near)) < straight * area ||
+      area_of(convex_outline(std::move(upper), near)) < straight * area) {
     return std::nullopt;
   }
   Sides sides(outline);
   sides.make_plain(rules.short_side, rules.most_sides);
   Prism prism;
   for (const Vec2 p : sides.outline()) {
-    prism.base.push_back(across.place(p, low));
+    prism.base.push_back(across.place(p) + low * direction);
   }
   prism.along = (high - low) * direction;
   return prism;
@@ -243,7 +264,8 @@ std::optional<Prism> plain_prism(std::span<const Vec3> points, std::span<const V
   std::optional<Prism> best;
   for (const Vec3 direction : directions) {
     std::optional<Prism> prism = prism_along(points, direction, rules);
-    if (prism && (!best || prism->volume() < (1.0 - same_area) * best->volume())) {
+    if (prism && std::isfinite(prism->volume()) &&
+        (!best || prism->volume() < (1.0 - same_area) * best->volume())) {
       best = std::move(prism);
     }
   }

@@ -28,7 +28,7 @@ struct PrismRules {
 /// The smallest prism around the points, along one of the unit vectors `directions`, whose base is their
 /// outline with the sides left out that are short: those beside them go on until they meet, so that planes of
 /// the outline stay planes, and a mirror image of itself stays one. None where the points don't reach nearly
-/// as far at both ends, as those of a cone, or where all would be shallow. O(n log n + s^3) a direction for n
+/// as far at both ends, as those of a cone, or where all would be shallow. O(n log n + s^2) a direction for n
 /// points, s of them on the outline.
 [[nodiscard]] std::optional<Prism> plain_prism(std::span<const Vec3> points, std::span<const Vec3> directions,
                                                const PrismRules& rules);

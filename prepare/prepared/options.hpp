@@ -17,7 +17,8 @@ inline constexpr double hidden_fold_angle = 3.0 * 3.14159265358979323846 / 180.0
 struct SizeOptions {
   /// Largest extent in mm. Used when neither scale nor an axis is given.
   double largest_extent_mm = 150.0;
-  /// Where the model can't be folded at that size, or takes more than most_pages, another one is looked for.
+  /// Where the model can't be folded at that size, its tabs and numbers have too little room there, it takes
+  /// more than most_pages, or simplification would be seen, another one is looked for.
   bool adapts = false;
   double smallest_mm = 100.0;  ///< that is looked for
   double largest_mm = 400.0;

@@ -30,8 +30,8 @@ struct Details {
 /// Busy bodies in whose places there are plain blocks.
 struct PlainBodies {
   std::size_t count = 0;
-  double moved_mm =
-      0.0;  ///< how far a block is from what it stands for, both ways, as far as the size is known
+  /// How far a block is from what it stands for, both ways; on paper as far as the size is known.
+  double moved_mm = 0.0;
 };
 
 /// Thin walls that became sheets.

@@ -2,7 +2,6 @@
 // Pages for browsers: what a model's name can't do to them, what they promise about the network, and that
 // their documents are the nets and what else stands on the sheets.
 #include <algorithm>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/random.hpp"
 #include "sample_pages.hpp"
 #include "support/page_document.hpp"
 #include "support/shapes.hpp"
@@ -59,11 +59,11 @@ TEST_CASE("nothing in a document ends it", "[html]") {
 }
 
 TEST_CASE("whatever bytes a document has, the page gives them back", "[html]") {
-  std::mt19937 random(7);
+  Random random(7);
   for (std::size_t size = 0; size < 3000; size = size * 5 / 4 + 1) {
     std::string bytes;
     while (bytes.size() < size) {
-      bytes.push_back(static_cast<char>(random() % 256));
+      bytes.push_back(static_cast<char>(random.below(256)));
     }
     const std::string html = paper::write_html(bytes, {}, mark);
     INFO(size << " bytes");
