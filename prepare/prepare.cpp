@@ -226,6 +226,7 @@ bool can_be_folded(const Prepared& prepared) {
 
 bool is_as_good(const Prepared& prepared, const Prepared& other) {
   return suits(prepared) && prepared.sliver_share <= other.sliver_share &&
+         prepared.model.surface.component_count() <= other.model.surface.component_count() &&
          (!is_cramped(prepared) || prepared.simplified.cramped_share <= other.simplified.cramped_share) &&
          (!is_spoilt(prepared) || is_spoilt(other));
 }

@@ -22,8 +22,8 @@ inline constexpr double most_own_slivers = 0.15;
 /// Whether a person could fold it at its size.
 [[nodiscard]] bool can_be_folded(const Prepared& prepared);
 /// Whether a model is as good to build as another preparation of it of the same size: it can be folded,
-/// hasn't more slivers, tabs and numbers have room, or as much as there, and simplification isn't seen, or is
-/// there.
+/// hasn't more slivers nor comes in more bodies, tabs and numbers have room, or as much as there, and
+/// simplification isn't seen, or is there.
 [[nodiscard]] bool is_as_good(const Prepared& prepared, const Prepared& other);
 
 /// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight
