@@ -35,6 +35,8 @@ constexpr double largest_tried_mm = 1000.0;
 /// Where edges below short_edge_mm have more than this share of the length of all, tabs and numbers have too
 /// little room for most of the model, ...
 constexpr double most_cramped = 0.07;
+/// ... of less than this nobody takes notice, ...
+constexpr double hardly_cramped = 0.035;
 /// ... and a larger size that doesn't mend it all must lessen the share to this part of it to be worth its
 /// paper.
 constexpr double worth_paper = 0.8;
@@ -227,7 +229,7 @@ bool can_be_folded(const Prepared& prepared) {
 bool is_as_good(const Prepared& prepared, const Prepared& other) {
   return suits(prepared) && prepared.sliver_share <= other.sliver_share &&
          prepared.model.surface.component_count() <= other.model.surface.component_count() &&
-         (!is_cramped(prepared) || prepared.simplified.cramped_share <= other.simplified.cramped_share) &&
+         prepared.simplified.cramped_share <= std::max(hardly_cramped, other.simplified.cramped_share) &&
          (!is_spoilt(prepared) || is_spoilt(other));
 }
 
