@@ -83,8 +83,9 @@ class SizeSearch {
                                  std::optional<double>& foldable_mm) const {
     return in_time([&] { return next_larger(mm, good, foldable_mm); });
   }
-  /// The next larger size within the limits at which it isn't cramped; or else the one where it is so least,
-  /// if that is worth its paper.
+  /// The next larger size within the limits at which the model is neither cramped nor spoilt. Or else, of a
+  /// cramped one, the first at which it isn't, or at which it is so least, if that is worth its paper; spoilt
+  /// there only where it is spoilt as it is.
   [[nodiscard]] std::optional<Prepared> roomier(const Prepared& usual, const SizeOptions& size) const {
     std::optional<Prepared> best;
     constexpr double unbeaten = -1.0;
