@@ -28,8 +28,9 @@ constexpr std::uint32_t fewest_sides = 12;
 constexpr std::uint32_t fewest_left = 6;
 /// More sides nobody folds; larger numbers needn't be tried.
 constexpr std::uint32_t most_left = 96;
-/// How far points may be from their places on a ring, as a share of the component's extent.
-constexpr double on_ring = 2e-4;
+/// How far points may be from their places on a ring, as a share of the component's extent: as rounding by a
+/// program that writes few digits leaves them; and where rings lie closer than that, as a float does.
+constexpr std::array<double, 2> on_ring{2e-4, 2e-6};
 /// The outline between rings that are left out bends by these shares of what the surface may move.
 constexpr std::array<double, 5> outline_shares{0.0, 0.1, 0.25, 0.5, 0.75};
 /// Bodies of more faces have crowded edges (simplify/body.cpp).
@@ -82,7 +83,6 @@ class Recogniser {
     }
     std::sort(vertices_.begin(), vertices_.end());
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-    near_ = on_ring * box_.largest_extent();
   }
 
   [[nodiscard]] std::optional<Turned> find() {
@@ -93,13 +93,16 @@ class Recogniser {
                                 ? area_frame(surface_)
                                 : area_frame(mesh::faces_alone(surface_, faces_));
     for (std::size_t k = 0; k < 3; ++k) {
-      result_ = Turned();
-      result_.centre = frame.centre;
-      result_.axis = frame.axes[k];
-      result_.across = frame.axes[(k + 1) % 3];
-      result_.beside = cross(result_.axis, result_.across);
-      if (find_rings() && find_strips() && put_in_order()) {
-        return std::move(result_);
+      for (const double share : on_ring) {
+        near_ = share * box_.largest_extent();
+        result_ = Turned();
+        result_.centre = frame.centre;
+        result_.axis = frame.axes[k];
+        result_.across = frame.axes[(k + 1) % 3];
+        result_.beside = cross(result_.axis, result_.across);
+        if (find_rings() && find_strips() && put_in_order()) {
+          return std::move(result_);
+        }
       }
     }
     return std::nullopt;
@@ -192,16 +195,20 @@ class Recogniser {
   /// Each face lies between two rings or within one.
   [[nodiscard]] bool find_strips() {
     strips_.clear();
-    std::map<VertexId, std::uint32_t> ring_of;
+    const auto number = [&](VertexId v) {
+      return static_cast<std::size_t>(std::lower_bound(vertices_.begin(), vertices_.end(), v) -
+                                      vertices_.begin());
+    };
+    std::vector<std::uint32_t> ring_of(vertices_.size());
     for (std::uint32_t r = 0; r < rings_.size(); ++r) {
       for (const VertexId v : rings_[r].vertices) {
-        ring_of[v] = r;
+        ring_of[number(v)] = r;
       }
     }
     for (const FaceId f : faces_) {
       const auto vertices = surface_.vertices(f);
-      std::array<std::uint32_t, 3> ring{ring_of.at(vertices[0]), ring_of.at(vertices[1]),
-                                        ring_of.at(vertices[2])};
+      std::array<std::uint32_t, 3> ring{ring_of[number(vertices[0])], ring_of[number(vertices[1])],
+                                        ring_of[number(vertices[2])]};
       std::sort(ring.begin(), ring.end());
       if (ring[0] != ring[1] && ring[1] != ring[2]) {
         return false;

@@ -41,17 +41,20 @@ std::optional<SymmetricShare> half_of(const mesh::Model& model, const mesh::Loos
   const double extent = model.surface.bounds().largest_extent();
   SymmetryTolerance tolerance;
   tolerance.near = largest_deviation;
-  for (const Mirror& mirror : find_mirrors(model.surface, most_planes, tolerance)) {
+  std::optional<SymmetricShare> result;
+  for_mirrors(model.surface, most_planes, tolerance, [&](const Mirror& mirror) {
     // Corners that should lie on the plane may be off it as far as others are off their partners; but a body
     // that is thinner than that has sides all the same.
     for (const double on : {on_plane * extent + 2.0 * mirror.deviation, on_plane * extent}) {
       auto half = halved(model.surface, all, mirror, on);
       if (half && mesh::is_surface(half->faces) && mesh::is_surface(whole(*half, all))) {
-        return half;
+        result = std::move(half);
+        return true;
       }
     }
-  }
-  return std::nullopt;
+    return false;
+  });
+  return result;
 }
 
 }  // namespace

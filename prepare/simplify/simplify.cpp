@@ -294,6 +294,7 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
     simplify_to_count(model, options, report, context);
   }
   if (dense) {
+    report.turned += dense->turned;
     report.evened_mm = std::max(report.evened_mm, evened(dense->unevenness_mm, model));
   }
   report.faces_after = model.surface.face_count();

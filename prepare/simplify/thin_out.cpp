@@ -22,13 +22,6 @@ namespace {
 /// Flat regions of this many times the short edge's square stay flat: the foot of a statue.
 constexpr double large_flat = 1.0;
 
-/// Whether somebody would miss the faces that a model has by intention.
-bool is_smooth(const mesh::Model& model, const Walls& walls) {
-  return std::all_of(walls.of_face.begin(), walls.of_face.end(),
-                     [](std::uint32_t wall) { return wall == Walls::none; }) &&
-         !has_turned(model);
-}
-
 /// Flat regions as if they were walls.
 Walls large_regions(const mesh::Surface& surface, const Panels& panels, double short_edge_mm) {
   Walls result;
@@ -58,23 +51,33 @@ bool is_dense(const mesh::Surface& surface, const SimplifyOptions& options) {
 std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within, const SimplifyOptions& options,
                               const Context& context) {
   const std::size_t aim = quick * careless_faces(model.surface, options.short_edge_mm);
+  const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
   mesh::LooseFaces faces;
   Dense dense;
   {
     const Panels panels = find_panels(model.surface);
     context.check();
     const Walls walls = find_walls(model.surface, panels, options.short_edge_mm, Slats::are_walls);
-    if (!is_smooth(model, walls)) {
+    if (!walls.walls.empty()) {
       return std::nullopt;
     }
     context.check();
     dense.short_edges_share = fold_figures(model.surface, panels, walls, options).brief_share();
+    if (has_turned(model)) {
+      mesh::Model changed = model;
+      dense.turned = simplify_turned(changed, options, largest_mm, context);
+      if (dense.turned > 0) {
+        dense.surface = std::move(model.surface);
+        model = std::move(changed);
+        return dense;
+      }
+    }
     const mesh::LooseFaces all = mesh::take_apart(model);
     const SymmetricShare share = symmetric_share(model, symmetric_within, context);
     dense.unevenness_mm = share.deviation;
     const Walls flat = walls_of(large_regions(model.surface, panels, options.short_edge_mm), share);
-    const double farthest = quick_share * options.largest_deviation * model.surface.bounds().largest_extent();
-    faces = whole(collapsed(share, quick_collapses(share.faces, share.points, flat, aim, farthest, context)),
+    faces = whole(collapsed(share, quick_collapses(share.faces, share.points, flat, aim,
+                                                   quick_share * largest_mm, context)),
                   all);
   }
   dense.surface = std::move(model.surface);

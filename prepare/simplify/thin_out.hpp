@@ -10,10 +10,11 @@
 
 namespace ridgecraft::prepare {
 
-/// What a model was before its faces became fewer.
+/// What a model was before its faces became fewer, and what was done to it.
 struct Dense {
   mesh::Surface surface;
   double short_edges_share = 0.0;  ///< of its folds, those that are short (fold_figures.hpp)
+  std::size_t turned = 0;          ///< bodies that have fewer sides, evenly around
   double unevenness_mm = 0.0;      ///< how far its sides were from being mirror images, which they are now
 };
 
@@ -21,10 +22,10 @@ struct Dense {
 /// may go without care. Linear.
 [[nodiscard]] bool is_dense(const mesh::Surface& surface, const SimplifyOptions& options);
 
-/// Where a dense model has no walls and no turned bodies, which later steps would have to find, quick
-/// collapses take most of its faces: what is left is still much finer than anything that can be folded. Large
-/// flat regions, borders and mirror planes stay. None where it has some: then the model stays as it is.
-/// O(n log n).
+/// Where a dense model has turned bodies, these get fewer sides (features/turned.hpp). Else, where it has no
+/// walls, which later steps would have to find, quick collapses take most of its faces: what is left is still
+/// much finer than anything that can be folded. Large flat regions, borders and mirror planes stay. None where
+/// nothing was done. O(n log n).
 [[nodiscard]] std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within,
                                             const SimplifyOptions& options, const Context& context);
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -22,6 +23,8 @@ namespace {
 constexpr std::size_t first_corners = 64;
 /// Corners that a plane is fitted to.
 constexpr std::size_t most_fitted = 4000;
+/// Of surfaces with more corners so many, spread over all, tell how far off a plane is; and as many faces.
+constexpr std::size_t most_compared = 100000;
 /// A candidate may be off by this share of the extent before it is fitted ...
 constexpr double first_reach = 0.04;
 /// ... and each fit halves what it looks at.
@@ -93,7 +96,53 @@ class MirrorSearch {
     }
   }
 
-  std::vector<Mirror> run() {
+  std::vector<Mirror> all() {
+    std::vector<Mirror> found;
+    try_planes([&](const MirrorPlane& plane) {
+      Mirror mirror = compared(plane, most_compared);
+      if (mirror.deviation <= near_ && !known(plane, mirror.exact ? same_plane : same_near_plane) &&
+          is_mapped(mirror)) {
+        taken_.push_back(plane);
+        found.push_back(std::move(mirror));
+      }
+      return found.size() < most_;
+    });
+    std::stable_sort(found.begin(), found.end(), [](const Mirror& a, const Mirror& b) {
+      return a.exact != b.exact ? a.exact : !a.exact && a.deviation < b.deviation;
+    });
+    return found;
+  }
+
+  void until(const std::function<bool(const Mirror&)>& use) {
+    bool used = false;
+    const auto look_closely = [&](const MirrorPlane& plane) {
+      Mirror mirror = compared(plane, most_compared);
+      used = mirror.deviation <= near_ && is_mapped(mirror) && use(mirror);
+    };
+    std::vector<Mirror> inexact;
+    try_planes([&](const MirrorPlane& plane) {
+      Mirror mirror = compared(plane, most_fitted);
+      if (mirror.exact) {
+        taken_.push_back(plane);
+        look_closely(plane);
+      } else if (mirror.deviation <= near_ && !known(plane, same_near_plane)) {
+        taken_.push_back(plane);
+        inexact.push_back(std::move(mirror));
+      }
+      return !used && taken_.size() < most_;
+    });
+    std::stable_sort(inexact.begin(), inexact.end(),
+                     [](const Mirror& a, const Mirror& b) { return a.deviation < b.deviation; });
+    for (std::size_t i = 0; i < inexact.size() && !used; ++i) {
+      look_closely(inexact[i].plane);
+    }
+  }
+
+ private:
+  /// Calls take() with each plane that few corners don't speak against, until it returns false.
+  void try_planes(const std::function<bool(const MirrorPlane&)>& take) {
+    take_ = take;
+    goes_on_ = true;
     const AreaFrame frame = area_frame(surface_);
     const Vec3 middle = 0.5 * (surface_.bounds().low + surface_.bounds().high);
     for (const Vec3 axis :
@@ -101,14 +150,11 @@ class MirrorSearch {
       try_plane(plane_through(axis, frame.centre));
       try_plane(plane_through(axis, middle));
     }
-    try_images(frame.centre);
-    std::stable_sort(found_.begin(), found_.end(), [](const Mirror& a, const Mirror& b) {
-      return a.exact != b.exact ? a.exact : !a.exact && a.deviation < b.deviation;
-    });
-    return std::move(found_);
+    if (goes_on_) {
+      try_images(frame.centre);
+    }
   }
 
- private:
   static std::vector<std::uint32_t> places(const std::vector<Vec3>& points) {
     const std::vector<std::uint32_t> first = first_at_place(points);
     std::vector<std::uint32_t> result;
@@ -120,13 +166,18 @@ class MirrorSearch {
     return result;
   }
 
-  /// Distance of a point from the surface; any other one within `enough` where it is, and beyond where not.
+  /// Distance of a point from the surface; any other one within `enough` where it is, and any beyond it and
+  /// beyond the near tolerance where it is beyond both.
   [[nodiscard]] double distance(Vec3 p, double enough) {
     if (tree_.nearest(p, enough) != no_point) {
       return 0.0;
     }
-    if (longest_ <= enough && places_.size() == points_.size()) {
-      return distance_by_corners(p, enough + longest_);
+    if (longest_ <= near_ && places_.size() == points_.size()) {
+      const std::uint32_t corner = tree_.nearest(p, std::max(enough, near_) + longest_);
+      if (corner == no_point) {
+        return INFINITY;
+      }
+      return distance_by_corners(p, length(points_[corner] - p) + longest_);
     }
     if (!faces_) {
       faces_.emplace(surface_, INFINITY);
@@ -155,16 +206,16 @@ class MirrorSearch {
   }
 
   [[nodiscard]] bool known(const MirrorPlane& plane, double closeness) const {
-    return std::any_of(found_.begin(), found_.end(), [&](const Mirror& m) {
-      const double way = dot(m.plane.normal, plane.normal) < 0.0 ? -1.0 : 1.0;
-      return length(m.plane.normal - way * plane.normal) < closeness &&
-             std::abs(m.plane.offset - way * plane.offset) < closeness * extent_;
+    return std::any_of(taken_.begin(), taken_.end(), [&](const MirrorPlane& other) {
+      const double way = dot(other.normal, plane.normal) < 0.0 ? -1.0 : 1.0;
+      return length(other.normal - way * plane.normal) < closeness &&
+             std::abs(other.offset - way * plane.offset) < closeness * extent_;
     });
   }
 
   /// Do the images of some corners, spread over all, lie within `reach` of the surface?
   [[nodiscard]] bool worth_fitting(const MirrorPlane& plane, double reach) {
-    const std::size_t step = std::max<std::size_t>(1, places_.size() / first_corners);
+    const std::size_t step = step_for(first_corners);
     for (std::size_t i = 0; i < places_.size(); i += step) {
       if (distance(plane.image(points_[places_[i]]), reach) > reach) {
         return false;
@@ -208,64 +259,68 @@ class MirrorSearch {
   }
 
   void try_plane(MirrorPlane plane) {
-    if (found_.size() >= most_ || known(plane, same_plane) || !worth_fitting(plane, first_reach * extent_)) {
+    if (!goes_on_ || known(plane, same_plane) || !worth_fitting(plane, first_reach * extent_)) {
       return;
     }
-    const std::size_t step = std::max<std::size_t>(1, places_.size() / most_fitted);
+    const std::size_t step = step_for(most_fitted);
     // An exact plane needs no fit, and one could only lose digits of it.
     if (!worth_fitting(plane, exact_)) {
       double reach = first_reach * extent_;
       for (int i = 0; i < fits; ++i, reach *= 0.5) {
         plane = fitted(plane, reach, step).value_or(plane);
       }
-      plane = fitted(plane, 4.0 * exact_, 1).value_or(plane);
+      plane = fitted(plane, 4.0 * exact_, step_for(most_compared)).value_or(plane);
     }
-    if (worth_fitting(plane, near_)) {
-      accept(plane);
+    if (!holds_all(plane) && worth_fitting(plane, near_)) {
+      goes_on_ = take_(plane);
     }
   }
 
-  void accept(const MirrorPlane& plane) {
-    double highest = 0.0;
-    for (const std::uint32_t v : places_) {
-      highest = std::max(highest, std::abs(plane.height(points_[v])));
-    }
-    if (highest <= flat * near_) {
-      return;
-    }
+  [[nodiscard]] bool holds_all(const MirrorPlane& plane) const {
+    return std::all_of(places_.begin(), places_.end(),
+                       [&](std::uint32_t v) { return std::abs(plane.height(points_[v])) <= flat * near_; });
+  }
+
+  /// Every so many places are about `most`.
+  [[nodiscard]] std::size_t step_for(std::size_t most) const {
+    return std::max<std::size_t>(1, places_.size() / most);
+  }
+
+  /// How far about so many corners, spread over all, are off their images; until one is too far.
+  [[nodiscard]] Mirror compared(const MirrorPlane& plane, std::size_t corners) {
     Mirror mirror;
     mirror.plane = plane;
     mirror.exact = true;
-    for (const std::uint32_t v : places_) {
-      const Vec3 image = plane.image(points_[v]);
-      const std::uint32_t partner = tree_.nearest(image, exact_);
-      if (partner != no_point) {
-        mirror.deviation = std::max(mirror.deviation, length(points_[partner] - image));
-        continue;
-      }
-      mirror.exact = false;
-      if (!faces_) {
-        faces_.emplace(surface_, INFINITY);
-      }
-      mirror.deviation = std::max(mirror.deviation, faces_->distance(image, exact_));
-      if (mirror.deviation > near_) {
-        return;
-      }
+    for (std::size_t i = 0; i < places_.size() && mirror.deviation <= near_; i += step_for(corners)) {
+      look_at(places_[i], mirror);
     }
-    if (known(plane, mirror.exact ? same_plane : same_near_plane)) {
+    return mirror;
+  }
+
+  void look_at(std::uint32_t v, Mirror& mirror) {
+    const Vec3 image = mirror.plane.image(points_[v]);
+    const std::uint32_t partner = tree_.nearest(image, exact_);
+    if (partner != no_point) {
+      mirror.deviation = std::max(mirror.deviation, length(points_[partner] - image));
       return;
     }
-    mirror.maps = correspond(surface_, surface_, mirroring(plane), mirror.exact ? exact_ : near_);
+    mirror.exact = false;
+    mirror.deviation = std::max(mirror.deviation, distance(image, exact_));
+  }
+
+  /// Adds the maps, which must have every face.
+  [[nodiscard]] bool is_mapped(Mirror& mirror) {
+    mirror.maps = correspond(surface_, surface_, mirroring(mirror.plane), mirror.exact ? exact_ : near_);
     keep_pairs(mirror.maps);
-    if (mirror.maps.whole || middles_have_images(plane)) {
-      found_.push_back(std::move(mirror));
-    }
+    return mirror.maps.whole || middles_have_images(mirror.plane);
   }
 
   /// Corners alone don't see that a face is missing on one side, or bent the other way.
   [[nodiscard]] bool middles_have_images(const MirrorPlane& plane) {
-    for (const FaceId f : ids<FaceId>(surface_.face_count())) {
-      const auto [a, b, c] = surface_.vertices(f);
+    const auto step =
+        static_cast<std::uint32_t>(std::max<std::size_t>(1, surface_.face_count() / most_compared));
+    for (std::uint32_t i = 0; i < surface_.face_count(); i += step) {
+      const auto [a, b, c] = surface_.vertices(FaceId(i));
       const Vec3 middle = (surface_.point(a) + surface_.point(b) + surface_.point(c)) / 3.0;
       for (const VertexId v : {a, b, c}) {
         // Off the middle: where a square is divided the other way, that lies on the side of a triangle.
@@ -347,7 +402,9 @@ class MirrorSearch {
   std::vector<std::uint32_t> places_;
   NearbyPoints tree_;
   std::optional<mesh::SurfaceTree> faces_;  ///< made when first needed
-  std::vector<Mirror> found_;
+  std::vector<MirrorPlane> taken_;
+  std::function<bool(const MirrorPlane&)> take_;  ///< what becomes of a plane; false ends the search
+  bool goes_on_ = true;
 };
 
 }  // namespace
@@ -357,7 +414,14 @@ std::vector<Mirror> find_mirrors(const mesh::Surface& surface, std::size_t most,
   if (surface.face_count() == 0 || most == 0) {
     return {};
   }
-  return MirrorSearch(surface, most, tolerance).run();
+  return MirrorSearch(surface, most, tolerance).all();
+}
+
+void for_mirrors(const mesh::Surface& surface, std::size_t most, const SymmetryTolerance& tolerance,
+                 const std::function<bool(const Mirror&)>& use) {
+  if (surface.face_count() > 0 && most > 0) {
+    MirrorSearch(surface, most, tolerance).until(use);
+  }
 }
 
 IdVector<EdgeId, EdgeId> mirror_edges(const mesh::Surface& surface, const MirrorPlane& plane,

@@ -2,6 +2,7 @@
 // Mirror planes of a surface, and what lies on what when it is mirrored.
 //
 //   find_mirrors(surface)            planes, best first, each with the map of vertices, edges and faces
+//   for_mirrors(surface, use)        the same, one after the other, until one is of use
 //   mirror_edges(surface, plane)     only the edges' partners: what cuts are carried over with
 //
 // Surfaces are taken whole. Of a component, a part or a piece make a surface of its own (part_of), which
@@ -9,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,6 +50,12 @@ struct Mirror {
 /// each candidate that isn't one at first sight.
 [[nodiscard]] std::vector<Mirror> find_mirrors(const mesh::Surface& surface, std::size_t most = 16,
                                                const SymmetryTolerance& tolerance = {});
+
+/// Calls use() for such planes until it returns true: the first exact one that is come upon, and after all of
+/// these the others, by the deviation of some of their corners. Who needs one plane only has the others' maps
+/// spared.
+void for_mirrors(const mesh::Surface& surface, std::size_t most, const SymmetryTolerance& tolerance,
+                 const std::function<bool(const Mirror&)>& use);
 
 /// For each edge the edge that is its mirror image: itself where it lies on the plane or crosses it upright,
 /// none where it has none (as inside flat regions that are triangulated without regard to the plane). The

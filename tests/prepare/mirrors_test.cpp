@@ -2,11 +2,13 @@
 // Mirror planes are found wherever a surface lies, and maps say what lies on what.
 #include "prepare/symmetry/mirrors.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 
 #include "base/random.hpp"
+#include "mesh/model/surface_distance.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "support/concave_shapes.hpp"
@@ -222,6 +224,52 @@ TEST_CASE("a scan that is symmetric only nearly has its plane and pairs of edges
   const Vec3 normal = normalized(moved({1, 0, 0}) - moved({0, 0, 0}));
   CHECK(std::abs(dot(normal, found[0].plane.normal)) > 0.99999);
   CHECK(found[0].maps.whole);
+}
+
+TEST_CASE("who needs one plane gets an exact one first, then the others until one is of use", "[symmetry]") {
+  const mesh::Surface cube = test::mapped(test::cube(), moved);
+  int offered = 0;
+  prepare::for_mirrors(cube, 16, {}, [&](const Mirror& mirror) {
+    CHECK(mirror.exact);
+    return ++offered == 1;
+  });
+  CHECK(offered == 1);
+  offered = 0;
+  prepare::for_mirrors(cube, 16, {}, [&](const Mirror&) {
+    ++offered;
+    return false;
+  });
+  CHECK(offered == 9);
+  // Of two planes that are near ones both, the nearer one is first.
+  const mesh::Surface box = test::mapped(test::voxels({{0, 0, 0}}, 6), [](Vec3 p) {
+    const bool corner = p == Vec3{1.0, 1.0, 0.0};
+    return Vec3{4.0 * p.x + (corner ? 0.006 : 0.0), 2.0 * p.y, p.z + (corner ? 0.002 : 0.0)};
+  });
+  std::vector<double> deviations;
+  prepare::for_mirrors(box, 3, {.near = 0.003}, [&](const Mirror& mirror) {
+    CHECK_FALSE(mirror.exact);
+    deviations.push_back(mirror.deviation);
+    return false;
+  });
+  CHECK(deviations.size() == 3);
+  CHECK(std::is_sorted(deviations.begin(), deviations.end()));
+}
+
+TEST_CASE("how far a fine scan is off its mirror image is what a search among all faces says", "[symmetry]") {
+  Random random(7);
+  const mesh::Surface scan = test::mapped(test::sphere(300, 150), [&](Vec3 p) {
+    const auto noise = [&] { return 0.002 * (random.unit() - 0.5); };
+    const double bump = 1.0 + 0.1 * p.y + 0.3 * p.x * p.x * p.z;
+    return bump * p + Vec3{noise(), noise(), noise()};
+  });
+  const std::vector<Mirror> found = find_mirrors(scan);
+  REQUIRE_FALSE(found.empty());
+  const mesh::SurfaceTree tree(scan, INFINITY);
+  double farthest = 0.0;
+  for (const Vec3 p : scan.points()) {
+    farthest = std::max(farthest, tree.distance(found[0].plane.image(p), 0.0));
+  }
+  CHECK(found[0].deviation == Approx(farthest));
 }
 
 TEST_CASE("some faces become a surface that knows where it came from", "[symmetry]") {

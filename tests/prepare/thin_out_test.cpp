@@ -9,6 +9,7 @@
 #include "prepare/prepared/panels.hpp"
 #include "prepare/simplify/many_faces.hpp"
 #include "prepare/symmetry/mirrors.hpp"
+#include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 
@@ -70,14 +71,24 @@ TEST_CASE("a dense smooth model keeps its shape, its foot and its symmetry with 
   CHECK(std::abs(mirrors[0].plane.normal.x) == Approx(1.0));
 }
 
-TEST_CASE("what was turned, and what has walls, isn't thinned out", "[thin_out]") {
-  for (const mesh::Surface& surface :
-       {test::scaled(test::sphere(330, 170), 30.0), test::scaled(test::voxels({{0, 0, 0}}, 100), 30.0)}) {
-    mesh::Model model = test::model_of(surface);
-    CHECK(prepare::is_dense(model.surface, {}));
-    CHECK_FALSE(prepare::thin_out(model, symmetric_within, {}, {}));
-    CHECK(model.surface.face_count() == surface.face_count());
-  }
+TEST_CASE("what has walls isn't thinned out", "[thin_out]") {
+  const mesh::Surface surface = test::scaled(test::voxels({{0, 0, 0}}, 100), 30.0);
+  mesh::Model model = test::model_of(surface);
+  CHECK(prepare::is_dense(model.surface, {}));
+  CHECK_FALSE(prepare::thin_out(model, symmetric_within, {}, {}));
+  CHECK(model.surface.face_count() == surface.face_count());
+}
+
+TEST_CASE("what was turned gets fewer sides, evenly around", "[thin_out]") {
+  const mesh::Surface surface = test::torus(50.0, 20.0, 300, 600);
+  mesh::Model model = test::model_of(surface);
+  REQUIRE(prepare::is_dense(model.surface, {}));
+  const auto dense = prepare::thin_out(model, symmetric_within, {}, {});
+  REQUIRE(dense);
+  CHECK(dense->turned == 1);
+  CHECK(dense->surface.face_count() == surface.face_count());
+  CHECK(model.surface.face_count() < 1000);
+  CHECK(prepare::find_mirrors(model.surface, 1).at(0).exact);
 }
 
 TEST_CASE("a model that is no finer than its folds can be long isn't dense", "[thin_out]") {
