@@ -77,6 +77,7 @@ double squared_distance(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
 
 SurfaceTree::SurfaceTree(const Surface& surface, double spacing)
     : surface_(surface),
+      spacing_(spacing),
       tree_(
           surface.face_count(), [&](std::uint32_t f) { return surface.bounds(FaceId(f)); },
           [&](std::uint32_t f) { return centre_of(surface, FaceId(f)); }) {
@@ -96,6 +97,10 @@ double SurfaceTree::distance(Vec3 p, double enough) const {
 double SurfaceTree::distance(Vec3 p, double enough, FaceId& near) const {
   const double at_last = near.valid() ? squared_distance_of(near, p) : double{INFINITY};
   return at_last <= enough * enough ? std::sqrt(at_last) : search(p, enough, near);
+}
+
+double SurfaceTree::distance_of(FaceId f, Vec3 p) const {
+  return std::sqrt(squared_distance_of(f, p));
 }
 
 double SurfaceTree::squared_distance_of(FaceId f, Vec3 p) const {

@@ -28,13 +28,18 @@ class SurfaceTree {
   /// The same, for points that follow each other: where the face that was near the last one is near enough,
   /// nothing is searched. `near`: none at first.
   [[nodiscard]] double distance(Vec3 p, double enough, FaceId& near) const;
+  /// Distance of a point from one face.
+  [[nodiscard]] double distance_of(FaceId f, Vec3 p) const;
   [[nodiscard]] const std::vector<Vec3>& samples() const { return samples_; }
+  [[nodiscard]] const Surface& surface() const { return surface_; }
+  [[nodiscard]] double spacing() const { return spacing_; }
 
  private:
   [[nodiscard]] double squared_distance_of(FaceId f, Vec3 p) const;
   double search(Vec3 p, double enough, FaceId& near) const;
 
   const Surface& surface_;
+  double spacing_;
   BoxTree<Box3> tree_;  ///< of its faces
   std::vector<Vec3> samples_;
 };

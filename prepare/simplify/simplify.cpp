@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/model/surface_distance.hpp"
+#include "mesh/model/measured_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/features/features.hpp"
 #include "prepare/features/sharpen_bevels.hpp"
@@ -214,8 +214,8 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   mesh::Model result;
   mesh::put_together(result, whole(share, all));
   remesh_panels(result, context);
-  report.deviation_mm = greatest_distance(mesh::SurfaceTree(result.surface, rules.spacing_mm),
-                                          mesh::SurfaceTree(before, rules.spacing_mm), INFINITY, context);
+  report.deviation_mm = measured_distance(mesh::SurfaceTree(result.surface, rules.spacing_mm),
+                                          mesh::SurfaceTree(before, rules.spacing_mm), context);
   report.evened_mm = evened_mm;
   take_over(model, std::move(result));
   return allowed.largest_mm;
@@ -269,8 +269,8 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   mesh::put_together(result, whole(simplified, all));
   remesh_panels(result, context);
   take_over(model, std::move(result));
-  report.deviation_mm = greatest_distance(mesh::SurfaceTree(model.surface, spacing),
-                                          mesh::SurfaceTree(before, spacing), INFINITY, context);
+  report.deviation_mm = measured_distance(mesh::SurfaceTree(model.surface, spacing),
+                                          mesh::SurfaceTree(before, spacing), context);
 }
 
 }  // namespace

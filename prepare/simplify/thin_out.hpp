@@ -24,8 +24,8 @@ struct Dense {
 
 /// Where a dense model has turned bodies, these get fewer sides (features/turned.hpp). Else, where it has no
 /// walls, which later steps would have to find, quick collapses take most of its faces: what is left is still
-/// much finer than anything that can be folded. Large flat regions, borders and mirror planes stay. None where
-/// nothing was done. O(n log n).
+/// much finer than anything that can be folded. Large flat regions, borders and mirror planes stay. None
+/// where nothing was done. O(n log n).
 [[nodiscard]] std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within,
                                             const SimplifyOptions& options, const Context& context);
 
