@@ -30,17 +30,30 @@ Color color_of(const mesh::Rgb& rgb) {
   return {rgb[0], rgb[1], rgb[2]};
 }
 
-/// How far outside of a convex counterclockwise polygon a place lies at least; not positive inside.
-double distance_from(const std::vector<Vec2>& polygon, Vec2 p) {
-  double most = -INFINITY;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 side = polygon[(k + 1) % polygon.size()] - polygon[k];
-    if (const double size = length(side); size > 0.0) {
-      most = std::max(most, -cross(side, p - polygon[k]) / size);
+/// A convex counterclockwise polygon's sides.
+class Sides {
+ public:
+  explicit Sides(const std::vector<Vec2>& polygon) {
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vec2 side = polygon[(k + 1) % polygon.size()] - polygon[k];
+      if (const double size = length(side); size > 0.0) {
+        sides_.push_back({polygon[k], -perpendicular(side) / size});
+      }
     }
   }
-  return most;
-}
+
+  /// How far outside a place lies at least; not positive inside.
+  [[nodiscard]] double distance_from(Vec2 p) const {
+    double most = -INFINITY;
+    for (const auto& [at, out] : sides_) {
+      most = std::max(most, dot(p - at, out));
+    }
+    return most;
+  }
+
+ private:
+  std::vector<std::pair<Vec2, Vec2>> sides_;  ///< a point, and which way is out
+};
 
 /// What two convex counterclockwise polygons have in common.
 std::vector<Vec2> common_part(std::vector<Vec2> polygon, const std::vector<Vec2>& other) {
@@ -158,15 +171,26 @@ class ColouredAreas {
     for (const Vec2 p : polygon) {
       box.add(p);
     }
+    std::array<Vec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = surface_.point(surface_.vertices(face)[k]);
+    }
+    std::optional<mesh::TriangleColours> colours;
+    if (const auto under = look_.face_under(corners, normal)) {
+      colours = look_.colours_of(*under, corners, dot_on_surface());
+    }
+    const Sides sides(polygon);
     const double beyond = overhang_dots / dots_per_mm;
     const int right = std::min(dots_->width() - 1, dots_->column(box.high.x + beyond));
     const int high = std::min(dots_->height() - 1, dots_->row(box.high.y + beyond));
     for (int y = std::max(0, dots_->row(box.low.y - beyond)); y <= high; ++y) {
       for (int x = std::max(0, dots_->column(box.low.x - beyond)); x <= right; ++x) {
         const Vec2 p = dots_->middle(x, y);
-        const double away = distance_from(polygon, p);
+        const double away = sides.distance_from(p);
         if (away <= 0.0 || (away <= beyond && !dots_->painted(x, y))) {
-          const Color colour = shaded(color_of(colour_at(face, at, p, normal)), normal, camera_, shade);
+          const std::array<double, 3> weights = kept_within(weights_at(at, p));
+          const mesh::Rgb found = colours ? colours->at(weights) : colour_at(corners, weights, normal);
+          const Color colour = shaded(color_of(found), normal, camera_, shade);
           dots_->paint(x, y, {colour.red, colour.green, colour.blue});
         }
       }
@@ -174,22 +198,14 @@ class ColouredAreas {
     clip_.push_back(polygon);
   }
 
-  /// Of the face's place that is seen here; of the nearest one where the middle of a dot lies beside it.
-  [[nodiscard]] mesh::Rgb colour_at(FaceId face, const std::array<Vec2, 3>& at, Vec2 p, Vec3 normal) {
-    std::array<double, 3> weights = weights_at(at, p);
-    double sum = 0.0;
-    for (double& weight : weights) {
-      weight = std::max(weight, 0.0);
-      sum += weight;
-    }
-    const auto vertices = surface_.vertices(face);
-    Vec3 place;
-    for (std::size_t k = 0; k < 3; ++k) {
-      place += weights[k] / sum * surface_.point(vertices[k]);
-    }
+  [[nodiscard]] double dot_on_surface() const { return 1.0 / (dots_per_mm * fit_.scale); }
+
+  [[nodiscard]] mesh::Rgb colour_at(const std::array<Vec3, 3>& corners, const std::array<double, 3>& weights,
+                                    Vec3 normal) {
+    const Vec3 place = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
     const mesh::LookPlace found = look_.nearest(place, normal, hint_);
     hint_ = found.face;
-    return look_.colour_at(found, 1.0 / (dots_per_mm * fit_.scale));
+    return look_.colour_at(found, dot_on_surface());
   }
 
   const mesh::Surface& surface_;

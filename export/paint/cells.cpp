@@ -307,6 +307,20 @@ std::array<double, 3> weights_at(const std::array<Vec2, 3>& triangle, Vec2 p) {
   return {1.0 - second - third, second, third};
 }
 
+std::array<double, 3> kept_within(std::array<double, 3> weights) {
+  if (weights[0] < 0.0 || weights[1] < 0.0 || weights[2] < 0.0) {
+    double sum = 0.0;
+    for (double& weight : weights) {
+      weight = std::max(weight, 0.0);
+      sum += weight;
+    }
+    for (double& weight : weights) {
+      weight /= sum;
+    }
+  }
+  return weights;
+}
+
 std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, Vec2 at, Vec2 normal) {
   std::vector<Vec2> kept = part_where(polygon, [&](Vec2 p) { return -dot(p - at, normal); });
   return kept.size() < 3 ? std::vector<Vec2>() : kept;

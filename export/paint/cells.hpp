@@ -33,6 +33,9 @@ struct Cell {
 /// Weights of a triangle's corners at a point; their sum is 1, and some are negative outside.
 [[nodiscard]] std::array<double, 3> weights_at(const std::array<Vec2, 3>& triangle, Vec2 p);
 
+/// Those of a place of the triangle near the one that they belong to: weights below 0 become 0.
+[[nodiscard]] std::array<double, 3> kept_within(std::array<double, 3> weights);
+
 /// A convex or simple polygon's part where dot(p - at, normal) <= 0. O(n).
 [[nodiscard]] std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, Vec2 at, Vec2 normal);
 

@@ -33,11 +33,14 @@ constexpr double beside_mm = 0.3;
 constexpr double tone_step_mm = 2.0;
 constexpr double most_tone_steps = 60.0;
 
-mesh::Rgb pale(mesh::Rgb colour) {
-  for (std::uint8_t& channel : colour) {
-    channel = static_cast<std::uint8_t>(std::lround(255.0 - pale_share * (255.0 - channel)));
+Shade shade_of(Ink ink) {
+  Shade shade{};
+  for (std::size_t value = 0; value < shade.size(); ++value) {
+    const double left = ink == Ink::pale ? pale_share : 1.0;
+    shade[value] =
+        static_cast<std::uint8_t>(std::lround(255.0 - left * (255.0 - static_cast<double>(value))));
   }
-  return colour;
+  return shade;
 }
 
 double light_of(const mesh::Rgb& colour) {
@@ -72,13 +75,12 @@ class PiecePainter {
  public:
   PiecePainter(const prepare::Prepared& model, const IdVector<FaceId, FaceColours>& colours,
                const Style& style, const DrawnPictures* before)
-      : surface_(model.model.surface), look_(*model.look), colours_(colours), style_(style), before_(before) {
-    if (style.ink == Ink::pale) {
-      shade_ = pale;
-    } else {
-      shade_ = [](mesh::Rgb colour) { return colour; };
-    }
-  }
+      : surface_(model.model.surface),
+        look_(*model.look),
+        colours_(colours),
+        style_(style),
+        before_(before),
+        shade_(shade_of(style.ink)) {}
 
   /// Returns the piece's picture, if it has one.
   std::optional<DrawnPictures::OfPiece> paint(std::vector<Cell> cells, PieceDrawing& piece,
@@ -133,7 +135,7 @@ class PiecePainter {
   }
 
   void add(std::map<mesh::Rgb, Fill>& fills, const mesh::Rgb& colour, std::vector<Vec2> polygon) const {
-    const mesh::Rgb shown = shade_(colour);
+    const mesh::Rgb shown = shaded(shade_, colour);
     if (shown == white_ground) {
       return;  // the paper is
     }
@@ -171,7 +173,7 @@ class PiecePainter {
             ? *colours.flat
             : look_.colour_at(look_.nearest(place_on_surface(surface_, cell, p), surface_.normal(cell.face)),
                               1.0);
-    return shade_(colour);
+    return shaded(shade_, colour);
   }
 
   [[nodiscard]] double light_at(Vec2 p) const {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "base/segment.hpp"
@@ -33,6 +34,38 @@ constexpr double longest_side = 65000.0;
 /// More dots in one picture take more than 200 MB: larger pictures are coarser.
 constexpr double most_dots = 5e7;
 
+bool is_outside(const std::array<double, 3>& weights) {
+  return weights[0] < 0.0 || weights[1] < 0.0 || weights[2] < 0.0;
+}
+
+/// Of the place of a cell's face that is nearest to one beside it.
+std::array<double, 3> weights_inside(const Cell& cell, Vec2 on_page) {
+  Vec2 nearest = cell.at[0];
+  double least = dot(on_page - nearest, on_page - nearest);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 p = nearest_on_segment(on_page, cell.at[k], cell.at[(k + 1) % 3]);
+    if (const double squared = dot(on_page - p, on_page - p); squared < least) {
+      nearest = p;
+      least = squared;
+    }
+  }
+  // Right on an edge the face beyond it is as near: a little inside it isn't.
+  const Vec2 middle = (cell.at[0] + cell.at[1] + cell.at[2]) / 3.0;
+  const double way = length(middle - nearest);
+  const double share = way > 0.0 ? std::min(inside_mm / way, inside_share) : 0.0;
+  return weights_at(cell.at, nearest + share * (middle - nearest));
+}
+
+/// Of a dot of a cell whose face lies on one original face. A picture is looked at under the face alone: what
+/// it has beside it belongs to others.
+std::array<double, 3> weights_on_face(const Cell& cell, Vec2 on_page) {
+  if (cell.kind == CellKind::face) {
+    return kept_within(weights_at(cell.at, on_page));
+  }
+  const std::array<double, 3> weights = weights_at(cell.at, on_page);
+  return is_outside(weights) ? weights_inside(cell, on_page) : weights;
+}
+
 class CellPainter {
  public:
   CellPainter(DotRaster& raster, const Cell& cell, const mesh::Surface& surface, const mesh::Look& look,
@@ -44,6 +77,13 @@ class CellPainter {
         shade_(shade),
         normal_(surface.normal(cell.face)),
         overhang_mm_(overhang_mm) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = surface.point(surface.vertices(cell.face)[k]);
+    }
+    if (const auto under = look.face_under(corners, normal_)) {
+      colours_ = look.colours_of(*under, corners, raster.dot_mm());
+    }
     for (std::size_t i = 0; i < cell.polygon.size(); ++i) {
       const Vec2 side = cell.polygon[(i + 1) % cell.polygon.size()] - cell.polygon[i];
       if (const double size = length(side); size > 0.0) {
@@ -57,6 +97,12 @@ class CellPainter {
     const int right = std::min(raster_.width() - 1, raster_.column(cell_.box.high.x + overhang_mm_));
     const int low = std::max(0, raster_.row(cell_.box.low.y - overhang_mm_));
     const int high = std::min(raster_.height() - 1, raster_.row(cell_.box.high.y + overhang_mm_));
+    if (colours_) {
+      for (int y = low; y <= high; ++y) {
+        paint_row(y, left, right);
+      }
+      return;
+    }
     for (int y = low; y <= high; y += block) {
       for (int x = left; x <= right; x += block) {
         paint_block(x, y, std::min(x + block - 1, right), std::min(y + block - 1, high));
@@ -74,6 +120,45 @@ class CellPainter {
     int y = 0;
     Vec3 at;  ///< on the surface
   };
+
+  /// Of a cell whose face lies on one original face: nothing has to be looked for.
+  void paint_row(int y, int left, int right) {
+    const Vec2 step = raster_.middle(1, y) - raster_.middle(0, y);
+    for (const Side& side : sides_) {
+      // Dots with before + x * slope <= 0 lie on the side's inner side.
+      const double before = dot(raster_.middle(0, y) - side.at, side.out) - overhang_mm_;
+      const double slope = step.x * side.out.x;
+      if (std::abs(slope) > 0.0) {
+        const double at = std::clamp(-before / slope, left - 1.0, right + 1.0);
+        const int below = static_cast<int>(std::floor(at));
+        left = slope < 0.0 ? std::max(left, below < at ? below + 1 : below) : left;
+        right = slope > 0.0 ? std::min(right, below) : right;
+      } else if (before > 0.0) {
+        return;
+      }
+    }
+    if (cell_.kind == CellKind::face && left < right) {
+      // Weights change evenly along a row.
+      const std::array<double, 3> first = weights_at(cell_.at, raster_.middle(left, y));
+      const std::array<double, 3> last = weights_at(cell_.at, raster_.middle(right, y));
+      for (int x = left; x <= right; ++x) {
+        if (!raster_.painted(x, y)) {
+          const double share = static_cast<double>(x - left) / (right - left);
+          std::array<double, 3> weights{};
+          for (std::size_t k = 0; k < 3; ++k) {
+            weights[k] = first[k] + share * (last[k] - first[k]);
+          }
+          raster_.paint(x, y, shaded(shade_, colours_->at(kept_within(weights))));
+        }
+      }
+      return;
+    }
+    for (int x = left; x <= right; ++x) {
+      if (!raster_.painted(x, y)) {
+        raster_.paint(x, y, shaded(shade_, colours_->at(weights_on_face(cell_, raster_.middle(x, y)))));
+      }
+    }
+  }
 
   /// How far outside of a side of the cell the dots of a block lie, least and most.
   struct Reach {
@@ -127,7 +212,7 @@ class CellPainter {
     return place;
   }
   void put(int x, int y, const mesh::LookPlace& place) {
-    raster_.paint(x, y, shade_(look_.colour_at(place, raster_.dot_mm())));
+    raster_.paint(x, y, shaded(shade_, look_.colour_at(place, raster_.dot_mm())));
   }
 
   void paint_block(int left, int low, int right, int high) {
@@ -210,7 +295,8 @@ class CellPainter {
   Vec3 normal_;
   double overhang_mm_;
   std::vector<Side> sides_;
-  std::vector<Dot> dots_;  ///< space to work in
+  std::optional<mesh::TriangleColours> colours_;  ///< of the face, where it lies on one original face
+  std::vector<Dot> dots_;                         ///< space to work in
   std::uint32_t hint_ = 0;
 };
 
@@ -218,17 +304,8 @@ class CellPainter {
 
 Vec3 place_on_surface(const mesh::Surface& surface, const Cell& cell, Vec2 on_page) {
   std::array<double, 3> weights = weights_at(cell.at, on_page);
-  if (cell.kind != CellKind::face && std::min({weights[0], weights[1], weights[2]}) < 0.0) {
-    Vec2 nearest = cell.at[0];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec2 p = nearest_on_segment(on_page, cell.at[k], cell.at[(k + 1) % 3]);
-      nearest = length(on_page - p) < length(on_page - nearest) ? p : nearest;
-    }
-    // Right on an edge the face beyond it is as near: a little inside it isn't.
-    const Vec2 middle = (cell.at[0] + cell.at[1] + cell.at[2]) / 3.0;
-    const double way = length(middle - nearest);
-    const double share = way > 0.0 ? std::min(inside_mm / way, inside_share) : 0.0;
-    weights = weights_at(cell.at, nearest + share * (middle - nearest));
+  if (cell.kind != CellKind::face && is_outside(weights)) {
+    weights = weights_inside(cell, on_page);
   }
   const auto vertices = surface.vertices(cell.face);
   return weights[0] * surface.point(vertices[0]) + weights[1] * surface.point(vertices[1]) +

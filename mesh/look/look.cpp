@@ -79,6 +79,10 @@ bool alike(const Rgb& a, const Rgb& b) {
          std::abs(a[2] - b[2]) <= same_channel;
 }
 
+Vec3 channels_of(const Rgb& colour) {
+  return {static_cast<double>(colour[0]), static_cast<double>(colour[1]), static_cast<double>(colour[2])};
+}
+
 Vec2 place_in_picture(const LookFace& face, const std::array<double, 3>& weights) {
   return weights[0] * face.places[0] + weights[1] * face.places[1] + weights[2] * face.places[2];
 }
@@ -214,6 +218,17 @@ LookPlace Look::nearest(Vec3 p, Vec3 normal, std::uint32_t hint) const {
   return {};
 }
 
+std::optional<std::uint32_t> Look::face_under(const std::array<Vec3, 3>& triangle, Vec3 normal) const {
+  const std::uint32_t face = nearest((triangle[0] + triangle[1] + triangle[2]) / 3.0, normal).face;
+  // How far a point is from a face has its greatest value over a triangle at one of the corners.
+  const bool holds_all = std::ranges::all_of(triangle, [&](Vec3 p) {
+    Best best;
+    try_face(best, face, p, normal, false);
+    return best.cost < no_distance * tie_;
+  });
+  return holds_all ? std::optional(face) : std::nullopt;
+}
+
 std::optional<Rgb> Look::find_flat_colour(const LookFace& face) const {
   const Paint& paint = paints_[face.paint];
   if (!paint.picture) {
@@ -250,9 +265,7 @@ Rgb Look::colour_at(const LookPlace& place, double dot) const {
   const LookFace& face = faces_[place.face];
   const Paint& paint = paints_[face.paint];
   if (paint.picture) {
-    const double size = pixel_size_[place.face];
-    return colour_in_picture(paint, place_in_picture(face, place.weights),
-                             size > 0.0 ? paint.picture->level_for(dot / size) : 0);
+    return colour_in_picture(paint, place_in_picture(face, place.weights), level_of(place.face, dot));
   }
   Rgb colour{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -261,6 +274,43 @@ Rgb Look::colour_at(const LookPlace& place, double dot) const {
         std::lround(place.weights[0] * a[k] + place.weights[1] * b[k] + place.weights[2] * c[k]), 0L, 255L));
   }
   return colour;
+}
+
+unsigned Look::level_of(std::uint32_t face, double dot) const {
+  const double size = pixel_size_[face];
+  return size > 0.0 ? paints_[faces_[face].paint].picture->level_for(dot / size) : 0;
+}
+
+TriangleColours Look::colours_of(std::uint32_t face, const std::array<Vec3, 3>& triangle, double dot) const {
+  const LookFace& on = faces_[face];
+  const Paint& paint = paints_[on.paint];
+  TriangleColours colours;
+  if (paint.picture && !flat_[face]) {
+    colours.picture_ = paint.picture.get();
+    colours.tint_ = paint.tint.get();
+    colours.level_ = level_of(face, dot);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::array<double, 3> weights = nearest_weights(on.corners, triangle[k]);
+    if (colours.picture_ != nullptr) {
+      colours.places_[k] = place_in_picture(on, weights);
+    } else if (flat_[face]) {
+      colours.colours_[k] = channels_of(*flat_[face]);
+    } else {
+      colours.colours_[k] =
+          mixed({channels_of((*on.colours)[0]), channels_of((*on.colours)[1]), channels_of((*on.colours)[2])},
+                weights);
+    }
+  }
+  return colours;
+}
+
+Rgb TriangleColours::mixed(const std::array<double, 3>& weights) const {
+  const Vec3 channels = weights[0] * colours_[0] + weights[1] * colours_[1] + weights[2] * colours_[2];
+  const auto byte = [](double channel) {
+    return static_cast<std::uint8_t>(std::clamp(std::lround(channel), 0L, 255L));
+  };
+  return {byte(channels.x), byte(channels.y), byte(channels.z)};
 }
 
 }  // namespace ridgecraft::mesh

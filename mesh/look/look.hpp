@@ -44,6 +44,35 @@ struct LookPlace {
   std::array<double, 3> weights{};  ///< of the face's corners; their sum is 1
 };
 
+/// Colours of a triangle that lies on one face; they live no longer than the Look.
+class TriangleColours {
+ public:
+  /// At a place, by the weights of the triangle's corners, whose sum is 1.
+  [[nodiscard]] Rgb at(const std::array<double, 3>& weights) const {
+    if (picture_ == nullptr) {
+      return mixed(weights);
+    }
+    Rgb colour =
+        picture_->at(weights[0] * places_[0] + weights[1] * places_[1] + weights[2] * places_[2], level_);
+    if (tint_ != nullptr) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        colour[k] = (*tint_)[colour[k]][k];
+      }
+    }
+    return colour;
+  }
+
+ private:
+  friend class Look;
+  [[nodiscard]] Rgb mixed(const std::array<double, 3>& weights) const;
+
+  const Picture* picture_ = nullptr;
+  const std::array<Rgb, 256>* tint_ = nullptr;
+  unsigned level_ = 0;
+  std::array<Vec2, 3> places_{};   ///< of the corners in the picture
+  std::array<Vec3, 3> colours_{};  ///< of the corners, without a picture; each channel from 0 to 255
+};
+
 /// All faces with what is on them.
 struct LookParts {
   std::vector<LookFace> faces;
@@ -70,6 +99,10 @@ class Look {
   /// What nearest() of a point that `faces`, not empty, were found for is. O(1) a face.
   [[nodiscard]] LookPlace nearest_among(const std::vector<std::uint32_t>& faces, Vec3 p, Vec3 normal,
                                         std::uint32_t hint = 0) const;
+  /// The face that a triangle lies on all over, so that nearest() of each of its points is on it. Nothing
+  /// where it lies on none, or on several. O(log n).
+  [[nodiscard]] std::optional<std::uint32_t> face_under(const std::array<Vec3, 3>& triangle,
+                                                        Vec3 normal) const;
   /// Calls visit(face) for faces whose boxes meet this one.
   template <class Visit>
   void near_box(const Box3& box, Visit visit) const {
@@ -87,6 +120,9 @@ class Look {
   [[nodiscard]] const std::optional<Rgb>& flat_colour(std::uint32_t face) const { return flat_[face]; }
   /// `dot`: the distance between two dots of a printer, in the unit of the surface; 0 for the finest picture.
   [[nodiscard]] Rgb colour_at(const LookPlace& place, double dot) const;
+  /// The same for many places of one triangle that lies on a face.
+  [[nodiscard]] TriangleColours colours_of(std::uint32_t face, const std::array<Vec3, 3>& triangle,
+                                           double dot) const;
 
  private:
   /// The best place so far for a point.
@@ -96,6 +132,8 @@ class Look {
   };
   void try_face(Best& best, std::uint32_t f, Vec3 p, Vec3 normal, bool any_side) const;
   [[nodiscard]] std::optional<Rgb> find_flat_colour(const LookFace& face) const;
+  /// Of the face's picture, for dots of this size.
+  [[nodiscard]] unsigned level_of(std::uint32_t face, double dot) const;
   std::vector<LookFace> faces_;
   std::vector<Paint> paints_;
   BoxTree<Box3> tree_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/look/look.hpp"
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -155,6 +157,92 @@ TEST_CASE("Look: coarse copies of a picture have its colours, and places repeat"
       }
       CHECK(picture.at({at.x + 3.0, at.y - 2.0}, level) == coarse);
     }
+  }
+}
+
+TEST_CASE("Look: between its pixels a picture has their mean by how near each is") {
+  Random random(5);
+  std::vector<std::uint8_t> pixels(std::size_t{3} * 9 * 7);
+  for (std::uint8_t& byte : pixels) {
+    byte = static_cast<std::uint8_t>(random.below(256));
+  }
+  const mesh::Picture picture(9, 7, pixels);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2 at{3.0 * random.unit() - 1.0, 3.0 * random.unit() - 1.0};
+    const double x = at.x * 9.0 - 0.5;
+    const double y = (1.0 - at.y) * 7.0 - 0.5;
+    const Rgb found = picture.at(at, 0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      double mean = 0.0;
+      for (const double column : {std::floor(x), std::floor(x) + 1.0}) {
+        for (const double row : {std::floor(y), std::floor(y) + 1.0}) {
+          const auto wrapped = [](double index, int size) {
+            return static_cast<std::size_t>((static_cast<int>(index) % size + size) % size);
+          };
+          mean += (1.0 - std::abs(x - column)) * (1.0 - std::abs(y - row)) *
+                  pixels[3 * (wrapped(row, 7) * 9 + wrapped(column, 9)) + k];
+        }
+      }
+      CHECK(std::abs(found[k] - mean) < 2.6);  // shares are counted in 256ths
+    }
+  }
+}
+
+TEST_CASE("Look: a triangle on one face has that face's colours, and others are told from it") {
+  Random random(13);
+  const auto number = [&] { return 2.0 * random.unit() - 1.0; };
+  const auto vector = [&] { return Vec3{number(), number(), number()}; };
+  const auto weights = [&] {
+    const double a = random.unit();
+    const double b = random.unit() * (1.0 - a);
+    return std::array{a, b, 1.0 - a - b};
+  };
+  mesh::Paint painted;
+  painted.picture = std::make_shared<const mesh::Picture>(64, 32, soft_pixels(64, 32));
+  std::vector<mesh::LookFace> faces(60);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    mesh::LookFace& face = faces[i];
+    const Vec3 at = 5.0 * vector();
+    face.corners = {at, at + vector(), at + vector()};
+    face.normal = normalized(cross(face.corners[1] - at, face.corners[2] - at));
+    face.paint = i % 3 == 0 ? 0 : 1;
+    if (face.paint == 0) {
+      face.places = {Vec2{random.unit(), random.unit()}, {random.unit(), random.unit()}, {0.0, 1.0}};
+    } else if (i % 3 == 1) {
+      face.colours = {{{200, 10, 0}, {0, 100, 90}, {90, 9, 255}}};
+    }
+  }
+  const Look look({faces, {painted, mesh::Paint{}}});
+  const auto place_on = [](const mesh::LookFace& face, const std::array<double, 3>& w) {
+    return w[0] * face.corners[0] + w[1] * face.corners[1] + w[2] * face.corners[2];
+  };
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    const mesh::LookFace& face = faces[f];
+    const std::array<std::array<double, 3>, 3> corners{weights(), weights(), weights()};
+    std::array<Vec3, 3> triangle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle[k] = place_on(face, corners[k]);
+    }
+    REQUIRE(look.face_under(triangle, face.normal) == f);
+    const mesh::TriangleColours colours = look.colours_of(f, triangle, 0.02);
+    for (int i = 0; i < 20; ++i) {
+      const std::array<double, 3> at = weights();
+      std::array<double, 3> on_face{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        on_face[k] = at[0] * corners[0][k] + at[1] * corners[1][k] + at[2] * corners[2][k];
+      }
+      const Rgb expected = look.colour_at({f, on_face}, 0.02);
+      const Rgb found = colours.at(at);
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(std::abs(found[k] - expected[k]) <= 1);
+      }
+    }
+    triangle[1] = triangle[1] + 0.01 * face.normal;
+    CHECK_FALSE(look.face_under(triangle, face.normal));
+    triangle[1] = place_on(face, {1.2, -0.1, -0.1});
+    CHECK_FALSE(look.face_under(triangle, face.normal));
+    CHECK_FALSE(
+        look.face_under(face.corners, normalized(face.normal + 0.1 * (face.corners[1] - face.corners[0]))));
   }
 }
 
