@@ -39,8 +39,9 @@ class DotRaster {
     to[2] = colour[2];
   }
 
-  /// Dots that nobody sees take their neighbour's colour: an even ground packs best, and its borders leave no
-  /// traces beside them. All are white where none was painted.
+  /// Dots that nobody sees take their neighbour's colour within the square that JPEG packs at a time, so that
+  /// borders leave no traces beside them; squares without any other are of one colour, that of a square
+  /// beside them, which takes no room.
   void fill_up();
 
   /// The dots after fill_up(), to be seen through nothing yet (Image::clip). Throws Error(internal).
@@ -55,7 +56,16 @@ class DotRaster {
     return std::size_t{3} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   }
   void copy(int from_x, int from_y, int x, int y);
-  void copy_row(int from, int to);
+  void copy_row(int from, int to, int left, std::size_t across);
+  /// Columns and rows of dots, the last ones among them.
+  struct Square {
+    int left, low, right, high;
+  };
+  [[nodiscard]] Square square(int column, int row) const;
+  /// False where it has no painted dot.
+  bool fill_square(const Square& square);
+  /// Of a row with a painted dot between these columns.
+  void fill_row(int left, int right, int y);
 
   double dots_per_mm_;
   Vec2 low_;  ///< the lower left corner, in dots from the sheet's

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "export/paint/cells.hpp"
+#include "export/paint/dot_raster.hpp"
 #include "export/style/line_style.hpp"
 #include "mesh/look/look.hpp"
 #include "sample_pages.hpp"
@@ -406,6 +407,39 @@ TEST_CASE("Pictures have the dots that are asked for, and lie under their faces"
     }
     CHECK(images == sample.nets.pieces.size());
   }
+}
+
+TEST_CASE("Dots that nobody sees have a neighbour's colour, and take no room") {
+  // A ring of dots in two colours, in a box that is no multiple of JPEG's squares.
+  const auto ring = [](double dots_per_mm, bool painted_all) {
+    paper::DotRaster raster({{0.0, 0.0}, {43.0, 37.0}}, dots_per_mm);
+    for (int y = 0; y < raster.height(); ++y) {
+      for (int x = 0; x < raster.width(); ++x) {
+        const double away = length(raster.middle(x, y) - Vec2{21.0, 18.0});
+        if (painted_all || (away > 12.0 && away < 16.0)) {
+          raster.paint(x, y, raster.middle(x, y).x < 21.0 ? mesh::Rgb{210, 30, 30} : mesh::Rgb{30, 30, 210});
+        }
+      }
+    }
+    raster.fill_up();
+    return raster.image();
+  };
+  const paper::Image image = ring(4.0, false);
+  const auto unpacked = mesh::unpack_picture(*image.jpeg);
+  REQUIRE(unpacked);
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < unpacked->pixels().size(); i += 3) {
+    const int red = unpacked->pixels()[i];
+    const int blue = unpacked->pixels()[i + 2];
+    others += std::abs(std::abs(red - blue) - 180) > 60 ? 1U : 0U;
+  }
+  CHECK(others < unpacked->pixels().size() / 3 / 100);  // along the border of the two
+  CHECK(image.jpeg->size() < 2 * ring(4.0, true).jpeg->size());
+  paper::DotRaster nothing({{0.0, 0.0}, {5.0, 5.0}}, 4.0);
+  nothing.fill_up();
+  const auto white = mesh::unpack_picture(*nothing.image().jpeg);
+  REQUIRE(white);
+  CHECK(std::ranges::all_of(white->pixels(), [](std::uint8_t byte) { return byte == 255; }));
 }
 
 TEST_CASE("Pictures are painted again only where something of them changes, and pages are the same") {
