@@ -3,6 +3,7 @@
 // and closed polylines on a layer for each operation. No blocks, splines, texts or hatches, as cutters and
 // laser shops ask. Written by hand: the library at hand leaves out the owners of its tables, which readers
 // repair.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "base/utf8.hpp"
+#include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
 #include "export/machine/operations.hpp"
 
@@ -91,8 +93,17 @@ class DxfWriter {
     return kind_ == DxfKind::plain ? only_layer : layers[static_cast<std::size_t>(path.operation)];
   }
 
+  /// As wide as three digits.
+  void code_line(int code) {
+    const fmt::format_int digits(code);
+    out_.append(3 - std::min<std::size_t>(digits.size(), 3), ' ');
+    out_.append(digits.data(), digits.size());
+    out_ += '\n';
+  }
   void pair(int code, std::string_view value) {
-    fmt::format_to(std::back_inserter(out_), "{:>3}\n{}\n", code, value);
+    code_line(code);
+    out_ += value;
+    out_ += '\n';
   }
   void pair(int code, int value) { fmt::format_to(std::back_inserter(out_), "{:>3}\n{:>6}\n", code, value); }
   void handle(int code, unsigned value) {
@@ -100,9 +111,9 @@ class DxfWriter {
   }
   /// At least one digit behind the point, at most four.
   void real(int code, double value) {
-    std::string text = fmt::format("{:.4f}", value);
+    std::string text = four_decimals(value);
     text.erase(std::max(text.find_last_not_of('0'), text.find('.') + 1) + 1);
-    pair(code, text == "-0.0" ? "0.0" : text);
+    pair(code, text);
   }
   void point(int code, Vec2 p) {
     real(code, p.x);
