@@ -69,6 +69,8 @@ TEST_CASE("four single numbers at a time are the same as one by one", "[unfold]"
     REQUIRE(same_bits<std::uint32_t, 4>(a.lanes * a.lanes + b.lanes * b.lanes,
                                         a.portable * a.portable + b.portable * b.portable));
     REQUIRE(bits_of(a.lanes < b.lanes) == bits_of(a.portable < b.portable));
+    REQUIRE(same_bits<std::uint32_t, 4>(smaller(a.lanes, b.lanes), smaller(a.portable, b.portable)));
+    REQUIRE(same_bits<std::uint32_t, 4>(larger(a.lanes, b.lanes), larger(a.portable, b.portable)));
   }
 }
 

@@ -6,15 +6,18 @@
 #include <cmath>
 
 #include "unfold/patch/necks.hpp"
+#include "unfold/search/lanes.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// Cosines and sines of the directions k * 22.5 degrees, k = 0 .. 7; those of 8 .. 15 are opposite.
-constexpr std::array<float, 8> cosines{1.0F, 0.92387953F,  0.70710678F,  0.38268343F,
-                                       0.0F, -0.38268343F, -0.70710678F, -0.92387953F};
-constexpr std::array<float, 8> sines{0.0F, 0.38268343F, 0.70710678F, 0.92387953F,
-                                     1.0F, 0.92387953F, 0.70710678F, 0.38268343F};
+/// Cosines and sines of the directions k * 22.5 degrees, k = 0 .. 7, four and four; those of 8 .. 15 are
+/// opposite.
+constexpr std::size_t lanes = 4;
+constexpr std::array<FloatLanes, 2> cosines{
+    {{1.0F, 0.92387953F, 0.70710678F, 0.38268343F}, {0.0F, -0.38268343F, -0.70710678F, -0.92387953F}}};
+constexpr std::array<FloatLanes, 2> sines{
+    {{0.0F, 0.38268343F, 0.70710678F, 0.92387953F}, {1.0F, 0.92387953F, 0.70710678F, 0.38268343F}}};
 /// Unit of a piece's hollows, mm2.
 constexpr double hollow_unit_mm2 = 100.0;
 /// Unit of the square of a piece's outline, mm.
@@ -141,10 +144,8 @@ PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds
   // Seen from a corner of the root's, so that floats are enough.
   const bool root_moves = moved != nullptr && net.in_span(*moved, root);
   const Vec2 origin = root_moves ? motion(net.flat(root)[0]) : net.flat(root)[0];
-  std::array<float, directions> high;
-  std::array<float, directions> low;
-  high.fill(0.0F);
-  low.fill(0.0F);
+  std::array<FloatLanes, 2> high{};
+  std::array<FloatLanes, 2> low{};
   points_.clear();
   const auto add = [&](std::uint32_t f, std::uint32_t corner) {
     const Vec2 at = net.flat(f)[corner];
@@ -162,16 +163,16 @@ PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds
     const Vec2 p = upright(point);
     const auto x = static_cast<float>(p.x);
     const auto y = static_cast<float>(p.y);
-    for (std::size_t d = 0; d < directions; ++d) {
-      const float at = x * cosines[d] + y * sines[d];
-      high[d] = at > high[d] ? at : high[d];
-      low[d] = at < low[d] ? at : low[d];
+    for (std::size_t half = 0; half < 2; ++half) {
+      const FloatLanes at = x * cosines[half] + y * sines[half];
+      high[half] = larger(at, high[half]);
+      low[half] = smaller(at, low[half]);
     }
   }
   std::array<float, 2 * directions> reach;
   for (std::size_t d = 0; d < directions; ++d) {
-    reach[d] = high[d];
-    reach[d + directions] = -low[d];
+    reach[d] = high[d / lanes][d % lanes];
+    reach[d + directions] = -low[d / lanes][d % lanes];
   }
   Measure result;
   result.panels = panels_;

@@ -19,6 +19,12 @@ using DoubleLanes = double __attribute__((vector_size(16)));  ///< two
   return static_cast<std::uint32_t>((bits[0] | bits[1]) | (bits[2] | bits[3]));
 }
 
+[[nodiscard]] inline FloatLanes smaller(FloatLanes a, FloatLanes b) {
+  return a < b ? a : b;
+}
+[[nodiscard]] inline FloatLanes larger(FloatLanes a, FloatLanes b) {
+  return a > b ? a : b;
+}
 [[nodiscard]] inline DoubleLanes smaller(DoubleLanes a, DoubleLanes b) {
   return a < b ? a : b;
 }

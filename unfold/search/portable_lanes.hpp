@@ -70,13 +70,21 @@ using PortableDoubleLanes = PortableLanes<double, 2>;
   return bits;
 }
 
-[[nodiscard]] constexpr PortableDoubleLanes smaller(const PortableDoubleLanes& a,
-                                                    const PortableDoubleLanes& b) {
-  return {{a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]}};
+template <typename Number, std::size_t count>
+[[nodiscard]] constexpr PortableLanes<Number, count> smaller(PortableLanes<Number, count> a,
+                                                             const PortableLanes<Number, count>& b) {
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    a[lane] = a[lane] < b[lane] ? a[lane] : b[lane];
+  }
+  return a;
 }
-[[nodiscard]] constexpr PortableDoubleLanes larger(const PortableDoubleLanes& a,
-                                                   const PortableDoubleLanes& b) {
-  return {{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]}};
+template <typename Number, std::size_t count>
+[[nodiscard]] constexpr PortableLanes<Number, count> larger(PortableLanes<Number, count> a,
+                                                            const PortableLanes<Number, count>& b) {
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    a[lane] = a[lane] > b[lane] ? a[lane] : b[lane];
+  }
+  return a;
 }
 
 }  // namespace ridgecraft::unfold
