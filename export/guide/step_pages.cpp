@@ -18,8 +18,10 @@
 #include "export/guide/net_picture.hpp"
 #include "export/guide/step_words.hpp"
 #include "export/guide/words.hpp"
+#include "export/page/clip_to_box.hpp"
 #include "export/style/stroke_font.hpp"
 #include "export/view/coarse_view.hpp"
+#include "export/view/view.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -59,6 +61,10 @@ constexpr std::size_t most_faces_drawn = 100'000;
 constexpr double sliver_share = 0.02;
 /// Lines end on faces where these have so much room round them.
 constexpr double least_room_mm = 1.0;
+
+/// What is added behind all else is drawn in dashes, mm.
+constexpr double dash_mm = 1.0;
+constexpr double dash_gap_mm = 0.7;
 
 constexpr std::size_t most_nets = 3;  ///< of a step that are shown
 /// Of two pieces one is on the left where they are farther apart than this share of the model.
@@ -282,13 +288,17 @@ class StepPages {
         sentences.insert(sentences.begin(), std::move(words));
       }
     }
-    if (!behind.empty()) {
+    for (const bool added : {true, false}) {
       std::vector<std::string> names;
       for (const PieceId piece : behind) {
-        names.push_back(guide_.nets->pieces[piece].name);
+        if (is_new(index, piece) == added) {
+          names.push_back(guide_.nets->pieces[piece].name);
+        }
       }
-      sentences.push_back(listed(names, "and") + (names.size() == 1 ? " is" : " are") +
-                          " behind what is seen here.");
+      if (!names.empty()) {
+        sentences.push_back(listed(names, "and") + (names.size() == 1 ? " is" : " are") +
+                            " behind what is seen here" + (added ? ", in broken lines." : "."));
+      }
     }
     for (const std::string& sentence : sentences) {
       const auto own = wrapped(sentence, box.size().x, height);
@@ -408,7 +418,52 @@ class StepPages {
           return is_new(index, piece) ? guide_.looks[piece] : guide_.pale;
         },
         group);
+    add_hidden(index, step, fit, crop, behind, group);
     add_names(index, step, fit, crop, frame, box, behind, group);
+  }
+
+  /// Of what is added, those that nothing is seen of, alone.
+  [[nodiscard]] Scene hidden_alone(std::size_t index, const StepScene& step,
+                                   const std::vector<PieceId>& behind) const {
+    IdVector<PieceId, bool> hidden(guide_.nets->pieces.size(), false);
+    for (const PieceId piece : behind) {
+      hidden[piece] = is_new(index, piece);
+    }
+    return scene_with(step.scene, *guide_.nets, hidden);
+  }
+
+  /// Their borders, over what lies before them.
+  void add_hidden(std::size_t index, const StepScene& step, const Fit& fit, const std::optional<Box2>& crop,
+                  const std::vector<PieceId>& behind, Group& group) const {
+    if (std::ranges::none_of(behind, [&](PieceId piece) { return is_new(index, piece); })) {
+      return;
+    }
+    const View view = look_at(hidden_alone(index, step, behind), step.camera, dash_gap_mm / fit.scale);
+    for (const VisibleLine& line : view.lines) {
+      if (!line.outline && guide_.nets->use[line.edge] == unfold::EdgeUse::fold) {
+        continue;
+      }
+      std::optional<Segment2> seen = Segment2{fit(line.a), fit(line.b)};
+      if (crop) {
+        seen = clipped(*seen, *crop);
+      }
+      if (seen) {
+        add_dashes(*seen, guide_.looks[steps_[index].pieces.front()].outline, group);
+      }
+    }
+  }
+
+  static void add_dashes(const Segment2& line, const Pen& pen, Group& group) {
+    const Vec2 whole = line.b - line.a;
+    const double size = length(whole);
+    const double count = std::max(1.0, std::round((size + dash_gap_mm) / (dash_mm + dash_gap_mm)));
+    const double dash = (size - (count - 1.0) * dash_gap_mm) / count;
+    for (double i = 0.0; i < count && dash > 0.0; i += 1.0) {
+      const double from = i * (dash + dash_gap_mm) / size;
+      Line drawn{Layer::picture, {line.a + from * whole, line.a + (from + dash / size) * whole}};
+      drawn.pen = pen;
+      group.lines.push_back(std::move(drawn));
+    }
   }
 
   /// As wide as the names are that may stand beside the picture, and their lines.
@@ -468,10 +523,15 @@ class StepPages {
     };
     const std::vector<Anchor> on_faces =
         find_anchors_on_faces(coarse, step.scene, guide_.piece_of_face, guide_.nets->pieces.size());
+    const CoarseView coarse_alone =
+        look_coarsely(hidden_alone(index, step, behind), step.camera, name_pixels);
+    const std::vector<Anchor> alone =
+        find_anchors(coarse_alone, guide_.piece_of_face, guide_.nets->pieces.size());
     std::vector<Callout> callouts;
     for (const PieceId piece : steps_[index].pieces) {
-      const Anchor anchor =
+      const Anchor seen =
           anchor_to_point_at(on_faces[piece.value()], anchors[piece.value()], least_room_mm / fit.scale);
+      const Anchor anchor = seen.seen ? seen : alone[piece.value()];
       if (anchor.seen && is_in_picture(fit(anchor.at))) {
         callouts.push_back({guide_.nets->pieces[piece].name, fit(anchor.at)});
       }
