@@ -13,6 +13,7 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
+#include "export/formats/layer_order.hpp"
 #include "export/sheet/calibration.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
@@ -285,6 +286,49 @@ TEST_CASE("the scale bar of a printed PDF is 50 mm long") {
     }
   }
   FAIL("no scale bar");
+}
+
+TEST_CASE("each layer of a PDF can be switched off, and all of them leave the page white") {
+  if (!there_is("pdftoppm")) {
+    return;
+  }
+  const Made made = ball("Ball", "A5");
+  const std::string bytes = paper::write_pdf(made.pages, made.mark);
+  // The list of what is shown, "/ON [ 5 0 R 6 0 R ]", becomes one of as many bytes of what isn't.
+  const std::size_t begin = bytes.find("/ON [ ", bytes.find("/D << /Creator"));
+  REQUIRE(begin != std::string::npos);
+  const std::size_t end = bytes.find(']', begin);
+  const auto dots_without = [&](const auto& is_off) {
+    std::string changed = bytes;
+    changed.replace(begin, 6, "/OFF[ ");
+    std::size_t number = 0;
+    for (std::size_t at = begin + 6; at + 1 < end; ++number) {
+      const std::size_t next = bytes.find('R', at) + 2;
+      if (!is_off(number)) {
+        changed.replace(at, next - at, next - at, ' ');
+      }
+      at = next;
+    }
+    const TemporaryFile file(changed, ".layers.pdf");
+    return read_pgm(run("pdftoppm -gray -r 100 -f 1 -l 1 " + file.name()).output).grey;
+  };
+  std::vector<paper::Layer> layers;
+  for (const paper::Layer layer : paper::layer_order) {
+    const bool any = std::ranges::any_of(
+        made.pages, [&](const paper::Drawing& page) { return paper::has_layer(page, layer); });
+    if (any || !paper::is_optional(layer)) {
+      layers.push_back(layer);
+    }
+  }
+  const std::string whole = dots_without([](std::size_t) { return false; });
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    CAPTURE(i);
+    CHECK((dots_without([i](std::size_t number) { return number == i; }) != whole) ==
+          paper::has_layer(made.pages[0], layers[i]));
+  }
+  const std::string none = dots_without([](std::size_t) { return true; });
+  CHECK(none.size() == whole.size());
+  CHECK(none.find_first_not_of('\xff') == std::string::npos);
 }
 
 TEST_CASE("a PNG has the page's pixels, its scale and its mark") {
