@@ -116,13 +116,20 @@ struct NumberPlacer::Frame {
 };
 
 bool ambiguous_upside_down(std::string_view number) {
+  // Asked for every place that a number might have, so without a string of its own.
   constexpr std::string_view turned = "01xxxx9x86";
-  std::string other;
-  for (const char digit : number) {
-    other.insert(other.begin(),
-                 digit >= '0' && digit <= '9' ? turned[static_cast<std::size_t>(digit - '0')] : 'x');
+  const auto other = [&](char digit) {
+    return digit >= '0' && digit <= '9' ? turned[static_cast<std::size_t>(digit - '0')] : 'x';
+  };
+  bool same = true;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    const char digit = other(number[number.size() - 1 - i]);
+    if (digit == 'x' || (i == 0 && digit == '0')) {
+      return false;
+    }
+    same = same && digit == number[i];
   }
-  return other != number && !other.empty() && other.front() != '0' && other.find('x') == std::string::npos;
+  return !same;
 }
 
 NumberPlacer::NumberPlacer(Vec2 page_size, const Box2& area, const Style& style)

@@ -62,21 +62,28 @@ void PageRoom::add(const Box2& box) {
 
 std::optional<std::vector<Text>> PageRoom::place(const std::vector<Text>& texts) const {
   Box2 box;
+  std::vector<TurnedBox> from_centre;  // what each text covers around its own centre
   for (const Text& text : texts) {
     const Box2 own = box_of(text).bounds();
     box.add(own.low);
     box.add(own.high);
+    Text at_origin = text;
+    at_origin.centre = {};
+    from_centre.push_back(box_of(at_origin));
   }
   std::optional<std::vector<Text>> found;
   at_places(area_, box.size(), [&](Vec2 corner) {
-    std::vector<Text> here = texts;
-    for (Text& text : here) {
-      text.centre += corner - box.low;
+    const Vec2 shift = corner - box.low;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      if (!free(from_centre[i], texts[i].height, texts[i].centre + shift)) {
+        return false;
+      }
     }
-    if (std::ranges::all_of(here, [&](const Text& text) { return free(text); })) {
-      found = std::move(here);
+    found = texts;
+    for (Text& text : *found) {
+      text.centre += shift;
     }
-    return found.has_value();
+    return true;
   });
   return found;
 }
@@ -92,12 +99,14 @@ std::optional<Vec2> PageRoom::place(Vec2 size) const {
   return found;
 }
 
-bool PageRoom::free(const Text& text) const {
+bool PageRoom::free(TurnedBox text, double height, Vec2 centre) const {
+  text.centre += centre;
   // The foot lies below the area: it needs no more than the distance to a line.
-  const Box2 own = box_of(text).bounds();
+  const Box2 own = text.bounds();
   return std::ranges::none_of(boxes_, [&](const Box2& box) { return crowd(own, box); }) &&
-         obstacles_.is_free(text, std::min(index_clearance, 0.5 * table_row_height), index_clearance) &&
-         !on_a_piece(text.centre);
+         obstacles_.is_free(text, height, std::min(index_clearance, 0.5 * table_row_height),
+                            index_clearance) &&
+         !on_a_piece(centre);
 }
 
 bool PageRoom::free(const Box2& box) const {

@@ -26,7 +26,8 @@ class PageRoom {
   void add(const Box2& box);
 
  private:
-  [[nodiscard]] bool free(const Text& text) const;
+  /// Whether there is room for a text of this height that covers `text` around its centre.
+  [[nodiscard]] bool free(TurnedBox text, double height, Vec2 centre) const;
   [[nodiscard]] bool free(const Box2& box) const;
   [[nodiscard]] bool on_a_piece(Vec2 p) const;
 

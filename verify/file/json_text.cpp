@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <utility>
 #include <vector>
 
 #include "verify/file/tolerance.hpp"
@@ -12,56 +12,65 @@
 namespace ridgecraft::verify {
 namespace {
 
-/// Reads along without keeping anything: depth, and the keys of the objects that are open. The library's
-/// callback would look through all of a list after each object in it.
-class Watch {
+/// Builds the value as the library's own parser does, and looks at depth and keys on the way: reading every
+/// file a second time for these would take as long again.
+class Builder {
  public:
-  bool null() { return value(); }
-  bool boolean(bool /*unused*/) { return value(); }
-  bool number_integer(std::int64_t /*unused*/) { return value(); }
-  bool number_unsigned(std::uint64_t /*unused*/) { return value(); }
-  bool number_float(double /*unused*/, const std::string& /*unused*/) { return value(); }
-  bool string(std::string& /*unused*/) { return value(); }
-  bool binary(Json::binary_t& /*unused*/) { return value(); }
-  bool start_object(std::size_t /*unused*/) {
-    static_cast<void>(value());
-    if (keys_.size() <= ++depth_) {
-      keys_.resize(depth_ + 1);
-    }
-    keys_[depth_].clear();
-    return true;
-  }
+  bool null() { return leaf(nullptr); }
+  bool boolean(bool value) { return leaf(value); }
+  bool number_integer(std::int64_t value) { return leaf(value); }
+  bool number_unsigned(std::uint64_t value) { return leaf(value); }
+  bool number_float(double value, const std::string& /*unused*/) { return leaf(value); }
+  bool string(std::string& value) { return leaf(std::move(value)); }
+  bool binary(Json::binary_t& value) { return leaf(std::move(value)); }
+  bool start_object(std::size_t /*unused*/) { return open(Json::object()); }
   bool key(std::string& key) {
-    if (!keys_[depth_].insert(key).second) {
+    const auto [member, added] = open_.back()->get_ref<Json::object_t&>().try_emplace(key);
+    if (!added) {
       refuse("the file has the key {} twice in one object", quote(key));
     }
+    member_ = &member->second;
     return true;
   }
   bool end_object() {
-    --depth_;
+    open_.pop_back();
     return true;
   }
-  bool start_array(std::size_t /*unused*/) {
-    static_cast<void>(value());
-    ++depth_;
-    return true;
-  }
+  bool start_array(std::size_t /*unused*/) { return open(Json::array()); }
   bool end_array() { return end_object(); }
-  /// Whoever parses next throws what is wrong.
-  bool parse_error(std::size_t /*unused*/, const std::string& /*unused*/, const Json::exception& /*unused*/) {
-    return false;
+  template <class Exception>
+  bool parse_error(std::size_t /*unused*/, const std::string& /*unused*/, const Exception& error) {
+    throw error;
   }
+
+  [[nodiscard]] Json take() { return std::move(root_); }
 
  private:
-  [[nodiscard]] bool value() const {
-    if (depth_ > max_json_depth) {
+  /// Where the next value goes. Nothing that is open moves: only the last one of a list is.
+  Json& add(Json value) {
+    if (open_.size() > max_json_depth) {
       refuse("the file is not in the form of the contract: lists are nested deeper than {}", max_json_depth);
     }
+    if (open_.empty()) {
+      return root_ = std::move(value);
+    }
+    if (Json& parent = *open_.back(); parent.is_array()) {
+      return parent.get_ref<Json::array_t&>().emplace_back(std::move(value));
+    }
+    return *member_ = std::move(value);
+  }
+  bool leaf(Json value) {
+    add(std::move(value));
+    return true;
+  }
+  bool open(Json value) {
+    open_.push_back(&add(std::move(value)));
     return true;
   }
 
-  std::size_t depth_ = 0;  ///< lists and objects that are open
-  std::vector<std::set<std::string>> keys_;
+  Json root_;
+  std::vector<Json*> open_;  ///< lists and objects, from the outermost on
+  Json* member_ = nullptr;   ///< of the object that is open
 };
 
 struct Place {
@@ -85,9 +94,9 @@ Json parse_json(std::string_view bytes) {
     refuse("the file begins with a byte order mark, which JSON doesn't allow");
   }
   try {
-    Watch watch;
-    Json::sax_parse(bytes.begin(), bytes.end(), &watch);
-    return Json::parse(bytes.begin(), bytes.end());
+    Builder builder;
+    Json::sax_parse(bytes.begin(), bytes.end(), &builder);
+    return builder.take();
   } catch (const Json::parse_error& error) {
     const Place place = place_of(bytes, error.byte);
     refuse("the file is not JSON: {} at line {}, column {}",
