@@ -102,11 +102,7 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
   });
   made.guide = {};
   if (made.options.guide) {
-    made.guide = clock("guide", context, [&] {
-      return paper::draw_guide(made.prepared, nets_on_pages(made), made.pages, made.assembly,
-                               made.drawings.size(), made.drawn.bodies, paper::stance_of(made.up),
-                               made.options.style, context);
-    });
+    made.guide = clock("guide", context, [&] { return guide_of(made, context); });
   }
 }
 
@@ -381,6 +377,12 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   finish(made, clock, context);
   made.seconds = clock.seconds();
   return made;
+}
+
+paper::Guide guide_of(const Paper& made, const Context& context) {
+  return paper::draw_guide(made.prepared, nets_on_pages(made), made.pages, made.assembly,
+                           made.drawings.size(), made.drawn.bodies, paper::stance_of(made.up),
+                           made.options.style, context);
 }
 
 Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context) {

@@ -87,6 +87,10 @@ struct Paper {
 [[nodiscard]] Paper paper(mesh::Model model, const Options& options, const Context& context,
                           const Listener& listener = {});
 
+/// The guide of a job with pages that was finished without it (Options::guide), for whoever may not need it:
+/// drawing it takes longer than drawing all pages. Throws Error(interrupted).
+[[nodiscard]] paper::Guide guide_of(const Paper& made, const Context& context);
+
 /// The same nets with other tabs; they stay as they are but for these, also where another shape would have
 /// led the search to other folds, and no piece is split (TabOptions::split_pieces stays as it was). Their
 /// pages are laid out anew, since tabs take room. What the nets were searched with stays in the settings of

@@ -199,11 +199,15 @@ void repeat(const std::string& lines) {
   take(now, std::move(repeated.project), {{"left_out", repeated.left_out}});
 }
 
-/// The names of all files that this name stands for; none of a guide that wasn't made.
+/// The names of all files that this name stands for; none of a guide that isn't wanted. It is drawn here, for
+/// it takes longer than all else that follows from an edit.
 void plan(const std::string& name) {
   const PaperJob& job = present().job;
-  const job::Paper& made = present().result.made;
+  job::Paper& made = present().result.made;
   Target target = target_of(job, name);
+  if (target.shows == Shows::guide && wants_guide(job) && made.guide.pages.empty()) {
+    made.guide = job::guide_of(made, context_of(job));
+  }
   if (target.format == Format::pdf) {
     paper::check_pdf_size(job.options.paper->size);
   }

@@ -128,11 +128,6 @@ void require_all_replaceable(const PaperJob& job, const std::vector<std::vector<
   }
 }
 
-/// A machine needs none.
-bool wants_guide(const PaperJob& job) {
-  return job.options.guide && !job.preset.is_machine();
-}
-
 bool has_guide(const std::vector<Target>& targets) {
   return std::any_of(targets.begin(), targets.end(),
                      [](const Target& target) { return target.shows == Shows::guide; });
@@ -225,6 +220,10 @@ job::Options options_with(const FilesBeside& beside, const PaperJob& job, bool g
 
 }  // namespace
 
+bool wants_guide(const PaperJob& job) {
+  return job.options.guide && !job.preset.is_machine();
+}
+
 PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending,
                        const job::Listener& listener) {
   const std::vector<Target> targets = checked_targets(job);
@@ -272,8 +271,8 @@ PaperResult make_pages(const PaperJob& job, const Context& context, const job::L
   PaperResult result;
   job::StageClock clock;
   mesh::Model model = read_for(job, clock, context);
-  result.made = make(job, options_with(beside, job, wants_guide(job)), beside.edges, std::move(model),
-                     context, listener);
+  result.made =
+      make(job, options_with(beside, job, false), beside.edges, std::move(model), context, listener);
   clock.add(result.made.seconds);
   result.seconds = clock.seconds();
   return result;

@@ -20,13 +20,16 @@ struct PaperResult {
   job::StageSeconds seconds;            ///< reading and writing included
 };
 
+/// Whether the guide is one of the job's files: a machine needs none.
+[[nodiscard]] bool wants_guide(const PaperJob& job);
+
 /// Reads, makes the paper and writes. Files appear only when all of them are complete. Throws Error. The
 /// listener is told what a user may want to stop for before the long work is done: hundreds of pages.
 [[nodiscard]] PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending,
                                      const job::Listener& listener);
 
-/// The same, but nothing is written (paper_files.hpp tells what the files would hold); with the guide unless
-/// the job wants none.
+/// The same, but nothing is written (paper_files.hpp tells what the files would hold), and no guide is
+/// drawn: job::guide_of() does that.
 [[nodiscard]] PaperResult make_pages(const PaperJob& job, const Context& context,
                                      const job::Listener& listener);
 

@@ -210,6 +210,16 @@ TEST_CASE("a tab that has no room on the other side stays, and why is told", "[s
   CHECK(refusals == 1);
 }
 
+TEST_CASE("a guide that is drawn when somebody asks for it is the one that a job makes", "[session]") {
+  job::Options with_guide;
+  with_guide.guide = true;
+  const job::Paper at_once = sample("gem.stl", with_guide);
+  const job::Paper later = sample("gem.stl");
+  REQUIRE(later.guide.pages.empty());
+  CHECK(paper::write_guide_pdf(job::guide_of(later, {}).pages, {}) ==
+        paper::write_guide_pdf(at_once.guide.pages, {}));
+}
+
 TEST_CASE("steps are repeated on another job as far as they can be done", "[session]") {
   const Project start = session::open(cube());
   const std::vector<Edge> folds = edges_used(start, unfold::EdgeUse::fold);

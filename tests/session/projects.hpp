@@ -2,6 +2,7 @@
 // Projects to be edited, and what tests ask of them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -15,18 +16,19 @@
 
 namespace ridgecraft::session_test {
 
-inline job::Paper sample(const std::string& name) {
-  return job::paper(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + name, {}, {}), {}, {});
+inline job::Paper sample(const std::string& name, const job::Options& options = {}) {
+  return job::paper(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + name, {}, {}), options, {});
 }
 
-/// A cube that A4 holds as one cross.
-inline job::Paper cube() {
+/// A cube that A4 holds as one cross; of several pieces where none may have all six faces.
+inline job::Paper cube(std::size_t most_faces_of_a_piece = 0) {
   const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                  {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   const std::vector<std::vector<std::uint32_t>> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                                       {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   job::Options options;
   options.size.largest_extent_mm = 50.0;
+  options.pieces.max_panels = most_faces_of_a_piece;
   return job::paper(mesh::repair(points, faces, {}, {}), options, {});
 }
 
