@@ -65,24 +65,18 @@ std::vector<FaceId> overlapping(const Nets& nets, const std::vector<FaceId>& fac
   return {found.begin(), found.end()};
 }
 
-/// Why these faces may not be one piece, by sheet and rules; empty where they may.
-std::string why_no_room(const prepare::Panels& panels, const Options& options, const Nets& nets,
-                        const std::vector<FaceId>& faces) {
+/// Whether the sheet holds these faces as one piece. No strip is kept free for tabs: those that it doesn't
+/// hold are left out. How many faces a piece may have is a rule for searches: whoever joins two knows what
+/// they are.
+bool fit_the_sheet(const prepare::Panels& panels, const Options& options, const Nets& nets,
+                   const std::vector<FaceId>& faces) {
   std::vector<Vec2> corners;
   std::set<PanelId> regions;
   for (const FaceId f : faces) {
     corners.insert(corners.end(), nets.flat[f].begin(), nets.flat[f].end());
     regions.insert(panels.panel[f]);
   }
-  // No strip is kept free for tabs: those that the sheet doesn't hold are left out.
-  if (!Room{options.sheet}.holds(convex_hull(std::move(corners)), regions.size())) {
-    return "joined they would be larger than the paper";
-  }
-  const std::size_t most = options.pieces.max_panels;
-  if (most > 0 && regions.size() > most) {
-    return "joined they would have more than " + std::to_string(most) + " faces";
-  }
-  return {};
+  return Room{options.sheet}.holds(convex_hull(std::move(corners)), regions.size());
 }
 
 }  // namespace
@@ -161,8 +155,8 @@ ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels
   if (std::vector<FaceId> on_each_other = overlapping(changed, both); !on_each_other.empty()) {
     return Refusal{"joined here " + names + " would overlap", std::move(on_each_other)};
   }
-  if (const std::string why = why_no_room(panels, options, changed, both); !why.empty()) {
-    return Refusal{names + " stay apart: " + why, beside};
+  if (!fit_the_sheet(panels, options, changed, both)) {
+    return Refusal{names + " stay apart: joined they would be larger than the paper", beside};
   }
   changed.use[edge] = EdgeUse::fold;
   close_flat_cuts(surface, panels, slits_of(surface, options.wishes, nets), changed);

@@ -34,9 +34,11 @@ using ChangedNets = std::variant<Nets, Refusal>;
 
 /// The two pieces beside this cut become one; the larger one lies as it lay. Other edges between them that
 /// lie flat on each other become folds, too, but for those that were to be cut. Refused where both faces lie
-/// in one piece, where the two would overlap deeper than overlap_tolerance_mm, and where the options' sheet
-/// or rules don't hold what would come out. O(n log n) but for pairs of faces that are near each other and
-/// the order in which the piece is folded.
+/// in one piece, where the two would overlap deeper than overlap_tolerance_mm, where the options' sheet
+/// doesn't hold what would come out, and where it has to fold with all creases together
+/// (PieceRules::fold_linear) and wouldn't. It may have more flat regions than the rules allow to a search
+/// (PieceRules::max_panels). O(n log n) but for pairs of faces that are near each other and the order in
+/// which the piece is folded.
 [[nodiscard]] ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels,
                                    const IdVector<FaceId, PartId>& part, const Options& options,
                                    const Nets& nets, EdgeId edge, const Context& context);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,14 @@ Alone alone(const mesh::Surface& surface, const prepare::Panels& panels, const O
   one.options.tabs.wanted = false;
   one.options.twins = {};
   one.options.labels = {};
+  // What was joined by hand may have more than the rules allow to a search.
+  if (std::size_t& most = one.options.pieces.max_panels; most > 0) {
+    std::set<PanelId> own;
+    for (const FaceId f : piece.faces) {
+      own.insert(panels.panel[f]);
+    }
+    most = std::max(most, own.size());
+  }
   one.options.wishes = EdgeWishes(one.from.edge.size(), EdgeWish::none);
   for (const EdgeId e : ids<EdgeId>(options.wishes.empty() ? 0 : one.from.edge.size())) {
     one.options.wishes[e] = options.wishes[one.from.edge[e]];

@@ -100,7 +100,7 @@ export class Offer {
     const possible = ok ? offers : others;
     this.edits = possible.map(({edit}) => edit);
     this.box.setAttribute("aria-label", say(spot.edge >= 0 ? "edit_edge" : "edit_piece", {name: app.nets.pieces[spot.piece].name}));
-    this.words.textContent = ok ? "" : sayRefusal(why ?? "") + this.#wayOut(why ?? "");
+    this.words.textContent = ok ? "" : sayRefusal(why ?? "");
     this.buttons.replaceChildren(...possible.map(({edit, text}) => {
       const button = htmlElement("button", {type: "button", class: spot.edge >= 0 && edit === main.edit ? "strong" : ""}, [text]);
       button.addEventListener("click", () => {
@@ -120,11 +120,6 @@ export class Offer {
       app.markFaces(faces ?? []);
     }
     this.#place(app, spot);
-  }
-
-  /** Which wish stands in the way, where one does. @param {string} why */
-  #wayOut(why) {
-    return / more than \d+ faces$/.test(why) ? ` ${say("allow_more_faces", {wish: say("wish_max_faces"), more: say("more")})}` : "";
   }
 
   /** Beside the pointer, or, for who has none, beside the edge, with the focus on it. @param {App} app @param {Spot} spot */

@@ -21,7 +21,6 @@ Object.assign(texts, {
   tip: ["Click a fold to cut it, or a seam to join it; drag a piece to move it.", "Einen Falz anklicken, um dort zu schneiden, eine Naht, um zu verbinden; Teile lassen sich ziehen."],
   tip_touch: ["Tap a fold to cut it, a seam to join it, a piece to move it.", "Einen Falz antippen, um zu schneiden, eine Naht, um zu verbinden, ein Teil, um es zu bewegen."],
   open_wishes: ["Options", "Einstellungen"],
-  allow_more_faces: ["\"{wish}\", below {more}, may allow that.", "„{wish}“ unter „{more}“ kann das zulassen."],
   whole_piece: ["Piece {name} …", "Teil {name} …"],
   format_pdf: ["PDF to print", "PDF zum Drucken"],
   format_guide: ["PDF: how to build it", "PDF: Bauanleitung"],
@@ -203,7 +202,6 @@ export const refusals = [
   ["these nets are made without tabs", "diese Abwicklungen sind ohne Laschen"],
   ["only an edge that is glued has a tab", "eine Lasche hat nur eine Kante, die geklebt wird"],
   ["pieces {a} and {b} stay apart: joined they would be larger than the paper", "die Teile {a} und {b} bleiben getrennt: zusammen sind sie größer als das Papier"],
-  ["pieces {a} and {b} stay apart: joined they would have more than {n} faces", "die Teile {a} und {b} bleiben getrennt: zusammen hätten sie mehr als {n} Flächen"],
   ["pieces {a} and {b} stay apart: joined they wouldn't fold with all creases together", "die Teile {a} und {b} bleiben getrennt: zusammen ließen sie sich nicht mit allen Falzen zugleich falten"],
 ];
 

@@ -103,6 +103,23 @@ TEST_CASE("a face of a cube is cut off, and joined elsewhere", "[session]") {
   CHECK(ways > 1);
 }
 
+TEST_CASE("joined by hand, a piece may have more faces than a search would give it", "[session]") {
+  const Project start = session::open(cube(4));
+  REQUIRE(start.now.nets.pieces.size() == 2);
+  std::size_t ways = 0;
+  for (const Edge& cut : edges_used(start, unfold::EdgeUse::cut)) {
+    const session::Answer answer = session::apply(start, std::vector<Edit>{Join{cut}}, {});
+    if (const auto* const joined = std::get_if<Project>(&answer)) {
+      REQUIRE(joined->now.nets.pieces.size() == 1);
+      CHECK(done(*joined, {session::Retry{FaceId(0), 1}}).now.nets.pieces.size() == 1);
+      ++ways;
+    } else {
+      CHECK(std::get<session::Refusal>(answer).why.find("more than") == std::string::npos);
+    }
+  }
+  CHECK(ways > 0);
+}
+
 TEST_CASE("what can't be is refused with a sentence and a place", "[session]") {
   const Project start = session::open(cube());
   const Edge fold = edges_used(start, unfold::EdgeUse::fold).front();
