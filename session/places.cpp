@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/elementary.hpp"
+#include "export/nearest_place.hpp"
 #include "job/page_layout.hpp"
 #include "unfold/tabs/place/fit.hpp"
 
@@ -105,6 +106,18 @@ std::variant<paper::Pages, Refusal> Places::pages(const Context& context) const 
     return refusal_of(*none);
   }
   return std::get<paper::Pages>(std::move(pages));
+}
+
+std::optional<Place> place_near(const State& state, const Place& asked, double reach_mm) {
+  const paper::Placement held = placement_of(*state.nets, asked);
+  const auto found =
+      paper::nearest_place(*state.nets, *state.pages, state.nets->piece[asked.face], held, reach_mm);
+  if (!found) {
+    return std::nullopt;
+  }
+  Place place = asked;
+  place.at += found->shift - held.shift;
+  return place;
 }
 
 Refusal Places::refusal_of(const paper::NoPlace& none) const {

@@ -44,4 +44,8 @@ class Places {
   std::map<PieceId, std::size_t> laid_;  ///< by which edit
 };
 
+/// Where the piece of a place has room nearby, turned as asked, without moving another: the nearest such
+/// place, none within `reach_mm`. The state has pages, the face, and the page or the one before it.
+[[nodiscard]] std::optional<Place> place_near(const State& state, const Place& asked, double reach_mm);
+
 }  // namespace ridgecraft::session

@@ -6,6 +6,7 @@
 
 #include "job/old_nets.hpp"
 #include "session/draft.hpp"
+#include "session/places.hpp"
 #include "verify/file/file.hpp"
 
 namespace ridgecraft::session {
@@ -106,6 +107,22 @@ std::optional<Refusal> why_not(const Project& project, std::span<const Edit> edi
   std::variant<State, Refusal> after = draft.finish();
   auto* const refused = std::get_if<Refusal>(&after);
   return refused == nullptr ? std::nullopt : std::optional(std::move(*refused));
+}
+
+std::optional<Place> nearby_place(const Project& project, const Place& held, const Context& context) {
+  const State& state = project.state();
+  if (!state.pages || held.face.value() >= state.nets->piece.size() || held.page > state.pages->count) {
+    return std::nullopt;
+  }
+  std::optional<Place> found = place_near(state, held, nearby_mm);
+  if (found) {
+    const Edit edit = *found;
+    // Pinned, or among pieces of another colour.
+    if (why_not(project, {&edit, 1}, context)) {
+      return std::nullopt;
+    }
+  }
+  return found;
 }
 
 Project undo(const Project& project, const Context& context) {

@@ -69,6 +69,14 @@ struct Repeated {
 [[nodiscard]] std::optional<Refusal> why_not(const Project& project, std::span<const Edit> edits,
                                              const Context& context);
 
+/// Where a piece can be laid that somebody holds where apply() would refuse it, turned as it is held: the
+/// nearest place on its page where it lies on the sheet and keeps its distance to the others; none within
+/// nearby_mm. Takes the time of why_not().
+[[nodiscard]] std::optional<Place> nearby_place(const Project& project, const Place& held,
+                                                const Context& context);
+/// As far as anybody would take for what they meant.
+inline constexpr double nearby_mm = 15.0;
+
 /// The project one step back or forth, with the bytes that it had there; as it is where there is no such
 /// step. Takes the time of drawing; there is nothing to draw where undo comes back to the start.
 [[nodiscard]] Project undo(const Project& project, const Context& context);

@@ -183,8 +183,17 @@ void apply(const std::string& line) {
 
 void preview(const std::string& line) {
   Project& now = present();
-  const auto refusal = session::why_not(by_hand(now), one_step(line), context_of(now.job));
-  answer = (refusal ? refusal_json(*refusal) : nlohmann::json::object()).dump();
+  const std::vector<session::Edit> edits = one_step(line);
+  const Context context = context_of(now.job);
+  nlohmann::json told = nlohmann::json::object();
+  if (const auto refusal = session::why_not(by_hand(now), edits, context)) {
+    told = refusal_json(*refusal);
+    const auto* const place = edits.size() == 1 ? std::get_if<session::Place>(&edits.front()) : nullptr;
+    if (const auto nearby = place ? session::nearby_place(by_hand(now), *place, context) : std::nullopt) {
+      told["instead"] = {nearby->at.x, nearby->at.y};
+    }
+  }
+  answer = told.dump();
 }
 
 void undo() {
@@ -240,7 +249,8 @@ EMSCRIPTEN_KEEPALIVE int ridgecraft_apply(const char* line) {
   return cli::guarded([&] { cli::apply(line); });
 }
 
-/// Whether that would be refused; nothing changes.
+/// Whether that would be refused; nothing changes. Where one piece can't be laid there, "instead" is where it
+/// can be laid nearby.
 EMSCRIPTEN_KEEPALIVE int ridgecraft_preview(const char* line) {
   return cli::guarded([&] { cli::preview(line); });
 }

@@ -36,7 +36,7 @@ import {unpackedText} from "./packed.js";
  * @property {(edits: Edit[]) => Promise<State>} apply all of them, or none
  * @property {() => Promise<State>} undo
  * @property {() => Promise<State>} redo
- * @property {(edits: Edit[]) => Promise<{ok: boolean, why?: string, faces?: number[]}>} preview would they be refused, and which
+ * @property {(edits: Edit[]) => Promise<{ok: boolean, why?: string, faces?: number[], instead?: number[]}>} preview would they be refused, and which
  *   faces of the model are to be looked at
  * @property {(format: string) => Promise<Uint8Array>} export
  * @property {() => void} cancel

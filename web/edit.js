@@ -5,6 +5,7 @@ import {htmlElement} from "./guide.js";
 import {faceOfPiece, placeOfPiece} from "./hands.js";
 import {modelEnds} from "./nets.js";
 import {byId} from "./panel.js";
+import {svgElement} from "./sheets.js";
 import {sayRefusal} from "./studio_words.js";
 import {say} from "./words.js";
 
@@ -55,6 +56,19 @@ function editsOfPiece(nets, index, pinned, seed) {
     {edit: {kind: "retry", face, seed}, text: say("retry_piece")},
     {edit: {kind: "pin", face}, text: say("pin")},
   ];
+}
+
+/**
+ * Shows on the sheets what becomes of an edge, before the program has answered. The answer's own sheets come instead.
+ * @param {App} app
+ * @param {Edit} edit
+ * @returns {() => void} takes it back
+ */
+export function foretell({nets, plan}, edit) {
+  const layer = svgElement("g", {class: `foretold ${edit.kind}`}, plan.svg);
+  const ends = "edge" in edit ? edit.edge : [];
+  nets.edges.forEach((_, e) => modelEnds(nets, e).every((v) => ends.includes(v)) && svgElement("path", {d: plan.lineOf(e)}, layer));
+  return () => layer.remove();
 }
 
 /** What is offered at an edge: to cut a fold, to join what is cut, where its tab is to be; and what with a piece. */

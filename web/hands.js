@@ -55,11 +55,14 @@ export function placeOfPiece(nets, index, dx, dy, degrees, page = nets.pieces[in
 }
 
 /**
+ * Whether a piece can be laid where it is held; where not, `instead` may be where its place can be nearby, mm on the page.
+ * @typedef {{ok: boolean, instead?: number[]}} Room
+ *
  * @typedef {object} HandsListener
  * @property {() => Set<number>} chosen pieces, be it by an edge of theirs
  * @property {() => boolean} turns whether the piece that is chosen has a handle
  * @property {Set<number>} pinned pieces
- * @property {(edits: Edit[]) => Promise<boolean>} fits whether there is room
+ * @property {(edits: Edit[]) => Promise<Room>} fits whether there is room
  * @property {(edits: Edit[]) => Promise<void>} lay
  */
 
@@ -71,6 +74,7 @@ export function placeOfPiece(nets, index, dx, dy, degrees, page = nets.pieces[in
  * @property {{x: number, y: number}} from where the pointer took it, in the window
  * @property {boolean} moved
  * @property {Edit[]} edits that lay it as it is held
+ * @property {{edits: Edit[], room: Room} | null} told what was said of these, or of some before
  */
 
 export class Hands {
@@ -97,7 +101,7 @@ export class Hands {
     const chosen = this.listener.chosen();
     const from = {x: event.clientX, y: event.clientY};
     if (this.#onHandle(event)) {
-      this.held = {pieces: [...chosen], turns: true, from, moved: false, edits: []};
+      this.held = {pieces: [...chosen], turns: true, from, moved: false, edits: [], told: null};
       return true;
     }
     const spot = pick();
@@ -105,7 +109,7 @@ export class Hands {
       return false;
     }
     const pieces = chosen.has(spot.piece) ? [...chosen].filter((index) => !this.listener.pinned.has(index)) : [spot.piece];
-    this.held = {pieces, turns: false, from, moved: false, edits: []};
+    this.held = {pieces, turns: false, from, moved: false, edits: [], told: null};
     return true;
   }
 
@@ -160,21 +164,41 @@ export class Hands {
     return event.shiftKey ? turnStep * Math.round(degrees / turnStep) : degrees;
   }
 
-  /** Marks what is held while there is no room for it; one question at a time. */
+  /** Marks what is held while there is no room for it, or shows where it will lie; one question at a time. */
   async #ask() {
     if (this.asking) {
       return;
     }
     this.asking = true;
     for (let asked = null; this.held && this.held.edits !== asked;) {
-      asked = this.held.edits;
-      const fits = await this.listener.fits(asked);
-      this.held?.pieces.forEach((index) => this.plan.pieces[index].classList.toggle("no-room", !fits));
+      const {held} = this;
+      asked = held.edits;
+      const room = await this.listener.fits(asked);
+      held.told = {edits: asked, room};
+      if (held === this.held) {
+        held.pieces.forEach((index) => this.plan.pieces[index].classList.toggle("no-room", !room.ok && !room.instead));
+        this.#showLanding(held);
+      }
     }
     this.asking = false;
   }
 
-  /** Lets go; what finds no room goes back. */
+  /** The outline of what is held, where it will lie if that is elsewhere. @param {Held} held */
+  #showLanding({pieces, told}) {
+    this.layer.replaceChildren();
+    const [edit] = told?.edits ?? [];
+    const instead = told?.room.instead;
+    if (!instead || edit.kind !== "place") {
+      return;
+    }
+    const group = this.plan.pieces[pieces[0]];
+    const corner = this.plan.corners[this.plan.nets.pieces[pieces[0]].page];
+    const [x, y] = [corner.x + instead[0] - edit.at[0], corner.y - instead[1] + edit.at[1]];
+    svgElement("path", {class: "landing", d: group.querySelector(".faces")?.getAttribute("d") ?? "",
+      transform: `translate(${x} ${y}) ${group.getAttribute("transform") ?? ""}`}, this.layer);
+  }
+
+  /** Lets go; what finds no room lies nearby, or goes back. */
   async drop() {
     const {held} = this;
     this.held = null;
@@ -183,7 +207,8 @@ export class Hands {
       return;
     }
     this.plan.showNewPage(false);
-    await this.listener.lay(held.edits);
+    const {instead} = held.told?.edits === held.edits ? held.told.room : await this.listener.fits(held.edits);
+    await this.listener.lay(held.edits.map((edit) => (instead && edit.kind === "place" ? {...edit, at: instead} : edit)));
     this.#release(held);
   }
 

@@ -548,9 +548,19 @@ export class Plan {
   }
 
   /** @param {number} e */
-  #edgeBox(e) {
+  #endsOnPlan(e) {
     const {page} = this.nets.pieces[this.nets.edges[e].piece];
-    const [[ax, ay], [bx, by]] = this.drawer.ends(e).map(([x, y]) => this.#atPlan(page, x, y));
+    return this.drawer.ends(e).map(([x, y]) => this.#atPlan(page, x, y));
+  }
+
+  /** An edge as a path on the grid of pages. @param {number} e */
+  lineOf(e) {
+    return `M${this.#endsOnPlan(e).map((end) => end.join(" ")).join("L")}`;
+  }
+
+  /** @param {number} e */
+  #edgeBox(e) {
+    const [[ax, ay], [bx, by]] = this.#endsOnPlan(e);
     return [Math.min(ax, bx), Math.min(ay, by), Math.max(ax, bx), Math.max(ay, by)];
   }
 
@@ -583,9 +593,8 @@ export class Plan {
     /** @type {number[][]} */
     const middles = [];
     for (const e of edges) {
-      const {page} = this.nets.pieces[this.nets.edges[e].piece];
-      const [[ax, ay], [bx, by]] = this.drawer.ends(e).map(([x, y]) => this.#atPlan(page, x, y));
-      svgElement("path", {class: "mark", d: `M${ax} ${ay}L${bx} ${by}`}, this.marks);
+      const [[ax, ay], [bx, by]] = this.#endsOnPlan(e);
+      svgElement("path", {class: "mark", d: this.lineOf(e)}, this.marks);
       middles.push([0.5 * (ax + bx), 0.5 * (ay + by)]);
     }
     this.hands?.draw();

@@ -3,7 +3,7 @@
 // what is told of the work; the result itself is the app's.
 
 import {App} from "./app.js";
-import {Offer} from "./edit.js";
+import {foretell, Offer} from "./edit.js";
 import {htmlElement} from "./guide.js";
 import {faceOfPiece, Hands, piecesWith, placeOfPiece} from "./hands.js";
 import {byId, Menu, sayAll} from "./panel.js";
@@ -241,7 +241,9 @@ export class Studio {
     }
     this.editing = true;
     this.offer.hide();
+    const takeBack = edit && this.app ? foretell(this.app, edit) : () => {};
     await this.run(work, this.options, this.app?.view() ?? null);
+    takeBack();
     this.editing = false;
     if (edit && this.app && this.error === "") {
       if ("edge" in edit) {
@@ -316,7 +318,7 @@ export class Studio {
       chosen: () => app.chosen,
       turns: () => app.chosenEdge < 0,
       pinned: this.#pinned(),
-      fits: (edits) => this.backend.preview(edits).then(({ok}) => ok, () => false),
+      fits: (edits) => this.backend.preview(edits).catch(() => ({ok: false})),
       lay: (edits) => this.layAndChoose(edits, edits.flatMap((edit) => ("face" in edit ? [edit.face] : []))),
     });
     app.plan.say();

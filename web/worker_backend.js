@@ -146,11 +146,11 @@ export class WorkerBackend {
     return this.#change({call: "apply", line}, ({steps, undone}) => ({steps: [...steps, ...undone.slice(-1)], undone: undone.slice(0, -1)}));
   }
 
-  /** @param {import("./backend.js").Edit[]} edits @returns {Promise<{ok: boolean, why?: string, faces?: number[]}>} */
+  /** @param {import("./backend.js").Edit[]} edits @returns {Promise<{ok: boolean, why?: string, faces?: number[], instead?: number[]}>} */
   async preview(edits) {
     await this.#remade();
-    const {refused} = await this.#call({call: "preview", line: lineOf(edits)});
-    return refused ? {ok: false, why: refused.why, faces: refused.faces} : {ok: true};
+    const {refused, instead} = await this.#call({call: "preview", line: lineOf(edits)});
+    return refused ? {ok: false, why: refused.why, faces: refused.faces, instead} : {ok: true};
   }
 
   /** @param {string} format @returns {Promise<Uint8Array>} */

@@ -191,6 +191,40 @@ TEST_CASE("a place without room is refused with both pieces", "[session]") {
         "nets without pages have no places");
 }
 
+TEST_CASE("a piece that is held nearly where it has room can be laid there", "[session]") {
+  const Project start = two_pieces();
+  Random random(1);
+  std::size_t elsewhere = 0;
+  std::size_t nowhere = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Vec2 by{60.0 * random.unit() - 30.0, 60.0 * random.unit() - 30.0};
+    const Place held = moved(start, PieceId(1), by, 90.0 * random.unit());
+    const bool has_room = !session::why_not(start, std::vector<Edit>{held}, {});
+    const std::optional<Place> found = session::nearby_place(start, held, {});
+    if (!found) {
+      CHECK_FALSE(has_room);
+      ++nowhere;
+      continue;
+    }
+    CHECK_FALSE(session::why_not(start, std::vector<Edit>{*found}, {}));
+    CHECK(found->page == held.page);
+    CHECK(found->degrees == held.degrees);
+    CHECK(length(found->at - held.at) <= session::nearby_mm + 1e-9);
+    CHECK(has_room == (length(found->at - held.at) < 1e-9));
+    elsewhere += has_room ? 0U : 1U;
+  }
+  CHECK(elsewhere > 0);
+  CHECK(nowhere > 0);
+  CHECK_FALSE(session::nearby_place(start, moved(start, PieceId(1), {500.0, 0.0}), {}));
+  const Project pinned = done(start, {Pin{start.now.nets.pieces[PieceId(1)].faces.front()}});
+  CHECK_FALSE(session::nearby_place(pinned, moved(pinned, PieceId(1), {1.0, 0.0}), {}));
+  Place far = moved(start, PieceId(1), {});
+  far.page = 2;
+  CHECK_FALSE(session::nearby_place(start, far, {}));
+  far.page = 1;
+  CHECK(session::nearby_place(start, far, {}));
+}
+
 TEST_CASE("a pinned piece stays as it is", "[session]") {
   const Project start = two_pieces();
   const PieceId large = PieceId(faces_of(start, PieceId(0)) > faces_of(start, PieceId(1)) ? 0 : 1);

@@ -19,7 +19,8 @@ mkdirSync(out, {recursive: true});
 const faults = [];
 const check = (holds, words) => holds || faults.push(words);
 
-/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page. */
+/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page; what is held below
+ * it finds room 20 mm above its foot. */
 function play(fold, sheets) {
   let pinned = [];
   self.onmessage = ({data}) => {
@@ -28,11 +29,13 @@ function play(fold, sheets) {
       postMessage({note: `${data.call}: ${data.line}`});
     }
     const refused = /^place \d+ \d+ -/.test(data.line ?? "") ? {edit: 0, why: "piece A would leave the part of the page that is for pieces", faces: [0]} : null;
+    const below = /^place \d+ \d+ (\d[\d.]*) -/.exec(data.line ?? "");
+    const nearby = {refused: {edit: 0, why: "no room", faces: [0]}, instead: below && [Number(below[1]), 20]};
     if (data.call === "apply" && /^(un)?pin /.test(data.line)) {
       pinned = data.line.startsWith("pin") ? [Number(data.line.split(" ")[1])] : [];
       told.pinned = pinned;
     }
-    postMessage(data.call === "start" ? {id: data.id} : refused ? {id: data.id, refused} : data.call === "preview" ? {id: data.id} : {id: data.id, ...told});
+    postMessage(data.call === "start" ? {id: data.id} : below && data.call === "preview" ? {id: data.id, ...nearby} : refused ? {id: data.id, refused} : data.call === "preview" ? {id: data.id} : {id: data.id, ...told});
   };
 }
 
@@ -135,6 +138,13 @@ async function byMouse() {
   const refused = await drag(-700, 0, async () => page.waitForSelector(".no-room", {timeout: 5000}).catch(() => faults.push("what has no room isn't marked")));
   check(/^Teil A läge außerhalb/.test(refused.error), `a refusal says "${refused.error}"`);
   check(await page.locator("[data-piece][transform]").count() === 0 && await page.locator(".no-room").count() === 0, "what is refused doesn't go back");
+
+  // Where it would find room nearby, that is shown, and it is laid there.
+  await page.keyboard.press("Escape");
+  await drag(0, 700, async () => page.waitForSelector(".landing", {timeout: 5000}).catch(() => faults.push("where a piece will lie isn't shown")));
+  const landed = numbers((await lines("apply")).at(-1) ?? "");
+  check(landed[3] === 20 && Math.abs(landed[2] - a[2] + 60 / scale) < 0.05, `a piece without room is laid at ${landed}, and not nearby`);
+  check(await page.locator(".landing, [data-piece][transform], .no-room").count() === 0, "where a piece was to lie stays shown");
 
   // A click offers what can be done.
   await page.keyboard.press("Escape");
