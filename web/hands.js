@@ -194,8 +194,10 @@ export class Hands {
     const group = this.plan.pieces[pieces[0]];
     const corner = this.plan.corners[this.plan.nets.pieces[pieces[0]].page];
     const [x, y] = [corner.x + instead[0] - edit.at[0], corner.y - instead[1] + edit.at[1]];
-    svgElement("path", {class: "landing", d: group.querySelector(".faces")?.getAttribute("d") ?? "",
-      transform: `translate(${x} ${y}) ${group.getAttribute("transform") ?? ""}`}, this.layer);
+    const outline = svgElement("g", {class: "landing", transform: `translate(${x} ${y}) ${group.getAttribute("transform") ?? ""}`}, this.layer);
+    for (const part of ["faces", "cut"]) {
+      svgElement("path", {class: `landing-${part}`, d: group.querySelector(`.${part}`)?.getAttribute("d") ?? ""}, outline);
+    }
   }
 
   /** Lets go; what finds no room lies nearby, or goes back. */

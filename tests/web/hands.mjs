@@ -19,8 +19,8 @@ mkdirSync(out, {recursive: true});
 const faults = [];
 const check = (holds, words) => holds || faults.push(words);
 
-/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page; what is held below
- * it finds room 20 mm above its foot. */
+/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page; what is held above
+ * it, which is A4, finds room 20 mm above its foot. */
 function play(fold, sheets) {
   let pinned = [];
   self.onmessage = ({data}) => {
@@ -29,13 +29,14 @@ function play(fold, sheets) {
       postMessage({note: `${data.call}: ${data.line}`});
     }
     const refused = /^place \d+ \d+ -/.test(data.line ?? "") ? {edit: 0, why: "piece A would leave the part of the page that is for pieces", faces: [0]} : null;
-    const below = /^place \d+ \d+ (\d[\d.]*) -/.exec(data.line ?? "");
-    const nearby = {refused: {edit: 0, why: "no room", faces: [0]}, instead: below && [Number(below[1]), 20]};
+    const [verb, , , x, y] = (data.line ?? "").split(" ");
+    const above = verb === "place" && Number(y) > 297 && data.call === "preview";
+    const nearby = {refused: {edit: 0, why: "no room", faces: [0]}, instead: [Number(x), 20]};
     if (data.call === "apply" && /^(un)?pin /.test(data.line)) {
       pinned = data.line.startsWith("pin") ? [Number(data.line.split(" ")[1])] : [];
       told.pinned = pinned;
     }
-    postMessage(data.call === "start" ? {id: data.id} : below && data.call === "preview" ? {id: data.id, ...nearby} : refused ? {id: data.id, refused} : data.call === "preview" ? {id: data.id} : {id: data.id, ...told});
+    postMessage(data.call === "start" ? {id: data.id} : above ? {id: data.id, ...nearby} : refused ? {id: data.id, refused} : data.call === "preview" ? {id: data.id} : {id: data.id, ...told});
   };
 }
 
@@ -141,7 +142,7 @@ async function byMouse() {
 
   // Where it would find room nearby, that is shown, and it is laid there.
   await page.keyboard.press("Escape");
-  await drag(0, 700, async () => page.waitForSelector(".landing", {timeout: 5000}).catch(() => faults.push("where a piece will lie isn't shown")));
+  await drag(0, -560, async () => page.waitForSelector(".landing", {timeout: 5000}).catch(() => faults.push("where a piece will lie isn't shown")));
   const landed = numbers((await lines("apply")).at(-1) ?? "");
   check(landed[3] === 20 && Math.abs(landed[2] - a[2] + 60 / scale) < 0.05, `a piece without room is laid at ${landed}, and not nearby`);
   check(await page.locator(".landing, [data-piece][transform], .no-room").count() === 0, "where a piece was to lie stays shown");

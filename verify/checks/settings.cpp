@@ -7,7 +7,9 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -159,10 +161,18 @@ class Contradictions {
     }
   }
 
+  /// Whether pieces were joined by hand, which may give one any number of faces.
+  [[nodiscard]] bool joined_by_hand() const {
+    const Setting* const edits = settings_.find("edits");
+    const auto* const text = edits == nullptr ? nullptr : std::get_if<std::string>(edits);
+    return text != nullptr && text->find("join ") != std::string::npos;
+  }
+
   /// Flat regions of a piece can't be more than its plates: what lies in one region is folded by less.
   void check_faces() {
     const auto most = static_cast<Index>(std::min(settings_.number("max_faces").value_or(0.0), 4e9));
-    if (most == 0 || settings_.find("keep") != nullptr || settings_.find("from") != nullptr) {
+    if (most == 0 || settings_.find("keep") != nullptr || settings_.find("from") != nullptr ||
+        joined_by_hand()) {
       return;
     }
     const Plates plates = find_plates(file_, given_.relations, flat_region_fold_deg);
