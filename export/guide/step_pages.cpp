@@ -74,7 +74,8 @@ constexpr double least_apart_share = 0.03;
 struct StepScene {
   Scene scene;
   Camera camera;
-  std::string_view turned;  ///< how it is seen, where that isn't as in the step before
+  std::string_view turned;  ///< how it is seen, where that isn't as on the first page, or was another way in
+                            ///< the step before
 };
 
 class StepPages {
@@ -179,7 +180,8 @@ class StepPages {
       }
       StepScene step{scene_with(guide_.scene, *guide_.nets, shown), {}, {}};
       const std::size_t before = std::exchange(side, best_side(i, step.scene, side));
-      if (side != before) {
+      // Who looks up one step wants to know which side it shows.
+      if (side != before || side != 0) {
         step.turned = guide_sides()[side].words;
       }
       step.camera = look_from(guide_.shown, guide_sides()[side].azimuth, guide_sides()[side].elevation);

@@ -106,7 +106,8 @@ void add_places_of_bodies(const unfold::Nets& nets, const Assembly& assembly, st
   }
 }
 
-/// Of the step's edges those that take a steady hand: "Hard: 12-14 (below 6 mm), 31 (no tab)."
+/// Of the step's edges those that take a steady hand: "Hard: 12-14 (below 6 mm), 31 (no tab: glue a strip
+/// behind)."
 void add_hard_edges(const mesh::Surface& surface, const unfold::Nets& nets, const AssemblyStep& step,
                     std::vector<std::string>& sentences) {
   std::vector<std::uint32_t> without_tab;
@@ -130,7 +131,7 @@ void add_hard_edges(const mesh::Surface& surface, const unfold::Nets& nets, cons
     }
   };
   add(with_short_tab, fmt::format("below {:g} mm", short_edge_mm));
-  add(without_tab, "no tab");
+  add(without_tab, "no tab: glue a strip behind");
   if (!words.empty()) {
     sentences.push_back(words + ".");
   }
