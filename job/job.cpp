@@ -338,7 +338,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
       options.strict && !why.empty()) {
     throw Error(ErrorKind::unbuildable, why);
   }
-  made.slivers = prepare::count_narrow_faces(surface, made.prepared.panels, sliver_mm);
+  made.slivers = prepare::count_slivers(surface, made.prepared.panels);
   if (options.paper) {
     tell(listener, many_bodies(surface));
     tell(listener, short_folds(made.prepared, options.style.hidden_fold_angle));

@@ -51,7 +51,7 @@ struct Paper {
   prepare::ReadyReport ready;     ///< of bodies before they were united
   prepare::SkinReport skin;       ///< of uniting them
   prepare::Prepared prepared;
-  std::size_t slivers = 0;        ///< faces of it thinner than sliver_mm
+  std::size_t slivers = 0;        ///< faces of it (prepare::count_slivers)
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions
   std::size_t part_count = 0;
   /// The deadline left no time to find parts, so each component is one; whoever set it says so.

@@ -276,7 +276,7 @@ std::vector<PieceId> pieces_with_slivers(const job::Paper& made) {
   const prepare::Prepared& prepared = made.prepared;
   std::set<PieceId> found;
   for (const PanelId p : ids<PanelId>(prepared.panels.count())) {
-    if (prepare::is_narrow(prepared.model.surface, prepared.panels, p, job::sliver_mm)) {
+    if (prepare::is_sliver(prepared.model.surface, prepared.panels, p)) {
       for (const FaceId f : prepared.panels.faces[p]) {
         found.insert(made.nets.piece[f]);
       }

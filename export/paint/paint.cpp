@@ -22,9 +22,10 @@ constexpr double pale_share = 0.35;
 constexpr mesh::Rgb white_ground{255, 255, 255};
 /// The relative luminance (WCAG 2) on which black and the light tone are seen equally well: 4.2 : 1.
 constexpr double middle_light = 0.16;
-/// The thin strokes of numbers take more than the 4.5 : 1 of WCAG 2 for body text. Where neither black nor
-/// the light tone stands out by as much, they are black with a halo of the light tone: 17 : 1.
-constexpr double text_contrast = 6.0;
+/// Thin black strokes take more than the 4.5 : 1 of WCAG 2 for body text; light ones look broader than they
+/// are. Where neither stands out by as much, they are black with a halo of the light tone: 17 : 1.
+constexpr double black_contrast = 6.0;
+constexpr double light_contrast = 4.5;
 /// Of the light tone that lines and texts have on dark ground.
 constexpr double light_of_tone = 0.84;
 /// On both sides of a line its ground is looked at so far away, mm, ...
@@ -61,8 +62,8 @@ struct Ground {
   void add_for_text(double luminance) {
     constexpr double flare = 0.05;  // WCAG's share of light that every screen and sheet reflects
     add(luminance);
-    const bool black_is_seen = luminance + flare >= text_contrast * flare;
-    const bool light_is_seen = light_of_tone + flare >= text_contrast * (luminance + flare);
+    const bool black_is_seen = luminance + flare >= black_contrast * flare;
+    const bool light_is_seen = light_of_tone + flare >= light_contrast * (luminance + flare);
     if (!black_is_seen && !light_is_seen) {
       dark = light = true;
     }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace ridgecraft::paper {
 namespace {
@@ -24,6 +26,13 @@ constexpr double better = 0.15;
 constexpr double foot_share = 0.1;
 /// ... and no nearer to its sides than this share of its extents.
 constexpr double middle_share = 0.25;
+/// Corners are mirrored where an image lies this near to one, as a share of the extent; so many are looked
+/// at.
+constexpr double same_corner = 1e-4;
+constexpr std::size_t most_mirrored = 2000;
+/// Sides are alike where this share of the corners is mirrored, and unlike below the other one.
+constexpr double sides_alike = 0.98;
+constexpr double sides_unlike = 0.5;
 /// Against what is usual for the format it takes so much more.
 constexpr double much_better = 0.6;
 
@@ -80,6 +89,58 @@ bool stands_at_origin(const mesh::Surface& surface, mesh::Axis axis) {
   });
 }
 
+/// Of some corners the share whose mirror images across the middle of the box along an axis are corners, too.
+double mirrored_share(const mesh::Surface& surface, mesh::Axis axis) {
+  const Box3& box = surface.bounds();
+  const double near = same_corner * box.largest_extent();
+  if (near <= 0.0) {
+    return 0.0;
+  }
+  const double middle = coordinate(box.low, axis) + coordinate(box.high, axis);
+  const auto cell = [&](Vec3 p) {
+    return std::array{std::llround(p.x / near), std::llround(p.y / near), std::llround(p.z / near)};
+  };
+  std::vector<std::array<long long, 3>> corners;
+  for (const Vec3 p : surface.points()) {
+    corners.push_back(cell(p));
+  }
+  std::sort(corners.begin(), corners.end());
+  const auto is_near_corner = [&](const std::array<long long, 3>& at) {
+    for (long long x = at[0] - 1; x <= at[0] + 1; ++x) {
+      for (long long y = at[1] - 1; y <= at[1] + 1; ++y) {
+        const auto found = std::lower_bound(corners.begin(), corners.end(), std::array{x, y, at[2] - 1});
+        if (found != corners.end() && (*found)[0] == x && (*found)[1] == y && (*found)[2] <= at[2] + 1) {
+          return true;
+        }
+      }
+    }
+    return false;
+  };
+  const std::size_t step = std::max<std::size_t>(1, surface.vertex_count() / most_mirrored);
+  std::size_t tried = 0;
+  std::size_t mirrored = 0;
+  for (std::size_t i = 0; i < surface.vertex_count(); i += step) {
+    Vec3 p = surface.points()[i];
+    double& along = axis == mesh::Axis::x ? p.x : axis == mesh::Axis::y ? p.y : p.z;
+    along = middle - along;
+    ++tried;
+    mirrored += is_near_corner(cell(p)) ? 1U : 0U;
+  }
+  return tried > 0 ? static_cast<double>(mirrored) / static_cast<double>(tried) : 0.0;
+}
+
+/// What has a left and a right side, which are mirror images, and nothing else that is mirrored: its sides
+/// aren't its top and its bottom.
+bool is_left_and_right(const mesh::Surface& surface, mesh::Axis axis) {
+  for (const mesh::Axis a : {mesh::Axis::x, mesh::Axis::y, mesh::Axis::z}) {
+    const double share = mirrored_share(surface, a);
+    if (a == axis ? share < sides_alike : share > sides_unlike) {
+      return false;
+    }
+  }
+  return true;
+}
+
 mesh::Axis usual_up(mesh::FileFormat format) {
   switch (format) {
     case mesh::FileFormat::stl_ascii:
@@ -109,6 +170,11 @@ mesh::Axis up_axis_of(const mesh::Model& model) {
   }
   if (on_usual > on_other + better) {
     return usual;
+  }
+  for (const mesh::Axis axis : {usual, other}) {
+    if (is_left_and_right(model.surface, axis)) {
+      return axis == usual ? other : usual;
+    }
   }
   for (const mesh::Axis axis : {usual, other}) {
     if (stands_at_origin(model.surface, axis)) {

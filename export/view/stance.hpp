@@ -10,8 +10,9 @@ namespace ridgecraft::paper {
 /// The axis that points up is what the file says. Where it says nothing, it is y or z: what is usual for the
 /// format (z for STL, PLY, OFF and 3MF, else y) where the model stands better on it than on the other (on
 /// flat ground, or feet that are far apart); the other where it stands much better on that; or else the one
-/// at whose foot the origin lies, in the middle of the model; or else the one along which it is clearly
-/// shorter, or what is usual. O(faces).
+/// across which it isn't mirrored, if it is across the other one and no further one: what has two sides alike
+/// has them left and right; or else the one at whose foot the origin lies, in the middle of the model; or
+/// else the one along which it is clearly shorter, or what is usual. O(n log n).
 [[nodiscard]] mesh::Axis up_axis_of(const mesh::Model& model);
 
 /// That axis, and the front, which looks along z where y is up and against y where z is, as modelling

@@ -29,6 +29,14 @@ bool is_narrow(const mesh::Surface& surface, const Panels& panels, PanelId panel
   return highest < width && area < width * longest;
 }
 
+bool is_sliver(const mesh::Surface& surface, const Panels& panels, PanelId panel) {
+  return is_narrow(surface, panels, panel, sliver_mm) && !is_narrow(surface, panels, panel, narrow_mm);
+}
+
+std::size_t count_slivers(const mesh::Surface& surface, const Panels& panels) {
+  return count_narrow_faces(surface, panels, sliver_mm) - count_narrow_faces(surface, panels, narrow_mm);
+}
+
 std::size_t count_narrow_faces(const mesh::Surface& surface, const Panels& panels, double width) {
   std::size_t narrow = 0;
   for (const PanelId p : ids<PanelId>(panels.count())) {

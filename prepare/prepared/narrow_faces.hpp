@@ -19,6 +19,13 @@ inline constexpr double nothing_mm = 0.005;
 /// Whether a panel is nowhere as wide as `width`, mm. O(its faces).
 [[nodiscard]] bool is_narrow(const mesh::Surface& surface, const Panels& panels, PanelId panel, double width);
 
+/// Whether a panel is narrower than sliver_mm, and yet not so narrow that it is part of the face beside it on
+/// paper. O(its faces).
+[[nodiscard]] bool is_sliver(const mesh::Surface& surface, const Panels& panels, PanelId panel);
+
+/// Faces whose panel is a sliver.
+[[nodiscard]] std::size_t count_slivers(const mesh::Surface& surface, const Panels& panels);
+
 /// Faces whose panel is nowhere as wide as `width`.
 [[nodiscard]] std::size_t count_narrow_faces(const mesh::Surface& surface, const Panels& panels,
                                              double width);

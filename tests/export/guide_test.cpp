@@ -331,6 +331,19 @@ TEST_CASE("a model stands as its file says, or on its feet", "[guide]") {
     });
     return paper::stance_of(model_of_plant).up;
   };
+  // A head whose left and right sides are mirror images across z, in a format in which z is usual.
+  mesh::Model head;
+  head.format = mesh::FileFormat::stl_ascii;
+  const auto headlike = [](Vec3 p) {
+    return Vec3{p.x + 0.4 * p.y * p.y + 5.0, 1.1 * p.y + 0.3 * p.x * p.x * p.y + 0.2 * p.x, 0.95 * p.z};
+  };
+  head.surface = test::mapped(test::sphere(24, 13), headlike);
+  CHECK(paper::stance_of(head).up == Vec3{0.0, 1.0, 0.0});
+  // Where its sides aren't alike nothing tells.
+  head.surface = test::mapped(test::sphere(24, 13), [&](Vec3 p) {
+    return headlike({p.x, p.y, p.z + 0.1 * p.z * p.z});
+  });
+  CHECK(paper::stance_of(head).up == Vec3{0.0, 0.0, 1.0});
   CHECK(plant(3.0) == Vec3{0.0, 1.0, 0.0});
   CHECK(plant(0.0) == Vec3{0.0, 0.0, 1.0});
 }
