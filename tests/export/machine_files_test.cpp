@@ -70,6 +70,38 @@ bool runs(const std::string& command) {
   return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
 }
 
+/// The dots of an uncompressed TIFF of one grey byte a dot, little-endian, row by row.
+std::string tiff_dots(const std::filesystem::path& file) {
+  const std::string bytes = test::read_bytes(file);
+  const auto number = [&](std::size_t at, std::size_t size) {
+    std::size_t value = 0;
+    for (std::size_t i = size; i-- > 0;) {
+      value = 256 * value + static_cast<unsigned char>(bytes.at(at + i));
+    }
+    return value;
+  };
+  std::vector<std::size_t> offsets;
+  std::vector<std::size_t> sizes;
+  const std::size_t directory = number(4, 4);
+  for (std::size_t entry = 0; entry < number(directory, 2); ++entry) {
+    const std::size_t at = directory + 2 + 12 * entry;
+    const std::size_t tag = number(at, 2);
+    if (tag == 273 || tag == 279) {  // where strips begin, and how long they are
+      const std::size_t width = number(at + 2, 2) == 3 ? 2 : 4;
+      const std::size_t count = number(at + 4, 4);
+      const std::size_t values = count * width <= 4 ? at + 8 : number(at + 8, 4);
+      for (std::size_t i = 0; i < count; ++i) {
+        (tag == 273 ? offsets : sizes).push_back(number(values + i * width, width));
+      }
+    }
+  }
+  std::string dots;
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    dots += bytes.substr(offsets[i], sizes.at(i));
+  }
+  return dots;
+}
+
 }  // namespace
 
 TEST_CASE("an outline with bridges is cut but for them, on tabs before other places and off corners") {
@@ -330,8 +362,9 @@ TEST_CASE("a packaging PDF has an ink for each step, and they overprint") {
     WARN("Ghostscript isn't installed: separations aren't made");
     return;
   }
-  REQUIRE(runs("gs -dBATCH -dNOPAUSE -dFirstPage=1 -dLastPage=1 -r72 -sDEVICE=tiffsep -o " +
-               (folder.path() / "plate.tif").string() + " " + file.string()));
+  REQUIRE(
+      runs("gs -dBATCH -dNOPAUSE -dFirstPage=1 -dLastPage=1 -r72 -sDEVICE=tiffsep -sCompression=none -o " +
+           (folder.path() / "plate.tif").string() + " " + file.string()));
   std::set<std::string> plates;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     plates.insert(entry.path().filename().string());
@@ -340,6 +373,27 @@ TEST_CASE("a packaging PDF has an ink for each step, and they overprint") {
     CAPTURE(ink);
     CHECK(std::ranges::any_of(
         plates, [&](const std::string& plate) { return plate.find(ink) != std::string::npos; }));
+  }
+  // What is cut or creased is printed in none of the inks of pictures.
+  const auto plate = [&](const std::string& ink) {
+    return tiff_dots(folder.path() / ("plate(" + ink + ").tif"));
+  };
+  constexpr unsigned char no_ink = 255;
+  const std::string cut = plate("Die_Cut");
+  const std::string crease = plate("Crease");
+  CHECK(std::ranges::any_of(cut, [](char dot) { return static_cast<unsigned char>(dot) != no_ink; }));
+  for (const char* ink : {"Cyan", "Magenta", "Yellow", "Black"}) {
+    CAPTURE(ink);
+    const std::string dots = plate(ink);
+    REQUIRE(dots.size() == cut.size());
+    REQUIRE(dots.size() == crease.size());
+    std::size_t on_lines = 0;
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+      const bool line =
+          static_cast<unsigned char>(cut[i]) != no_ink || static_cast<unsigned char>(crease[i]) != no_ink;
+      on_lines += line && static_cast<unsigned char>(dots[i]) != no_ink ? 1U : 0U;
+    }
+    CHECK(on_lines == 0);
   }
 }
 
