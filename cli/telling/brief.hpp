@@ -21,7 +21,7 @@ namespace ridgecraft::cli {
 
 void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result);
 
-/// Pieces with faces that are thinner than job::sliver_mm.
+/// Pieces with slivers (prepare::is_sliver).
 [[nodiscard]] std::vector<PieceId> pieces_with_slivers(const job::Paper& made);
 
 /// That simplification moved a model with these bounds (mm) so far that it is seen

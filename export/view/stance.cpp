@@ -98,7 +98,8 @@ double mirrored_share(const mesh::Surface& surface, mesh::Axis axis) {
   }
   const double middle = coordinate(box.low, axis) + coordinate(box.high, axis);
   const auto cell = [&](Vec3 p) {
-    return std::array{std::llround(p.x / near), std::llround(p.y / near), std::llround(p.z / near)};
+    const Vec3 q = (p - box.low) / near;
+    return std::array{std::llround(q.x), std::llround(q.y), std::llround(q.z)};
   };
   std::vector<std::array<long long, 3>> corners;
   for (const Vec3 p : surface.points()) {
@@ -130,8 +131,13 @@ double mirrored_share(const mesh::Surface& surface, mesh::Axis axis) {
 }
 
 /// What has a left and a right side, which are mirror images, and nothing else that is mirrored: its sides
-/// aren't its top and its bottom.
+/// aren't its top and its bottom. But those of a plate may be.
 bool is_left_and_right(const mesh::Surface& surface, mesh::Axis axis) {
+  const Vec3 size = surface.bounds().size();
+  const double other = axis == mesh::Axis::y ? std::min(size.x, size.z) : std::min(size.x, size.y);
+  if (coordinate(size, axis) < longer_share * other) {
+    return false;
+  }
   for (const mesh::Axis a : {mesh::Axis::x, mesh::Axis::y, mesh::Axis::z}) {
     const double share = mirrored_share(surface, a);
     if (a == axis ? share < sides_alike : share > sides_unlike) {

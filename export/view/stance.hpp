@@ -16,7 +16,7 @@ namespace ridgecraft::paper {
 [[nodiscard]] mesh::Axis up_axis_of(const mesh::Model& model);
 
 /// That axis, and the front, which looks along z where y is up and against y where z is, as modelling
-/// programs have it. O(faces).
+/// programs have it. O(n log n).
 [[nodiscard]] Stance stance_of(const mesh::Model& model);
 /// The same where it is known which axis points up.
 [[nodiscard]] Stance stance_of(mesh::Axis up);

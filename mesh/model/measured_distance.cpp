@@ -14,24 +14,27 @@ namespace {
 /// What could still be added to the distance, as a share of it, and as one of the samples' spacing.
 constexpr double close_enough = 0.01;
 constexpr double close_enough_to_nothing = 0.005;
-/// Places that are looked at each way.
-constexpr std::size_t most_places = 20000;
+/// Parts that are divided each way.
+constexpr std::size_t most_divided = 20000;
+/// Between looks whether the work is to stop.
+constexpr std::size_t often = 4096;
 
 /// A part of a face, and how far from the other surface its points may be at most.
 struct Part {
   std::array<Vec3, 3> corners;
   double bound = 0.0;
+  std::size_t number = 0;  ///< the first of equal bounds goes first, with every standard library
 };
 
 bool is_lower(const Part& a, const Part& b) {
-  return a.bound < b.bound;
+  return std::pair(a.bound, b.number) < std::pair(b.bound, a.number);
 }
 
 /// One way. `greatest`: what is known already.
 class Search {
  public:
-  Search(const SurfaceTree& from, const SurfaceTree& to, double& greatest)
-      : to_(to), spacing_(from.spacing()), greatest_(greatest) {
+  Search(const SurfaceTree& from, const SurfaceTree& to, double& greatest, const Context& context)
+      : to_(to), spacing_(from.spacing()), greatest_(greatest), context_(context) {
     const Surface& surface = from.surface();
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       const auto [a, b, c] = surface.vertices(f);
@@ -43,11 +46,8 @@ class Search {
     }
   }
 
-  void run(const Context& context) {
-    for (std::size_t places = 0; !parts_.empty() && places < most_places; ++places) {
-      if (places % 4096 == 0) {
-        context.check();
-      }
+  void run() {
+    for (std::size_t divided = 0; !parts_.empty() && divided < most_divided; ++divided) {
       std::pop_heap(parts_.begin(), parts_.end(), is_lower);
       const Part part = parts_.back();
       parts_.pop_back();
@@ -92,6 +92,9 @@ class Search {
   /// Looks how far its centre is; no point is farther by more than its way to the centre, and none is farther
   /// from the face that is nearest there, which is convex, than the farthest corner is.
   void add(const std::array<Vec3, 3>& corners) {
+    if (++places_ % often == 0) {
+      context_.check();
+    }
     const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
     FaceId nearest;
     const double distance = to_.distance(centre, 0.0, nearest);
@@ -107,7 +110,7 @@ class Search {
     }
     const double bound = std::min(distance + radius, from_face);
     if (matters(bound)) {
-      parts_.push_back({corners, bound});
+      parts_.push_back({corners, bound, places_});
       std::push_heap(parts_.begin(), parts_.end(), is_lower);
     }
   }
@@ -115,6 +118,8 @@ class Search {
   const SurfaceTree& to_;
   double spacing_;
   double& greatest_;
+  const Context& context_;
+  std::size_t places_ = 0;   ///< that were looked at
   std::vector<Part> parts_;  ///< a heap
 };
 
@@ -123,7 +128,7 @@ class Search {
 double measured_distance(const SurfaceTree& a, const SurfaceTree& b, const Context& context) {
   double greatest = greatest_distance(a, b, INFINITY, context);
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-    Search(*from, *to, greatest).run(context);
+    Search(*from, *to, greatest, context).run();
   }
   return greatest;
 }

@@ -66,11 +66,12 @@ std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within, const
     if (has_turned(model)) {
       mesh::Model changed = model;
       dense.turned = simplify_turned(changed, options, largest_mm, context);
-      if (dense.turned > 0) {
-        dense.surface = std::move(model.surface);
-        model = std::move(changed);
-        return dense;
+      if (dense.turned == 0) {
+        return std::nullopt;
       }
+      dense.surface = std::move(model.surface);
+      model = std::move(changed);
+      return dense;
     }
     const mesh::LooseFaces all = mesh::take_apart(model);
     const SymmetricShare share = symmetric_share(model, symmetric_within, context);

@@ -22,10 +22,10 @@ struct Dense {
 /// may go without care. Linear.
 [[nodiscard]] bool is_dense(const mesh::Surface& surface, const SimplifyOptions& options);
 
-/// Where a dense model has turned bodies, these get fewer sides (features/turned.hpp). Else, where it has no
-/// walls, which later steps would have to find, quick collapses take most of its faces: what is left is still
-/// much finer than anything that can be folded. Large flat regions, borders and mirror planes stay. None
-/// where nothing was done. O(n log n).
+/// Where a dense model has walls, which later steps have to find, nothing is done. Where it has turned
+/// bodies, these get fewer sides (features/turned.hpp), and nothing else is done. Else quick collapses take
+/// most of its faces: what is left is still much finer than anything that can be folded. Large flat regions,
+/// borders and mirror planes stay. None where nothing was done. O(n log n).
 [[nodiscard]] std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within,
                                             const SimplifyOptions& options, const Context& context);
 

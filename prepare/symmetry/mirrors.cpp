@@ -25,6 +25,8 @@ constexpr std::size_t first_corners = 64;
 constexpr std::size_t most_fitted = 4000;
 /// Of surfaces with more corners so many, spread over all, tell how far off a plane is; and as many faces.
 constexpr std::size_t most_compared = 100000;
+/// So many planes that aren't exact are kept to be looked at closely.
+constexpr std::size_t most_inexact = 16;
 /// A candidate may be off by this share of the extent before it is fitted ...
 constexpr double first_reach = 0.04;
 /// ... and each fit halves what it looks at.
@@ -115,26 +117,36 @@ class MirrorSearch {
 
   void until(const std::function<bool(const Mirror&)>& use) {
     bool used = false;
-    const auto look_closely = [&](const MirrorPlane& plane) {
-      Mirror mirror = compared(plane, most_compared);
-      used = mirror.deviation <= near_ && is_mapped(mirror) && use(mirror);
-    };
+    std::size_t offered = 0;
     std::vector<Mirror> inexact;
+    const auto offer = [&](Mirror mirror) {
+      if (is_mapped(mirror)) {
+        ++offered;
+        used = use(mirror);
+      }
+    };
     try_planes([&](const MirrorPlane& plane) {
+      taken_.push_back(plane);
       Mirror mirror = compared(plane, most_fitted);
       if (mirror.exact) {
-        taken_.push_back(plane);
-        look_closely(plane);
-      } else if (mirror.deviation <= near_ && !known(plane, same_near_plane)) {
-        taken_.push_back(plane);
+        mirror = compared(plane, most_compared);
+      }
+      if (mirror.exact) {
+        offer(std::move(mirror));
+      } else if (mirror.deviation <= near_) {
         inexact.push_back(std::move(mirror));
       }
-      return !used && taken_.size() < most_;
+      return !used && offered < most_ && inexact.size() < most_inexact;
     });
     std::stable_sort(inexact.begin(), inexact.end(),
                      [](const Mirror& a, const Mirror& b) { return a.deviation < b.deviation; });
-    for (std::size_t i = 0; i < inexact.size() && !used; ++i) {
-      look_closely(inexact[i].plane);
+    taken_.clear();
+    for (std::size_t i = 0; i < inexact.size() && !used && offered < most_; ++i) {
+      Mirror mirror = compared(inexact[i].plane, most_compared);
+      if (mirror.deviation <= near_ && !known(mirror.plane, same_near_plane)) {
+        taken_.push_back(mirror.plane);
+        offer(std::move(mirror));
+      }
     }
   }
 
@@ -308,10 +320,21 @@ class MirrorSearch {
     mirror.deviation = std::max(mirror.deviation, distance(image, exact_));
   }
 
-  /// Adds the maps, which must have every face.
+  /// Adds the maps, which must have every face; and looks at the corners without a partner, of which a
+  /// comparison in places may have seen none.
   [[nodiscard]] bool is_mapped(Mirror& mirror) {
     mirror.maps = correspond(surface_, surface_, mirroring(mirror.plane), mirror.exact ? exact_ : near_);
     keep_pairs(mirror.maps);
+    if (!mirror.maps.whole && places_.size() > most_compared) {
+      for (const std::uint32_t v : places_) {
+        if (!mirror.maps.vertex[VertexId(v)].valid()) {
+          look_at(v, mirror);
+        }
+      }
+      if (mirror.deviation > near_) {
+        return false;
+      }
+    }
     return mirror.maps.whole || middles_have_images(mirror.plane);
   }
 

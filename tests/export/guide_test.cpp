@@ -339,6 +339,12 @@ TEST_CASE("a model stands as its file says, or on its feet", "[guide]") {
   };
   head.surface = test::mapped(test::sphere(24, 13), headlike);
   CHECK(paper::stance_of(head).up == Vec3{0.0, 1.0, 0.0});
+  // A plate of the same outline lies.
+  head.surface = test::mapped(test::sphere(24, 13), [&](Vec3 p) {
+    const Vec3 q = headlike(p);
+    return Vec3{q.x, q.y, 0.3 * q.z};
+  });
+  CHECK(paper::stance_of(head).up == Vec3{0.0, 0.0, 1.0});
   // Where its sides aren't alike nothing tells.
   head.surface = test::mapped(test::sphere(24, 13), [&](Vec3 p) {
     return headlike({p.x, p.y, p.z + 0.1 * p.z * p.z});

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -161,18 +162,28 @@ class Contradictions {
     }
   }
 
-  /// Whether pieces were joined by hand, which may give one any number of faces.
-  [[nodiscard]] bool joined_by_hand() const {
+  /// How often pieces were joined by hand.
+  [[nodiscard]] std::size_t joins_by_hand() const {
     const Setting* const edits = settings_.find("edits");
     const auto* const text = edits == nullptr ? nullptr : std::get_if<std::string>(edits);
-    return text != nullptr && text->find("join ") != std::string::npos;
+    std::size_t joins = 0;
+    if (text != nullptr) {
+      constexpr std::string_view join = "join ";
+      for (std::size_t at = text->find(join); at != std::string::npos;
+           at = text->find(join, at + join.size())) {
+        ++joins;
+      }
+    }
+    return joins;
   }
 
-  /// Flat regions of a piece can't be more than its plates: what lies in one region is folded by less.
+  /// Flat regions of a piece can't be more than its plates: what lies in one region is folded by less. Each
+  /// join by hand may add a piece that has as many as are allowed.
   void check_faces() {
-    const auto most = static_cast<Index>(std::min(settings_.number("max_faces").value_or(0.0), 4e9));
-    if (most == 0 || settings_.find("keep") != nullptr || settings_.find("from") != nullptr ||
-        joined_by_hand()) {
+    const double allowed =
+        settings_.number("max_faces").value_or(0.0) * static_cast<double>(1 + joins_by_hand());
+    const auto most = static_cast<Index>(std::min(allowed, 4e9));
+    if (most == 0 || settings_.find("keep") != nullptr || settings_.find("from") != nullptr) {
       return;
     }
     const Plates plates = find_plates(file_, given_.relations, flat_region_fold_deg);
