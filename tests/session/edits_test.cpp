@@ -113,8 +113,6 @@ TEST_CASE("joined by hand, a piece may have more faces than a search would give 
       REQUIRE(joined->now.nets.pieces.size() == 1);
       CHECK(done(*joined, {session::Retry{FaceId(0), 1}}).now.nets.pieces.size() == 1);
       ++ways;
-    } else {
-      CHECK(std::get<session::Refusal>(answer).why.find("more than") == std::string::npos);
     }
   }
   CHECK(ways > 0);
