@@ -25,8 +25,6 @@ constexpr std::size_t first_corners = 64;
 constexpr std::size_t most_fitted = 4000;
 /// Of surfaces with more corners so many, spread over all, tell how far off a plane is; and as many faces.
 constexpr std::size_t most_compared = 100000;
-/// So many planes that aren't exact are kept to be looked at closely.
-constexpr std::size_t most_inexact = 16;
 /// A candidate may be off by this share of the extent before it is fitted ...
 constexpr double first_reach = 0.04;
 /// ... and each fit halves what it looks at.
@@ -126,6 +124,7 @@ class MirrorSearch {
       }
     };
     try_planes([&](const MirrorPlane& plane) {
+      const bool is_near_another = known(plane, same_near_plane);
       taken_.push_back(plane);
       Mirror mirror = compared(plane, most_fitted);
       if (mirror.exact) {
@@ -133,10 +132,10 @@ class MirrorSearch {
       }
       if (mirror.exact) {
         offer(std::move(mirror));
-      } else if (mirror.deviation <= near_) {
+      } else if (mirror.deviation <= near_ && !is_near_another) {
         inexact.push_back(std::move(mirror));
       }
-      return !used && offered < most_ && inexact.size() < most_inexact;
+      return !used && offered + inexact.size() < most_;
     });
     std::stable_sort(inexact.begin(), inexact.end(),
                      [](const Mirror& a, const Mirror& b) { return a.deviation < b.deviation; });
@@ -325,7 +324,7 @@ class MirrorSearch {
   [[nodiscard]] bool is_mapped(Mirror& mirror) {
     mirror.maps = correspond(surface_, surface_, mirroring(mirror.plane), mirror.exact ? exact_ : near_);
     keep_pairs(mirror.maps);
-    if (!mirror.maps.whole && places_.size() > most_compared) {
+    if (mirror.exact && !mirror.maps.whole && places_.size() > most_compared) {
       for (const std::uint32_t v : places_) {
         if (!mirror.maps.vertex[VertexId(v)].valid()) {
           look_at(v, mirror);
