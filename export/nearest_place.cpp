@@ -67,18 +67,22 @@ class NearbySearch {
     }
     const Vec2 first = onto_sheet({});
     const int rings = static_cast<int>(reach_mm_ / nearby_step_mm);
+    std::vector<Vec2> shifts;
     for (int ring = 0; ring <= rings; ++ring) {
       const int places = std::max(1, static_cast<int>(std::ceil(2.0 * std::numbers::pi * ring)));
       for (int i = 0; i < places; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / places;
         const Vec2 by = ring * nearby_step_mm * Vec2{elementary::cos(angle), elementary::sin(angle)};
         const Vec2 shift = onto_sheet(first + by);
-        if (length(shift) <= reach_mm_ && has_room(shift)) {
-          return shift;
+        if (length(shift) <= reach_mm_) {
+          shifts.push_back(shift);
         }
       }
     }
-    return std::nullopt;
+    // Rings are round the place on the sheet; nearest is what is nearest to where the piece is held.
+    std::ranges::stable_sort(shifts, {}, [](Vec2 shift) { return dot(shift, shift); });
+    const auto found = std::ranges::find_if(shifts, [&](Vec2 shift) { return has_room(shift); });
+    return found != shifts.end() ? std::optional(*found) : std::nullopt;
   }
 
  private:

@@ -130,10 +130,10 @@ void add_advice(const GuideModel& guide, const Box2& box, Group& group) {
           : "Glue edges of equal numbers together, one after the other, in the order of the steps. What a "
             "step says to close is glued before the piece is put on.");
   if (guide.nets->pieces.size() > 1) {
-    rows.item(
-        "6",
-        "The picture of a step shows the new piece in colour, and the pieces that it is glued to in white. "
-        "Their names are grey, or stand in brackets beside the picture.");
+    rows.item("6",
+              "The picture of a step shows the new piece in colour (lighter: its back), and the pieces that "
+              "it is glued to in white. "
+              "Their names are grey, or stand in brackets beside the picture.");
   }
 }
 

@@ -46,8 +46,7 @@ Group guide_foot(const GuideSheet& sheet, const std::string& title, std::size_t 
   const double room = right - left - text_width(number, height) - 10.0;
   group.lines.push_back(guide_rule({left, sheet.margin + rule_lift}, {right, sheet.margin + rule_lift}));
   group.texts.push_back(
-      words_from(shortened(title + ": how to build it; a lighter hue is the back of the paper", room, height),
-                 {left, sheet.margin}, height));
+      words_from(shortened(title + ": how to build it", room, height), {left, sheet.margin}, height));
   group.texts.push_back(words_to(number, {right, sheet.margin}, height));
   return group;
 }

@@ -525,15 +525,16 @@ class StepPages {
     };
     const std::vector<Anchor> on_faces =
         find_anchors_on_faces(coarse, step.scene, guide_.piece_of_face, guide_.nets->pieces.size());
-    const CoarseView coarse_alone =
-        look_coarsely(hidden_alone(index, step, behind), step.camera, name_pixels);
-    const std::vector<Anchor> alone =
-        find_anchors(coarse_alone, guide_.piece_of_face, guide_.nets->pieces.size());
+    std::optional<std::vector<Anchor>> alone;  // found when first needed
     std::vector<Callout> callouts;
     for (const PieceId piece : steps_[index].pieces) {
       const Anchor seen =
           anchor_to_point_at(on_faces[piece.value()], anchors[piece.value()], least_room_mm / fit.scale);
-      const Anchor anchor = seen.seen ? seen : alone[piece.value()];
+      if (!seen.seen && !alone) {
+        alone = find_anchors(look_coarsely(hidden_alone(index, step, behind), step.camera, name_pixels),
+                             guide_.piece_of_face, guide_.nets->pieces.size());
+      }
+      const Anchor anchor = seen.seen ? seen : (*alone)[piece.value()];
       if (anchor.seen && is_in_picture(fit(anchor.at))) {
         callouts.push_back({guide_.nets->pieces[piece].name, fit(anchor.at)});
       }

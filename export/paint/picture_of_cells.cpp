@@ -56,14 +56,17 @@ std::array<double, 3> weights_inside(const Cell& cell, Vec2 on_page) {
   return weights_at(cell.at, nearest + share * (middle - nearest));
 }
 
+/// What lies beyond a face takes its weights from inside it.
+std::array<double, 3> weights_near_face(const Cell& cell, Vec2 on_page) {
+  const std::array<double, 3> weights = weights_at(cell.at, on_page);
+  return cell.kind != CellKind::face && is_outside(weights) ? weights_inside(cell, on_page) : weights;
+}
+
 /// Of a dot of a cell whose face lies on one original face. A picture is looked at under the face alone: what
 /// it has beside it belongs to others.
 std::array<double, 3> weights_on_face(const Cell& cell, Vec2 on_page) {
-  if (cell.kind == CellKind::face) {
-    return kept_within(weights_at(cell.at, on_page));
-  }
-  const std::array<double, 3> weights = weights_at(cell.at, on_page);
-  return is_outside(weights) ? weights_inside(cell, on_page) : weights;
+  const std::array<double, 3> weights = weights_near_face(cell, on_page);
+  return cell.kind == CellKind::face ? kept_within(weights) : weights;
 }
 
 class CellPainter {
@@ -303,10 +306,7 @@ class CellPainter {
 }  // namespace
 
 Vec3 place_on_surface(const mesh::Surface& surface, const Cell& cell, Vec2 on_page) {
-  std::array<double, 3> weights = weights_at(cell.at, on_page);
-  if (cell.kind != CellKind::face && is_outside(weights)) {
-    weights = weights_inside(cell, on_page);
-  }
+  const std::array<double, 3> weights = weights_near_face(cell, on_page);
   const auto vertices = surface.vertices(cell.face);
   return weights[0] * surface.point(vertices[0]) + weights[1] * surface.point(vertices[1]) +
          weights[2] * surface.point(vertices[2]);

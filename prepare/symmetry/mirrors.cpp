@@ -124,15 +124,15 @@ class MirrorSearch {
       }
     };
     try_planes([&](const MirrorPlane& plane) {
-      const bool is_near_another = known(plane, same_near_plane);
-      taken_.push_back(plane);
       Mirror mirror = compared(plane, most_fitted);
       if (mirror.exact) {
         mirror = compared(plane, most_compared);
       }
       if (mirror.exact) {
+        taken_.push_back(plane);
         offer(std::move(mirror));
-      } else if (mirror.deviation <= near_ && !is_near_another) {
+      } else if (mirror.deviation <= near_ && !known(plane, same_near_plane)) {
+        taken_.push_back(plane);
         inexact.push_back(std::move(mirror));
       }
       return !used && offered + inexact.size() < most_;

@@ -33,7 +33,8 @@ struct SymmetryTolerance {
 /// A plane that a surface is mirrored onto itself at. Distances in the surface's unit.
 struct Mirror {
   MirrorPlane plane;
-  /// Each corner's image is at most so far from the surface.
+  /// Each corner's image is at most so far from the surface. Of surfaces with more than 200,000 corners about
+  /// 100,000 are looked at, and of exact planes all that have no partner.
   double deviation = 0.0;
   /// Every corner has a partner within SymmetryTolerance::exact (its place counts: triangles within flat
   /// regions may differ).
