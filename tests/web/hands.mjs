@@ -19,8 +19,8 @@ mkdirSync(out, {recursive: true});
 const faults = [];
 const check = (holds, words) => holds || faults.push(words);
 
-/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page; what is held above
- * it, which is A4, finds room 20 mm above its foot. */
+/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page; what is held higher
+ * than 250 mm finds room 20 mm above the page's foot. */
 function play(fold, sheets) {
   let pinned = [];
   self.onmessage = ({data}) => {
@@ -30,7 +30,7 @@ function play(fold, sheets) {
     }
     const refused = /^place \d+ \d+ -/.test(data.line ?? "") ? {edit: 0, why: "piece A would leave the part of the page that is for pieces", faces: [0]} : null;
     const [verb, , , x, y] = (data.line ?? "").split(" ");
-    const above = verb === "place" && Number(y) > 297 && data.call === "preview";
+    const above = verb === "place" && Number(y) > 250 && data.call === "preview";
     const nearby = {refused: {edit: 0, why: "no room", faces: [0]}, instead: [Number(x), 20]};
     if (data.call === "apply" && /^(un)?pin /.test(data.line)) {
       pinned = data.line.startsWith("pin") ? [Number(data.line.split(" ")[1])] : [];
@@ -142,7 +142,7 @@ async function byMouse() {
 
   // Where it would find room nearby, that is shown, and it is laid there.
   await page.keyboard.press("Escape");
-  await drag(0, -560, async () => page.waitForSelector(".landing", {timeout: 5000}).catch(() => faults.push("where a piece will lie isn't shown")));
+  await drag(0, 4 - y, async () => page.waitForSelector(".landing", {timeout: 5000}).catch(() => faults.push("where a piece will lie isn't shown")));
   const landed = numbers((await lines("apply")).at(-1) ?? "");
   check(landed[3] === 20 && Math.abs(landed[2] - a[2] + 60 / scale) < 0.05, `a piece without room is laid at ${landed}, and not nearby`);
   check(await page.locator(".landing, [data-piece][transform], .no-room").count() === 0, "where a piece was to lie stays shown");
@@ -295,6 +295,7 @@ for (const run of [byMouse, byFinger]) {
   } catch (error) {
     faults.push(error.stack ?? String(error));
   }
+  await Promise.all(browser.contexts().map((context) => context.close()));
 }
 await browser.close();
 console.log(faults.length === 0 ? "passed" : `FAILED\n    ${faults.join("\n    ")}`);
