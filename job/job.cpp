@@ -230,6 +230,7 @@ void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare
 /// Lengths on paper that were told at another size.
 void rescale(prepare::ReadyReport& ready, double factor) {
   ready.plain.moved_mm *= factor;
+  ready.teeth.moved_mm *= factor;
   ready.sheets.thickness_mm *= factor;
   ready.left_out.strands_mm *= factor;
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prepare/ready_bodies.hpp"
 
+#include "mesh/model/measured_distance.hpp"
 #include "prepare/details/details.hpp"
 #include "prepare/details/plain_bodies.hpp"
+#include "prepare/features/trim_teeth.hpp"
+#include "prepare/panels/remesh_panels.hpp"
 #include "prepare/sheets/double_skins.hpp"
 #include "prepare/simplify/simplify.hpp"
 #include "prepare/walls/fold_figures.hpp"
@@ -31,6 +34,25 @@ double judged_mm_per_unit(const mesh::Model& model, const SizeOptions& size) {
   return size.judged_at_mm  ? *size.judged_at_mm / largest
          : size.mm_per_unit ? *size.mm_per_unit * model.file_scale
                             : size.largest_extent_mm / largest;
+}
+
+/// Samples for the distance are this share of the largest extent apart.
+constexpr double ready_spacing = 0.015;
+
+/// The teeth of bodies of a model in its own unit.
+Teeth leave_out_teeth(mesh::Model& model, const SimplifyOptions& in_units, const Context& context) {
+  const mesh::Surface before = model.surface;
+  mesh::Model trimmed = model;
+  remesh_panels(trimmed, context);
+  Teeth teeth;
+  teeth.count = trim_teeth(trimmed, in_units, in_units.tiny_edge_mm, context);
+  if (teeth.count > 0) {
+    const double spacing = ready_spacing * before.bounds().largest_extent();
+    teeth.moved_mm = measured_distance(mesh::SurfaceTree(trimmed.surface, spacing),
+                                       mesh::SurfaceTree(before, spacing), context);
+    model = std::move(trimmed);
+  }
+  return teeth;
 }
 
 }  // namespace
@@ -79,6 +101,10 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
          too_many ? busy_among_many : busy_body, simplify.hidden_fold_angle},
         context);
     report.plain.moved_mm *= mm;
+  }
+  if (too_many) {
+    report.teeth = leave_out_teeth(model, in_units, context);
+    report.teeth.moved_mm *= mm;
   }
   if (model.surface.face_count() <= fine_faces || model.surface.component_count() < 2) {
     return report;

@@ -106,6 +106,9 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
   if (made.ready.plain.count > 0) {
     clauses.push_back(plain_text(made.ready.plain) + " (--keep-bodies keeps them)");
   }
+  if (made.ready.teeth.count > 0) {
+    clauses.push_back(teeth_text(made.ready.teeth) + " (--keep-bodies keeps them)");
+  }
   if (skin.united > 0) {
     clauses.push_back(counted_bodies(skin.united) + " made one skin where they meet" +
                       (skin.faces_hidden > 0
@@ -325,6 +328,11 @@ std::string plain_text(const prepare::PlainBodies& plain) {
              : fmt::format(
                    "{} small bodies with many short edges made plain blocks, up to {:.1f} mm away from them",
                    plain.count, plain.moved_mm);
+}
+
+std::string teeth_text(const prepare::Teeth& teeth) {
+  return fmt::format("{} such as battlements cut off, by up to {:.1f} mm",
+                     teeth.count == 1 ? "1 tooth" : fmt::format("{} teeth", teeth.count), teeth.moved_mm);
 }
 
 std::string size_words(const job::Paper& made, const std::string& asked) {

@@ -58,6 +58,8 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                         {"strands_mm", rounded(details.strands_mm)}});
   const prepare::PlainBodies& plain = made.ready.plain;
   summary.add("plain", Value::Object{{"count", plain.count}, {"moved_mm", rounded(plain.moved_mm)}});
+  const prepare::Teeth& teeth = made.ready.teeth;
+  summary.add("teeth", Value::Object{{"count", teeth.count}, {"moved_mm", rounded(teeth.moved_mm)}});
   const prepare::SheetsReport& sheets = made.ready.sheets;
   summary.add("thin_walls",
               Value::Object{{"count", sheets.walls}, {"thickness_mm", rounded(sheets.thickness_mm)}});
@@ -69,6 +71,9 @@ void add_skin(Summary& summary, const job::Paper& made) {
   }
   if (plain.count > 0) {
     summary.say(Line::skin, "plain", plain_text(plain) + " (--keep-bodies keeps them)");
+  }
+  if (teeth.count > 0) {
+    summary.say(Line::skin, "teeth", teeth_text(teeth) + " (--keep-bodies keeps them)");
   }
   if (skin.united > 0) {
     summary.say(

@@ -15,7 +15,13 @@ class LoopFinder {
   LoopFinder(const mesh::Surface& surface, const Walls& walls)
       : surface_(surface), walls_(walls), seen_(surface.corner_count(), false) {}
 
-  std::vector<WallLoop> run() {
+  /// Of each wall that has any: its loops, and which of them is its outline.
+  struct OfWall {
+    std::vector<WallLoop> loops;
+    std::size_t outline = 0;
+  };
+
+  std::vector<OfWall> run() {
     std::map<std::uint32_t, std::vector<WallLoop>> of_wall;
     for (const CornerId c : ids<CornerId>(surface_.corner_count())) {
       if (wall_of(c) != Walls::none && ends_wall(c) && !seen_[c.value()]) {
@@ -24,20 +30,13 @@ class LoopFinder {
         }
       }
     }
-    std::vector<WallLoop> all;
+    std::vector<OfWall> all;
     for (auto& [wall, loops] : of_wall) {
       const auto outline = std::max_element(
           loops.begin(), loops.end(),
           [](const WallLoop& a, const WallLoop& b) { return a.box.diagonal() < b.box.diagonal(); });
-      const double extent = outline->box.largest_extent();
-      const double area = outline->area;
-      for (WallLoop& loop : loops) {
-        if (&loop != &*outline) {
-          loop.outline_extent = extent;
-          loop.outline_area = area;
-          all.push_back(std::move(loop));
-        }
-      }
+      const auto at = static_cast<std::size_t>(outline - loops.begin());
+      all.push_back({std::move(loops), at});
     }
     return all;
   }
@@ -82,7 +81,27 @@ class LoopFinder {
 }  // namespace
 
 std::vector<WallLoop> loops_within(const mesh::Surface& surface, const Walls& walls) {
-  return LoopFinder(surface, walls).run();
+  std::vector<WallLoop> all;
+  for (auto& [loops, outline] : LoopFinder(surface, walls).run()) {
+    const double extent = loops[outline].box.largest_extent();
+    const double area = loops[outline].area;
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      if (l != outline) {
+        loops[l].outline_extent = extent;
+        loops[l].outline_area = area;
+        all.push_back(std::move(loops[l]));
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<WallLoop> outlines(const mesh::Surface& surface, const Walls& walls) {
+  std::vector<WallLoop> all;
+  for (auto& [loops, outline] : LoopFinder(surface, walls).run()) {
+    all.push_back(std::move(loops[outline]));
+  }
+  return all;
 }
 
 bool close_loop(const mesh::Surface& surface, const Walls& walls, const WallLoop& loop, Caps& caps) {

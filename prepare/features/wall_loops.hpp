@@ -34,6 +34,9 @@ struct WallLoop {
 /// Those of all walls, but for each wall's outline, which is the largest of its loops. O(n log n).
 [[nodiscard]] std::vector<WallLoop> loops_within(const mesh::Surface& surface, const Walls& walls);
 
+/// The largest loop of each wall. O(n log n).
+[[nodiscard]] std::vector<WallLoop> outlines(const mesh::Surface& surface, const Walls& walls);
+
 /// New faces, each with the face that it is like.
 using Caps = std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>>;
 

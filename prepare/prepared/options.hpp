@@ -50,8 +50,10 @@ struct SimplifyOptions {
   /// automatic: where faces are narrower than this, edges beside them are turned if that makes them go. 0:
   /// none.
   double splinter_mm = 1.0;
-  /// automatic: nobody builds a model of more faces.
+  /// automatic: nobody builds a model of more triangles, ...
   std::size_t most_faces = 1000;
+  /// ... unless they are parts of so few flat faces.
+  std::size_t most_flat_faces = 500;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;
   /// Walls are thin below tiny_edge_mm: their rims are lower than can be folded.

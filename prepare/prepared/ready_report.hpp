@@ -34,6 +34,13 @@ struct PlainBodies {
   double moved_mm = 0.0;
 };
 
+/// Teeth that were cut off: battlements, cogs.
+struct Teeth {
+  std::size_t count = 0;
+  /// How far the surface moved by it at most; on paper as far as the size is known.
+  double moved_mm = 0.0;
+};
+
 /// Thin walls that became sheets.
 struct SheetsReport {
   std::size_t walls = 0;      ///< components
@@ -45,6 +52,7 @@ struct ReadyReport {
   SheetsReport sheets;
   Details left_out;
   PlainBodies plain;
+  Teeth teeth;
   /// Of bodies that were simplified one by one, lengths in units of the surface that was given; else without
   /// any faces.
   SimplifyReport simplified;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "prepare/prepared/panels.hpp"
+
 namespace ridgecraft::prepare {
 namespace {
 
@@ -16,6 +18,15 @@ double faces_of_short_edges(const mesh::Surface& surface, double short_edge_mm) 
 }
 
 }  // namespace
+
+std::size_t most_triangles(const mesh::Surface& surface, const SimplifyOptions& options) {
+  const std::size_t faces = surface.face_count();
+  if (faces <= options.most_faces) {
+    return options.most_faces;
+  }
+  return std::clamp(options.most_flat_faces * faces / find_panels(surface).count(), options.most_faces,
+                    2 * options.most_faces);
+}
 
 std::size_t careless_faces(const mesh::Surface& surface, double short_edge_mm) {
   return static_cast<std::size_t>(coarse * faces_of_short_edges(surface, short_edge_mm));

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "mesh/model/surface.hpp"
+#include "prepare/prepared/options.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -16,6 +17,11 @@ inline constexpr std::size_t very_many_faces = 100000;
 inline constexpr std::size_t quick = 4;
 /// They may move the surface by this share of what it may move.
 inline constexpr double quick_share = 0.1;
+
+/// How many triangles a model may have before it gets fewer: SimplifyOptions::most_faces, or as many as its
+/// triangles have where they are parts of SimplifyOptions::most_flat_faces, up to twice as many. Walls, of
+/// several triangles each, would be crumpled to save faces that nobody has to fold. O(n log n).
+[[nodiscard]] std::size_t most_triangles(const mesh::Surface& surface, const SimplifyOptions& options);
 
 /// Down to so many faces of a surface in mm no care is needed: three times those that edges as long as the
 /// short one would give. Linear.

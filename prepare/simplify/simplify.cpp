@@ -15,6 +15,7 @@
 #include "prepare/features/sharpen_bevels.hpp"
 #include "prepare/features/thin_rulings.hpp"
 #include "prepare/features/trim_reliefs.hpp"
+#include "prepare/features/trim_teeth.hpp"
 #include "prepare/features/turned.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/panels.hpp"
@@ -22,6 +23,7 @@
 #include "prepare/shares/symmetric_share.hpp"
 #include "prepare/shares/whole.hpp"
 #include "prepare/simplify/body.hpp"
+#include "prepare/simplify/many_faces.hpp"
 #include "prepare/simplify/sequence.hpp"
 #include "prepare/simplify/splinters.hpp"
 #include "prepare/simplify/thin_out.hpp"
@@ -161,7 +163,7 @@ struct Beforehand {
 };
 
 /// What is too shallow to be folded; and where there are too many faces, what is busy and no higher than a
-/// fold should be long. Returns how many of the latter there are.
+/// fold should be long, and teeth. Returns how many busy ones there are.
 std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                             SimplifyReport& report, const Context& context) {
   report.features_removed +=
@@ -172,6 +174,10 @@ std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, 
   const double height_mm = std::min(coarser.back().deviation * largest_mm, options.short_edge_mm);
   const std::size_t busy_ones = trim_reliefs(model, options, {height_mm, true}, context);
   report.features_removed += busy_ones;
+  if (model.surface.face_count() > options.most_faces) {
+    report.features_removed +=
+        trim_teeth(model, options, std::min(largest_mm, options.tiny_edge_mm), context);
+  }
   return busy_ones;
 }
 
@@ -275,7 +281,8 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
 
 }  // namespace
 
-SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, const Context& context) {
+SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& wished, const Context& context) {
+  SimplifyOptions options = wished;
   SimplifyReport report;
   report.faces_before = model.surface.face_count();
   std::optional<Dense> dense;
@@ -284,6 +291,7 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
     dense = thin_out(model, symmetric_within, options, context);
   }
   remesh_panels(model, context);
+  options.most_faces = most_triangles(model.surface, wished);
   report.short_edges_before =
       dense ? dense->short_edges_share : fold_figures(model.surface, options).brief_share();
   if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_share ||

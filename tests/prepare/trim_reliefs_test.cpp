@@ -5,37 +5,21 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <tuple>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
-#include "base/elementary.hpp"
-#include "mesh/mesh.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/panels/remesh_panels.hpp"
-#include "support/shapes.hpp"
-#include "support/soups.hpp"
+#include "prepare/layers.hpp"
 
 using namespace ridgecraft;
+using test::flipped;
+using test::layers;
+using test::PointMap;
+using test::slanted;
 
 namespace {
-
-using PointMap = std::function<Vec3(Vec3)>;
-
-/// Cells of 4 mm in two directions, in layers that end at these heights.
-mesh::Model layers(
-    const std::vector<std::array<int, 3>>& cells, const std::vector<double>& heights,
-    const PointMap& map = [](Vec3 p) { return p; }) {
-  mesh::Soup soup = test::soup_of(test::voxels(cells));
-  for (Vec3& p : soup.points) {
-    p = map({4.0 * p.x, 4.0 * p.y, heights[static_cast<std::size_t>(std::lround(p.z))]});
-  }
-  mesh::Model model = test::repaired(soup);
-  prepare::remesh_panels(model, {});
-  return model;
-}
 
 /// A block of 48 x 48 x 20 mm with a window of 16 x 16 mm, `deep` mm deep. A lintel and a sill stand out of
 /// the wall by `high` mm, and lie along the window as long as it and one cell more on either side.
@@ -58,17 +42,6 @@ std::vector<std::array<int, 3>> window_cells() {
 mesh::Model window(
     double deep, double high, const PointMap& map = [](Vec3 p) { return p; }) {
   return layers(window_cells(), {0.0, 20.0 - deep, 20.0, 20.0 + high}, map);
-}
-
-Vec3 slanted(Vec3 p) {
-  const double c = elementary::cos(0.7);
-  const double s = elementary::sin(0.7);
-  const Vec3 q{c * p.x - s * p.y, s * p.x + c * p.y, p.z};
-  return {q.x, c * q.y - s * q.z, s * q.y + c * q.z};
-}
-
-Vec3 flipped(Vec3 p) {
-  return {-p.x, p.y, p.z};
 }
 
 std::size_t border_edges(const mesh::Surface& surface) {
