@@ -53,7 +53,7 @@ struct SimplifyOptions {
   /// automatic: nobody builds a model of more triangles, ...
   std::size_t most_faces = 1000;
   /// ... unless they are parts of so few flat faces.
-  std::size_t most_flat_faces = 500;
+  std::size_t most_flat_faces = 450;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;
   /// Walls are thin below tiny_edge_mm: their rims are lower than can be folded.
