@@ -50,7 +50,7 @@ export class Studio {
     }
     this.menu = new Menu(byId("export"), byId("export-menu"), () => this.#formats().map((format) => ({text: say(`format_${format}`), act: () => this.save(format)})), new AbortController().signal);
     byId("cancel").addEventListener("click", () => this.backend.cancel());
-    byId("dismiss").addEventListener("click", () => this.refuse(""));
+    this.#listenRefusal();
     backend.onProgress((stage, share) => this.progress(stage, share));
     byId("panel").hidden = true;
     sayAll();
@@ -135,6 +135,17 @@ export class Studio {
   }
 
   // ---- edits by hand
+
+  /** Whoever goes on elsewhere has read what can't be, which would lie on the sheets that are worked on. */
+  #listenRefusal() {
+    byId("dismiss").addEventListener("click", () => this.refuse(""));
+    document.addEventListener("keydown", ({key}) => key === "Escape" && this.refuse(""));
+    document.addEventListener("pointerdown", ({target}) => {
+      if (target instanceof Node && !byId("refused").contains(target)) {
+        this.refuse("");
+      }
+    }, {capture: true});
+  }
 
   #listenEdits() {
     byId("undo").addEventListener("click", () => this.undo());

@@ -140,6 +140,17 @@ async function byMouse() {
   check(/^Teil A läge außerhalb/.test(refused.error), `a refusal says "${refused.error}"`);
   check(await page.locator("[data-piece][transform]").count() === 0 && await page.locator(".no-room").count() === 0, "what is refused doesn't go back");
 
+  // The sentence goes with the next press elsewhere, or by Escape, and not by a press on itself.
+  const told = page.locator("#refused");
+  await told.locator("p").click();
+  check(await told.isVisible(), "a press on a refusal takes it away");
+  await page.mouse.click(x, y);
+  check(await told.isHidden(), "a refusal lies on the sheets while somebody goes on there");
+  await page.keyboard.press("Escape");
+  await drag(-700, 0);
+  await page.keyboard.press("Escape");
+  check(await told.isHidden(), "Escape leaves a refusal");
+
   // Where it would find room nearby, that is shown, and it is laid there.
   await page.keyboard.press("Escape");
   await drag(0, 4 - y, async () => page.waitForSelector(".landing", {timeout: 5000}).catch(() => faults.push("where a piece will lie isn't shown")));
