@@ -109,6 +109,8 @@ export class Folding {
     /** The model on the stage: its middle above the origin, its lowest point on the ground. */
     this.stagePoints = new Float64Array(nets.modelPoints.length);
     this.modelSize = this.#stand();
+    /** 1 for each piece that lies in its place in the model. */
+    this.placed = new Uint8Array(nets.pieces.length);
     /** By which each tab is folded. */
     this.tabAngles = nets.tabs.map((_, t) => this.#tabAngle(t));
     /** @type {Hinge[][]} */
@@ -337,6 +339,7 @@ export class Folding {
    */
   put(p, progress, from) {
     this.fold(p, progress.fold);
+    this.placed[p] = progress.fly < 1 ? 0 : 1;
     const {world, local} = this;
     let motion = this.places[p];
     if (progress.fly < 1) {

@@ -78,9 +78,11 @@ export class PainterView {
       const base = [0, 1, 2].map((k) => Math.min(255, Math.round(
         light * (front ? (tints[12 * i + k] * paint[k]) / 255 : 255 * picture.paper[k]))));
       const colour = `rgba(${base},${opacity})`;
-      // Tabs lie under the faces that they are glued to.
-      const below = pageOf[i] === -1 ? 0.05 * camera.size : 0;
-      items.push({far: (seen[0][2] + seen[1][2] + seen[2][2]) / 3 + below, draw: () => this.#fill(seen, colour, opacity > 0.99)});
+      // Tabs lie under the faces that they are glued to. In the model itself, back sides are behind front sides, and tabs
+      // between the two; the middle of a long triangle doesn't tell.
+      const tab = pageOf[i] === -1;
+      const layer = !picture.placed(i) ? (tab ? 0.05 : 0) : tab ? 1e3 : front ? 0 : 2e3;
+      items.push({far: (seen[0][2] + seen[1][2] + seen[2][2]) / 3 + layer * camera.size, draw: () => this.#fill(seen, colour, opacity > 0.99)});
     }
     const line = (/** @type {number} */ i) => {
       const [p, q] = [0, 3].map((k) => camera.project(picture.lines[6 * i + k], picture.lines[6 * i + k + 1], picture.lines[6 * i + k + 2]));

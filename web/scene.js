@@ -288,7 +288,8 @@ export class Scene {
       });
     }
     this.view.draw({
-      camera, corners: this.corners, tints: this.tints, runs: this.runs, painted: this.painted, ghosts, lines: this.lines,
+      camera, corners: this.corners, tints: this.tints, runs: this.runs, painted: this.painted, ghosts,
+      placed: (i) => folding.placed[this.triangles[i].piece] === 1, lines: this.lines,
       lineTints: this.lineTints, lineWidths: this.lineWidths, lineCount: count,
       markCount: this.through || this.simple ? count - plain : 0, sheets,
       paper: this.dark ? [0.7, 0.7, 0.69] : [0.88, 0.87, 0.85], shade: this.dark ? 0.5 : 0.22,

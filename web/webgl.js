@@ -14,6 +14,7 @@
  * @property {{from: number, to: number, page: number}[]} runs triangles of one page
  * @property {boolean} painted with the pictures of the pages
  * @property {boolean} ghosts whether some triangles are transparent
+ * @property {(triangle: number) => boolean} placed whether its piece is in its place in the model
  * @property {Float32Array} lines
  * @property {Uint8Array} lineTints
  * @property {Float32Array} lineWidths
