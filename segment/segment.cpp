@@ -68,6 +68,8 @@ struct Ground {
         rules(rules_of(options.reading)),
         weights(weigh_edges(scaled, rules, label)),
         graph(build_vertex_graph(scaled, arc_sagitta_share * options.concavity)) {}
+  Ground(const Ground&) = delete;
+  Ground& operator=(const Ground&) = delete;
 
   bool closed;  ///< holes were closed: facets from real_facets on are virtual
   std::size_t real_facets;

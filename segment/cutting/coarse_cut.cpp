@@ -25,12 +25,6 @@ std::int64_t saturated_sum(std::int64_t a, std::int64_t b) {
 
 }  // namespace
 
-void CutGraph::reset(std::size_t nodes) {
-  sides.assign(nodes, {});
-  source.assign(nodes, 0);
-  sink.assign(nodes, 0);
-}
-
 void CoarseCut::run(const CutGraph& graph, std::vector<CutSide>& side) {
   join_nodes(graph);
   find_borders(graph);
@@ -69,37 +63,44 @@ bool CoarseCut::widen(std::span<const std::uint32_t> nodes, std::vector<CutSide>
 /// that few crumbs are left between them.
 void CoarseCut::join_nodes(const CutGraph& graph) {
   constexpr std::uint32_t nobody = MaximumFlow::no_node;
-  cluster_.assign(graph.sides.size(), nobody);
+  cluster_.assign(graph.size(), nobody);
   clusters_ = 0;
   std::vector<std::uint32_t> starts;
-  for (std::uint32_t start = 0; start < graph.sides.size(); ++start) {
+  std::vector<CutGraph::Node> members;  // as in queue_
+  const auto take = [&](std::uint32_t node) {
+    cluster_[node] = clusters_;
+    queue_.push_back(node);
+    members.push_back(graph.node(node));
+  };
+  for (std::uint32_t start = 0; start < cluster_.size(); ++start) {
     starts.assign(1, start);
     for (std::size_t s = 0; s < starts.size(); ++s) {
       if (cluster_[starts[s]] != nobody) {
         continue;
       }
-      queue_.assign(1, starts[s]);
-      cluster_[starts[s]] = clusters_;
+      queue_.clear();
+      members.clear();
+      take(starts[s]);
       // What can't be cut comes in whole, before a way out of it is taken.
       std::size_t closed = 0;
       for (std::size_t i = 0; i < queue_.size(); ++i) {
         for (; closed < queue_.size(); ++closed) {
-          for (const CutGraph::Side& side : graph.sides[queue_[closed]]) {
+          const std::array<CutGraph::Side, 3> sides = members[closed].sides;
+          for (const CutGraph::Side& side : sides) {
             if (side.capacity >= MaximumFlow::infinite_capacity && cluster_[side.other] == nobody) {
-              cluster_[side.other] = clusters_;
-              queue_.push_back(side.other);
+              take(side.other);
             }
           }
         }
-        for (const CutGraph::Side& side : graph.sides[queue_[i]]) {
+        const std::array<CutGraph::Side, 3> sides = members[i].sides;
+        for (const CutGraph::Side& side : sides) {
           if (side.other == nobody || cluster_[side.other] != nobody) {
             continue;
           }
           if (side.crease || queue_.size() >= cluster_size) {
             starts.push_back(side.other);
           } else {
-            cluster_[side.other] = clusters_;
-            queue_.push_back(side.other);
+            take(side.other);
           }
         }
       }
@@ -112,11 +113,12 @@ void CoarseCut::find_borders(const CutGraph& graph) {
   borders_.clear();
   source_.assign(clusters_, 0);
   sink_.assign(clusters_, 0);
-  for (std::uint32_t i = 0; i < graph.sides.size(); ++i) {
+  for (std::uint32_t i = 0; i < cluster_.size(); ++i) {
     const std::uint32_t c = cluster_[i];
-    source_[c] = saturated_sum(source_[c], graph.source[i]);
-    sink_[c] = saturated_sum(sink_[c], graph.sink[i]);
-    for (const CutGraph::Side& side : graph.sides[i]) {
+    const CutGraph::Node node = graph.node(i);
+    source_[c] = saturated_sum(source_[c], node.source);
+    sink_[c] = saturated_sum(sink_[c], node.sink);
+    for (const CutGraph::Side& side : node.sides) {
       if (side.other != MaximumFlow::no_node && cluster_[side.other] > c) {
         borders_.push_back({std::uint64_t{c} << 32U | cluster_[side.other], side.capacity});
       }

@@ -12,18 +12,28 @@
 
 namespace ridgecraft::segment {
 
-/// A cut problem on nodes with at most three arcs, as MaximumFlow takes it.
-struct CutGraph {
+/// A cut problem on nodes with at most three arcs, as MaximumFlow takes it. It is asked node by node: of
+/// millions of nodes a list of the answers would take more memory than all else that cutting needs.
+class CutGraph {
+ public:
   struct Side {
     std::int64_t capacity = 0;
     std::uint32_t other = MaximumFlow::no_node;
     bool crease = false;  ///< a likely place for the cut
   };
-  std::vector<std::array<Side, 3>> sides;  ///< both ends of an arc have it, with the same capacity
-  std::vector<std::int64_t> source;        ///< capacity of each node's arc from the source
-  std::vector<std::int64_t> sink;
+  struct Node {
+    std::array<Side, 3> sides;  ///< both ends of an arc have it, with the same capacity
+    std::int64_t source = 0;    ///< capacity of its arc from the source
+    std::int64_t sink = 0;
+  };
 
-  void reset(std::size_t nodes);
+  CutGraph() = default;
+  virtual ~CutGraph() = default;
+  CutGraph(const CutGraph&) = default;
+  CutGraph& operator=(const CutGraph&) = default;
+
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  [[nodiscard]] virtual Node node(std::uint32_t i) const = 0;
 };
 
 /// What is known of a node: on one side of the cut, or still open.

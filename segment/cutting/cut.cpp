@@ -7,6 +7,14 @@
 #include <numeric>
 
 namespace ridgecraft::segment {
+namespace {
+
+/// After cuts of so many facets the room for them is given back: parts are smaller than the whole, and what
+/// is looked at next, their hulls, needs as much.
+constexpr std::size_t most_kept_facets = 1U << 18U;
+
+}  // namespace
+
 Cutter::Cutter(const ScaledSurface& surface, const EdgeWeights& weights, std::size_t coarse_from)
     : surface_(&surface),
       weights_(&weights),
@@ -90,7 +98,16 @@ std::vector<Facets> Cutter::cut(Measurer& measurer, const Measurement& measureme
     measurer.context().check();
     cut_off(part, order[i]);
   }
-  return components(part.facets());
+  std::vector<Facets> children = components(part.facets());
+  if (part.facets().size() > most_kept_facets) {
+    coarse_ = CoarseCut();
+    flow_ = MaximumFlow();
+    nodes_ = {};
+    side_ = {};
+    touched_ = {};
+    flow_node_ = {};
+  }
+  return children;
 }
 
 void Cutter::cut_off(const PartGraph& part, std::uint32_t ridge) {
@@ -149,7 +166,7 @@ void Cutter::for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t
       continue;
     }
     const std::int64_t capacity =
-        surface_->same_group(f, g) ? MaximumFlow::infinite_capacity : weights_->capacity[3 * f + k];
+        surface_->same_group(f, g) ? MaximumFlow::infinite_capacity : weights_->capacity(3 * f + k);
     const std::uint32_t owner = regions_.owner(g);
     if (owner == fuzzy) {
       if (node_mark_[g] == mark_) {
@@ -163,16 +180,31 @@ void Cutter::for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t
   }
 }
 
+/// What build_flow() makes a flow of, with all nodes open.
+class Cutter::FuzzyGraph final : public CutGraph {
+ public:
+  FuzzyGraph(const Cutter& cutter, const PartGraph& part, std::uint32_t ridge)
+      : cutter_(cutter), part_(part), ridge_(ridge) {}
+
+  [[nodiscard]] std::size_t size() const override { return cutter_.nodes_.size(); }
+  [[nodiscard]] Node node(std::uint32_t i) const override {
+    Node result;
+    const auto inner = [&](unsigned k, std::uint32_t other, std::int64_t capacity) {
+      result.sides[k] = {capacity, other, cutter_.weights_->smoothness(3 * cutter_.nodes_[i] + k) < 1.0};
+    };
+    cutter_.for_sides(part_, ridge_, i, inner, result.source, result.sink);
+    return result;
+  }
+
+ private:
+  const Cutter& cutter_;
+  const PartGraph& part_;
+  std::uint32_t ridge_;
+};
+
 /// Decides most nodes by a cut between clusters.
 void Cutter::narrow_down(const PartGraph& part, std::uint32_t ridge) {
-  coarse_graph_.reset(nodes_.size());
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    const auto inner = [&](unsigned k, std::uint32_t other, std::int64_t capacity) {
-      coarse_graph_.sides[i][k] = {capacity, other, weights_->smoothness(3 * nodes_[i] + k) < 1.0};
-    };
-    for_sides(part, ridge, i, inner, coarse_graph_.source[i], coarse_graph_.sink[i]);
-  }
-  coarse_.run(coarse_graph_, side_);
+  coarse_.run(FuzzyGraph(*this, part, ridge), side_);
 }
 
 /// Whether the cut runs against nodes that were decided among clusters: a better one may lie beyond.

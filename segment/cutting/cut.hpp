@@ -50,6 +50,7 @@ class Cutter {
   template <class Inner>
   void for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t node, Inner inner,
                  std::int64_t& source, std::int64_t& sink) const;
+  class FuzzyGraph;
   void narrow_down(const PartGraph& part, std::uint32_t ridge);
   void build_flow(const PartGraph& part, std::uint32_t ridge);
   [[nodiscard]] bool touched_holds(const PartGraph& part);
@@ -66,7 +67,6 @@ class Cutter {
   std::uint32_t mark_ = 0;
   std::vector<std::uint32_t> nodes_;  ///< facets that a cut may run through
   CoarseCut coarse_;
-  CutGraph coarse_graph_;
   std::vector<CutSide> side_;             ///< of each of nodes_
   std::vector<std::uint32_t> touched_;    ///< places in nodes_
   std::vector<std::uint32_t> flow_node_;  ///< of each of nodes_ that is open

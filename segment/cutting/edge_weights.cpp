@@ -22,8 +22,8 @@ constexpr double capacity_steps = 0x1p20;
 constexpr double largest_weight = 1e6;
 
 bool is_concave(const ScaledSurface& s, std::uint32_t f, std::uint32_t g, double flattest_cosine) {
-  const Vec3 n = s.facet_normals[f];
-  const Vec3 m = s.facet_normals[g];
+  const Vec3 n = s.facet_normal(f);
+  const Vec3 m = s.facet_normal(g);
   if (n == Vec3{} || m == Vec3{} || dot(n, m) >= flattest_cosine) {
     return false;
   }
@@ -51,18 +51,12 @@ bool at_border(const ScaledSurface& s, std::span<const std::uint32_t> label, std
 
 }  // namespace
 
-EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules, std::span<const std::uint32_t> label) {
-  const double flattest_cosine = rules.folds_by_length ? dead_zone_cosine : no_dead_zone;
-  EdgeWeights w;
-  const std::size_t sides = 3 * s.facet_count();
-  w.kind.assign(sides, EdgeKind::rim);
-  w.capacity.assign(sides, 0);
-  std::vector<std::uint32_t> first_side;
-  std::vector<std::uint32_t> second_side;
-  first_side.reserve(sides / 2);
-  second_side.reserve(sides / 2);
+EdgeWeights::EdgeWeights(const ScaledSurface& s, const Rules& rules, std::span<const std::uint32_t> label)
+    : surface_(&s), folds_by_length_(rules.folds_by_length), kind_(3 * s.facet_count(), EdgeKind::rim) {
+  const double flattest_cosine = folds_by_length_ ? dead_zone_cosine : no_dead_zone;
   double length_sum = 0.0;
   double smoothness_sum = 0.0;
+  std::size_t edges = 0;
   for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t g = s.neighbors[f][k];
@@ -75,33 +69,35 @@ EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules, std::span<co
         ++j;
       }
       const std::uint32_t side = 3 * f + k;
-      const std::uint32_t twin = 3 * g + j;
       const bool concave = is_concave(s, f, g, flattest_cosine);
-      w.kind[side] = w.kind[twin] = at_border(s, label, f, g)
-                                        ? (concave ? EdgeKind::drawn_in_hollow : EdgeKind::drawn)
-                                        : (concave ? EdgeKind::hollow : EdgeKind::smooth);
+      kind_[side] = kind_[3 * g + j] = at_border(s, label, f, g)
+                                           ? (concave ? EdgeKind::drawn_in_hollow : EdgeKind::drawn)
+                                           : (concave ? EdgeKind::hollow : EdgeKind::smooth);
       length_sum += s.side_length(side);
-      smoothness_sum += w.smoothness(side);
-      first_side.push_back(side);
-      second_side.push_back(twin);
+      smoothness_sum += smoothness(side);
+      ++edges;
     }
   }
-  if (first_side.empty()) {
-    return w;
+  if (edges > 0) {
+    const auto count = static_cast<double>(edges);
+    mean_length_ = length_sum > 0.0 ? length_sum / count : 1.0;
+    mean_smoothness_ = smoothness_sum / count;
   }
-  const auto count = static_cast<double>(first_side.size());
-  const double mean_length = length_sum > 0.0 ? length_sum / count : 1.0;
-  const double mean_smoothness = smoothness_sum / count;
-  for (std::size_t e = 0; e < first_side.size(); ++e) {
-    const std::uint32_t side = first_side[e];
-    const double fold = alpha * w.smoothness(side) / mean_smoothness;
-    const double relative_length = s.side_length(side) / mean_length;
-    const double weight = rules.folds_by_length ? (fold + 1.0 - alpha) * relative_length
-                                                : fold + (1.0 - alpha) * relative_length;
-    w.capacity[side] = w.capacity[second_side[e]] =
-        std::llround(capacity_steps * std::clamp(weight, least_weight, largest_weight));
+}
+
+std::int64_t EdgeWeights::capacity(std::size_t side) const {
+  if (kind_[side] == EdgeKind::rim) {
+    return 0;
   }
-  return w;
+  const double fold = alpha * smoothness(side) / mean_smoothness_;
+  const double relative_length = surface_->side_length(side) / mean_length_;
+  const double weight =
+      folds_by_length_ ? (fold + 1.0 - alpha) * relative_length : fold + (1.0 - alpha) * relative_length;
+  return std::llround(capacity_steps * std::clamp(weight, least_weight, largest_weight));
+}
+
+EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules, std::span<const std::uint32_t> label) {
+  return {s, rules, label};
 }
 
 }  // namespace ridgecraft::segment

@@ -113,7 +113,7 @@ void PlaneCutter::take_part(std::span<const std::uint32_t> facets) {
     const double area = length(cross(points[b] - points[a], points[c] - points[a]));
     const Vec3 d = (points[a] + points[b] + points[c]) / 3.0 - middle_;
     const std::array<double, 3> x{d.x, d.y, d.z};
-    const Vec3 n = surface_->facet_normals[f];
+    const Vec3 n = surface_->facet_normal(f);
     const std::array<double, 3> y{n.x, n.y, n.z};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
@@ -247,7 +247,7 @@ void PlaneCutter::label(const CutPlane& plane, double reach, std::uint32_t bit) 
         continue;
       }
       const std::int64_t capacity = surface_->same_group(band[i], g) ? MaximumFlow::infinite_capacity
-                                                                     : weights_->capacity[3 * band[i] + k];
+                                                                     : weights_->capacity(3 * band[i] + k);
       if (node_[g] != none) {
         flow_.set_arc(i, k, node_[g], capacity);
       } else if ((side_[g] & bit) != 0) {

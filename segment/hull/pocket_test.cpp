@@ -104,7 +104,7 @@ bool PocketTest::reaches_in(std::uint32_t facet, std::size_t& last, Vec3& where)
 bool PocketTest::has_air_beside(std::uint32_t facet, Vec3 where) {
   std::int8_t& known = air_[facet];
   if (known < 0) {
-    const Vec3 n = surface_->facet_normals[facet];
+    const Vec3 n = surface_->facet_normal(facet);
     known = n == Vec3{} ? std::int8_t{0}
                         : static_cast<std::int8_t>(winding(where + beside * n) == 0 ||
                                                    winding(where - beside * n) == 0);

@@ -112,15 +112,13 @@ void index_vertices(ScaledSurface& s) {
 }
 
 void find_normals(ScaledSurface& s) {
-  s.facet_normals.resize(s.facet_count());
   s.vertex_normals.assign(s.vertex_count(), Vec3{});
-  for (std::size_t f = 0; f < s.facet_count(); ++f) {
+  for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
     const auto& [a, b, c] = s.corners[f];
     const std::array<Vec3, 3> side{normalized(s.points[b] - s.points[a]),
                                    normalized(s.points[c] - s.points[b]),
                                    normalized(s.points[a] - s.points[c])};
-    const Vec3 n = normalized(cross(s.points[b] - s.points[a], s.points[c] - s.points[a]));
-    s.facet_normals[f] = n;
+    const Vec3 n = s.facet_normal(f);
     for (std::size_t k = 0; k < 3; ++k) {
       const double cosine = -dot(side[k], side[(k + 2) % 3]);
       s.vertex_normals[s.corners[f][k]] += elementary::acos(std::clamp(cosine, -1.0, 1.0)) * n;

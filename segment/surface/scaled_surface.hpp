@@ -33,7 +33,6 @@ struct ScaledSurface {
   std::vector<std::array<std::uint32_t, 3>> neighbors;  ///< across the side from corner k to k + 1, or none
   std::vector<std::uint32_t> vertex_first;              ///< facets of v: vertex_facets[vertex_first[v] ...]
   std::vector<std::uint32_t> vertex_facets;
-  std::vector<Vec3> facet_normals;   ///< unit, or zero for a facet without area
   std::vector<Vec3> vertex_normals;  ///< facets' normals weighted by their angle at the vertex; unit or zero
   /// Facets of one polygon that hang together over edges have one group; empty when every facet is its own.
   std::vector<std::uint32_t> group;
@@ -45,6 +44,12 @@ struct ScaledSurface {
   double unit = 1.0;  ///< length of the ball's radius in the surface's unit
 
   [[nodiscard]] std::size_t facet_count() const { return corners.size(); }
+  /// Unit, or zero for a facet without area. Not kept: few ask for it, and it would be nearly a quarter of
+  /// all this.
+  [[nodiscard]] Vec3 facet_normal(std::uint32_t f) const {
+    const auto& [a, b, c] = corners[f];
+    return normalized(cross(points[b] - points[a], points[c] - points[a]));
+  }
   /// Of the side 3 f + k: from corner k of facet f to the next one.
   [[nodiscard]] double side_length(std::size_t side) const {
     const std::array<std::uint32_t, 3>& facet = corners[side / 3];

@@ -17,17 +17,24 @@ namespace {
 constexpr std::uint32_t rows = 60;
 constexpr std::uint32_t columns = 60;
 
+struct ListedGraph : CutGraph {
+  std::vector<Node> nodes;
+
+  [[nodiscard]] std::size_t size() const override { return nodes.size(); }
+  [[nodiscard]] Node node(std::uint32_t i) const override { return nodes[i]; }
+};
+
 /// Triangles of a grid of squares, each cut in two: node 2 s lies below the diagonal of square s, node 2 s +
 /// 1 above. `price` of an arc by the squares at its ends; source along the left border, sink along the right
 /// one.
 template <class Price>
-CutGraph grid(Price price) {
-  CutGraph graph;
-  graph.reset(2 * rows * columns);
+ListedGraph grid(Price price) {
+  ListedGraph graph;
+  graph.nodes.resize(2 * rows * columns);
   const auto join = [&](std::uint32_t i, unsigned k, std::uint32_t j, unsigned l) {
     const std::int64_t capacity = price(i / 2, j / 2);
-    graph.sides[i][k] = {capacity, j, false};
-    graph.sides[j][l] = {capacity, i, false};
+    graph.nodes[i].sides[k] = {capacity, j, false};
+    graph.nodes[j].sides[l] = {capacity, i, false};
   };
   for (std::uint32_t row = 0; row < rows; ++row) {
     for (std::uint32_t column = 0; column < columns; ++column) {
@@ -39,27 +46,27 @@ CutGraph grid(Price price) {
       if (row + 1 < rows) {
         join(2 * s + 1, 2, 2 * (s + columns), 2);
       }
-      graph.source[2 * s + 1] = column == 0 ? 1000 : 0;
-      graph.sink[2 * s] = column + 1 == columns ? 1000 : 0;
+      graph.nodes[2 * s + 1].source = column == 0 ? 1000 : 0;
+      graph.nodes[2 * s].sink = column + 1 == columns ? 1000 : 0;
     }
   }
   return graph;
 }
 
 /// Which nodes are on the source's side when those of `side` that aren't open are held.
-std::vector<bool> cut(const CutGraph& graph, const std::vector<CutSide>& side) {
-  const auto n = static_cast<std::uint32_t>(graph.sides.size());
+std::vector<bool> cut(const ListedGraph& graph, const std::vector<CutSide>& side) {
+  const auto n = static_cast<std::uint32_t>(graph.nodes.size());
   MaximumFlow flow;
   flow.reset(n);
   for (std::uint32_t i = 0; i < n; ++i) {
     for (unsigned k = 0; k < 3; ++k) {
-      const CutGraph::Side& arc = graph.sides[i][k];
+      const CutGraph::Side& arc = graph.nodes[i].sides[k];
       if (arc.other != MaximumFlow::no_node) {
         flow.set_arc(i, k, arc.other, arc.capacity);
       }
     }
-    flow.add_source(i, side[i] == CutSide::source ? MaximumFlow::infinite_capacity : graph.source[i]);
-    flow.add_sink(i, side[i] == CutSide::sink ? MaximumFlow::infinite_capacity : graph.sink[i]);
+    flow.add_source(i, side[i] == CutSide::source ? MaximumFlow::infinite_capacity : graph.nodes[i].source);
+    flow.add_sink(i, side[i] == CutSide::sink ? MaximumFlow::infinite_capacity : graph.nodes[i].sink);
   }
   flow.run();
   std::vector<bool> on_source(n);
@@ -69,11 +76,11 @@ std::vector<bool> cut(const CutGraph& graph, const std::vector<CutSide>& side) {
   return on_source;
 }
 
-std::int64_t price_of(const CutGraph& graph, const std::vector<bool>& on_source) {
+std::int64_t price_of(const ListedGraph& graph, const std::vector<bool>& on_source) {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < on_source.size(); ++i) {
-    sum += on_source[i] ? graph.sink[i] : graph.source[i];
-    for (const CutGraph::Side& arc : graph.sides[i]) {
+    sum += on_source[i] ? graph.nodes[i].sink : graph.nodes[i].source;
+    for (const CutGraph::Side& arc : graph.nodes[i].sides) {
       sum += on_source[i] && arc.other != MaximumFlow::no_node && !on_source[arc.other] ? arc.capacity : 0;
     }
   }
@@ -81,11 +88,11 @@ std::int64_t price_of(const CutGraph& graph, const std::vector<bool>& on_source)
 }
 
 /// Nodes that are held on one side and beside an open one that came to the other.
-std::vector<std::uint32_t> touched_holds(const CutGraph& graph, const std::vector<CutSide>& side,
+std::vector<std::uint32_t> touched_holds(const ListedGraph& graph, const std::vector<CutSide>& side,
                                          const std::vector<bool>& on_source) {
   std::vector<std::uint32_t> touched;
   for (std::uint32_t i = 0; i < side.size(); ++i) {
-    for (const CutGraph::Side& arc : graph.sides[i]) {
+    for (const CutGraph::Side& arc : graph.nodes[i].sides) {
       if (arc.other != MaximumFlow::no_node && side[i] != CutSide::open && side[arc.other] == CutSide::open &&
           on_source[i] != on_source[arc.other]) {
         touched.push_back(i);
@@ -102,7 +109,7 @@ struct Compared {
   std::size_t open;
 };
 
-Compared compare_cuts(const CutGraph& graph) {
+Compared compare_cuts(const ListedGraph& graph) {
   CoarseCut coarse;
   std::vector<CutSide> side;
   coarse.run(graph, side);
@@ -115,7 +122,7 @@ Compared compare_cuts(const CutGraph& graph) {
     CHECK(price_of(graph, narrowed) <= last_price);
     last_price = price_of(graph, narrowed);
   } while (!touched.empty() && coarse.widen(touched, side));
-  const std::vector<CutSide> all_open(graph.sides.size(), CutSide::open);
+  const std::vector<CutSide> all_open(graph.nodes.size(), CutSide::open);
   return {price_of(graph, cut(graph, all_open)), price_of(graph, narrowed),
           static_cast<std::size_t>(std::count(side.begin(), side.end(), CutSide::open))};
 }
@@ -124,18 +131,18 @@ Compared compare_cuts(const CutGraph& graph) {
 
 TEST_CASE("a cut along a cheap line is found among clusters", "[segment]") {
   for (const std::uint32_t line : {5U, 29U, 52U}) {
-    CutGraph graph = grid([&](std::uint32_t s, std::uint32_t t) {
+    ListedGraph graph = grid([&](std::uint32_t s, std::uint32_t t) {
       return std::int64_t{std::max(s % columns, t % columns) == line && s % columns != t % columns ? 30
                                                                                                    : 100};
     });
-    for (auto& sides : graph.sides) {
-      for (CutGraph::Side& arc : sides) {
+    for (CutGraph::Node& node : graph.nodes) {
+      for (CutGraph::Side& arc : node.sides) {
         arc.crease = arc.capacity == 30;
       }
     }
     const Compared found = compare_cuts(graph);
     CHECK(found.narrowed == found.whole);
-    CHECK(found.open < graph.sides.size());
+    CHECK(found.open < graph.nodes.size());
   }
 }
 
@@ -143,7 +150,7 @@ TEST_CASE("narrowed cuts are the whole graph's or little dearer", "[segment]") {
   Random random(3);
   int equal = 0;
   for (int round = 0; round < 20; ++round) {
-    const CutGraph graph =
+    const ListedGraph graph =
         grid([&](std::uint32_t, std::uint32_t) { return std::int64_t{85 + random.below(30)}; });
     const Compared found = compare_cuts(graph);
     CHECK(found.narrowed >= found.whole);
@@ -156,13 +163,13 @@ TEST_CASE("narrowed cuts are the whole graph's or little dearer", "[segment]") {
 TEST_CASE("clusters of one node, of no node, and arcs that can't be cut", "[segment]") {
   CoarseCut coarse;
   std::vector<CutSide> side;
-  CutGraph graph;
+  ListedGraph graph;
   coarse.run(graph, side);
   CHECK(side.empty());
   // Creases everywhere: every node is its own cluster.
   graph = grid([](std::uint32_t, std::uint32_t) { return std::int64_t{100}; });
-  for (auto& sides : graph.sides) {
-    for (CutGraph::Side& arc : sides) {
+  for (CutGraph::Node& node : graph.nodes) {
+    for (CutGraph::Side& arc : node.sides) {
       arc.crease = true;
     }
   }

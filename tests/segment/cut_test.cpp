@@ -86,7 +86,7 @@ double border_cost(const Measured& m, const std::vector<Facets>& children) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = m.scaled.neighbors[f][k];
       if (g != segment::none && child_of[f] < child_of[g]) {
-        sum += static_cast<double>(m.weights.capacity[3 * f + k]);
+        sum += static_cast<double>(m.weights.capacity(3 * f + k));
       }
     }
   }

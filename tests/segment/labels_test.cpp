@@ -60,7 +60,7 @@ TEST_CASE("edges where labels meet are as cheap to cut as hollows", "[labels]") 
     borders += border ? 1U : 0U;
     CHECK(weights.smoothness(c.value()) == (border ? 0.3 : 1.0));
     CHECK(weights.smoothness(d.value()) == weights.smoothness(c.value()));
-    CHECK(weights.capacity[d.value()] == weights.capacity[c.value()]);
+    CHECK(weights.capacity(d.value()) == weights.capacity(c.value()));
   }
   CHECK(borders == 24);
   // Of the circles around the ball the equator is the longest, and the cheapest beside its neighbours.
@@ -70,7 +70,7 @@ TEST_CASE("edges where labels meet are as cheap to cut as hollows", "[labels]") 
       const CornerId c = ball.sides(e)[0];
       const bool on_it = std::abs(ball.point(ball.vertex(c)).z - z) < 1e-9 &&
                          std::abs(ball.point(ball.vertex(mesh::next(c))).z - z) < 1e-9;
-      sum += on_it ? weights.capacity[c.value()] : 0;
+      sum += on_it ? weights.capacity(c.value()) : 0;
     }
     return sum;
   };
