@@ -157,9 +157,32 @@ class BoxTree {
     std::uint32_t number = 0;
   };
 
-  static double along(Vec2 p, Vec2 size) { return size.x >= size.y ? p.x : p.y; }
-  static double along(Vec3 p, Vec3 size) {
-    return size.x >= size.y && size.x >= size.z ? p.x : size.y >= size.z ? p.y : p.z;
+  /// Puts the lower half before the upper one along the longest side, which is chosen once and not in each
+  /// comparison.
+  static void halve(std::vector<Item>& items, std::uint32_t first, std::uint32_t middle, std::uint32_t last,
+                    Vec2 size) {
+    size.x >= size.y ? halve_along(items, first, middle, last, [](Vec2 p) { return p.x; })
+                     : halve_along(items, first, middle, last, [](Vec2 p) { return p.y; });
+  }
+  static void halve(std::vector<Item>& items, std::uint32_t first, std::uint32_t middle, std::uint32_t last,
+                    Vec3 size) {
+    if (size.x >= size.y && size.x >= size.z) {
+      halve_along(items, first, middle, last, [](Vec3 p) { return p.x; });
+    } else if (size.y >= size.z) {
+      halve_along(items, first, middle, last, [](Vec3 p) { return p.y; });
+    } else {
+      halve_along(items, first, middle, last, [](Vec3 p) { return p.z; });
+    }
+  }
+  template <class Along>
+  static void halve_along(std::vector<Item>& items, std::uint32_t first, std::uint32_t middle,
+                          std::uint32_t last, const Along& along) {
+    std::nth_element(items.begin() + first, items.begin() + middle, items.begin() + last,
+                     [&](const Item& a, const Item& b) {
+                       const double p = along(a.centre);
+                       const double q = along(b.centre);
+                       return p < q || (!(q < p) && a.number < b.number);
+                     });
   }
   static void add(Box& box, const Box& other) {
     box.add(other.low);
@@ -188,14 +211,8 @@ class BoxTree {
     for (std::uint32_t i = first; i < last; ++i) {
       middles.add(items[i].centre);
     }
-    const Point size = middles.size();
     const std::uint32_t middle = first + (last - first) / 2;
-    std::nth_element(items.begin() + first, items.begin() + middle, items.begin() + last,
-                     [&](const Item& a, const Item& b) {
-                       const double p = along(a.centre, size);
-                       const double q = along(b.centre, size);
-                       return p < q || (!(q < p) && a.number < b.number);
-                     });
+    halve(items, first, middle, last, middles.size());
     build(first, middle, box_of, items);
     const std::uint32_t second = build(middle, last, box_of, items);
     nodes_[number].first = second;

@@ -22,6 +22,7 @@ constexpr std::size_t often = 4096;
 /// A part of a face, and how far from the other surface its points may be at most.
 struct Part {
   std::array<Vec3, 3> corners;
+  FaceId nearest;  ///< face of the other surface, to the middle
   double bound = 0.0;
   std::size_t number = 0;  ///< the first of equal bounds goes first, with every standard library
 };
@@ -36,12 +37,13 @@ class Search {
   Search(const SurfaceTree& from, const SurfaceTree& to, double& greatest, const Context& context)
       : to_(to), spacing_(from.spacing()), greatest_(greatest), context_(context) {
     const Surface& surface = from.surface();
+    FaceId nearest;
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       const auto [a, b, c] = surface.vertices(f);
       const std::array<Vec3, 3> corners{surface.point(a), surface.point(b), surface.point(c)};
       // Of smaller ones the samples tell enough.
       if (longest_side(corners).length > spacing_) {
-        add(corners);
+        nearest = add(corners, nearest);
       }
     }
   }
@@ -54,7 +56,7 @@ class Search {
       if (!matters(part.bound)) {
         return;
       }
-      divide(part.corners);
+      divide(part);
     }
   }
 
@@ -79,27 +81,27 @@ class Search {
     return bound > (1.0 + close_enough) * greatest_ + close_enough_to_nothing * spacing_;
   }
 
-  void divide(const std::array<Vec3, 3>& corners) {
-    const std::size_t k = longest_side(corners).number;
-    const Vec3 a = corners[k];
-    const Vec3 b = corners[(k + 1) % 3];
-    const Vec3 c = corners[(k + 2) % 3];
+  void divide(const Part& part) {
+    const std::size_t k = longest_side(part.corners).number;
+    const Vec3 a = part.corners[k];
+    const Vec3 b = part.corners[(k + 1) % 3];
+    const Vec3 c = part.corners[(k + 2) % 3];
     const Vec3 middle = 0.5 * (a + b);
-    add({a, middle, c});
-    add({middle, b, c});
+    add({a, middle, c}, part.nearest);
+    add({middle, b, c}, part.nearest);
   }
 
   /// Looks how far its centre is; no point is farther by more than its way to the centre, and none is farther
-  /// from the face that is nearest there, which is convex, than the farthest corner is.
-  void add(const std::array<Vec3, 3>& corners) {
+  /// from the face that is nearest there, which is convex, than the farthest corner is. `nearest`: a guess
+  /// which one that is, or none; returns it.
+  FaceId add(const std::array<Vec3, 3>& corners, FaceId nearest) {
     if (++places_ % often == 0) {
       context_.check();
     }
     const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
-    FaceId nearest;
     const double distance = to_.distance(centre, 0.0, nearest);
     if (!nearest.valid()) {
-      return;
+      return nearest;
     }
     greatest_ = std::max(greatest_, distance);
     double radius = 0.0;
@@ -110,9 +112,10 @@ class Search {
     }
     const double bound = std::min(distance + radius, from_face);
     if (matters(bound)) {
-      parts_.push_back({corners, bound, places_});
+      parts_.push_back({corners, nearest, bound, places_});
       std::push_heap(parts_.begin(), parts_.end(), is_lower);
     }
+    return nearest;
   }
 
   const SurfaceTree& to_;

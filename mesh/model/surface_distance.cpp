@@ -91,12 +91,12 @@ SurfaceTree::SurfaceTree(const Surface& surface, double spacing)
 
 double SurfaceTree::distance(Vec3 p, double enough) const {
   FaceId near;
-  return search(p, enough, near);
+  return search(p, enough, near, INFINITY);
 }
 
 double SurfaceTree::distance(Vec3 p, double enough, FaceId& near) const {
   const double at_last = near.valid() ? squared_distance_of(near, p) : double{INFINITY};
-  return at_last <= enough * enough ? std::sqrt(at_last) : search(p, enough, near);
+  return at_last <= enough * enough ? std::sqrt(at_last) : search(p, enough, near, at_last);
 }
 
 double SurfaceTree::distance_of(FaceId f, Vec3 p) const {
@@ -108,10 +108,10 @@ double SurfaceTree::squared_distance_of(FaceId f, Vec3 p) const {
   return squared_distance(surface_.point(a), surface_.point(b), surface_.point(c), p);
 }
 
-double SurfaceTree::search(Vec3 p, double enough, FaceId& near) const {
+double SurfaceTree::search(Vec3 p, double enough, FaceId& near, double at_near) const {
   const double stop = enough * enough;
   const double best = tree_.nearest_first(
-      p, double{INFINITY},
+      p, at_near,
       [stop](double found, std::uint32_t, double distance) { return found > stop && distance < found; },
       [&](double& found, std::uint32_t i) {
         const FaceId f(tree_.order()[i]);

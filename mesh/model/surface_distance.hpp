@@ -26,7 +26,7 @@ class SurfaceTree {
   /// Distance of a point from the surface, or anything up to `enough` where it isn't farther than that.
   [[nodiscard]] double distance(Vec3 p, double enough) const;
   /// The same, for points that follow each other: where the face that was near the last one is near enough,
-  /// nothing is searched. `near`: none at first.
+  /// nothing is searched, and else nothing that is farther. `near`: none at first.
   [[nodiscard]] double distance(Vec3 p, double enough, FaceId& near) const;
   /// Distance of a point from one face.
   [[nodiscard]] double distance_of(FaceId f, Vec3 p) const;
@@ -36,7 +36,8 @@ class SurfaceTree {
 
  private:
   [[nodiscard]] double squared_distance_of(FaceId f, Vec3 p) const;
-  double search(Vec3 p, double enough, FaceId& near) const;
+  /// `at_near`: squared distance of `near`, infinite where that is none.
+  double search(Vec3 p, double enough, FaceId& near, double at_near) const;
 
   const Surface& surface_;
   double spacing_;

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -74,15 +75,10 @@ struct Turned {
 class Recogniser {
  public:
   Recogniser(const mesh::Model& model, const std::vector<FaceId>& faces)
-      : model_(model), surface_(model.surface), faces_(faces) {
-    for (const FaceId f : faces) {
-      for (const VertexId v : surface_.vertices(f)) {
-        vertices_.push_back(v);
-        box_.add(surface_.point(v));
-      }
+      : model_(model), surface_(model.surface), faces_(faces), vertices_(vertices_of(surface_, faces)) {
+    for (const VertexId v : vertices_) {
+      box_.add(surface_.point(v));
     }
-    std::sort(vertices_.begin(), vertices_.end());
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
 
   [[nodiscard]] std::optional<Turned> find() {
@@ -93,14 +89,16 @@ class Recogniser {
                                 ? area_frame(surface_)
                                 : area_frame(mesh::faces_alone(surface_, faces_));
     for (std::size_t k = 0; k < 3; ++k) {
+      Turned about;
+      about.centre = frame.centre;
+      about.axis = frame.axes[k];
+      about.across = frame.axes[(k + 1) % 3];
+      about.beside = cross(about.axis, about.across);
+      find_heights(about);
       for (const double share : on_ring) {
         near_ = share * box_.largest_extent();
-        result_ = Turned();
-        result_.centre = frame.centre;
-        result_.axis = frame.axes[k];
-        result_.across = frame.axes[(k + 1) % 3];
-        result_.beside = cross(result_.axis, result_.across);
-        if (find_rings() && find_strips() && put_in_order()) {
+        result_ = about;
+        if (starts_with_rings() && find_rings() && find_strips() && put_in_order()) {
           return std::move(result_);
         }
       }
@@ -109,71 +107,142 @@ class Recogniser {
   }
 
  private:
+  /// A vertex in the order of its height or radius; equal ones in the order of their numbers.
+  struct Placed {
+    double at = 0.0;
+    std::uint32_t number = 0;  ///< in vertices_
+
+    friend bool operator<(const Placed& a, const Placed& b) {
+      return std::pair(a.at, a.number) < std::pair(b.at, b.number);
+    }
+  };
+
+  /// Ascending numbers, each once. O(n log n).
+  static std::vector<VertexId> vertices_of(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
+    std::vector<VertexId> result;
+    if (faces.size() == surface.face_count()) {
+      for (const VertexId v : ids<VertexId>(surface.vertex_count())) {
+        if (!surface.corners_at(v).empty()) {
+          result.push_back(v);
+        }
+      }
+      return result;
+    }
+    for (const FaceId f : faces) {
+      const auto vertices = surface.vertices(f);
+      result.insert(result.end(), vertices.begin(), vertices.end());
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  void find_heights(const Turned& about) {
+    heights_.clear();
+    for (const VertexId v : vertices_) {
+      heights_.push_back(dot(surface_.point(v) - about.centre, about.axis));
+    }
+  }
+  [[nodiscard]] double radius_of(std::uint32_t number) const {
+    const Vec3 p = surface_.point(vertices_[number]) - result_.centre;
+    return length(p - heights_[number] * result_.axis);
+  }
+
+  /// The end of what lies within the tolerance of its first one.
+  [[nodiscard]] std::size_t level_end(const std::vector<Placed>& order, std::size_t from) const {
+    std::size_t end = from + 1;
+    while (end < order.size() && order[end].at - order[from].at <= 2.0 * near_) {
+      ++end;
+    }
+    return end;
+  }
+
+  /// Whether the two lowest levels are rings or tips: nearly all bodies that weren't turned fail here, before
+  /// anything is put in order. O(n).
+  [[nodiscard]] bool starts_with_rings() {
+    rings_.clear();
+    double above = -INFINITY;
+    for (int level = 0; level < 2; ++level) {
+      double lowest = INFINITY;
+      for (const double height : heights_) {
+        lowest = height > above ? std::min(lowest, height) : lowest;
+      }
+      std::vector<Placed> members;
+      for (std::uint32_t i = 0; i < heights_.size(); ++i) {
+        if (heights_[i] > above && heights_[i] - lowest <= 2.0 * near_) {
+          members.push_back({heights_[i], i});
+        }
+      }
+      if (!add_level(members)) {
+        return false;
+      }
+      for (const Placed& member : members) {
+        above = std::max(above, member.at);
+      }
+    }
+    result_.sides = 0;
+    return true;
+  }
+
   [[nodiscard]] bool find_rings() {
     rings_.clear();
-    std::vector<std::array<double, 2>> at;  // height and radius of each vertex
-    std::vector<std::uint32_t> order(vertices_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    for (const VertexId v : vertices_) {
-      const Vec3 p = surface_.point(v) - result_.centre;
-      const double height = dot(p, result_.axis);
-      at.push_back({height, length(p - height * result_.axis)});
+    std::vector<Placed> order(vertices_.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+      order[i] = {heights_[i], i};
     }
-    const auto sort = [&](std::size_t from, std::size_t to, std::size_t key) {
-      std::sort(order.begin() + static_cast<std::ptrdiff_t>(from),
-                order.begin() + static_cast<std::ptrdiff_t>(to), [&](std::uint32_t a, std::uint32_t b) {
-                  return std::pair(at[a][key], a) < std::pair(at[b][key], b);
-                });
-    };
-    // The end of what lies within the tolerance of its first one.
-    const auto level_end = [&](std::size_t from, std::size_t limit, std::size_t key) {
-      std::size_t end = from + 1;
-      while (end < limit && at[order[end]][key] - at[order[from]][key] <= 2.0 * near_) {
-        ++end;
-      }
-      return end;
-    };
-    sort(0, order.size(), 0);
+    std::sort(order.begin(), order.end());
     for (std::size_t from = 0; from < order.size();) {
-      const std::size_t level = level_end(from, order.size(), 0);
-      sort(from, level, 1);
-      while (from < level) {
-        const std::size_t end = level_end(from, level, 1);
-        if (!add_ring({order.begin() + static_cast<std::ptrdiff_t>(from),
-                       order.begin() + static_cast<std::ptrdiff_t>(end)},
-                      at)) {
-          return false;
-        }
-        from = end;
+      const std::size_t end = level_end(order, from);
+      if (!add_level({order.begin() + static_cast<std::ptrdiff_t>(from),
+                      order.begin() + static_cast<std::ptrdiff_t>(end)})) {
+        return false;
       }
+      from = end;
     }
     return result_.sides >= fewest_sides && rings_.size() > 1;
   }
 
-  [[nodiscard]] bool add_ring(const std::vector<std::uint32_t>& members,
-                              const std::vector<std::array<double, 2>>& at) {
+  /// Rings of one height, within each other.
+  [[nodiscard]] bool add_level(std::vector<Placed> level) {
+    for (Placed& member : level) {
+      member.at = radius_of(member.number);
+    }
+    std::sort(level.begin(), level.end());
+    for (std::size_t from = 0; from < level.size();) {
+      const std::size_t end = level_end(level, from);
+      if (!add_ring(std::span(level).subspan(from, end - from))) {
+        return false;
+      }
+      from = end;
+    }
+    return true;
+  }
+
+  /// `members`: in the order of their radii.
+  [[nodiscard]] bool add_ring(std::span<const Placed> members) {
     Ring ring;
-    for (const std::uint32_t i : members) {
-      ring.height += at[i][0] / static_cast<double>(members.size());
-      ring.radius += at[i][1] / static_cast<double>(members.size());
+    for (const Placed& member : members) {
+      ring.height += heights_[member.number] / static_cast<double>(members.size());
+      ring.radius += member.at / static_cast<double>(members.size());
     }
     if (ring.radius <= near_) {
       ring.radius = 0.0;
-      ring.vertices.push_back(vertices_[members.front()]);
+      ring.vertices.push_back(vertices_[members.front().number]);
       rings_.push_back(std::move(ring));
       return members.size() == 1;
     }
     const auto sides = static_cast<std::uint32_t>(members.size());
     if (result_.sides == 0) {
       result_.sides = sides;
-      result_.phase = angle_of(vertices_[members.front()]);
+      result_.phase = angle_of(vertices_[members.front().number]);
     }
     if (sides != result_.sides || sides < fewest_sides) {
       return false;
     }
     ring.vertices.assign(sides, VertexId());
-    for (const std::uint32_t i : members) {
-      const double turn = (angle_of(vertices_[i]) - result_.phase) * sides / (2.0 * std::numbers::pi);
+    for (const Placed& member : members) {
+      const VertexId v = vertices_[member.number];
+      const double turn = (angle_of(v) - result_.phase) * sides / (2.0 * std::numbers::pi);
       const auto k = static_cast<std::int64_t>(std::llround(turn));
       const double off =
           std::abs(turn - static_cast<double>(k)) * 2.0 * std::numbers::pi / sides * ring.radius;
@@ -181,7 +250,7 @@ class Recogniser {
       if (off > near_ || place.valid()) {
         return false;
       }
-      place = vertices_[i];
+      place = v;
     }
     rings_.push_back(std::move(ring));
     return true;
@@ -295,6 +364,7 @@ class Recogniser {
   const mesh::Surface& surface_;
   const std::vector<FaceId>& faces_;
   std::vector<VertexId> vertices_;
+  std::vector<double> heights_;  ///< of each along the axis that is tried
   Box3 box_;
   double near_ = 0.0;
   Turned result_;
@@ -508,50 +578,61 @@ std::vector<std::vector<FaceId>> faces_of_components(const mesh::Surface& surfac
 
 }  // namespace
 
-bool has_turned(const mesh::Model& model) {
-  const std::vector<std::vector<FaceId>> components = faces_of_components(model.surface);
-  return std::any_of(components.begin(), components.end(), [&](const std::vector<FaceId>& faces) {
-    return Recogniser(model, faces).find().has_value();
-  });
-}
-
-std::size_t simplify_turned(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
-                            const Context& context) {
+Turning turn_bodies(const mesh::Model& model, const SimplifyOptions& options, double largest_mm,
+                    const Context& context) {
   const mesh::Surface& surface = model.surface;
   const std::vector<std::vector<FaceId>> components = faces_of_components(surface);
-  const mesh::LooseFaces all = mesh::take_apart(model);
-  mesh::LooseFaces result;
-  result.points = all.points;
-  std::size_t changed = 0;
-  for (const std::vector<FaceId>& faces : components) {
+  Turning turning;
+  std::vector<std::optional<Made>> made(components.size());
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    const std::vector<FaceId>& faces = components[c];
     context.check();
-    std::optional<Made> made;
-    if (auto body = Recogniser(model, faces).find()) {
-      const FoldFigures figures = fold_figures(mesh::faces_alone(surface, faces), options);
-      if (figures.brief_share() > options.short_edge_share || faces.size() > options.most_faces) {
-        made = Chooser(*body, model, options, largest_mm, context).choose();
-      }
+    const std::optional<Turned> body = Recogniser(model, faces).find();
+    if (!body) {
+      continue;
     }
-    if (!made || made->faces.size() >= faces.size()) {
-      for (const FaceId f : faces) {
+    ++turning.found;
+    const FoldFigures figures = fold_figures(mesh::faces_alone(surface, faces), options);
+    if (figures.brief_share() > options.short_edge_share || faces.size() > options.most_faces) {
+      made[c] = Chooser(*body, model, options, largest_mm, context).choose();
+    }
+    if (made[c] && made[c]->faces.size() >= faces.size()) {
+      made[c].reset();
+    }
+    turning.changed += made[c] ? 1U : 0U;
+  }
+  if (turning.changed == 0) {
+    return turning;
+  }
+  const mesh::LooseFaces all = mesh::take_apart(model);
+  mesh::LooseFaces& result = turning.faces;
+  result.points = all.points;
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    if (!made[c]) {
+      for (const FaceId f : components[c]) {
         result.add(all, f.value(), all.faces[f.value()]);
       }
       continue;
     }
-    ++changed;
     const auto first = static_cast<std::uint32_t>(result.points.size());
-    result.points.insert(result.points.end(), made->points.begin(), made->points.end());
-    for (std::size_t i = 0; i < made->faces.size(); ++i) {
-      const auto& [a, b, c] = made->faces[i];
-      result.add(all, made->like[i].value(), {first + a, first + b, first + c});
+    result.points.insert(result.points.end(), made[c]->points.begin(), made[c]->points.end());
+    for (std::size_t i = 0; i < made[c]->faces.size(); ++i) {
+      const auto& [p, q, r] = made[c]->faces[i];
+      result.add(all, made[c]->like[i].value(), {first + p, first + q, first + r});
       result.polygon.back() = none;
     }
   }
-  if (changed > 0) {
-    mesh::put_together(model, std::move(result));
+  return turning;
+}
+
+std::size_t simplify_turned(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
+                            const Context& context) {
+  Turning turning = turn_bodies(model, options, largest_mm, context);
+  if (turning.changed > 0) {
+    mesh::put_together(model, std::move(turning.faces));
     remesh_panels(model, context);
   }
-  return changed;
+  return turning.changed;
 }
 
 }  // namespace ridgecraft::prepare

@@ -227,12 +227,12 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   return allowed.largest_mm;
 }
 
-/// `dense`: its surface before it was thinned out, if it was.
-void simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, const SimplifyOptions& options,
-                      SimplifyReport& report, const Context& context) {
+/// `dense`: what it was before it was thinned out, if it was. How far the surface was allowed to move.
+double simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, const SimplifyOptions& options,
+                        SimplifyReport& report, const Context& context) {
   report.specks_dropped += drop_specks(model, speck * options.short_edge_mm);
   const mesh::Model kept = model;
-  const mesh::Surface& before = dense ? dense->surface : kept.surface;
+  const mesh::Surface& before = dense ? dense->before.surface : kept.surface;
   const double largest_mm = simplify_components(model, before, options, {}, report, context);
   // What was simplified after the features and the turned bodies may have moved the surface as far again:
   // then what did so stays as it was.
@@ -249,6 +249,7 @@ void simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, con
       simplify_components(model, before, options, next, report, context);
     }
   }
+  return largest_mm;
 }
 
 void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
@@ -296,7 +297,14 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& wished, const
       dense ? dense->short_edges_share : fold_figures(model.surface, options).brief_share();
   if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_share ||
                                                     model.surface.face_count() > options.most_faces)) {
-    simplify_to_fold(model, dense, options, report, context);
+    const double largest_mm = simplify_to_fold(model, dense, options, report, context);
+    if (dense && dense->turned > 0 && report.deviation_mm > largest_mm) {
+      // All that could be left out since is; now what was turned is, too.
+      model = std::move(dense->before);
+      dense.reset();
+      remesh_panels(model, context);
+      simplify_to_fold(model, dense, options, report, context);
+    }
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
     simplify_to_count(model, options, report, context);

@@ -9,6 +9,7 @@
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/collapses/quick_collapses.hpp"
 #include "prepare/features/turned.hpp"
+#include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/shares/symmetric_share.hpp"
 #include "prepare/shares/whole.hpp"
@@ -63,14 +64,17 @@ std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within, const
     }
     context.check();
     dense.short_edges_share = fold_figures(model.surface, panels, walls, options).brief_share();
-    if (has_turned(model)) {
-      mesh::Model changed = model;
-      dense.turned = simplify_turned(changed, options, largest_mm, context);
-      if (dense.turned == 0) {
+    Turning turning = turn_bodies(model, options, largest_mm, context);
+    if (turning.found > 0) {
+      if (turning.changed == 0) {
         return std::nullopt;
       }
-      dense.surface = std::move(model.surface);
-      model = std::move(changed);
+      dense.turned = turning.changed;
+      mesh::Surface surface = std::move(model.surface);
+      dense.before = model;
+      dense.before.surface = std::move(surface);
+      mesh::put_together(model, std::move(turning.faces));
+      remesh_panels(model, context);
       return dense;
     }
     const mesh::LooseFaces all = mesh::take_apart(model);
@@ -81,7 +85,7 @@ std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within, const
                                                    quick_share * largest_mm, context)),
                   all);
   }
-  dense.surface = std::move(model.surface);
+  dense.before.surface = std::move(model.surface);
   mesh::put_together(model, std::move(faces));
   return dense;
 }

@@ -12,7 +12,7 @@ namespace ridgecraft::prepare {
 
 /// What a model was before its faces became fewer, and what was done to it.
 struct Dense {
-  mesh::Surface surface;
+  mesh::Model before;              ///< all of it where bodies were turned, else its surface alone
   double short_edges_share = 0.0;  ///< of its folds, those that are short (fold_figures.hpp)
   std::size_t turned = 0;          ///< bodies that have fewer sides, evenly around
   double unevenness_mm = 0.0;      ///< how far its sides were from being mirror images, which they are now

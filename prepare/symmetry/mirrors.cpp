@@ -25,6 +25,10 @@ constexpr std::size_t first_corners = 64;
 constexpr std::size_t most_fitted = 4000;
 /// Of surfaces with more corners so many, spread over all, tell how far off a plane is; and as many faces.
 constexpr std::size_t most_compared = 100000;
+/// Where the longest edge isn't longer than so many near tolerances, a few questions ...
+constexpr double nearly_fine = 4.0;
+/// ... are answered by corners, which takes longer than a tree of all faces does, but needn't be made.
+constexpr std::size_t few_questions = 500;
 /// A candidate may be off by this share of the extent before it is fitted ...
 constexpr double first_reach = 0.04;
 /// ... and each fit halves what it looks at.
@@ -183,7 +187,7 @@ class MirrorSearch {
     if (tree_.nearest(p, enough) != no_point) {
       return 0.0;
     }
-    if (longest_ <= near_ && places_.size() == points_.size()) {
+    if (asks_corners()) {
       const std::uint32_t corner = tree_.nearest(p, std::max(enough, near_) + longest_);
       if (corner == no_point) {
         return INFINITY;
@@ -194,6 +198,11 @@ class MirrorSearch {
       faces_.emplace(surface_, INFINITY);
     }
     return faces_->distance(p, enough);
+  }
+
+  [[nodiscard]] bool asks_corners() {
+    return places_.size() == points_.size() &&
+           (longest_ <= near_ || (longest_ <= nearly_fine * near_ && ++asked_ <= few_questions));
   }
 
   /// A face has a corner that is farther off than the face by no more than its longest side. So of a fine
@@ -419,7 +428,8 @@ class MirrorSearch {
   double extent_;
   double exact_;
   double near_;
-  double longest_ = 0.0;  ///< side of a face
+  double longest_ = 0.0;   ///< side of a face
+  std::size_t asked_ = 0;  ///< questions of a nearly fine surface
   std::vector<Vec3> points_;
   std::vector<std::uint32_t> places_;
   NearbyPoints tree_;

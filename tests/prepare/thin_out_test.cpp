@@ -44,7 +44,7 @@ TEST_CASE("a dense smooth model keeps its shape, its foot and its symmetry with 
   REQUIRE(prepare::is_dense(before, {}));
   const auto dense = prepare::thin_out(model, symmetric_within, {}, {});
   REQUIRE(dense);
-  CHECK(dense->surface.face_count() == before.face_count());
+  CHECK(dense->before.surface.face_count() == before.face_count());
   CHECK(test::euler(model.surface) == 2);
   // What is left of the foot is its outline with all that is within it.
   double foot = 0.0;
@@ -86,7 +86,7 @@ TEST_CASE("what was turned gets fewer sides, evenly around", "[thin_out]") {
   const auto dense = prepare::thin_out(model, symmetric_within, {}, {});
   REQUIRE(dense);
   CHECK(dense->turned == 1);
-  CHECK(dense->surface.face_count() == surface.face_count());
+  CHECK(dense->before.surface.face_count() == surface.face_count());
   CHECK(model.surface.face_count() < 1000);
   CHECK(prepare::find_mirrors(model.surface, 1).at(0).exact);
 }
