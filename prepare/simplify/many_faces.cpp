@@ -11,7 +11,7 @@ namespace {
 
 constexpr double coarse = 3.0;
 /// What is made of walls has so many triangles in each flat face on average.
-constexpr double of_walls = 2.5;
+constexpr double of_walls = 3.0;
 
 /// A surface of equilateral triangles with the short edge has so many faces.
 double faces_of_short_edges(const mesh::Surface& surface, double short_edge_mm) {
