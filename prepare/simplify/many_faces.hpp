@@ -19,8 +19,8 @@ inline constexpr std::size_t quick = 4;
 inline constexpr double quick_share = 0.1;
 
 /// How many triangles a model may have before it gets fewer: SimplifyOptions::most_faces; what is made of
-/// walls, of several triangles each, as many as SimplifyOptions::most_flat_faces such walls have, up to twice
-/// as many. It would be crumpled to save faces that nobody has to fold. O(n log n).
+/// walls, of several triangles each, as many as SimplifyOptions::most_flat_faces such walls have, up to a
+/// third more. It would be crumpled to save faces that nobody has to fold. O(n log n).
 [[nodiscard]] std::size_t most_triangles(const mesh::Surface& surface, const SimplifyOptions& options);
 
 /// Down to so many faces of a surface in mm no care is needed: three times those that edges as long as the
