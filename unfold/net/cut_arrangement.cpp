@@ -17,8 +17,18 @@ namespace ridgecraft::unfold {
 
 namespace {
 
+/// A line that is cut at a node turns by up to the tolerance, and may lie on the next short side of a narrow
+/// gap then. So it is cut again, as long as it moves by no more than so many times the tolerance in all.
+constexpr double most_moves = 4.0;
+
 using Node = std::uint32_t;
 using NodePair = std::array<Node, 2>;
+
+/// A part of a side of the loops.
+struct Run {
+  NodePair ends{};
+  NodePair side{};  ///< the ends of the whole side
+};
 
 Box2 box_of(Vec2 a, Vec2 b) {
   Box2 box;
@@ -58,55 +68,67 @@ class Nodes {
   std::multimap<std::pair<std::int64_t, std::int64_t>, Node> cells_;
 };
 
-/// Each segment cut at the nodes that lie on it.
-std::vector<NodePair> split_at_nodes(const std::vector<NodePair>& segments, const std::vector<Vec2>& points,
-                                     double tolerance) {
+double distance_from_line(Vec2 p, Vec2 a, Vec2 b) {
+  return std::abs(cross(b - a, p - a)) / length(b - a);
+}
+
+/// Each run cut at the nodes that lie on it.
+std::vector<Run> split_at_nodes(const std::vector<Run>& runs, const std::vector<Vec2>& points,
+                                double tolerance) {
   std::vector<Box2> boxes;
   for (const Vec2 p : points) {
     boxes.push_back(box_of(p, p));
   }
   // Points have no size, so the grid chooses its cells by their number.
   const BoxGrid grid(std::move(boxes));
-  std::vector<NodePair> result;
+  std::vector<Run> result;
   std::vector<std::pair<double, Node>> on;
-  for (const auto& [a, b] : segments) {
+  for (const auto& [ends, side] : runs) {
+    const auto [a, b] = ends;
     const Vec2 along = points[b] - points[a];
     const double size = length(along);
     on.clear();
-    grid.visit(grown(box_of(points[a], points[b]), tolerance), [&, a = a, b = b](Node node) {
+    grid.visit(grown(box_of(points[a], points[b]), tolerance), [&, a = a, b = b, side = side](Node node) {
       if (node == a || node == b) {
         return;
       }
       const Vec2 to = points[node] - points[a];
       const double t = dot(to, along) / size;
-      if (t > 0.0 && t < size && std::abs(cross(along, to)) <= tolerance * size) {
+      if (t > 0.0 && t < size && std::abs(cross(along, to)) <= tolerance * size &&
+          distance_from_line(points[node], points[side[0]], points[side[1]]) <= most_moves * tolerance) {
         on.emplace_back(t, node);
       }
     });
     std::sort(on.begin(), on.end());
     Node from = a;
     for (const auto& [t, node] : on) {
-      result.push_back({from, node});
+      result.push_back({{from, node}, side});
       from = node;
     }
-    result.push_back({from, b});
+    result.push_back({{from, b}, side});
   }
   return result;
 }
 
-/// Segments that are run both ways cancel each other and are slits; the others stay.
-void cancel_opposite(const std::vector<NodePair>& segments, std::vector<NodePair>& kept,
-                     std::vector<NodePair>& slits) {
-  std::map<NodePair, int> balance;  // runs upwards (from the smaller node) minus runs downwards
-  for (const auto& [a, b] : segments) {
-    balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+/// Runs that are run both ways cancel each other and are slits; the others stay.
+void cancel_opposite(const std::vector<Run>& runs, std::vector<Run>& kept, std::vector<NodePair>& slits) {
+  struct Both {
+    std::vector<Run> upwards;  ///< from the smaller node
+    std::vector<Run> downwards;
+  };
+  std::map<NodePair, Both> between;
+  for (const Run& run : runs) {
+    const auto [a, b] = run.ends;
+    Both& both = between[{std::min(a, b), std::max(a, b)}];
+    (a < b ? both.upwards : both.downwards).push_back(run);
   }
-  for (const auto& [ends, sum] : balance) {
-    if (sum == 0) {
+  for (const auto& [ends, both] : between) {
+    const std::size_t opposite = std::min(both.upwards.size(), both.downwards.size());
+    if (both.upwards.size() == both.downwards.size()) {
       slits.push_back(ends);
     }
-    for (int i = 0; i < std::abs(sum); ++i) {
-      kept.push_back(sum > 0 ? ends : NodePair{ends[1], ends[0]});
+    for (const auto* way : {&both.upwards, &both.downwards}) {
+      kept.insert(kept.end(), way->begin() + static_cast<std::ptrdiff_t>(opposite), way->end());
     }
   }
 }
@@ -117,28 +139,27 @@ double turn(Vec2 a, Vec2 b) {
   return angle > 0.0 ? angle : angle + 2.0 * std::numbers::pi;
 }
 
-/// Follows the segments; where there is a choice the loop keeps to the region outside, on its right.
-std::vector<std::vector<Vec2>> trace_loops(const std::vector<NodePair>& segments,
-                                           const std::vector<Vec2>& points) {
+/// Follows the runs; where there is a choice the loop keeps to the region outside, on its right.
+std::vector<std::vector<Vec2>> trace_loops(const std::vector<Run>& runs, const std::vector<Vec2>& points) {
   std::vector<std::vector<std::uint32_t>> leaving(points.size());
-  for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    leaving[segments[i][0]].push_back(i);
+  for (std::uint32_t i = 0; i < runs.size(); ++i) {
+    leaving[runs[i].ends[0]].push_back(i);
   }
-  std::vector<bool> used(segments.size(), false);
+  std::vector<bool> used(runs.size(), false);
   std::vector<std::vector<Vec2>> loops;
-  for (std::uint32_t first = 0; first < segments.size(); ++first) {
+  for (std::uint32_t first = 0; first < runs.size(); ++first) {
     if (used[first]) {
       continue;
     }
     std::vector<Vec2> loop;
     for (std::uint32_t at = first; !used[at];) {
       used[at] = true;
-      const auto [from, to] = segments[at];
+      const auto [from, to] = runs[at].ends;
       loop.push_back(points[from]);
       double smallest = INFINITY;
       for (const std::uint32_t other : leaving[to]) {
-        const double angle = turn(points[from] - points[to], points[segments[other][1]] - points[to]);
-        // The segment that the loop began with may close it.
+        const double angle = turn(points[from] - points[to], points[runs[other].ends[1]] - points[to]);
+        // The run that the loop began with may close it.
         if ((!used[other] || other == first) && angle < smallest) {
           smallest = angle;
           at = other;
@@ -192,7 +213,7 @@ std::vector<std::vector<Vec2>> join_lines(const std::vector<NodePair>& segments,
 
 CutLines arrange_cuts(const std::vector<std::vector<Vec2>>& loops, double tolerance) {
   Nodes nodes(tolerance);
-  std::vector<NodePair> segments;
+  std::vector<Run> runs;
   for (const std::vector<Vec2>& loop : loops) {
     std::vector<Node> chain;
     for (const Vec2 p : loop) {
@@ -201,14 +222,19 @@ CutLines arrange_cuts(const std::vector<std::vector<Vec2>>& loops, double tolera
     for (std::size_t i = 0; i < chain.size(); ++i) {
       const Node to = chain[(i + 1) % chain.size()];
       if (chain[i] != to) {
-        segments.push_back({chain[i], to});
+        runs.push_back({{chain[i], to}, {chain[i], to}});
       }
     }
   }
-  std::vector<NodePair> kept;
   std::vector<NodePair> slits;
-  cancel_opposite(split_at_nodes(segments, nodes.points, tolerance), kept, slits);
-  return {trace_loops(kept, nodes.points), join_lines(slits, nodes.points)};
+  for (bool more = true; more;) {
+    const std::size_t known = slits.size();
+    std::vector<Run> kept;
+    cancel_opposite(split_at_nodes(runs, nodes.points, tolerance), kept, slits);
+    runs = std::move(kept);
+    more = slits.size() > known;
+  }
+  return {trace_loops(runs, nodes.points), join_lines(slits, nodes.points)};
 }
 
 }  // namespace ridgecraft::unfold
