@@ -7,6 +7,7 @@
 #include "prepare/features/trim_teeth.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/sheets/double_skins.hpp"
+#include "prepare/simplify/many_faces.hpp"
 #include "prepare/simplify/simplify.hpp"
 #include "prepare/walls/fold_figures.hpp"
 
@@ -36,9 +37,6 @@ double judged_mm_per_unit(const mesh::Model& model, const SizeOptions& size) {
                             : size.largest_extent_mm / largest;
 }
 
-/// Samples for the distance are this share of the largest extent apart.
-constexpr double ready_spacing = 0.015;
-
 /// The teeth of bodies of a model in its own unit.
 Teeth leave_out_teeth(mesh::Model& model, const SimplifyOptions& in_units, const Context& context) {
   const mesh::Surface before = model.surface;
@@ -47,7 +45,7 @@ Teeth leave_out_teeth(mesh::Model& model, const SimplifyOptions& in_units, const
   Teeth teeth;
   teeth.count = trim_teeth(trimmed, in_units, in_units.tiny_edge_mm, context);
   if (teeth.count > 0) {
-    const double spacing = ready_spacing * before.bounds().largest_extent();
+    const double spacing = sample_spacing * before.bounds().largest_extent();
     teeth.moved_mm = measured_distance(mesh::SurfaceTree(trimmed.surface, spacing),
                                        mesh::SurfaceTree(before, spacing), context);
     model = std::move(trimmed);
@@ -102,7 +100,7 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
         context);
     report.plain.moved_mm *= mm;
   }
-  if (too_many) {
+  if (too_many && model.surface.face_count() <= very_many_faces) {
     report.teeth = leave_out_teeth(model, in_units, context);
     report.teeth.moved_mm *= mm;
   }

@@ -107,7 +107,7 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
     clauses.push_back(plain_text(made.ready.plain) + " (--keep-bodies keeps them)");
   }
   if (made.ready.teeth.count > 0) {
-    clauses.push_back(teeth_text(made.ready.teeth) + " (--keep-bodies keeps them)");
+    clauses.push_back(teeth_text(made.ready.teeth) + " (--faces keep keeps them)");
   }
   if (skin.united > 0) {
     clauses.push_back(counted_bodies(skin.united) + " made one skin where they meet" +

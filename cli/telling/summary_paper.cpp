@@ -73,7 +73,7 @@ void add_skin(Summary& summary, const job::Paper& made) {
     summary.say(Line::skin, "plain", plain_text(plain) + " (--keep-bodies keeps them)");
   }
   if (teeth.count > 0) {
-    summary.say(Line::skin, "teeth", teeth_text(teeth) + " (--keep-bodies keeps them)");
+    summary.say(Line::skin, "teeth", teeth_text(teeth) + " (--faces keep keeps them)");
   }
   if (skin.united > 0) {
     summary.say(

@@ -81,13 +81,6 @@ void PlaneCuts::make(const PlaneCut& cut) {
   }
 }
 
-void PlaneCuts::replace(const std::set<FaceId>& faces, const Caps& caps) {
-  caps_.insert(caps_.end(), caps.begin(), caps.end());
-  for (const FaceId f : faces) {
-    gone_[f.value()] = true;
-  }
-}
-
 bool PlaneCuts::finish(mesh::Model& model) {
   mesh::LooseFaces result = with_caps(all_, gone_, caps_);
   for (const auto& [face, like] : rests_) {

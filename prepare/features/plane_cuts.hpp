@@ -55,8 +55,6 @@ class PlaneCuts {
   [[nodiscard]] double covered(const PlaneCut& cut) const;
   void make(const PlaneCut& cut);
   void drop(const PlaneCut& cut) { all_.points.resize(cut.first_point); }
-  /// These faces go, and the caps are there for them.
-  void replace(const std::set<FaceId>& faces, const Caps& caps);
 
   /// The model with all of that; false, and as it was, where it would be no surface any more.
   [[nodiscard]] bool finish(mesh::Model& model);

@@ -117,11 +117,12 @@ class ReliefTrimmer {
         visit(beyond);
       }
     }
-    Caps caps;
-    if (inside.empty() || !goes(front, inside) || !close_loop(surface_, walls_, loop, caps)) {
+    PlaneCut cut;
+    if (inside.empty() || !goes(front, inside) || !close_loop(surface_, walls_, loop, cut.caps)) {
       return false;
     }
-    cuts_.replace(inside, caps);
+    cut.faces.assign(inside.begin(), inside.end());
+    cuts_.make(cut);
     return true;
   }
 

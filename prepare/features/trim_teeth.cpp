@@ -33,6 +33,8 @@ constexpr double left_share = 0.5;
 constexpr double worth_teeth = 0.1;
 /// Where one tooth stood, there may be the ground of others.
 constexpr int teeth_rounds = 4;
+/// What has more faces has other details than teeth.
+constexpr std::size_t too_many_to_trim = 100000;
 
 class TeethTrimmer {
  public:
@@ -99,6 +101,9 @@ class TeethTrimmer {
 
 std::size_t trim_teeth(mesh::Model& model, const SimplifyOptions& options, double height_mm,
                        const Context& context) {
+  if (model.surface.face_count() > too_many_to_trim) {
+    return 0;
+  }
   mesh::Model trimmed = model;
   std::size_t all = 0;
   for (int round = 0; round < teeth_rounds; ++round) {

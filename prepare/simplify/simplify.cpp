@@ -33,8 +33,6 @@
 namespace ridgecraft::prepare {
 namespace {
 
-/// Samples for the deviation are this share of the largest extent apart.
-constexpr double sample_spacing = 0.015;
 /// A component that is smaller than this share of the short edge in every direction vanishes when the model
 /// is too fine: it could neither be cut nor held.
 constexpr double speck = 0.5;

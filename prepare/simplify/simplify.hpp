@@ -8,6 +8,9 @@
 
 namespace ridgecraft::prepare {
 
+/// Samples by which it is measured how far a surface moved are this share of its largest extent apart.
+inline constexpr double sample_spacing = 0.015;
+
 /// Remeshes the panels of a model in millimetres and simplifies it as the options ask; the result is
 /// remeshed, too. O(n log n).
 [[nodiscard]] SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options,

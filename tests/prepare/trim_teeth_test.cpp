@@ -13,7 +13,6 @@
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/layers.hpp"
 #include "prepare/ready_bodies.hpp"
-#include "prepare/simplify/many_faces.hpp"
 
 using namespace ridgecraft;
 using test::flipped;
@@ -121,27 +120,4 @@ TEST_CASE("teeth of bodies go before these are united, where there are too many 
     CHECK(report.teeth.count == (too_many ? 24 : 0));
     CHECK(report.teeth.moved_mm == Approx(too_many ? 2.4 : 0.0));
   }
-}
-
-TEST_CASE("walls may have more triangles than what has none", "[teeth]") {
-  const mesh::Model walls = castle(2.4);
-  const std::size_t triangles = walls.surface.face_count();
-  const std::size_t flat = prepare::find_panels(walls.surface).count();
-  REQUIRE(triangles >= 3 * flat);
-  prepare::SimplifyOptions options;
-  options.most_faces = triangles;
-  CHECK(prepare::most_triangles(walls.surface, options) == triangles);
-  options.most_faces = triangles * 4 / 5;
-  for (const std::size_t share : {std::size_t{1}, std::size_t{2}}) {
-    options.most_flat_faces = flat / share;
-    const std::size_t most = prepare::most_triangles(walls.surface, options);
-    CHECK(most == (share == 1 ? triangles : options.most_faces));
-  }
-  options.most_faces = triangles / 4;
-  options.most_flat_faces = flat;
-  CHECK(prepare::most_triangles(walls.surface, options) == options.most_faces * 135 / 100);
-  // Of a dome each triangle is a flat face.
-  const mesh::Surface dome = test::sphere(20, 12);
-  options.most_faces = dome.face_count() / 2;
-  CHECK(prepare::most_triangles(dome, options) == options.most_faces);
 }
