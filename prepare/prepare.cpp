@@ -112,6 +112,19 @@ class SizeSearch {
     });
     return best;
   }
+  /// At the same size with fewer triangles than its walls may keep, if it is good enough so.
+  [[nodiscard]] std::optional<Prepared> of_fewer_triangles(const Prepared& usual, const SizeOptions& size,
+                                                           bool (*good)(const Prepared&)) const {
+    if (!usual.simplified.walls_keep_more) {
+      return std::nullopt;
+    }
+    return in_time([&] {
+      SimplifyOptions fewer = simplify_;
+      fewer.most_flat_faces = 0;
+      std::optional<Prepared> found = prepare_at_size(model_, size, fewer, room_, context_);
+      return good(*found) ? std::move(found) : std::nullopt;
+    });
+  }
   /// At a smaller size, if it can be folded there.
   [[nodiscard]] std::optional<Prepared> smaller(double mm) const {
     return in_time([&] {
@@ -185,6 +198,9 @@ Prepared of_foldable_size(Prepared usual, const SizeOptions& size, const SizeSea
     larger->size_reason = SizeReason::folds;
     return std::move(*larger);
   }
+  if (std::optional<Prepared> fewer = search.of_fewer_triangles(usual, size, suits)) {
+    return std::move(*fewer);
+  }
   if (!can_be_folded(usual)) {
     usual.smallest_size_mm = foldable_mm;
   }
@@ -249,6 +265,9 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
     return of_fitting_size(std::move(prepared), size, search);
   }
   if (!can_be_folded(prepared)) {
+    if (std::optional<Prepared> fewer = search.of_fewer_triangles(prepared, size, can_be_folded)) {
+      return std::move(*fewer);
+    }
     search.larger(extent_of(prepared), can_be_folded, prepared.smallest_size_mm);
   }
   return prepared;

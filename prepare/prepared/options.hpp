@@ -52,7 +52,7 @@ struct SimplifyOptions {
   double splinter_mm = 1.0;
   /// automatic: nobody builds a model of more triangles, ...
   std::size_t most_faces = 1000;
-  /// ... unless they are parts of so few flat faces.
+  /// ... unless they are parts of so few flat faces; 0: no matter of how many.
   std::size_t most_flat_faces = 450;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;

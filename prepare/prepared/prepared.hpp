@@ -36,6 +36,8 @@ struct SimplifyReport {
   /// Share of the length of all edges between panels that edges below short_edge_mm have: there a tab holds
   /// badly and a number finds no room, whatever made them short.
   double cramped_share = 0.0;
+  /// It has more triangles than SimplifyOptions::most_faces, for they are parts of few walls.
+  bool walls_keep_more = false;
   bool at_its_size = false;     ///< some faces went at the model's size, not just before bodies were united
   bool still_too_fine = false;  ///< nobody could fold it: tiny_edges_after is above short_edge_share
 };

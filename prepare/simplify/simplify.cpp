@@ -312,6 +312,8 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& wished, const
     report.evened_mm = std::max(report.evened_mm, evened(dense->unevenness_mm, model));
   }
   report.faces_after = model.surface.face_count();
+  report.walls_keep_more = options.mode == Simplification::automatic &&
+                           options.most_faces > wished.most_faces && report.faces_after > wished.most_faces;
   report.short_edges_after = fold_figures(model.surface, options).brief_share();
   return report;
 }
