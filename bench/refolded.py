@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Printed colours against the model's own. Needs numpy, Pillow and pdftoppm.
 
-  refolded.py PROGRAM MODEL.obj... [-- OPTION...]
+  refolded.py PROGRAM MODEL... [-- OPTION...]
 
-Each model becomes pages, which are rendered at 300 dpi; the dots are led back to the model by the file of nets, which
+Models are OBJ files, OFF files with colours of faces from 0 to 255, or PLY files as text with colours of faces or
+vertices. Each model becomes pages, which are rendered at 300 dpi; the dots are led back to the model by the file of nets, which
 folds it up again. Both that and the model as its own file has it are looked at from 50 sides, 200 pixels along their
 longest, without light. Of pixels that show both: the mean difference (CIE 1976, sRGB under D65)
 
@@ -67,54 +68,109 @@ def read_materials(path):
 
 
 class Original:
-    """Triangles with their materials and places in pictures."""
+    """Triangles with their colours: those of their corners, over which a face's picture lies where it has one."""
 
     def __init__(self, path):
-        points, places, corners, uvs, materials, known, name = [], [], [], [], [], {}, None
-        for line in open(path, encoding="utf-8", errors="replace"):
-            words = line.split()
-            if not words:
-                continue
-            if words[0] == "mtllib":
-                known = read_materials(os.path.join(os.path.dirname(path), words[1]))
-            elif words[0] == "v":
-                points.append([float(w) for w in words[1:4]])
-            elif words[0] == "vt":
-                places.append([float(w) for w in words[1:3]])
-            elif words[0] == "usemtl":
-                name = words[1]
-            elif words[0] == "f":
-                polygon = []
-                for word in words[1:]:
-                    numbers = [int(n) if n else 0 for n in word.split("/")] + [0]
-                    v = numbers[0] - 1 if numbers[0] > 0 else len(points) + numbers[0]
-                    t = numbers[1] - 1 if numbers[1] > 0 else len(places) + numbers[1] if numbers[1] else -1
-                    polygon.append((v, places[t] if t >= 0 else [0, 0]))
-                for i in range(2, len(polygon)):
-                    three = [polygon[0], polygon[i - 1], polygon[i]]
-                    corners.append([v for v, _ in three])
-                    uvs.append([t for _, t in three])
-                    materials.append(name)
-        points = np.array(points)
-        self.triangles = points[np.array(corners)]
-        self.uvs = np.array(uvs)
-        names = sorted(set(materials), key=str)
-        self.material = np.array([names.index(m) for m in materials])
-        self.known = [known.get(n, [np.array([255.0] * 3), None]) for n in names]
+        read = {".ply": read_ply, ".off": read_off}.get(os.path.splitext(path)[1], read_obj)
+        self.triangles, self.shades, self.uvs, self.picture, self.pictures = read(path)
 
     def colours(self, face, weights):
-        result = np.zeros((len(face), 3))
-        for number, (colour, picture) in enumerate(self.known):
-            own = self.material[face] == number
-            if picture is None:
-                result[own] = colour
-                continue
+        result = np.round((weights[:, :, None] * self.shades[face]).sum(1))
+        for number, picture in enumerate(self.pictures):
+            own = self.picture[face] == number
             uv = (weights[own][:, :, None] * self.uvs[face[own]]).sum(1)
             height, width = picture.shape[:2]
             x = np.floor(np.mod(uv[:, 0], 1.0000001) * width).astype(int).clip(0, width - 1)
             y = np.floor((1 - np.mod(uv[:, 1], 1.0000001)) * height).astype(int).clip(0, height - 1)
             result[own] = picture[y, x]
         return result
+
+
+def read_obj(path):
+    points, places, corners, uvs, materials, known, name = [], [], [], [], [], {}, None
+    for line in open(path, encoding="utf-8", errors="replace"):
+        words = line.split()
+        if not words:
+            continue
+        if words[0] == "mtllib":
+            known = read_materials(os.path.join(os.path.dirname(path), words[1]))
+        elif words[0] == "v":
+            points.append([float(w) for w in words[1:4]])
+        elif words[0] == "vt":
+            places.append([float(w) for w in words[1:3]])
+        elif words[0] == "usemtl":
+            name = words[1]
+        elif words[0] == "f":
+            polygon = []
+            for word in words[1:]:
+                numbers = [int(n) if n else 0 for n in word.split("/")] + [0]
+                v = numbers[0] - 1 if numbers[0] > 0 else len(points) + numbers[0]
+                t = numbers[1] - 1 if numbers[1] > 0 else len(places) + numbers[1] if numbers[1] else -1
+                polygon.append((v, places[t] if t >= 0 else [0, 0]))
+            for i in range(2, len(polygon)):
+                three = [polygon[0], polygon[i - 1], polygon[i]]
+                corners.append([v for v, _ in three])
+                uvs.append([t for _, t in three])
+                materials.append(name)
+    of_faces = [known.get(name, [np.array([255.0] * 3), None]) for name in materials]
+    pictures = [picture for _, picture in known.values() if picture is not None]
+    number = [next((i for i, one in enumerate(pictures) if one is picture), -1) for _, picture in of_faces]
+    shades = np.array([[colour] * 3 for colour, _ in of_faces])
+    return np.array(points)[np.array(corners)], shades, np.array(uvs), np.array(number), pictures
+
+
+def read_ply(path):
+    lines = iter(open(path, encoding="utf-8", errors="replace"))
+    elements, rows = [], {}
+    for line in lines:
+        words = line.split()
+        if words[0] == "element":
+            elements.append((words[1], int(words[2]), []))
+        elif words[0] == "property":
+            elements[-1][2].append(words[-1])
+        elif words[0] == "format" and words[1] != "ascii":
+            raise SystemExit(path + ": only PLY files as text are read")
+        elif words[0] == "end_header":
+            break
+    names = {name: properties for name, _, properties in elements}
+    for name, count, _ in elements:
+        rows[name] = [[float(word) for word in next(lines).split()] for _ in range(count)]
+
+    def colour(row, properties):
+        return [row[properties.index(part)] if part in properties else 255.0 for part in ("red", "green", "blue")]
+
+    corners, shades = [], []
+    for row in rows["face"]:
+        size = int(row[0])
+        # The list of corners comes first; behind it one value for each property.
+        own = colour(row[size:], names["face"]) if "red" in names["face"] else None
+        polygon = [int(v) for v in row[1:size + 1]]
+        for i in range(2, size):
+            three = [polygon[0], polygon[i - 1], polygon[i]]
+            corners.append([rows["vertex"][v][:3] for v in three])
+            shades.append([own or colour(rows["vertex"][v], names["vertex"]) for v in three])
+    return without_pictures(corners, shades)
+
+
+def read_off(path):
+    rows = [line.split("#")[0].split() for line in open(path, encoding="utf-8", errors="replace")]
+    rows = [row for row in rows if row][1:]
+    points, faces = int(rows[0][0]), int(rows[0][1])
+    places = [[float(word) for word in row[:3]] for row in rows[1:points + 1]]
+    corners, shades = [], []
+    for row in rows[points + 1:points + faces + 1]:
+        size = int(row[0])
+        own = [float(word) for word in row[size + 1:size + 4]] or [255.0] * 3
+        polygon = [int(v) for v in row[1:size + 1]]
+        for i in range(2, size):
+            corners.append([places[v] for v in (polygon[0], polygon[i - 1], polygon[i])])
+            shades.append([own] * 3)
+    return without_pictures(corners, shades)
+
+
+def without_pictures(corners, shades):
+    none = np.full(len(corners), -1)
+    return np.array(corners), np.array(shades), np.zeros((len(corners), 3, 2)), none, []
 
 
 class Refolded:
