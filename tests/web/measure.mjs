@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What studio.html takes (docs/studio.md, "What it takes"): until it is ready, until a model that is dropped is shown, and from a
-// click to the core's answer of an edit, and to the new picture. No test: seconds are nobody's promise. Each is told by the
-// clock and, behind it, by the processors of all the browser's processes, which counts where other programs run beside it.
+// What studio.html takes (docs/studio.md, "What it takes"): until it takes models, until the program is ready, until a model
+// that is dropped is shown, and from a click to the core's answer of an edit, and to the new picture. No test: seconds are
+// nobody's promise. Each is told by the clock and, behind it, by the processors of all the browser's processes, which counts
+// where other programs run beside it.
 //   node measure.mjs --browser chromium --page FILE --tools FOLDER [--edits N] [--wish KEY=VALUE]... MODEL...
 import {readdirSync, readFileSync} from "node:fs";
 import {basename} from "node:path";
@@ -57,8 +58,14 @@ for (const model of positionals) {
   const page = await context.newPage();
   page.setDefaultTimeout(600000);
   // When the core was asked last, and when it answered: what is left of an edit's time is drawing.
+  // When the page's own script had run, and models could be dropped: the program may still be unpacked then.
   await page.addInitScript(() => {
-    globalThis.asked = globalThis.answered = 0;
+    globalThis.asked = globalThis.answered = globalThis.dropped = globalThis.usable = 0;
+    let studio;
+    Object.defineProperty(globalThis, "ridgecraft", {get: () => studio, set: (value) => {
+      studio = value;
+      globalThis.usable = performance.now();
+    }});
     globalThis.Worker = class extends Worker {
       constructor(...words) {
         super(...words);
@@ -79,18 +86,21 @@ for (const model of positionals) {
     await page.goto(pathToFileURL(values.page).href);
     await page.waitForFunction(() => globalThis.ridgecraft?.inspect().ready > 0);
   });
+  console.log(`takes models after ${(await page.evaluate(() => globalThis.usable)).toFixed(0)} ms`);
   say("ready", {...opened, wall: (await inspect()).ready});
   const name = basename(model);
   const shown = await timed(async () => {
     await page.evaluate(([file, base64]) => {
       const data = new DataTransfer();
       data.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], file));
+      globalThis.dropped = performance.now();
       document.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
     }, [name, readFileSync(model).toString("base64")]);
     await page.waitForFunction(() => globalThis.ridgecraft.inspect().figures);
     return idle();
   });
   say(`${name} shown`, shown);
+  console.log(`the core's answer after ${(await page.evaluate(() => globalThis.answered - globalThis.dropped)).toFixed(0)} ms`);
   for (const wish of values.wish) {
     const [key, value] = wish.split("=");
     say(`${key} ${value}`, await timed(async () => {
