@@ -217,6 +217,35 @@ TEST_CASE("a cube of board has faces as wide as it leaves them", "[machine_optio
   CHECK(count == 12);
 }
 
+TEST_CASE("no machine gets a crumb of any sample, a crossing or a line twice", "[slow]") {
+  if (std::system("/usr/bin/python3 -c 'import shapely' >/dev/null 2>&1") != 0) {
+    WARN("skipped: python3-shapely not installed");
+    return;
+  }
+  const TemporaryFolder folder;
+  const std::string source = RIDGECRAFT_SOURCE_DIR;
+  std::string files;
+  for (const auto& entry : std::filesystem::directory_iterator(source + "/samples")) {
+    if (!std::set<std::string>{".obj", ".off", ".ply", ".stl"}.contains(entry.path().extension().string())) {
+      continue;
+    }
+    const std::string model = entry.path().string();
+    const std::string stem = entry.path().stem().string();
+    const std::string nets = (folder / (stem + ".fold")).string();
+    CAPTURE(stem);
+    REQUIRE(run_program({model, "-o", nets}, in(folder)).exit_code == 0);
+    // With kerf and dashes, in whole lines, and in dashes on a mat.
+    for (const std::string preset : {"laser", "cricut", "silhouette"}) {
+      const std::string svg = (folder / preset / (stem + ".svg")).string();
+      REQUIRE(run_program({model, "--from", nets, "--preset", preset, "-o", svg}, in(folder)).exit_code == 0);
+    }
+  }
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+    files += entry.path().extension() == ".svg" ? " '" + entry.path().string() + "'" : "";
+  }
+  CHECK(std::system(("/usr/bin/python3 '" + source + "/tests/cli/machine_svg.py'" + files).c_str()) == 0);
+}
+
 TEST_CASE("other programs find nothing wrong with any preset's files", "[slow]") {
   const auto has = [](const std::string& command) {
     return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
