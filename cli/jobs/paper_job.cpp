@@ -12,6 +12,7 @@
 
 #include "base/digest.hpp"
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "base/sentence.hpp"
 #include "cli/files/edge_files.hpp"
 #include "cli/files/model_input.hpp"
@@ -30,13 +31,38 @@ std::string printed(const fs::path& file) {
   return file.lexically_normal().string();
 }
 
-/// Writes one target's files under their temporary names.
-void add_target(const Target& target, const std::vector<fs::path>& files, const Sheets& sheets,
-                const PaperJob& job, PendingFiles& pending, PaperResult& result) {
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    pending.add(files[i], file_bytes(target, i, sheets, job));
-    result.files.push_back(printed(files[i]));
-    result.shows.push_back(target.shows);
+/// So many files are made before they are written, where several threads make them.
+constexpr std::size_t files_at_once = 16;
+
+/// Writes all targets' files under their temporary names, in one order for any number of threads.
+void add_targets(const std::vector<Target>& targets, const std::vector<std::vector<fs::path>>& of_targets,
+                 const Sheets& sheets, const PaperJob& job, const Context& context, PendingFiles& pending,
+                 PaperResult& result) {
+  struct File {
+    std::size_t target;
+    std::size_t number;  ///< among those of its target
+  };
+  std::vector<File> files;
+  for (std::size_t target = 0; target < targets.size(); ++target) {
+    for (std::size_t number = 0; number < of_targets[target].size(); ++number) {
+      files.push_back({target, number});
+    }
+  }
+  const std::size_t at_once = context.threads > 1 ? files_at_once : 1;
+  for (std::size_t first = 0; first < files.size(); first += at_once) {
+    std::vector<std::string> bytes(std::min(at_once, files.size() - first));
+    do_in_parallel(bytes.size(), context, [&](std::size_t i, const Context& own) {
+      own.check();
+      const File& file = files[first + i];
+      bytes[i] = file_bytes(targets[file.target], file.number, sheets, job);
+    });
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      const File& file = files[first + i];
+      const fs::path& path = of_targets[file.target][file.number];
+      pending.add(path, bytes[i]);
+      result.files.push_back(printed(path));
+      result.shows.push_back(targets[file.target].shows);
+    }
   }
 }
 
@@ -248,9 +274,7 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
       files.push_back(files_of(target, page_count(target, sheets)));
     }
     require_all_replaceable(job, files, digest);
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      add_target(targets[i], files[i], sheets, job, pending, result);
-    }
+    add_targets(targets, files, sheets, job, context, pending, result);
     context.check();
     result.file_notes = pending.commit([&] {
       // Another run may have put files there since.
