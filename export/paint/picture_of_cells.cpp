@@ -140,18 +140,13 @@ class CellPainter {
         return;
       }
     }
-    if (cell_.kind == CellKind::face && left < right) {
-      // Weights change evenly along a row.
-      const std::array<double, 3> first = weights_at(cell_.at, raster_.middle(left, y));
-      const std::array<double, 3> last = weights_at(cell_.at, raster_.middle(right, y));
+    if (cell_.kind == CellKind::face && overhang_mm_ == 0.0 && left <= right) {
+      row_.resize(static_cast<std::size_t>(right - left) + 1);
+      colours_->along(kept_within(weights_at(cell_.at, raster_.middle(left, y))),
+                      kept_within(weights_at(cell_.at, raster_.middle(right, y))), row_);
       for (int x = left; x <= right; ++x) {
         if (!raster_.painted(x, y)) {
-          const double share = static_cast<double>(x - left) / (right - left);
-          std::array<double, 3> weights{};
-          for (std::size_t k = 0; k < 3; ++k) {
-            weights[k] = first[k] + share * (last[k] - first[k]);
-          }
-          raster_.paint(x, y, shaded(shade_, colours_->at(kept_within(weights))));
+          raster_.paint(x, y, shaded(shade_, row_[static_cast<std::size_t>(x - left)]));
         }
       }
       return;
@@ -300,6 +295,7 @@ class CellPainter {
   std::vector<Side> sides_;
   std::optional<mesh::TriangleColours> colours_;  ///< of the face, where it lies on one original face
   std::vector<Dot> dots_;                         ///< space to work in
+  std::vector<mesh::Rgb> row_;                    ///< the same
   std::uint32_t hint_ = 0;
 };
 

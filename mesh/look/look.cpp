@@ -305,6 +305,30 @@ TriangleColours Look::colours_of(std::uint32_t face, const std::array<Vec3, 3>& 
   return colours;
 }
 
+void TriangleColours::along(const std::array<double, 3>& from, const std::array<double, 3>& to,
+                            std::span<Rgb> colours) const {
+  if (picture_ == nullptr) {
+    const double steps = colours.size() > 1 ? static_cast<double>(colours.size() - 1) : 1.0;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      const double share = static_cast<double>(i) / steps;
+      std::array<double, 3> weights{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        weights[k] = from[k] + share * (to[k] - from[k]);
+      }
+      colours[i] = mixed(weights);
+    }
+    return;
+  }
+  picture_->along(place(from), place(to), level_, colours);
+  if (tint_ != nullptr) {
+    for (Rgb& colour : colours) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        colour[k] = (*tint_)[colour[k]][k];
+      }
+    }
+  }
+}
+
 Rgb TriangleColours::mixed(const std::array<double, 3>& weights) const {
   const Vec3 channels = weights[0] * colours_[0] + weights[1] * colours_[1] + weights[2] * colours_[2];
   const auto byte = [](double channel) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,7 @@ class TriangleColours {
     if (picture_ == nullptr) {
       return mixed(weights);
     }
-    Rgb colour =
-        picture_->at(weights[0] * places_[0] + weights[1] * places_[1] + weights[2] * places_[2], level_);
+    Rgb colour = picture_->at(place(weights), level_);
     if (tint_ != nullptr) {
       for (std::size_t k = 0; k < 3; ++k) {
         colour[k] = (*tint_)[colour[k]][k];
@@ -61,10 +61,17 @@ class TriangleColours {
     }
     return colour;
   }
+  /// At places spread evenly from one to another, both among them unless it is one: those of at(), but for a
+  /// thousandth of a pixel.
+  void along(const std::array<double, 3>& from, const std::array<double, 3>& to,
+             std::span<Rgb> colours) const;
 
  private:
   friend class Look;
   [[nodiscard]] Rgb mixed(const std::array<double, 3>& weights) const;
+  [[nodiscard]] Vec2 place(const std::array<double, 3>& weights) const {
+    return weights[0] * places_[0] + weights[1] * places_[1] + weights[2] * places_[2];
+  }
 
   const Picture* picture_ = nullptr;
   const std::array<Rgb, 256>* tint_ = nullptr;

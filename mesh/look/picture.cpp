@@ -12,6 +12,8 @@ namespace {
 /// Copies end where a side has this many pixels: beyond, colours of places far from each other would mix.
 constexpr std::uint32_t shortest_side = 4;
 
+constexpr std::uint32_t whole = 256;  // shares of pixels are counted in this
+
 /// A number in [0, size) for any whole number: pictures repeat.
 std::uint32_t wrapped(double index, std::uint32_t size) {
   if (index >= 0.0 && index < size) {
@@ -60,7 +62,6 @@ unsigned Picture::level_for(double pixels_per_dot) const {
 }
 
 Rgb Picture::at(Vec2 uv, unsigned level) const {
-  constexpr std::uint32_t whole = 256;  // shares of pixels are counted in this
   const Level& in = levels_[level];
   const double x = uv.x * in.width - 0.5;
   const double y = (1.0 - uv.y) * in.height - 0.5;
@@ -68,14 +69,52 @@ Rgb Picture::at(Vec2 uv, unsigned level) const {
   const bool within = x >= 0.0 && y >= 0.0 && x < in.width && y < in.height;
   const double left = within ? static_cast<double>(static_cast<std::uint32_t>(x)) : std::floor(x);
   const double top = within ? static_cast<double>(static_cast<std::uint32_t>(y)) : std::floor(y);
-  const auto right_share = static_cast<std::uint32_t>((x - left) * whole);
-  const auto low_share = static_cast<std::uint32_t>((y - top) * whole);
   const std::size_t x0 = within ? static_cast<std::size_t>(left) : wrapped(left, in.width);
-  const std::size_t x1 = x0 + 1 == in.width ? 0 : x0 + 1;
   const std::size_t y0 = within ? static_cast<std::size_t>(top) : wrapped(top, in.height);
-  const std::size_t y1 = y0 + 1 == in.height ? 0 : y0 + 1;
-  const std::uint8_t* const above = in.pixels.data() + 3 * y0 * in.width;
-  const std::uint8_t* const below = in.pixels.data() + 3 * y1 * in.width;
+  return in.between(x0, x0 + 1 == in.width ? 0 : x0 + 1, y0, y0 + 1 == in.height ? 0 : y0 + 1,
+                    static_cast<std::uint32_t>((x - left) * whole),
+                    static_cast<std::uint32_t>((y - top) * whole));
+}
+
+void Picture::along(Vec2 from, Vec2 to, unsigned level, std::span<Rgb> colours) const {
+  const Level& in = levels_[level];
+  const double steps = colours.size() > 1 ? static_cast<double>(colours.size() - 1) : 1.0;
+  const Vec2 first{from.x * in.width - 0.5, (1.0 - from.y) * in.height - 0.5};
+  const Vec2 step{(to.x - from.x) / steps * in.width, (from.y - to.y) / steps * in.height};
+  const Vec2 last = first + steps * step;
+  // Where all places lie within, they are counted in 2^-32 of a pixel, and steps may be off by one of these.
+  constexpr double fraction = 4294967296.0;
+  constexpr double margin = 0.001;
+  constexpr std::size_t most = 1U << 20U;
+  const auto inside = [](double place, std::uint32_t size) {
+    return place >= margin && place < size - 1.0 - margin;
+  };
+  if (!inside(first.x, in.width) || !inside(last.x, in.width) || !inside(first.y, in.height) ||
+      !inside(last.y, in.height) || colours.size() > most) {
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      colours[i] = at(from + static_cast<double>(i) / steps * (to - from), level);
+    }
+    return;
+  }
+  const auto counted = [](double number) { return static_cast<std::int64_t>(number * fraction); };
+  std::int64_t x = counted(first.x);
+  std::int64_t y = counted(first.y);
+  const std::int64_t over = counted(step.x);
+  const std::int64_t down = counted(step.y);
+  for (Rgb& colour : colours) {
+    const auto x0 = static_cast<std::size_t>(x >> 32U);
+    const auto y0 = static_cast<std::size_t>(y >> 32U);
+    colour = in.between(x0, x0 + 1, y0, y0 + 1, static_cast<std::uint32_t>(x >> 24U) % whole,
+                        static_cast<std::uint32_t>(y >> 24U) % whole);
+    x += over;
+    y += down;
+  }
+}
+
+Rgb Picture::Level::between(std::size_t x0, std::size_t x1, std::size_t y0, std::size_t y1,
+                            std::uint32_t right_share, std::uint32_t low_share) const {
+  const std::uint8_t* const above = pixels.data() + 3 * y0 * width;
+  const std::uint8_t* const below = pixels.data() + 3 * y1 * width;
   // All channels at a time: mixed along a row each takes 16 bits, mixed across rows 24.
   const auto along = [&](const std::uint8_t* row) {
     return spread(row + 3 * x0) * (whole - right_share) + spread(row + 3 * x1) * right_share;

@@ -188,6 +188,37 @@ TEST_CASE("Look: between its pixels a picture has their mean by how near each is
   }
 }
 
+TEST_CASE("Look: along a line a picture has the colours that it has at each place") {
+  Random random(6);
+  std::vector<std::uint8_t> pixels(std::size_t{3} * 40 * 30);
+  for (std::uint8_t& byte : pixels) {
+    byte = static_cast<std::uint8_t>(random.below(256));
+  }
+  const mesh::Picture picture(40, 30, pixels);
+  for (int i = 0; i < 600; ++i) {
+    // A third of the lines lie within; others end on the border or beyond it, where pictures repeat.
+    const auto place = [&]() {
+      const double reach = i % 3 == 0 ? 2.0 : 1.0;
+      const double whole = static_cast<double>(random.below(3)) / 2.0;
+      return i % 3 == 1 ? whole : 0.5 + 0.9 * reach * (random.unit() - 0.5);
+    };
+    const Vec2 from{place(), place()};
+    const Vec2 to{place(), place()};
+    const auto level = static_cast<unsigned>(random.below(3));
+    std::vector<Rgb> found(random.below(200));
+    picture.along(from, to, level, found);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const double share =
+          found.size() > 1 ? static_cast<double>(k) / static_cast<double>(found.size() - 1) : 0.0;
+      const Rgb there = picture.at(from + share * (to - from), level);
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        // A place that is off by a thousandth of a pixel may fall into the next 256th, in both directions.
+        CHECK(std::abs(found[k][channel] - there[channel]) <= 3);
+      }
+    }
+  }
+}
+
 TEST_CASE("Look: a triangle on one face has that face's colours, and others are told from it") {
   Random random(13);
   const auto number = [&] { return 2.0 * random.unit() - 1.0; };
