@@ -180,6 +180,7 @@ class ColouredAreas {
       colours = look_.colours_of(*under, corners, dot_on_surface());
     }
     const Sides sides(polygon);
+    const FaceLight light(normal, camera_, shade);
     const double beyond = overhang_dots / dots_per_mm;
     const int right = std::min(dots_->width() - 1, dots_->column(box.high.x + beyond));
     const int high = std::min(dots_->height() - 1, dots_->row(box.high.y + beyond));
@@ -190,7 +191,7 @@ class ColouredAreas {
         if (away <= 0.0 || (away <= beyond && !dots_->painted(x, y))) {
           const std::array<double, 3> weights = kept_within(weights_at(at, p));
           const mesh::Rgb found = colours ? colours->at(weights) : colour_at(corners, weights, normal);
-          const Color colour = shaded(color_of(found), normal, camera_, shade);
+          const Color colour = light.on(color_of(found));
           dots_->paint(x, y, {colour.red, colour.green, colour.blue});
         }
       }

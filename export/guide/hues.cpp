@@ -56,13 +56,21 @@ IdVector<PieceId, Color> piece_hues(const mesh::Surface& surface, const unfold::
   return colors;
 }
 
-Color shaded(Color hue, Vec3 normal, const Camera& camera, double depth) {
+FaceLight::FaceLight(Vec3 normal, const Camera& camera, double depth) {
   const Vec3 light = normalized(0.75 * camera.toward + 0.6 * camera.up - 0.45 * camera.right);
   const double lit = std::max(0.0, dot(normal, light));
-  const double share = 1.0 - depth + depth * lit;
+  share_ = 1.0 - depth + depth * lit;
   // The brightest faces are a little lighter than the hue.
-  const Color lighter = mixed(hue, {0xff, 0xff, 0xff}, 0.35 * depth * lit * lit);
-  return {channel(share * lighter.red), channel(share * lighter.green), channel(share * lighter.blue)};
+  lighter_ = 0.35 * depth * lit * lit;
+}
+
+Color FaceLight::on(Color hue) const {
+  const Color lighter = mixed(hue, {0xff, 0xff, 0xff}, lighter_);
+  return {channel(share_ * lighter.red), channel(share_ * lighter.green), channel(share_ * lighter.blue)};
+}
+
+Color shaded(Color hue, Vec3 normal, const Camera& camera, double depth) {
+  return FaceLight(normal, camera, depth).on(hue);
 }
 
 Color mixed(Color a, Color b, double share) {

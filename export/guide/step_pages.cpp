@@ -67,6 +67,9 @@ constexpr double dash_mm = 1.0;
 constexpr double dash_gap_mm = 0.7;
 
 constexpr std::size_t most_nets = 3;  ///< of a step that are shown
+constexpr double net_gap = 2.0;       ///< between them and the step's picture
+/// A step's picture stands below its net, not beside it, where it is so many times as large there.
+constexpr double much_larger = 1.2;
 /// Of two pieces one is on the left where they are farther apart than this share of the model.
 constexpr double least_apart_share = 0.03;
 
@@ -213,18 +216,28 @@ class StepPages {
     Group group;
     const Box2 box = box_of_step(index);
     const double top = add_head(index, box, step.turned, group);
-    const std::vector<PieceId> behind = pieces_behind(index, step);
+    const CoarseView coarse = look_coarsely(step.scene, step.camera, name_pixels);
+    const std::vector<PieceId> behind = pieces_behind(index, coarse);
     const double bottom = add_sentences(index, box, step, behind, group);
-    Box2 picture{{box.low.x, bottom}, {box.high.x, top}};
-    add_net(index, picture, group);
-    picture.high.x -= grid_.net_width + 2.0;
-    add_step_picture(index, step, picture, behind, group);
+    const Box2 picture{{box.low.x, bottom}, {box.high.x, top}};
+    const double net_ends = add_net(index, picture, group);
+    add_step_picture(index, step, coarse, largest_beside_net(index, step, picture, net_ends), behind, group);
     return group;
   }
 
+  /// Room for the step's picture: beside the small one of the net, or below it where it is much larger there.
+  [[nodiscard]] Box2 largest_beside_net(std::size_t index, const StepScene& step, const Box2& picture,
+                                        double net_ends) const {
+    Box2 beside = picture;
+    beside.high.x -= grid_.net_width + net_gap;
+    Box2 below = picture;
+    below.high.y = std::min(picture.high.y, net_ends - net_gap);
+    const auto scale = [&](const Box2& box) { return place_in(index, step, frame_in(index, box)).fit.scale; };
+    return below.size().y > 0.0 && scale(below) > much_larger * scale(beside) ? below : beside;
+  }
+
   /// Of what is added and glued to in this step, the pieces that nothing is seen of, or but a sliver.
-  [[nodiscard]] std::vector<PieceId> pieces_behind(std::size_t index, const StepScene& step) const {
-    const CoarseView coarse = look_coarsely(step.scene, step.camera, name_pixels);
+  [[nodiscard]] std::vector<PieceId> pieces_behind(std::size_t index, const CoarseView& coarse) const {
     const std::vector<double> areas = seen_areas(coarse, guide_.nets->pieces.size(),
                                                  [&](FaceId face) { return guide_.piece_of_face[face]; });
     std::vector<PieceId> behind = glued_before(guide_.surface(), *guide_.nets, steps_[index]);
@@ -360,7 +373,8 @@ class StepPages {
     return shown;
   }
 
-  void add_net(std::size_t index, const Box2& picture, Group& group) const {
+  /// Returns where it ends, its words included.
+  double add_net(std::size_t index, const Box2& picture, Group& group) const {
     const std::vector<PieceId> shown = nets_to_show(index);
     const double caption = 0.8 * grid_.words_height;
     // The net begins as high as the step's number.
@@ -395,16 +409,32 @@ class StepPages {
       words += (i == 0 ? "" : ", ") + std::to_string(sheets[i]);
     }
     words = shortened(words, grid_.net_width, caption);
-    group.texts.push_back(in_grey(words_to(words, {picture.high.x, below - caption - 1.2}, caption)));
+    const double base = below - caption - 1.2;
+    group.texts.push_back(in_grey(words_to(words, {picture.high.x, base}, caption)));
+    return base;
   }
 
-  void add_step_picture(std::size_t index, const StepScene& step, const Box2& box,
-                        const std::vector<PieceId>& behind, Group& group) const {
+  /// Between the names.
+  [[nodiscard]] Box2 frame_in(std::size_t index, const Box2& box) const {
     const double column = column_beside(index);
-    const Box2 frame{{box.low.x + column, box.low.y}, {box.high.x - column, box.high.y}};
+    return {{box.low.x + column, box.low.y}, {box.high.x - column, box.high.y}};
+  }
+
+  /// What of the scene is drawn, if not all, and how.
+  struct Placed {
+    std::optional<Box2> part;
+    Fit fit;
+  };
+  [[nodiscard]] Placed place_in(std::size_t index, const StepScene& step, const Box2& frame) const {
     const Box2 all = seen_box(step.scene, step.camera);
     const std::optional<Box2> part = surroundings_of_new(index, step, all, frame);
-    const Fit fit = fit_into(part ? *part : all, frame);
+    return {part, fit_into(part ? *part : all, frame)};
+  }
+
+  void add_step_picture(std::size_t index, const StepScene& step, const CoarseView& coarse, const Box2& box,
+                        const std::vector<PieceId>& behind, Group& group) const {
+    const Box2 frame = frame_in(index, box);
+    const auto [part, fit] = place_in(index, step, frame);
     std::optional<Box2> crop;
     if (part) {
       crop = Box2{fit(part->low), fit(part->high)};
@@ -421,7 +451,7 @@ class StepPages {
         },
         group);
     add_hidden(index, step, fit, crop, behind, group);
-    add_names(index, step, fit, crop, frame, box, behind, group);
+    add_names(index, step, coarse, fit, crop, frame, box, behind, group);
   }
 
   /// Of what is added, those that nothing is seen of, alone.
@@ -515,9 +545,9 @@ class StepPages {
 
   /// Those of what is added beside the picture, those of what it is glued to on their pieces, or beside it in
   /// brackets.
-  void add_names(std::size_t index, const StepScene& step, const Fit& fit, const std::optional<Box2>& crop,
-                 const Box2& frame, const Box2& box, const std::vector<PieceId>& behind, Group& group) const {
-    const CoarseView coarse = look_coarsely(step.scene, step.camera, name_pixels);
+  void add_names(std::size_t index, const StepScene& step, const CoarseView& coarse, const Fit& fit,
+                 const std::optional<Box2>& crop, const Box2& frame, const Box2& box,
+                 const std::vector<PieceId>& behind, Group& group) const {
     const std::vector<Anchor> anchors =
         find_anchors(coarse, guide_.piece_of_face, guide_.nets->pieces.size());
     const auto is_in_picture = [&](Vec2 p) {

@@ -151,6 +151,26 @@ TEST_CASE("no page of the guide has one row of steps alone where the others have
   }
 }
 
+TEST_CASE("the picture of a step takes the room below its net where rows are high", "[guide]") {
+  // Four steps on a page of two rows and two columns, and pictures that are about as broad as they are high.
+  const Drawn drawn = draw(test::tetrahedron(), 60.0);
+  REQUIRE(drawn.guide.steps == 4);
+  REQUIRE(drawn.guide.pages.size() == 3);
+  const paper::Drawing& page = drawn.guide.pages.back();
+  double broadest = 0.0;
+  for (const paper::Group& group : page.groups) {
+    for (const paper::Area& area : group.areas) {
+      Box2 box;
+      for (const Vec2 p : area.outline) {
+        box.add(p);
+      }
+      broadest = std::max(broadest, box.size().x);
+    }
+  }
+  // Beside the net and the names on both sides there would be a quarter of the page.
+  CHECK(broadest > 0.28 * page.size.x);
+}
+
 TEST_CASE("the cover shows the model in its own colours, unless lines are all that is printed", "[guide]") {
   Drawn drawn = draw(bracket(), 30.0);
   const Surface& surface = drawn.sample.model.model.surface;
