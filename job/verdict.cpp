@@ -27,7 +27,7 @@ std::string verdict(const prepare::Prepared& prepared, const prepare::SimplifyOp
                                   100.0 * prepared.simplified.tiny_edges_after, simplify.tiny_edge_mm));
   }
   if (prepare::has_many_slivers(prepared)) {
-    reasons.push_back(fmt::format("{:.0f} % of the faces are thinner than {:g} mm",
+    reasons.push_back(fmt::format("{:.0f} % of the faces are narrower than {:g} mm",
                                   100.0 * prepared.sliver_share, prepare::sliver_mm));
   }
   const std::string size =

@@ -58,6 +58,15 @@ void renew_copies(Prepared& prepared, const Context& context) {
 
 }  // namespace
 
+void judge_folds(Prepared& prepared, const SimplifyOptions& simplify) {
+  const FoldFigures folds = fold_figures(prepared.model.surface, simplify);
+  SimplifyReport& report = prepared.simplified;
+  report.short_edges_after = folds.brief_share();
+  report.tiny_edges_after = folds.tiny_share();
+  report.cramped_share = folds.cramped_share();
+  report.still_too_fine = report.tiny_edges_after > simplify.short_edge_share;
+}
+
 Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                          const PanelRoom& room, const Context& context) {
   context.report("preparing", 0.0);
@@ -78,12 +87,8 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
     prepared.mm_per_unit *= factor;
     prepared.simplified.deviation_mm *= factor;
     prepared.simplified.evened_mm *= factor;
-    prepared.simplified.short_edges_after = fold_figures(prepared.model.surface, simplify).brief_share();
   }
-  const FoldFigures folds = fold_figures(prepared.model.surface, simplify);
-  prepared.simplified.tiny_edges_after = folds.tiny_share();
-  prepared.simplified.cramped_share = folds.cramped_share();
-  prepared.simplified.still_too_fine = prepared.simplified.tiny_edges_after > simplify.short_edge_share;
+  judge_folds(prepared, simplify);
   copy_equal_bodies(prepared, size, simplify.mode == Simplification::keep, context);
   prepared.divided_panels = divide_panels(prepared.model, prepared.panels, room, context);
   if (prepared.divided_panels > 0 && !prepared.twins.empty()) {

@@ -26,6 +26,9 @@ constexpr int most_tries = 16;
 constexpr std::size_t most_tried_faces = 200000;
 /// Trying has at most this share of the time that there is.
 constexpr double time_share = 0.3;
+/// Where a model can't be folded, folds that are by these factors longer are tried to be left only.
+constexpr double coarser_step = 1.5;
+constexpr double most_coarser = 3.5;
 /// In whole centimetres, ...
 constexpr double centimetre = 10.0;
 /// ... from the smallest model of which anything can be folded to the largest that anybody builds.
@@ -59,6 +62,11 @@ bool is_cramped(const Prepared& prepared) {
 
 bool is_spoilt(const Prepared& prepared) {
   return seen_move(prepared.simplified.deviation_mm, prepared.model.surface.bounds()) != SeenMove::none;
+}
+
+/// Neither its folds nor its tabs and numbers lack room, and its shape is the file's.
+bool is_roomy(const Prepared& prepared) {
+  return suits(prepared) && !is_cramped(prepared) && !is_spoilt(prepared);
 }
 
 double extent_of(const Prepared& prepared) {
@@ -123,6 +131,29 @@ class SizeSearch {
       fewer.most_flat_faces = 0;
       std::optional<Prepared> found = prepare_at_size(model_, size, fewer, room_, context_);
       return good(*found) ? std::move(found) : std::nullopt;
+    });
+  }
+  /// At the same size, but as coarse as it would be at a smaller one, if it is good enough so: most models
+  /// lose details together, and fold badly where some of them stay.
+  [[nodiscard]] std::optional<Prepared> coarser(const SizeOptions& size,
+                                                bool (*good)(const Prepared&)) const {
+    if (!simplifies() || model_.surface.face_count() > slow_faces) {
+      return std::nullopt;
+    }
+    return in_time([&] {
+      SimplifyOptions coarse = simplify_;
+      coarse.most_flat_faces = 0;
+      for (double factor = coarser_step; factor <= most_coarser; factor *= coarser_step) {
+        context_.check();
+        coarse.short_edge_mm = factor * simplify_.short_edge_mm;
+        coarse.tiny_edge_mm = factor * simplify_.tiny_edge_mm;
+        std::optional<Prepared> found = prepare_at_size(model_, size, coarse, room_, context_);
+        judge_folds(*found, simplify_);
+        if (good(*found)) {
+          return found;
+        }
+      }
+      return std::optional<Prepared>();
     });
   }
   /// At a smaller size, if it can be folded there.
@@ -192,6 +223,12 @@ Prepared of_foldable_size(Prepared usual, const SizeOptions& size, const SizeSea
   if (suits(usual)) {
     return usual;
   }
+  // Walls crumple where they get coarser, and are worth a larger size.
+  if (!can_be_folded(usual) && !usual.simplified.walls_keep_more) {
+    if (std::optional<Prepared> coarser = search.coarser(size, is_roomy)) {
+      return std::move(*coarser);
+    }
+  }
   std::optional<double> foldable_mm;
   std::optional<Prepared> larger = search.larger(extent_of(usual), suits, foldable_mm);
   if (larger && extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
@@ -200,6 +237,11 @@ Prepared of_foldable_size(Prepared usual, const SizeOptions& size, const SizeSea
   }
   if (std::optional<Prepared> fewer = search.of_fewer_triangles(usual, size, suits)) {
     return std::move(*fewer);
+  }
+  if (!can_be_folded(usual)) {
+    if (std::optional<Prepared> coarser = search.coarser(size, can_be_folded)) {
+      return std::move(*coarser);
+    }
   }
   if (!can_be_folded(usual)) {
     usual.smallest_size_mm = foldable_mm;
@@ -227,7 +269,15 @@ Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSear
       roomier->size_reason = foldable.size_reason != SizeReason::none ? foldable.size_reason
                              : is_cramped(foldable)                   ? SizeReason::room
                                                                       : SizeReason::shape;
-      return std::move(*roomier);
+      foldable = std::move(*roomier);
+    }
+  }
+  if (is_cramped(foldable)) {
+    SizeOptions same = size;
+    same.largest_extent_mm = extent_of(foldable);
+    if (std::optional<Prepared> coarser = search.coarser(same, is_roomy)) {
+      coarser->size_reason = foldable.size_reason;
+      return std::move(*coarser);
     }
   }
   return foldable;
@@ -264,9 +314,18 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
   if (size.adapts) {
     return of_fitting_size(std::move(prepared), size, search);
   }
-  if (!can_be_folded(prepared)) {
+  if (can_be_folded(prepared)) {
+    if (is_cramped(prepared)) {
+      if (std::optional<Prepared> coarser = search.coarser(size, is_roomy)) {
+        return std::move(*coarser);
+      }
+    }
+  } else {
     if (std::optional<Prepared> fewer = search.of_fewer_triangles(prepared, size, can_be_folded)) {
       return std::move(*fewer);
+    }
+    if (std::optional<Prepared> coarser = search.coarser(size, can_be_folded)) {
+      return std::move(*coarser);
     }
     search.larger(extent_of(prepared), can_be_folded, prepared.smallest_size_mm);
   }

@@ -107,7 +107,7 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
     clauses.push_back(plain_text(made.ready.plain) + " (--keep-bodies keeps them)");
   }
   if (made.ready.teeth.count > 0) {
-    clauses.push_back(teeth_text(made.ready.teeth) + " (--faces keep keeps them)");
+    clauses.push_back(teeth_text(made.ready.teeth) + " (a larger --size may keep them)");
   }
   if (skin.united > 0) {
     clauses.push_back(counted_bodies(skin.united) + " made one skin where they meet" +
@@ -145,6 +145,10 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
 
 /// Seams that are shorter together hold by those beside them.
 constexpr double worth_telling_mm = 5.0;
+/// Of a model with so much of its seams without a tab, and this share of them, nobody likes to glue so many
+/// strips.
+constexpr double many_without_tab_mm = 100.0;
+constexpr double many_without_tab = 0.03;
 
 void add_glue(const GlueFigures& glue, Clauses& clauses) {
   if (glue.without_tab_mm >= worth_telling_mm) {
@@ -192,8 +196,10 @@ std::string hard_line(const PaperJob& job, const PaperResult& result, const Glue
     clauses.push_back(std::move(why));
   }
   if (made.slivers > 0) {
-    clauses.push_back(fmt::format("{} thinner than {:g} mm, on {}", counted(made.slivers, "face"),
-                                  job::sliver_mm, pieces_text(made.nets, pieces_with_slivers(made))));
+    clauses.push_back(fmt::format("{} narrower than {:g} mm, on {}: take {} for one",
+                                  counted(made.slivers, "face"), job::sliver_mm,
+                                  pieces_text(made.nets, pieces_with_slivers(made)),
+                                  made.slivers == 1 ? "its two lines" : "the two lines of each"));
   }
   add_glue(glue, clauses);
   const std::vector<PieceId> bent = pieces_with_care(made.nets);
@@ -236,7 +242,13 @@ std::string for_the_machine(const std::string& name, const paper::Preset& preset
   return preset.svg ? text + "; 'ridgecraft formats --presets' tells what its colours mean" : text;
 }
 
-std::string next_line(const PaperJob& job, const PaperResult& result) {
+/// Whether more pieces with more tabs are worth a word.
+bool lacks_tabs(const job::Paper& made, const GlueFigures& glue) {
+  return !made.options.tabs.split_pieces && !made.nets.tabs.empty() &&
+         glue.without_tab_mm >= std::max(many_without_tab_mm, many_without_tab * glue.all_mm);
+}
+
+std::string next_line(const PaperJob& job, const PaperResult& result, const GlueFigures& glue) {
   const job::Paper& made = result.made;
   Clauses clauses;
   std::vector<std::string> guides;
@@ -261,9 +273,9 @@ std::string next_line(const PaperJob& job, const PaperResult& result) {
   if (made.prepared.simplified.still_too_fine && made.prepared.smallest_size_mm) {
     clauses.push_back(fmt::format("--size {:.0f}mm {} be folded", *made.prepared.smallest_size_mm,
                                   job::larger_size_is_sure(made.ready, made.skin) ? "can" : "may"));
-  } else if (made.slivers > 0 || made.prepared.simplified.still_too_fine) {
-    clauses.emplace_back("for fewer faces that are too thin to cut try a larger --size");
-  } else if (made.share_saving_a_page) {
+  } else if (lacks_tabs(made, glue)) {
+    clauses.emplace_back("--all-tabs gives more of the seams tabs, with more pieces");
+  } else if (made.share_saving_a_page && made.slivers == 0) {
     clauses.push_back(fmt::format("--size {:.0f}mm may save a page", size_saving_a_page(made)));
   }
   if (made.ground) {
@@ -373,7 +385,7 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
   summary.say(Line::brief, "paper", paper_line(job, made, glue));
   summary.say(Line::brief, "model", model_line(job, made));
   summary.say(Line::brief, "hard", hard_line(job, result, glue));
-  summary.say(Line::brief, "next", next_line(job, result));
+  summary.say(Line::brief, "next", next_line(job, result, glue));
 }
 
 }  // namespace ridgecraft::cli

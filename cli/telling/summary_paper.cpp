@@ -180,13 +180,14 @@ void add_page_saving(Summary& summary, const job::Paper& made) {
 }
 
 void add_slivers(Summary& summary, const job::Paper& made) {
-  summary.add("slivers", made.slivers, Line::slivers, "slivers",
-              made.slivers == 0
-                  ? ""
-                  : fmt::format("{} thinner than {:g} mm, too thin to cut or fold, on {}; another --size or "
-                                "--faces may leave fewer",
-                                counted(made.slivers, "face"), job::sliver_mm,
-                                pieces_text(made.nets, pieces_with_slivers(made))));
+  summary.add(
+      "slivers", made.slivers, Line::slivers, "slivers",
+      made.slivers == 0
+          ? ""
+          : fmt::format("{} narrower than {:g} mm, too narrow to cut or fold, on {}; another --size or "
+                        "--faces may leave fewer",
+                        counted(made.slivers, "face"), job::sliver_mm,
+                        pieces_text(made.nets, pieces_with_slivers(made))));
 }
 
 /// With the option where a limit that the user set is the cause.

@@ -250,7 +250,7 @@ double simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, c
   return largest_mm;
 }
 
-void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
+void collapse_to_count(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
                        const Context& context) {
   const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const mesh::Surface before = model.surface;
@@ -276,6 +276,33 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   take_over(model, std::move(result));
   report.deviation_mm = measured_distance(mesh::SurfaceTree(model.surface, spacing),
                                           mesh::SurfaceTree(before, spacing), context);
+}
+
+/// By collapses alone, which keep each hole and each body; where that leaves more faces than are asked for,
+/// holes, knobs and reliefs go first as they do where nobody asks for a number.
+void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
+                       const Context& context) {
+  const mesh::Model kept = model;
+  collapse_to_count(model, options, report, context);
+  if (model.surface.face_count() <= options.faces) {
+    return;
+  }
+  SimplifyOptions automatic = options;
+  automatic.mode = Simplification::automatic;
+  automatic.most_faces = options.faces;
+  mesh::Model other = kept;
+  SimplifyReport of_other = report;
+  simplify_to_fold(other, {}, automatic, of_other, context);
+  if (other.surface.face_count() > options.faces) {
+    collapse_to_count(other, options, of_other, context);
+    const double spacing = sample_spacing * kept.surface.bounds().largest_extent();
+    of_other.deviation_mm = measured_distance(mesh::SurfaceTree(other.surface, spacing),
+                                              mesh::SurfaceTree(kept.surface, spacing), context);
+  }
+  if (other.surface.face_count() < model.surface.face_count()) {
+    model = std::move(other);
+    report = of_other;
+  }
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ TEST_CASE("faces too thin for a knife are counted, loose bodies listed", "[summa
   CHECK(pieces == json["pieces"].get<std::size_t>());
   const Outcome text =
       run_program({"bar.obj", "--size", "100mm", "--faces", "keep", "-v", "-o", "b.fold"}, in(folder));
-  CHECK(text.out.find("slivers     8 faces thinner than 1 mm") != std::string::npos);
+  CHECK(text.out.find("slivers     8 faces narrower than 1 mm") != std::string::npos);
   CHECK(text.out.find("bodies      2 that no join connects") != std::string::npos);
 }
 
