@@ -221,6 +221,7 @@ void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare
     report.evened_mm = std::max(report.evened_mm, mm_per_unit * ready.evened_mm);
     report.specks_dropped += ready.specks_dropped;
     report.features_removed += ready.features_removed;
+    report.teeth_removed += ready.teeth_removed;
     report.turned += ready.turned;
     report.rulings_removed += ready.rulings_removed;
     report.bevels_removed += ready.bevels_removed;

@@ -218,13 +218,39 @@ class SizeSearch {
   Context context_;
 };
 
+/// As it is best at its size: fewer triangles of walls, or coarser where it can't be folded or lacks room.
+/// The same whether somebody asked for the size or not.
+Prepared best_at_its_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
+  if (suits(usual) && !is_cramped(usual)) {
+    return usual;
+  }
+  // Walls crumple where they get coarser.
+  if (!usual.simplified.walls_keep_more && (is_cramped(usual) || !can_be_folded(usual))) {
+    if (std::optional<Prepared> coarser = search.coarser(size, is_roomy)) {
+      return std::move(*coarser);
+    }
+  }
+  if (suits(usual)) {
+    return usual;
+  }
+  if (std::optional<Prepared> fewer = search.of_fewer_triangles(usual, size, suits)) {
+    return std::move(*fewer);
+  }
+  if (!can_be_folded(usual)) {
+    if (std::optional<Prepared> coarser = search.coarser(size, can_be_folded)) {
+      return std::move(*coarser);
+    }
+  }
+  return usual;
+}
+
 /// Of a size at which it can be folded, if there is one within the limits.
 Prepared of_foldable_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
   if (suits(usual)) {
     return usual;
   }
-  // Walls crumple where they get coarser, and are worth a larger size.
-  if (!can_be_folded(usual) && !usual.simplified.walls_keep_more) {
+  // Walls are worth a larger size.
+  if (!usual.simplified.walls_keep_more && !can_be_folded(usual)) {
     if (std::optional<Prepared> coarser = search.coarser(size, is_roomy)) {
       return std::move(*coarser);
     }
@@ -235,18 +261,11 @@ Prepared of_foldable_size(Prepared usual, const SizeOptions& size, const SizeSea
     larger->size_reason = SizeReason::folds;
     return std::move(*larger);
   }
-  if (std::optional<Prepared> fewer = search.of_fewer_triangles(usual, size, suits)) {
-    return std::move(*fewer);
+  Prepared best = best_at_its_size(std::move(usual), size, search);
+  if (!can_be_folded(best)) {
+    best.smallest_size_mm = foldable_mm;
   }
-  if (!can_be_folded(usual)) {
-    if (std::optional<Prepared> coarser = search.coarser(size, can_be_folded)) {
-      return std::move(*coarser);
-    }
-  }
-  if (!can_be_folded(usual)) {
-    usual.smallest_size_mm = foldable_mm;
-  }
-  return usual;
+  return best;
 }
 
 /// Of the size that it has by default, or of another one between the limits that suits it better.
@@ -272,14 +291,11 @@ Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSear
       foldable = std::move(*roomier);
     }
   }
-  if (is_cramped(foldable)) {
-    SizeOptions same = size;
-    same.largest_extent_mm = extent_of(foldable);
-    if (std::optional<Prepared> coarser = search.coarser(same, is_roomy)) {
-      coarser->size_reason = foldable.size_reason;
-      return std::move(*coarser);
-    }
-  }
+  SizeOptions same = size;
+  same.largest_extent_mm = extent_of(foldable);
+  const SizeReason reason = foldable.size_reason;
+  foldable = best_at_its_size(std::move(foldable), same, search);
+  foldable.size_reason = reason;
   return foldable;
 }
 
@@ -314,19 +330,8 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
   if (size.adapts) {
     return of_fitting_size(std::move(prepared), size, search);
   }
-  if (can_be_folded(prepared)) {
-    if (is_cramped(prepared)) {
-      if (std::optional<Prepared> coarser = search.coarser(size, is_roomy)) {
-        return std::move(*coarser);
-      }
-    }
-  } else {
-    if (std::optional<Prepared> fewer = search.of_fewer_triangles(prepared, size, can_be_folded)) {
-      return std::move(*fewer);
-    }
-    if (std::optional<Prepared> coarser = search.coarser(size, can_be_folded)) {
-      return std::move(*coarser);
-    }
+  prepared = best_at_its_size(std::move(prepared), size, search);
+  if (!can_be_folded(prepared)) {
     search.larger(extent_of(prepared), can_be_folded, prepared.smallest_size_mm);
   }
   return prepared;

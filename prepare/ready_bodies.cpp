@@ -38,12 +38,16 @@ double judged_mm_per_unit(const mesh::Model& model, const SizeOptions& size) {
 }
 
 /// The teeth of bodies of a model in its own unit.
-Teeth leave_out_teeth(mesh::Model& model, const SimplifyOptions& in_units, const Context& context) {
+Teeth leave_out_teeth(mesh::Model& model, const SimplifyOptions& in_units, double height,
+                      const Context& context) {
   const mesh::Surface before = model.surface;
   mesh::Model trimmed = model;
   remesh_panels(trimmed, context);
   Teeth teeth;
-  teeth.count = trim_teeth(trimmed, in_units, in_units.tiny_edge_mm, context);
+  if (trimmed.surface.face_count() <= most_triangles(trimmed.surface, in_units)) {
+    return teeth;
+  }
+  teeth.count = trim_teeth(trimmed, in_units, height, context);
   if (teeth.count > 0) {
     const double spacing = sample_spacing * before.bounds().largest_extent();
     teeth.moved_mm = measured_distance(mesh::SurfaceTree(trimmed.surface, spacing),
@@ -91,8 +95,8 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
   in_units.short_edge_mm /= mm;
   in_units.tiny_edge_mm /= mm;
   const bool too_many = model.surface.face_count() > simplify.most_faces;
+  const double extent = model.surface.bounds().largest_extent();
   if (too_many || fold_figures(model.surface, in_units).brief_share() > simplify.short_edge_share) {
-    const double extent = model.surface.bounds().largest_extent();
     report.plain = make_plain(
         model,
         {in_units.short_edge_mm, in_units.tiny_edge_mm, busy_may_move * simplify.largest_deviation * extent,
@@ -101,7 +105,8 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
     report.plain.moved_mm *= mm;
   }
   if (too_many && model.surface.face_count() <= very_many_faces) {
-    report.teeth = leave_out_teeth(model, in_units, context);
+    const double height = std::min(in_units.tiny_edge_mm, simplify.largest_deviation * extent);
+    report.teeth = leave_out_teeth(model, in_units, height, context);
     report.teeth.moved_mm *= mm;
   }
   if (model.surface.face_count() <= fine_faces || model.surface.component_count() < 2) {

@@ -106,8 +106,8 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
   if (made.ready.plain.count > 0) {
     clauses.push_back(plain_text(made.ready.plain) + " (--keep-bodies keeps them)");
   }
-  if (made.ready.teeth.count > 0) {
-    clauses.push_back(teeth_text(made.ready.teeth) + " (a larger --size may keep them)");
+  if (const prepare::Teeth teeth = all_teeth(made); teeth.count > 0) {
+    clauses.push_back(teeth_text(teeth));
   }
   if (skin.united > 0) {
     clauses.push_back(counted_bodies(skin.united) + " made one skin where they meet" +
@@ -342,9 +342,16 @@ std::string plain_text(const prepare::PlainBodies& plain) {
                    plain.count, plain.moved_mm);
 }
 
+prepare::Teeth all_teeth(const job::Paper& made) {
+  prepare::Teeth teeth = made.ready.teeth;
+  teeth.count += made.prepared.simplified.teeth_removed;
+  return teeth;
+}
+
 std::string teeth_text(const prepare::Teeth& teeth) {
-  return fmt::format("{} such as battlements cut off, by up to {:.1f} mm",
-                     teeth.count == 1 ? "1 tooth" : fmt::format("{} teeth", teeth.count), teeth.moved_mm);
+  return fmt::format("{} such as battlements cut off{} (a larger --size may keep them)",
+                     teeth.count == 1 ? "1 tooth" : fmt::format("{} teeth", teeth.count),
+                     teeth.moved_mm > 0.0 ? fmt::format(", by up to {:.1f} mm", teeth.moved_mm) : "");
 }
 
 std::string size_words(const job::Paper& made, const std::string& asked) {

@@ -35,6 +35,8 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
 [[nodiscard]] std::string plain_text(const prepare::PlainBodies& plain);
 
 /// "54 teeth such as battlements cut off, by up to 2.4 mm".
+/// All teeth that were cut off, of bodies and of the model as one; how far is known of those of bodies.
+[[nodiscard]] prepare::Teeth all_teeth(const job::Paper& made);
 [[nodiscard]] std::string teeth_text(const prepare::Teeth& teeth);
 
 /// "17 small bodies and 4 flat bodies that lie on others".

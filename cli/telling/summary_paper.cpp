@@ -58,7 +58,7 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                         {"strands_mm", rounded(details.strands_mm)}});
   const prepare::PlainBodies& plain = made.ready.plain;
   summary.add("plain", Value::Object{{"count", plain.count}, {"moved_mm", rounded(plain.moved_mm)}});
-  const prepare::Teeth& teeth = made.ready.teeth;
+  const prepare::Teeth teeth = all_teeth(made);
   summary.add("teeth", Value::Object{{"count", teeth.count}, {"moved_mm", rounded(teeth.moved_mm)}});
   const prepare::SheetsReport& sheets = made.ready.sheets;
   summary.add("thin_walls",
@@ -73,7 +73,7 @@ void add_skin(Summary& summary, const job::Paper& made) {
     summary.say(Line::skin, "plain", plain_text(plain) + " (--keep-bodies keeps them)");
   }
   if (teeth.count > 0) {
-    summary.say(Line::skin, "teeth", teeth_text(teeth) + " (--faces keep keeps them)");
+    summary.say(Line::skin, "teeth", teeth_text(teeth));
   }
   if (skin.united > 0) {
     summary.say(

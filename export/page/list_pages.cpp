@@ -224,6 +224,25 @@ class PictureRows {
   double bottom_ = 0.0;
 };
 
+constexpr std::string_view kind_list_heading = "which pieces are alike";
+
+/// "2 equal: A, B" is an entry with a line; "A and B are mirror images" gets an entry for all of them.
+std::vector<std::string> rows_of_kinds(const std::vector<std::string>& kinds) {
+  std::vector<std::string> rows;
+  std::string others;
+  for (const std::string& kind : kinds) {
+    if (kind.find(": ") != std::string::npos) {
+      rows.push_back(kind);
+    } else {
+      others += (others.empty() ? "in pairs: " : "; ") + kind;
+    }
+  }
+  if (!others.empty()) {
+    rows.push_back(std::move(others));
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<PageMarks> list_pages(Unplaced left, const Paper& paper) {
@@ -232,7 +251,8 @@ std::vector<PageMarks> list_pages(Unplaced left, const Paper& paper) {
     rows.put(with_words(std::move(picture)));
   }
   const std::vector<RowList> lists{{number_list_heading, std::move(left.numbers)},
-                                   {partner_list_heading, std::move(left.partners)}};
+                                   {partner_list_heading, std::move(left.partners)},
+                                   {kind_list_heading, rows_of_kinds(left.kinds)}};
   const std::optional<double> top = rows.lowest();
   std::vector<PageMarks> pages = std::move(rows).pages();
   std::vector<std::vector<Text>> best = Setter(paper, letters_mm.back(), top).set(lists);

@@ -15,6 +15,8 @@ constexpr double cell_mm = 6.0;  ///< about the size of a number with its surrou
 /// Blank that a text keeps before and behind it, as a share of its height; two of them are wider than the
 /// blanks between the digits of either number.
 constexpr double blank_share = 0.22;
+/// Words keep so many times as much away.
+constexpr double blanks_beside_words = 2.5;
 /// Half the distance of texts above each other, mm.
 constexpr double half_line_gap = 0.2;
 /// Lines run along each other over more than this length.
@@ -48,6 +50,10 @@ TurnedBox box_of(const Text& text) {
   const double drop = text.underlined ? underline_drop * text.height : 0.0;
   return {text.centre - 0.5 * drop * perpendicular(along), along, 0.5 * text_width(text.text, text.height),
           0.5 * (text.height + drop)};
+}
+
+double height_for_room(const Text& text) {
+  return (text.layer == Layer::piece_name ? blanks_beside_words : 1.0) * text.height;
 }
 
 TurnedBox room_of(TurnedBox box, double height) {
@@ -132,7 +138,7 @@ std::uint32_t Obstacles::add(const Text& text) {
 
 void Obstacles::replace(std::uint32_t number, const Text& text) {
   const TurnedBox box = box_of(text);
-  boxes_[number] = {box, room_of(box, text.height)};
+  boxes_[number] = {box, room_of(box, height_for_room(text))};
   for (const std::uint32_t cell : cells_of(boxes_[number].room.bounds())) {
     std::vector<std::uint32_t>& here = cells_[cell].boxes;
     if (std::ranges::find(here, number) == here.end()) {

@@ -28,6 +28,9 @@ struct TurnedBox {
 /// The box that a text of this height keeps for itself among other texts, of the one that it covers: a
 /// blank's width before and behind it, so that two numbers in one line are never read as one.
 [[nodiscard]] TurnedBox room_of(TurnedBox box, double height);
+/// The height by which room_of() gives a text its room: names and what stands below them are words, with
+/// blanks within, so a number in their line keeps more than a blank away.
+[[nodiscard]] double height_for_room(const Text& text);
 /// Whether two boxes share more than a border.
 [[nodiscard]] bool overlap(const TurnedBox& a, const TurnedBox& b);
 /// Whether a segment meets a box.
@@ -56,7 +59,7 @@ class Obstacles {
   /// its cells).
   [[nodiscard]] bool is_free(const Text& text, double clearance, double more = 0.0,
                              std::uint32_t but = no_text) const {
-    return is_free(box_of(text), text.height, clearance, more, but);
+    return is_free(box_of(text), height_for_room(text), clearance, more, but);
   }
   /// The same of a text of this height whose box is known.
   [[nodiscard]] bool is_free(const TurnedBox& text, double height, double clearance, double more = 0.0,

@@ -98,6 +98,14 @@ std::vector<std::string> number_rows(const std::vector<PieceDrawing>& pieces) {
   return rows;
 }
 
+void add_missing(std::vector<std::string>& rows, const std::vector<std::string>& more) {
+  for (const std::string& row : more) {
+    if (std::ranges::find(rows, row) == rows.end()) {
+      rows.push_back(row);
+    }
+  }
+}
+
 void append_list(std::vector<std::string>& rows, const RowList& list, double width) {
   if (!list.rows.empty()) {
     append_wrapped(rows, list.heading, width);
@@ -115,6 +123,7 @@ void Unplaced::add(Unplaced others, std::size_t page, bool several) {
       rows.push_back(several ? fmt::format("page {}, {}", page, row) : row);
     }
   };
+  add_missing(kinds, others.kinds);
   take(partners, others.partners);
   take(numbers, others.numbers);
   for (Enlarged& picture : others.pictures) {
@@ -155,7 +164,8 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
       listed.push_back(piece);
     }
   }
-  const std::vector<std::string> equal = kinds_on_page(nets, pages, page, kinds);
+  std::vector<std::string> equal = kinds_on_page(nets, pages, page, kinds);
+  add_missing(equal, others.kinds);
   std::vector<std::string> numbers = number_rows(pieces);
   numbers.insert(numbers.end(), others.numbers.begin(), others.numbers.end());
   const auto rows_of = [&](const Contents& contents, double width) {
@@ -186,7 +196,7 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
     }
     return rows;
   };
-  std::vector<std::string> every_partner = equal;
+  std::vector<std::string> every_partner;
   for (const PieceId piece : listed) {
     every_partner.push_back(nets.pieces[piece].name + ": " +
                             partners(nets, pages, page, neighbours[piece], true, true));
@@ -212,6 +222,7 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
     }
   }
   every_partner.insert(every_partner.end(), others.partners.begin(), others.partners.end());
+  index.left.kinds = equal;
   index.left.partners = std::move(every_partner);
   index.left.numbers = numbers;
   if (numbers.empty()) {
@@ -219,12 +230,15 @@ PageIndex page_index(const unfold::Nets& nets, const Pages& pages, PageId page,
   }
   for (const Contents& contents : in_turn) {
     const bool has_partners = contents.partners != Partners::none;
-    if ((has_partners ? index.left.partners : index.left.numbers).empty()) {
+    if (has_partners ? index.left.partners.empty() && index.left.kinds.empty() : index.left.numbers.empty()) {
       continue;
     }
     if (const auto texts = place(contents, has_partners ? std::span<const double>(widths) : list_widths)) {
       put(*texts);
       (has_partners ? index.left.partners : index.left.numbers).clear();
+      if (has_partners) {
+        index.left.kinds.clear();
+      }
     }
   }
   return index;

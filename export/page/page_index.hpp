@@ -17,14 +17,17 @@
 
 namespace ridgecraft::paper {
 
-/// What a page has no room for: rows that tell where the other edges are, numbers that stand nowhere else
-/// (NumberAt::list), and pictures.
+/// What a page has no room for: which pieces are alike, rows that tell where the other edges are, numbers
+/// that stand nowhere else (NumberAt::list), and pictures.
 struct Unplaced {
-  std::vector<std::string> partners, numbers;
+  std::vector<std::string> kinds, partners, numbers;
   std::vector<Enlarged> pictures;
 
-  [[nodiscard]] bool empty() const { return partners.empty() && numbers.empty() && pictures.empty(); }
-  /// What a page has left, each with its page (from 1) before it where there are several.
+  [[nodiscard]] bool empty() const {
+    return kinds.empty() && partners.empty() && numbers.empty() && pictures.empty();
+  }
+  /// What a page has left, each with its page (from 1) before it where there are several; which pieces are
+  /// alike once, for all pages.
   void add(Unplaced others, std::size_t page, bool several);
 };
 

@@ -33,6 +33,8 @@ constexpr double left_share = 0.5;
 constexpr double worth_teeth = 0.1;
 /// Where one tooth stood, there may be the ground of others.
 constexpr int teeth_rounds = 4;
+/// Whoever goes round a tooth asks no more corners than this.
+constexpr std::size_t most_corners = 1000;
 /// What has more faces has other details than teeth.
 constexpr std::size_t too_many_to_trim = 100000;
 
@@ -44,9 +46,10 @@ class TeethTrimmer {
         height_mm_(height_mm),
         cuts_(model, at_ground * options.short_edge_mm) {}
 
-  std::size_t run(mesh::Model& model) {
+  std::size_t run(mesh::Model& model, const Context& context) {
     std::size_t count = 0;
     for (const WallLoop& outline : outlines(surface_, walls_)) {
+      context.check();
       std::set<std::uint32_t> tried;
       const PlaneSide side{walls_.walls[outline.wall], 1.0};
       for (const CornerId c : outline.sides) {
@@ -62,9 +65,11 @@ class TeethTrimmer {
 
  private:
   bool cut_off(const PlaneSide& side, CornerId beside, std::set<std::uint32_t>& tried) {
+    std::size_t asked = 0;
     const std::vector<FaceId> faces = cuts_.in_front(
         side, mesh::face_of(surface_.twin(beside)),
-        [&](VertexId v) { return side.height(surface_.point(v)) <= height_mm_; }, tried);
+        [&](VertexId v) { return ++asked <= most_corners && side.height(surface_.point(v)) <= height_mm_; },
+        tried);
     if (faces.empty()) {
       return false;
     }
@@ -108,7 +113,7 @@ std::size_t trim_teeth(mesh::Model& model, const SimplifyOptions& options, doubl
   std::size_t all = 0;
   for (int round = 0; round < teeth_rounds; ++round) {
     context.check();
-    const std::size_t count = TeethTrimmer(trimmed, options, height_mm).run(trimmed);
+    const std::size_t count = TeethTrimmer(trimmed, options, height_mm).run(trimmed, context);
     if (count == 0) {
       break;
     }

@@ -11,10 +11,10 @@
 
 namespace ridgecraft::prepare {
 
-/// A tooth stands beside a small flat face (the ground between two merlons), out of its plane by no more than
-/// `height_mm`, and is level on top, as far as it covers that plane. Teeth are cut off along the plane where
-/// that leaves less than half of their faces. As this changes how a model looks, it is done only where a
-/// tenth of all its triangles go by it, and not in models of more than 100,000. Panels must
+/// A tooth of up to some hundred faces stands beside a flat face (the ground between two merlons), out of its
+/// plane by no more than `height_mm`, and is level on top, as far as it covers that plane. Teeth are cut off
+/// along the plane where that leaves half of their faces at most. As this changes how a model looks, it is
+/// done only where a tenth of all its triangles go by it, and not in models of more than 100,000. Panels must
 /// have been remeshed, and are in the end. Returns how many teeth went. O(n log n) for each of a few rounds.
 std::size_t trim_teeth(mesh::Model& model, const SimplifyOptions& options, double height_mm,
                        const Context& context);

@@ -21,6 +21,7 @@ struct SimplifyReport {
   std::size_t faces_after = 0;
   std::size_t specks_dropped = 0;    ///< automatic: components too small to be held, left out
   std::size_t features_removed = 0;  ///< automatic: small holes closed and small knobs cut off flat walls
+  std::size_t teeth_removed = 0;     ///< automatic: of the model as one body; see also ReadyReport::teeth
   std::size_t turned = 0;  ///< automatic: bodies that were turned, and have fewer sides now, evenly around
   /// automatic: lines between narrow faces side by side that went, of arches, columns and rounded corners
   std::size_t rulings_removed = 0;

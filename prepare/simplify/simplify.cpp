@@ -173,8 +173,7 @@ std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, 
   const std::size_t busy_ones = trim_reliefs(model, options, {height_mm, true}, context);
   report.features_removed += busy_ones;
   if (model.surface.face_count() > options.most_faces) {
-    report.features_removed +=
-        trim_teeth(model, options, std::min(largest_mm, options.tiny_edge_mm), context);
+    report.teeth_removed += trim_teeth(model, options, std::min(largest_mm, options.tiny_edge_mm), context);
   }
   return busy_ones;
 }
@@ -187,6 +186,7 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   const double extent = before.bounds().largest_extent();
   const double largest_mm = options.largest_deviation * extent;
   report.deviation_mm = report.evened_mm = 0.0;
+  report.teeth_removed = 0;
   report.features_removed = beforehand.features ? remove_features(model, options, largest_mm) : 0;
   if (report.features_removed > 0) {
     remesh_panels(model, context);
@@ -210,8 +210,9 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   }
   SymmetricShare share = joined(bodies);
   report.edges_turned = remove_splinters(share, options.splinter_mm);
-  const bool changed_before =
-      report.features_removed + report.turned + report.rulings_removed + report.bevels_removed > 0;
+  const bool changed_before = report.features_removed + report.teeth_removed + report.turned +
+                                  report.rulings_removed + report.bevels_removed >
+                              0;
   if (!allowed.changed && !changed_before && !thinned && report.edges_turned == 0) {
     return allowed.largest_mm;
   }
@@ -234,7 +235,7 @@ double simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, c
   const double largest_mm = simplify_components(model, before, options, {}, report, context);
   // What was simplified after the features and the turned bodies may have moved the surface as far again:
   // then what did so stays as it was.
-  const bool features = report.features_removed > 0;
+  const bool features = report.features_removed + report.teeth_removed > 0;
   const bool turned = report.turned > 0;
   const bool slats = report.rulings_removed + report.bevels_removed > 0;
   std::vector<Beforehand> tried{{features, turned, slats}};

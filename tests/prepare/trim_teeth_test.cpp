@@ -114,6 +114,7 @@ TEST_CASE("teeth of bodies go before these are united, where there are too many 
     mesh::Model ready = model;
     prepare::SimplifyOptions options;
     options.most_faces = too_many ? 100 : 1000;
+    options.largest_deviation = 0.1;  // it is a small castle
     prepare::SizeOptions size;
     size.mm_per_unit = 1.0;
     const prepare::ReadyReport report = prepare::ready_bodies(ready, size, options, {});

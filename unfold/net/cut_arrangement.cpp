@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "base/box_grid.hpp"
@@ -227,13 +228,21 @@ CutLines arrange_cuts(const std::vector<std::vector<Vec2>>& loops, double tolera
     }
   }
   std::vector<NodePair> slits;
-  for (bool more = true; more;) {
+  // Of nodes that lie beside each other's lines in turn, a slit of one round may be the way of the next one.
+  constexpr int most_rounds = 8;
+  bool more = true;
+  for (int round = 0; more && round < most_rounds; ++round) {
     const std::size_t known = slits.size();
     std::vector<Run> kept;
     cancel_opposite(split_at_nodes(runs, nodes.points, tolerance), kept, slits);
     runs = std::move(kept);
     more = slits.size() > known;
   }
+  std::set<NodePair> drawn;
+  for (const Run& run : runs) {
+    drawn.insert({std::min(run.ends[0], run.ends[1]), std::max(run.ends[0], run.ends[1])});
+  }
+  std::erase_if(slits, [&](const NodePair& slit) { return !drawn.insert(slit).second; });
   return {trace_loops(runs, nodes.points), join_lines(slits, nodes.points)};
 }
 

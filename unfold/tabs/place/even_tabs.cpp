@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "unfold/net/equal_pieces.hpp"
 #include "unfold/tabs/shape/trimming.hpp"
@@ -70,6 +72,22 @@ Images images_of(const std::vector<TabSite>& sites, const std::vector<std::uint3
   return images;
 }
 
+/// Without corners above the base at which the outline doesn't turn to the left: such a corner was on a
+/// straight side until the base's end moved.
+ConvexShape without_dents(const ConvexShape& shape) {
+  std::vector<Vec2> corners(shape.begin(), shape.end());
+  for (std::size_t i = 2; i < corners.size();) {
+    const Vec2 next = corners[(i + 1) % corners.size()];
+    if (corners.size() > 3 && cross(corners[i] - corners[i - 1], next - corners[i]) <= 0.0) {
+      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+      i = std::max<std::size_t>(i - 1, 2);
+    } else {
+      ++i;
+    }
+  }
+  return ConvexShape(std::span<const Vec2>(corners));
+}
+
 /// The shape on an edge of another length, which differs by no more than pieces do that count as equal. The
 /// base is that of the edge: a corner that was at its end is at the other's end.
 ConvexShape fitted(const ConvexShape& shape, double before, double length) {
@@ -77,7 +95,7 @@ ConvexShape fitted(const ConvexShape& shape, double before, double length) {
   for (std::uint32_t i = 0; i < 2; ++i) {
     result[i].x = result[i].x >= before ? length : std::clamp(result[i].x, 0.0, length);
   }
-  return result;
+  return length == before ? result : without_dents(result);
 }
 
 /// Which tabs of a piece its equals get.
