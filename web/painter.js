@@ -60,11 +60,17 @@ export class PainterView {
     /** @type {{far: number, draw: () => void}[]} */
     const items = [];
     const sun = [camera.right[0] * -0.5 + camera.toward[0] * 0.5, 0.75, camera.right[2] * -0.5 + camera.toward[2] * 0.5];
+    const opacityOf = (/** @type {number} */ i) => tints[12 * i + 3] / 255;
+    const isSeen = (/** @type {number} */ i) => opacityOf(i) >= 0.02;
+    let allPlaced = true;
     for (let i = 0; i < corners.length / 18; ++i) {
-      const opacity = tints[12 * i + 3] / 255;
-      if (opacity < 0.02) {
+      allPlaced = allPlaced && (!isSeen(i) || picture.placed(i));
+    }
+    for (let i = 0; i < corners.length / 18; ++i) {
+      if (!isSeen(i)) {
         continue;
       }
+      const opacity = opacityOf(i);
       const seen = [0, 1, 2].map((k) => {
         const c = 18 * i + 6 * k;
         return camera.project(corners[c], corners[c + 1], corners[c + 2]);
@@ -78,10 +84,11 @@ export class PainterView {
       const base = [0, 1, 2].map((k) => Math.min(255, Math.round(
         light * (front ? (tints[12 * i + k] * paint[k]) / 255 : 255 * picture.paper[k]))));
       const colour = `rgba(${base},${opacity})`;
-      // Tabs lie under the faces that they are glued to. In the model itself, back sides are behind front sides, and tabs
-      // between the two; the middle of a long triangle doesn't tell.
+      // Tabs lie under the faces that they are glued to. Where all that is seen is in its place, back sides are behind front
+      // sides, and tabs between the two; the middle of a long triangle doesn't tell. A piece that still flies may be behind
+      // the back of another.
       const tab = pageOf[i] === -1;
-      const layer = !picture.placed(i) ? (tab ? 0.05 : 0) : tab ? 1e3 : front ? 0 : 2e3;
+      const layer = !allPlaced ? (tab ? 0.05 : 0) : tab ? 1e3 : front ? 0 : 2e3;
       items.push({far: (seen[0][2] + seen[1][2] + seen[2][2]) / 3 + layer * camera.size, draw: () => this.#fill(seen, colour, opacity > 0.99)});
     }
     const line = (/** @type {number} */ i) => {

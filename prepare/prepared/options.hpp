@@ -52,7 +52,8 @@ struct SimplifyOptions {
   double splinter_mm = 1.0;
   /// automatic: nobody builds a model of more triangles, ...
   std::size_t most_faces = 1000;
-  /// ... unless they are parts of so few flat faces; 0: no matter of how many.
+  /// ... unless it has three in each flat face and more: then up to a third more, as so many flat faces would
+  /// have. 0: of no model.
   std::size_t most_flat_faces = 450;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;

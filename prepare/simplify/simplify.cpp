@@ -226,13 +226,14 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   return allowed.largest_mm;
 }
 
-/// `dense`: what it was before it was thinned out, if it was. How far the surface was allowed to move.
+/// `dense`: what it was before it was thinned out, if it was; `first`: what is tried first. How far the
+/// surface was allowed to move.
 double simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, const SimplifyOptions& options,
-                        SimplifyReport& report, const Context& context) {
+                        Beforehand first, SimplifyReport& report, const Context& context) {
   report.specks_dropped += drop_specks(model, speck * options.short_edge_mm);
   const mesh::Model kept = model;
   const mesh::Surface& before = dense ? dense->before.surface : kept.surface;
-  const double largest_mm = simplify_components(model, before, options, {}, report, context);
+  const double largest_mm = simplify_components(model, before, options, first, report, context);
   // What was simplified after the features and the turned bodies may have moved the surface as far again:
   // then what did so stays as it was.
   const bool features = report.features_removed + report.teeth_removed > 0;
@@ -293,7 +294,7 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   automatic.most_faces = options.faces;
   mesh::Model other = kept;
   SimplifyReport of_other = report;
-  simplify_to_fold(other, {}, automatic, of_other, context);
+  simplify_to_fold(other, {}, automatic, {}, of_other, context);
   if (other.surface.face_count() > options.faces) {
     collapse_to_count(other, options, of_other, context);
     const double spacing = sample_spacing * kept.surface.bounds().largest_extent();
@@ -323,13 +324,13 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& wished, const
       dense ? dense->short_edges_share : fold_figures(model.surface, options).brief_share();
   if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_share ||
                                                     model.surface.face_count() > options.most_faces)) {
-    const double largest_mm = simplify_to_fold(model, dense, options, report, context);
+    const double largest_mm = simplify_to_fold(model, dense, options, {}, report, context);
     if (dense && dense->turned > 0 && report.deviation_mm > largest_mm) {
       // All that could be left out since is; now what was turned is, too.
       model = std::move(dense->before);
       dense.reset();
       remesh_panels(model, context);
-      simplify_to_fold(model, dense, options, report, context);
+      simplify_to_fold(model, dense, options, {true, false, true}, report, context);
     }
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
