@@ -218,18 +218,18 @@ class SizeSearch {
   Context context_;
 };
 
-/// As it is best at its size: fewer triangles of walls, or coarser where it can't be folded or lacks room.
-/// The same whether somebody asked for the size or not.
-Prepared best_at_its_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
-  if (suits(usual) && !is_cramped(usual)) {
-    return usual;
+/// Coarser, where it can't be folded or lacks room as it is, and has room so. Walls crumple where they get
+/// coarser, and are worth a larger size.
+std::optional<Prepared> roomy_if_coarser(const Prepared& usual, const SizeOptions& size,
+                                         const SizeSearch& search) {
+  if (usual.simplified.walls_keep_more || (can_be_folded(usual) && !is_cramped(usual))) {
+    return std::nullopt;
   }
-  // Walls crumple where they get coarser.
-  if (!usual.simplified.walls_keep_more && (is_cramped(usual) || !can_be_folded(usual))) {
-    if (std::optional<Prepared> coarser = search.coarser(size, is_roomy)) {
-      return std::move(*coarser);
-    }
-  }
+  return search.coarser(size, is_roomy);
+}
+
+/// With fewer triangles of its walls, or coarser, where it doesn't suit as it is.
+Prepared foldable_at_its_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
   if (suits(usual)) {
     return usual;
   }
@@ -244,16 +244,21 @@ Prepared best_at_its_size(Prepared usual, const SizeOptions& size, const SizeSea
   return usual;
 }
 
+/// As it is best at its size, the same whether somebody asked for that size or not.
+Prepared best_at_its_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
+  if (std::optional<Prepared> coarser = roomy_if_coarser(usual, size, search)) {
+    return std::move(*coarser);
+  }
+  return foldable_at_its_size(std::move(usual), size, search);
+}
+
 /// Of a size at which it can be folded, if there is one within the limits.
 Prepared of_foldable_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
   if (suits(usual)) {
     return usual;
   }
-  // Walls are worth a larger size.
-  if (!usual.simplified.walls_keep_more && !can_be_folded(usual)) {
-    if (std::optional<Prepared> coarser = search.coarser(size, is_roomy)) {
-      return std::move(*coarser);
-    }
+  if (std::optional<Prepared> coarser = roomy_if_coarser(usual, size, search)) {
+    return std::move(*coarser);
   }
   std::optional<double> foldable_mm;
   std::optional<Prepared> larger = search.larger(extent_of(usual), suits, foldable_mm);
@@ -261,7 +266,7 @@ Prepared of_foldable_size(Prepared usual, const SizeOptions& size, const SizeSea
     larger->size_reason = SizeReason::folds;
     return std::move(*larger);
   }
-  Prepared best = best_at_its_size(std::move(usual), size, search);
+  Prepared best = foldable_at_its_size(std::move(usual), size, search);
   if (!can_be_folded(best)) {
     best.smallest_size_mm = foldable_mm;
   }

@@ -29,6 +29,8 @@ constexpr double indent_share = 2.0;
 constexpr double after_heading_share = 0.9;  ///< of a row
 constexpr double before_entry_share = 0.45;
 
+constexpr std::string_view kind_list_heading = "which pieces are alike";
+
 enum class Kind { heading, entry, words };
 
 /// A line of a column.
@@ -223,8 +225,6 @@ class PictureRows {
   double top_ = 0.0;
   double bottom_ = 0.0;
 };
-
-constexpr std::string_view kind_list_heading = "which pieces are alike";
 
 /// "2 equal: A, B" is an entry with a line; "A and B are mirror images" gets an entry for all of them.
 std::vector<std::string> rows_of_kinds(const std::vector<std::string>& kinds) {

@@ -320,12 +320,8 @@ void TriangleColours::along(const std::array<double, 3>& from, const std::array<
     return;
   }
   picture_->along(place(from), place(to), level_, colours);
-  if (tint_ != nullptr) {
-    for (Rgb& colour : colours) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        colour[k] = (*tint_)[colour[k]][k];
-      }
-    }
+  for (Rgb& colour : colours) {
+    colour = tinted(colour);
   }
 }
 

@@ -53,13 +53,7 @@ class TriangleColours {
     if (picture_ == nullptr) {
       return mixed(weights);
     }
-    Rgb colour = picture_->at(place(weights), level_);
-    if (tint_ != nullptr) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        colour[k] = (*tint_)[colour[k]][k];
-      }
-    }
-    return colour;
+    return tinted(picture_->at(place(weights), level_));
   }
   /// At places spread evenly from one to another, both among them unless it is one: those of at(), but for a
   /// thousandth of a pixel.
@@ -69,6 +63,12 @@ class TriangleColours {
  private:
   friend class Look;
   [[nodiscard]] Rgb mixed(const std::array<double, 3>& weights) const;
+  [[nodiscard]] Rgb tinted(Rgb colour) const {
+    for (std::size_t k = 0; k < 3 && tint_ != nullptr; ++k) {
+      colour[k] = (*tint_)[colour[k]][k];
+    }
+    return colour;
+  }
   [[nodiscard]] Vec2 place(const std::array<double, 3>& weights) const {
     return weights[0] * places_[0] + weights[1] * places_[1] + weights[2] * places_[2];
   }

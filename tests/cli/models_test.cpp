@@ -114,6 +114,17 @@ std::vector<Case> read_cases(const fs::path& table) {
   return cases;
 }
 
+/// Where nobody could build it, --strict would refuse it.
+Outcome check_can_be_built(const fs::path& model, const std::vector<std::string>& options) {
+  const TemporaryFolder folder;
+  std::vector<std::string> words = {model.string(), "--strict", "-o", (folder.path() / "nets.fold").string()};
+  words.insert(words.end(), options.begin(), options.end());
+  Outcome outcome = run_program(words);
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == 0);
+  return outcome;
+}
+
 }  // namespace
 
 TEST_CASE("every sample becomes paper that three checkers accept", "[models][slow]") {
@@ -136,14 +147,8 @@ TEST_CASE("walls keep more triangles only where they can be folded", "[models][s
   }
   // Its walls are simple, its windows too small: with all triangles that walls may keep, every eighth fold
   // is shorter than 3 mm.
-  const TemporaryFolder folder;
   for (const std::vector<std::string>& size : {std::vector<std::string>{}, {"--size", "150mm"}}) {
-    std::vector<std::string> words = {house.string(), "--strict", "-o",
-                                      (folder.path() / "house.fold").string()};
-    words.insert(words.end(), size.begin(), size.end());
-    const Outcome outcome = run_program(words);
-    INFO(outcome.out << outcome.err);
-    CHECK(outcome.exit_code == 0);
+    check_can_be_built(house, size);
   }
 }
 
@@ -163,11 +168,7 @@ TEST_CASE("a lamp loses details together, at each size and to each number of fac
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--size", "250mm"},
                                                 {"--size", "150mm", "--without", "globes"},
                                                 {"--faces", "250"}}) {
-    std::vector<std::string> all = {lamp.string(), "--strict", "-o", (folder.path() / "lamp.fold").string()};
-    all.insert(all.end(), words.begin(), words.end());
-    const Outcome outcome = run_program(all);
-    INFO(outcome.out << outcome.err);
-    CHECK(outcome.exit_code == 0);
+    const Outcome outcome = check_can_be_built(lamp, words);
     CHECK(outcome.out.find("rather than") == std::string::npos);
   }
 }

@@ -34,6 +34,14 @@ Rgb colour(const Look& look, Vec3 p, Vec3 normal) {
   return look.colour_at(look.nearest(p, normal), 0.0);
 }
 
+std::vector<std::uint8_t> random_pixels(Random& random, std::size_t width, std::size_t height) {
+  std::vector<std::uint8_t> pixels(3 * width * height);
+  for (std::uint8_t& byte : pixels) {
+    byte = static_cast<std::uint8_t>(random.below(256));
+  }
+  return pixels;
+}
+
 /// A soft picture of so many pixels: red runs right, green down.
 std::vector<std::uint8_t> soft_pixels(std::uint32_t width, std::uint32_t height) {
   std::vector<std::uint8_t> pixels;
@@ -162,10 +170,7 @@ TEST_CASE("Look: coarse copies of a picture have its colours, and places repeat"
 
 TEST_CASE("Look: between its pixels a picture has their mean by how near each is") {
   Random random(5);
-  std::vector<std::uint8_t> pixels(std::size_t{3} * 9 * 7);
-  for (std::uint8_t& byte : pixels) {
-    byte = static_cast<std::uint8_t>(random.below(256));
-  }
+  const std::vector<std::uint8_t> pixels = random_pixels(random, 9, 7);
   const mesh::Picture picture(9, 7, pixels);
   for (int i = 0; i < 2000; ++i) {
     const Vec2 at{3.0 * random.unit() - 1.0, 3.0 * random.unit() - 1.0};
@@ -190,10 +195,7 @@ TEST_CASE("Look: between its pixels a picture has their mean by how near each is
 
 TEST_CASE("Look: along a line a picture has the colours that it has at each place") {
   Random random(6);
-  std::vector<std::uint8_t> pixels(std::size_t{3} * 40 * 30);
-  for (std::uint8_t& byte : pixels) {
-    byte = static_cast<std::uint8_t>(random.below(256));
-  }
+  const std::vector<std::uint8_t> pixels = random_pixels(random, 40, 30);
   const mesh::Picture picture(40, 30, pixels);
   for (int i = 0; i < 600; ++i) {
     // A third of the lines lie within; others end on the border or beyond it, where pictures repeat.
