@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,14 @@ constexpr double opposite = -0.7071067811865476;
 constexpr double most_places = 0.5;
 /// Where two skins meet at an edge as sharp as this there is no rim between them, radians (120 degrees).
 constexpr double sharp = 2.0943951023931953;
+/// Faces beside skins hang together where they bend by less than this, radians (45 degrees).
+constexpr double blunt = 0.7853981633974483;
+/// Faces between skins are steps of one, not a rim or a flange, if they are narrower than this share of the
+/// thickness that counts as thin.
+constexpr double narrow = 0.5;
+/// Skins are against each other where this share of one of them has the other behind it; at sharp corners a
+/// skin has a little of itself behind it.
+constexpr double few_against = 0.1;
 /// What goes is nowhere farther from what stays than this many times the thickness that counts as thin.
 constexpr double reach = 1.25;
 /// Skins that differ by less than this share of their area are equally large.
@@ -112,7 +121,9 @@ std::vector<Vec3> places_of(const mesh::Surface& surface, FaceId f, double spaci
   const auto [a, b, c] = surface.vertices(f);
   const Vec3 u = surface.point(b) - surface.point(a);
   const Vec3 v = surface.point(c) - surface.point(a);
-  const int steps = static_cast<int>(std::clamp(std::sqrt(surface.area(f)) / spacing, 1.0, most_steps));
+  // By its longest side: of the long faces of a wall one end may be beside something else.
+  const double longest = std::max({length(u), length(v), length(v - u)});
+  const int steps = static_cast<int>(std::clamp(longest / spacing, 1.0, most_steps));
   std::vector<Vec3> places;
   for (int i = 0; i < steps; ++i) {
     for (int k = 0; i + k < steps; ++k) {
@@ -204,19 +215,11 @@ class ThinWalls {
 
   /// Patches of faces that hang together, those of skins apart from the others.
   void find_patches() {
-    DisjointSets sets(faces_.size());
-    for (std::uint32_t i = 0; i < faces_.size(); ++i) {
-      for (unsigned k = 0; k < 3; ++k) {
-        const CornerId c = mesh::corner(faces_[i], k);
-        const FaceId g = surface_.neighbor(c);
-        if (!g.valid() || surface_.fold_angle(surface_.edge(c)) < -sharp) {
-          continue;
-        }
-        const std::uint32_t other = number_[g];
-        if (paired_[other] == paired_[i]) {
-          sets.join(i, other);
-        }
-      }
+    in_skin_ = paired_;
+    DisjointSets sets = hang_together();
+    // Faces that have joined a skin may be what parted it from others.
+    while (join_corners_and_steps(sets)) {
+      sets = hang_together();
     }
     patch_.resize(faces_.size());
     area_.assign(faces_.size(), 0.0);
@@ -226,11 +229,99 @@ class ThinWalls {
     }
   }
 
+  [[nodiscard]] DisjointSets hang_together() const {
+    DisjointSets sets(faces_.size());
+    for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const CornerId c = mesh::corner(faces_[i], k);
+        const FaceId g = surface_.neighbor(c);
+        if (!g.valid() || surface_.fold_angle(surface_.edge(c)) < -sharp) {
+          continue;
+        }
+        // A rim and the round corner of a wall that it ends at are two things.
+        const std::uint32_t other = number_[g];
+        if (in_skin_[other] == in_skin_[i] && (in_skin_[i] || is_blunt(c))) {
+          sets.join(i, other);
+        }
+      }
+    }
+    return sets;
+  }
+
+  [[nodiscard]] bool is_blunt(CornerId c) const {
+    return std::abs(surface_.fold_angle(surface_.edge(c))) <= blunt;
+  }
+
+  /// Faces of no skin that hang together, and the skins that they touch, by the first face of each.
+  struct Between {
+    double area = 0.0;
+    double outline_mm = 0.0;
+    std::set<std::uint32_t> skins;
+    bool goes_on = false;  ///< from one of them without a bend
+  };
+
+  /// Round a corner of a wall the other skin is beside a face rather than behind it, and a skin that was made
+  /// of small cubes has steps: what lies between patches of skins belongs to them, unless two of them are
+  /// against each other. Then it is the rim between them. Returns whether anything joined a skin.
+  bool join_corners_and_steps(DisjointSets& sets) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> against;  // area of the first before the second
+    std::vector<double> area(faces_.size(), 0.0);
+    std::map<std::uint32_t, Between> between;
+    for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+      area[sets.find(i)] += surface_.area(faces_[i]);
+      if (in_skin_[i]) {
+        for (const std::uint32_t other : behind_[i]) {
+          against[{sets.find(i), sets.find(other)}] +=
+              surface_.area(faces_[i]) / static_cast<double>(behind_[i].size());
+        }
+      } else {
+        look_around(i, sets, between[sets.find(i)]);
+      }
+    }
+    const auto is_rim = [&](const Between& faces) {
+      return std::ranges::any_of(faces.skins, [&](std::uint32_t a) {
+        return std::ranges::any_of(faces.skins, [&](std::uint32_t b) {
+          const auto found = against.find({a, b});
+          return found != against.end() && found->second >= few_against * area[a];
+        });
+      });
+    };
+    bool any = false;
+    for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+      if (in_skin_[i]) {
+        continue;
+      }
+      const Between& faces = between[sets.find(i)];
+      const bool is_step = 2.0 * faces.area <= narrow * thin_ * faces.outline_mm;
+      if (!faces.skins.empty() && (is_step || faces.goes_on) && !is_rim(faces)) {
+        in_skin_[i] = true;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  void look_around(std::uint32_t i, DisjointSets& sets, Between& here) const {
+    here.area += surface_.area(faces_[i]);
+    for (unsigned k = 0; k < 3; ++k) {
+      const CornerId c = mesh::corner(faces_[i], k);
+      const FaceId g = surface_.neighbor(c);
+      if (g.valid() && sets.find(number_[g]) == sets.find(i)) {
+        continue;
+      }
+      here.outline_mm += surface_.length(surface_.edge(c));
+      if (g.valid() && in_skin_[number_[g]]) {
+        here.skins.insert(sets.find(number_[g]));
+        here.goes_on = here.goes_on || is_blunt(c);
+      }
+    }
+  }
+
   /// The larger one of the two skins that have each other behind them; by its patch.
   [[nodiscard]] std::optional<std::uint32_t> larger_skin() const {
     std::optional<std::uint32_t> largest;
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
-      if (paired_[i] && patch_[i] == i && (!largest || area_[i] > (1.0 + same_area) * area_[*largest])) {
+      if (in_skin_[i] && patch_[i] == i && (!largest || area_[i] > (1.0 + same_area) * area_[*largest])) {
         largest = i;
       }
     }
@@ -248,7 +339,7 @@ class ThinWalls {
     const auto most = std::max_element(behind.begin(), behind.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     const bool has_twin =
-        most->first != *largest && paired_[most->first] && most->second >= least_paired * area_[*largest];
+        most->first != *largest && in_skin_[most->first] && most->second >= least_paired * area_[*largest];
     return has_twin ? largest : std::nullopt;
   }
 
@@ -297,7 +388,8 @@ class ThinWalls {
   const Context& context_;
   std::vector<std::vector<std::uint32_t>> behind_;  ///< per face: what its places have behind them
   std::vector<double> thickness_;                   ///< per face, mean of its places
-  std::vector<bool> paired_;                        ///< per face: whether it belongs to a skin
+  std::vector<bool> paired_;                        ///< per face: whether the other skin is behind it
+  std::vector<bool> in_skin_;                       ///< per face: whether it belongs to a skin
   std::vector<std::uint32_t> patch_;                ///< per face: the first face of its patch
   std::vector<double> area_;                        ///< by the first face of each patch
 };
