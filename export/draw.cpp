@@ -112,7 +112,8 @@ void report_lines(const Group& group, DrawReport& report) {
 std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
                           const Style& style, DrawReport* report, const Context& context) {
   DrawReport sum;
-  sum.bodies = find_bodies(model, nets);
+  sum.contacts = find_contacts(model.model.surface, nets);
+  sum.bodies = find_bodies(model, nets, sum.contacts);
   sum.kinds = find_piece_kinds(model, nets);
   sum.objects = find_piece_objects(model, nets);
   const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds, sum.objects);
@@ -124,7 +125,6 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   const bool can_list = has_room_for_lists(pages.paper);
   const auto contents = piece_contents(model.model.surface, nets);
   std::vector<std::vector<PieceDrawing>> pieces(pages.count);
-  sum.contacts = find_contacts(model.model.surface, nets);
   std::vector<std::vector<PieceId>> piece_ids(pages.count);
   for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
     const Placement& placement = pages.placements[piece];

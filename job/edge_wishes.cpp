@@ -234,6 +234,13 @@ prepare::Bodies bodies_for(const EdgeRequests& edges, prepare::Bodies wanted) {
                                                                         : prepare::Bodies::keep;
 }
 
+bool parts_standing_for(const EdgeRequests& edges, bool wanted) {
+  if (!edges.from) {
+    return wanted;
+  }
+  return is_fold_file(*edges.from) && read_fold_file(*edges.from).settings.find("standing") != nullptr;
+}
+
 prepare::Skins skins_for(const EdgeRequests& edges, prepare::Skins wanted) {
   if (!edges.from || !is_fold_file(*edges.from)) {
     return wanted;

@@ -30,6 +30,8 @@ void use_size_of_nets(const EdgeRequests& edges, const mesh::Model& model, prepa
 
 /// Whether bodies are to be united: as nets made before say, where there are any.
 [[nodiscard]] prepare::Bodies bodies_for(const EdgeRequests& edges, prepare::Bodies wanted);
+/// Whether what stands on flat faces is parted from them, the same way.
+[[nodiscard]] bool parts_standing_for(const EdgeRequests& edges, bool wanted);
 /// What becomes of thin walls, the same way.
 [[nodiscard]] prepare::Skins skins_for(const EdgeRequests& edges, prepare::Skins wanted);
 

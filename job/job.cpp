@@ -178,6 +178,15 @@ void take_over(const OneSkin& skin, Paper& made) {
   made.options.bodies = skin.changed() ? prepare::Bodies::unite : prepare::Bodies::keep;
 }
 
+/// Bodies that were parted are no longer those of the file, as if they had been united.
+void take_over_standing(Paper& made) {
+  const bool as_before = made.options.edges.from && made.options.simplify.part_standing;
+  made.options.simplify.part_standing = made.prepared.standing > 0 || as_before;
+  if (made.options.simplify.part_standing) {
+    made.options.bodies = prepare::Bodies::unite;
+  }
+}
+
 /// Models of more faces aren't judged once more at another size: it would take too long, and too much memory.
 constexpr std::size_t most_judged_faces = 200000;
 /// Of the time that is left.
@@ -292,6 +301,9 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   use_size_of_nets(options.edges, model, made.options.size);
   made.options.bodies = bodies_for(options.edges, options.bodies);
   made.options.simplify.skins = skins_for(options.edges, options.simplify.skins);
+  made.options.simplify.part_standing =
+      parts_standing_for(options.edges, options.bodies == prepare::Bodies::unite &&
+                                            made.options.simplify.mode != prepare::Simplification::keep);
   const double units = model.file_scale;
   std::optional<mesh::LookParts> look =
       clock("prepare", context, [&] { return look_for(options, model, context, notes); });
@@ -333,6 +345,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
                                                             made.prepared.from_model.shift);
   }
   const mesh::Surface& surface = made.prepared.model.surface;
+  take_over_standing(made);
   add_ready(made.ready.simplified, made.prepared.mm_per_unit * units, made.prepared.simplified);
   made.searched_with = settings_of(made.options, made.seed);
   if (const std::string why =

@@ -155,6 +155,9 @@ paper::Settings settings_of(const Options& options, std::uint64_t seed) {
       settings["skins"] = json_string(options.simplify.skins == prepare::Skins::both ? "both" : "middle");
     }
   }
+  if (options.simplify.part_standing) {
+    settings["standing"] = json_string("apart");
+  }
   add_tabs(options, settings);
   add_edges(options.edges, settings);
   settings["seed"] = std::to_string(seed);

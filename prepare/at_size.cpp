@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
+#include "prepare/features/standing_bodies.hpp"
 #include "prepare/panels/divide_panels.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
 #include "prepare/simplify/simplify.hpp"
@@ -87,6 +88,9 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
     prepared.mm_per_unit *= factor;
     prepared.simplified.deviation_mm *= factor;
     prepared.simplified.evened_mm *= factor;
+  }
+  if (simplify.part_standing) {
+    prepared.standing = part_standing_bodies(prepared.model, context);
   }
   judge_folds(prepared, simplify);
   copy_equal_bodies(prepared, size, simplify.mode == Simplification::keep, context);

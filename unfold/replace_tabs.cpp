@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "unfold/foot_tabs.hpp"
 #include "unfold/give_tabs.hpp"
 #include "unfold/net/equal_pieces.hpp"
 #include "unfold/net/joins.hpp"
@@ -30,6 +31,7 @@ void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, c
   } else {
     give_tabs(surface, panels, options, nets, context, choice);
   }
+  add_foot_tabs(surface, options, nets, context);
   nets.equal = find_equal_pieces(surface, nets);
 }
 

@@ -14,6 +14,7 @@
 #include "unfold/all_tabs.hpp"
 #include "unfold/foldable_pieces.hpp"
 #include "unfold/folding/fold_order.hpp"
+#include "unfold/foot_tabs.hpp"
 #include "unfold/give_tabs.hpp"
 #include "unfold/linear_folding.hpp"
 #include "unfold/net/broken_wishes.hpp"
@@ -244,6 +245,7 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   }
   const std::vector<std::string> of_parts = sentences(found.notes, nets);
   nets.notes.insert(nets.notes.end(), of_parts.begin(), of_parts.end());
+  add_foot_tabs(surface, options, nets, context);
   nets.equal = find_equal_pieces(surface, nets);
   note_result(whole, split, split_off_to_fold, nets);
   return nets;

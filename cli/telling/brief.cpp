@@ -119,6 +119,11 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
   if (skin.unseen > 0) {
     clauses.push_back(counted_bodies(skin.unseen) + " that nobody sees left out");
   }
+  if (const std::size_t glued = made.drawn.bodies.size() - paper::bodies_apart(made.drawn.bodies);
+      glued > 0) {
+    clauses.push_back(counted_bodies(glued) + (glued == 1 ? " is" : " are") +
+                      " glued onto others, within the dashed lines there");
+  }
   if (report.faces_after < report.faces_before && report.deviation_mm >= seen_mm) {
     clauses.push_back(fmt::format("simplified from {} to {} triangles, moved by at most {:.2f} mm",
                                   report.faces_before, report.faces_after, report.deviation_mm));
@@ -223,8 +228,8 @@ std::string hard_line(const PaperJob& job, const PaperResult& result, const Glue
   if (made.skin.left_crossing > 0) {
     clauses.push_back(counted_bodies(made.skin.left_crossing) + " run into each other");
   }
-  if (!made.drawn.bodies.empty()) {
-    clauses.push_back(fmt::format("it comes in {} bodies that no tab joins{}", made.drawn.bodies.size(),
+  if (const std::size_t apart = paper::bodies_apart(made.drawn.bodies); apart > 1) {
+    clauses.push_back(fmt::format("it comes in {} bodies that nothing joins{}", apart,
                                   made.guide.pages.empty() ? "" : ": the guide shows where each belongs"));
   }
   return joined(clauses, "nothing in particular");

@@ -129,15 +129,28 @@ std::string numbers_text(std::vector<paper::DrawReport::Number> lost) {
 }
 
 /// "2 that no join connects: 1 A to C; 2 D at B"
+/// The pieces that a body is glued onto, each once, ascending.
+std::vector<PieceId> below(const paper::Body& body) {
+  std::vector<PieceId> pieces;
+  for (const auto& [piece, other] : body.glued_onto) {
+    pieces.push_back(other);
+  }
+  std::ranges::sort(pieces);
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  return pieces;
+}
+
 std::string bodies_text(const unfold::Nets& nets, const std::vector<paper::Body>& bodies) {
   constexpr std::size_t most = 8;
   if (bodies.empty()) {
     return {};
   }
-  std::string text = fmt::format("{} that no join connects: ", bodies.size());
+  std::string text = fmt::format("{} that no tab joins: ", bodies.size());
   for (std::size_t i = 0; i < std::min(most, bodies.size()); ++i) {
     text += fmt::format("{}{} {}", i == 0 ? "" : "; ", i + 1, piece_names(nets, bodies[i].pieces));
-    if (bodies[i].beside.valid() && i > 0) {
+    if (!bodies[i].glued_onto.empty()) {
+      text += " on " + piece_names(nets, below(bodies[i]));
+    } else if (bodies[i].beside.valid() && i > 0) {
       text += " at " + nets.pieces[bodies[i].beside].name;
     }
   }
@@ -379,6 +392,13 @@ void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<pa
     if (body.beside.valid()) {
       item.set("beside", nets.pieces[body.beside].name);
       item.set("distance_mm", rounded(body.distance_mm));
+    }
+    if (!body.glued_onto.empty()) {
+      Value onto(Value::List{});
+      for (const PieceId piece : below(body)) {
+        onto.add(nets.pieces[piece].name);
+      }
+      item.set("glued_onto", std::move(onto));
     }
     list.add(std::move(item));
   }

@@ -49,7 +49,8 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                       {"openings_closed", skin.rims_closed},
                                       {"gaps_closed", skin.gaps_closed},
                                       {"unseen", skin.unseen},
-                                      {"left_crossing", skin.left_crossing}});
+                                      {"left_crossing", skin.left_crossing},
+                                      {"standing", made.prepared.standing}});
   const prepare::Details& details = made.ready.left_out;
   summary.add("left_out", Value::Object{{"small", details.small},
                                         {"flat", details.flat},
@@ -88,6 +89,12 @@ void add_skin(Summary& summary, const job::Paper& made) {
     summary.say(Line::skin, "unseen",
                 bodies_text(skin.unseen) + " left out (--keep-bodies leaves " +
                     (skin.unseen == 1 ? "it" : "them") + " in)");
+  }
+  if (const std::size_t standing = made.prepared.standing; standing > 0) {
+    summary.say(Line::skin, "standing",
+                standing == 1
+                    ? "1 body stands on a flat face of another one and is glued onto it"
+                    : bodies_text(standing) + " stand on flat faces of others and are glued onto these");
   }
   if (skin.left_crossing > 0) {
     summary.say(

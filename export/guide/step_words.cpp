@@ -31,6 +31,12 @@ bool is_in(const AssemblyStep& step, PieceId piece) {
   return std::binary_search(step.pieces.begin(), step.pieces.end(), piece);
 }
 
+/// Whether a piece belongs to an earlier step.
+bool stands_before(const Assembly& assembly, std::size_t index, PieceId piece) {
+  return std::any_of(assembly.steps.begin(), assembly.steps.begin() + static_cast<std::ptrdiff_t>(index),
+                     [&](const AssemblyStep& before) { return is_in(before, piece); });
+}
+
 std::string ranges_of(std::vector<std::uint32_t> numbers) {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
@@ -77,19 +83,40 @@ void add_gluing(const mesh::Surface& surface, const unfold::Nets& nets, const As
   }
 }
 
+/// What is glued onto what stands already, or the other way round, within an outline: "Glue A onto B, within
+/// the dashed line. C is glued onto A, within the dashed line."
+void add_glue_spots(const unfold::Nets& nets, const Assembly& assembly, std::size_t index,
+                    std::span<const Body> bodies, std::vector<std::string>& sentences) {
+  std::map<PieceId, std::vector<std::string>> onto;
+  std::map<PieceId, std::vector<std::string>> below;
+  for (const Body& body : bodies) {
+    for (const auto& [piece, other] : body.glued_onto) {
+      if (is_in(assembly.steps[index], piece) && stands_before(assembly, index, other)) {
+        onto[other].push_back(nets.pieces[piece].name);
+      } else if (is_in(assembly.steps[index], other) && stands_before(assembly, index, piece)) {
+        below[other].push_back(nets.pieces[piece].name);
+      }
+    }
+  }
+  for (const auto& [other, names] : onto) {
+    sentences.push_back("Glue " + listed(names, "and") + " onto " + nets.pieces[other].name +
+                        ", within the dashed line.");
+  }
+  for (const auto& [other, names] : below) {
+    sentences.push_back(listed(names, "and") + (names.size() > 1 ? " are" : " is") + " glued onto " +
+                        nets.pieces[other].name + ", within the dashed line.");
+  }
+}
+
 /// Where the step's bodies belong that nothing holds yet: "A and H belong beside B, J beside E: no number
 /// joins them."
 void add_places_of_bodies(const unfold::Nets& nets, const Assembly& assembly, std::size_t index,
                           std::span<const Body> bodies, std::vector<std::string>& sentences) {
-  const auto stands = [&](PieceId piece) {
-    return std::any_of(assembly.steps.begin(), assembly.steps.begin() + static_cast<std::ptrdiff_t>(index),
-                       [&](const AssemblyStep& before) { return is_in(before, piece); });
-  };
   std::map<PieceId, std::vector<std::string>> beside;
   std::size_t count = 0;
   for (const PieceId piece : assembly.steps[index].pieces) {
     for (const Body& body : bodies) {
-      if (body.beside.valid() && stands(body.beside) &&
+      if (body.glued_onto.empty() && body.beside.valid() && stands_before(assembly, index, body.beside) &&
           std::binary_search(body.pieces.begin(), body.pieces.end(), piece)) {
         beside[body.beside].push_back(nets.pieces[piece].name);
         ++count;
@@ -169,6 +196,7 @@ std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfo
     }
   }
   add_gluing(surface, nets, step, sentences);
+  add_glue_spots(nets, assembly, index, bodies, sentences);
   if (step.starts) {
     add_places_of_bodies(nets, assembly, index, bodies, sentences);
   }

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
+#include "base/disjoint_sets.hpp"
 #include "mesh/model/surface_distance.hpp"
 
 namespace ridgecraft::paper {
@@ -130,7 +133,8 @@ void find_nearest(const Surface& surface, const unfold::Nets& nets,
 
 }  // namespace
 
-std::vector<Body> find_bodies(const prepare::Prepared& model, const unfold::Nets& nets) {
+std::vector<Body> find_bodies(const prepare::Prepared& model, const unfold::Nets& nets,
+                              std::span<const Contact> contacts) {
   const Surface& surface = model.model.surface;
   if (surface.component_count() < 2) {
     return {};
@@ -148,7 +152,31 @@ std::vector<Body> find_bodies(const prepare::Prepared& model, const unfold::Nets
     bodies[number[own]].pieces.push_back(p);
   }
   find_nearest(surface, nets, component, bodies);
+  for (const Contact& contact : contacts) {
+    const std::uint32_t own = surface.component(nets.pieces[contact.other].faces.front()).value();
+    bodies[number[own]].glued_onto.push_back({contact.other, contact.piece});
+  }
+  for (Body& body : bodies) {
+    std::ranges::sort(body.glued_onto);
+  }
   return bodies;
+}
+
+std::size_t bodies_apart(std::span<const Body> bodies) {
+  std::map<PieceId, std::uint32_t> body_of;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const PieceId piece : bodies[i].pieces) {
+      body_of.emplace(piece, static_cast<std::uint32_t>(i));
+    }
+  }
+  DisjointSets sets(bodies.size());
+  std::size_t apart = bodies.size();
+  for (const Body& body : bodies) {
+    for (const auto& [piece, other] : body.glued_onto) {
+      apart -= sets.join(body_of.at(piece), body_of.at(other)) ? 1U : 0U;
+    }
+  }
+  return apart;
 }
 
 }  // namespace ridgecraft::paper

@@ -189,49 +189,6 @@ std::vector<std::vector<Vec2>> outlines_of(const std::vector<std::vector<Vec2>>&
   return outlines;
 }
 
-/// The sides of an opening, as they follow each other.
-std::vector<CornerId> border_from(const mesh::Surface& surface, CornerId first) {
-  std::vector<CornerId> sides;
-  CornerId c = first;
-  do {
-    sides.push_back(c);
-    c = mesh::next(c);
-    while (!surface.is_border(surface.edge(c))) {
-      c = mesh::next(surface.twin(c));
-    }
-  } while (c != first);
-  return sides;
-}
-
-/// Triangles from the middle of an opening to its sides; none where its border isn't flat, or the middle
-/// doesn't see all of it.
-std::vector<Lying> parts_of_opening(const mesh::Surface& surface, const std::vector<CornerId>& sides) {
-  const auto corner = [&](CornerId c) { return surface.point(surface.vertex(c)); };
-  Vec3 middle;
-  for (const CornerId c : sides) {
-    middle += corner(c) / static_cast<double>(sides.size());
-  }
-  Vec3 normal;
-  for (const CornerId c : sides) {
-    normal += cross(corner(c) - middle, corner(mesh::next(c)) - middle);
-  }
-  if (!(length(normal) > 0.0)) {
-    return {};
-  }
-  normal = normalized(normal);
-  std::vector<Lying> parts;
-  for (const CornerId c : sides) {
-    const Vec3 a = corner(c);
-    const Vec3 b = corner(mesh::next(c));
-    if (std::abs(dot(a - middle, normal)) > contact_mm ||
-        !(dot(cross(a - middle, b - middle), normal) > 0.0)) {
-      return {};
-    }
-    parts.push_back({{middle, a, b}, normal, mesh::face_of(c)});
-  }
-  return parts;
-}
-
 /// All faces, each at its place, then what openings are made of.
 std::vector<Lying> all_lying(const mesh::Surface& surface) {
   std::vector<Lying> all;
@@ -239,17 +196,12 @@ std::vector<Lying> all_lying(const mesh::Surface& surface) {
     const auto [a, b, c] = surface.vertices(face);
     all.push_back({{surface.point(a), surface.point(b), surface.point(c)}, surface.normal(face), face});
   }
-  std::vector<bool> seen(3 * surface.face_count(), false);
-  for (const CornerId first : ids<CornerId>(3 * surface.face_count())) {
-    if (seen[first.value()] || !surface.is_border(surface.edge(first))) {
-      continue;
+  for (const mesh::Opening& opening : mesh::flat_openings(surface, contact_mm)) {
+    const std::vector<std::array<Vec3, 3>> triangles = mesh::triangles_of(surface, opening);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const CornerId side = opening.sides[std::min(i, opening.sides.size() - 1)];
+      all.push_back({triangles[i], opening.normal, mesh::face_of(side)});
     }
-    const std::vector<CornerId> sides = border_from(surface, first);
-    for (const CornerId c : sides) {
-      seen[c.value()] = true;
-    }
-    const std::vector<Lying> parts = parts_of_opening(surface, sides);
-    all.insert(all.end(), parts.begin(), parts.end());
   }
   return all;
 }
@@ -291,11 +243,14 @@ std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::N
         !(std::abs(dot(all[below].normal, all[above].normal)) >= parallel_cosine)) {
       return;
     }
-    if (std::pair(area[body(below)], body(above)) < std::pair(area[body(above)], body(below))) {
-      std::swap(below, above);
+    const auto is_opening = [&](std::uint32_t one) { return one >= surface.face_count(); };
+    if (is_opening(below) && is_opening(above)) {
+      return;
     }
-    if (below >= surface.face_count()) {
-      return;  // nothing is glued onto an opening
+    // Nothing is glued onto an opening, and else the smaller body onto the larger one.
+    if (is_opening(below) || (!is_opening(above) && std::pair(area[body(below)], body(above)) <
+                                                        std::pair(area[body(above)], body(below)))) {
+      std::swap(below, above);
     }
     const FaceId face(below);
     if (std::vector<Vec2> common = common_area(surface, nets, face, all[above]); common.size() > 2) {

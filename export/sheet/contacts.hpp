@@ -6,13 +6,14 @@
 
 #include "base/id.hpp"
 #include "base/vector.hpp"
+#include "mesh/model/openings.hpp"
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
 namespace ridgecraft::paper {
 
 /// Faces of two bodies touch where they are no farther apart than paper is thick, mm.
-inline constexpr double contact_mm = 0.2;
+inline constexpr double contact_mm = mesh::touching_mm;
 
 /// Where the face of one body is glued onto that of another.
 struct Contact {
@@ -24,9 +25,9 @@ struct Contact {
 };
 
 /// All pairs of pieces of different components that have more than a few mm^2 of parallel faces in common, in
-/// the order of the pieces; an opening of the smaller body counts as a face if its border is flat, so a cap
-/// without a back is glued where it stands. Bodies that run through each other's faces don't touch by this.
-/// O(n log n) in faces and pairs of faces near each other.
+/// the order of the pieces; an opening counts as a face of the body that is glued on if its border is flat,
+/// so a cap without a back is glued where it stands. Bodies that run through each other's faces don't touch
+/// by this. O(n log n) in faces and pairs of faces near each other.
 [[nodiscard]] std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::Nets& nets);
 
 }  // namespace ridgecraft::paper

@@ -59,6 +59,9 @@ struct SimplifyOptions {
   double largest_deviation = 0.02;
   /// Walls are thin below tiny_edge_mm: their rims are lower than can be folded.
   Skins skins = Skins::outer;
+  /// What stands on a flat face becomes a component of its own, to be glued onto it, however many faces the
+  /// model keeps.
+  bool part_standing = false;
   /// Folds of less are drawn as no line, so they don't count; radians.
   double hidden_fold_angle = prepare::hidden_fold_angle;
 };

@@ -76,6 +76,8 @@ struct Prepared {
   std::optional<double> smallest_size_mm;
   double sliver_share = 0.0;  ///< of the faces, narrower than sliver_mm
   SimplifyReport simplified;
+  /// Components that were a part of others and stand on flat faces of these, open at their feet.
+  std::size_t standing = 0;
   std::size_t divided_panels = 0;  ///< flat regions that are in cells
 };
 

@@ -162,7 +162,7 @@ TEST_CASE("faces too thin for a knife are counted, loose bodies listed", "[summa
   const Outcome text =
       run_program({"bar.obj", "--size", "100mm", "--faces", "keep", "-v", "-o", "b.fold"}, in(folder));
   CHECK(text.out.find("slivers     8 faces narrower than 1 mm") != std::string::npos);
-  CHECK(text.out.find("bodies      2 that no join connects") != std::string::npos);
+  CHECK(text.out.find("bodies      2 that no tab joins") != std::string::npos);
 }
 
 TEST_CASE("nothing that stands in a name or a file commands the terminal", "[summaries][slow]") {

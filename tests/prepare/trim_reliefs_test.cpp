@@ -14,6 +14,7 @@
 #include "prepare/layers.hpp"
 
 using namespace ridgecraft;
+using test::border_edges;
 using test::flipped;
 using test::layers;
 using test::PointMap;
@@ -42,14 +43,6 @@ std::vector<std::array<int, 3>> window_cells() {
 mesh::Model window(
     double deep, double high, const PointMap& map = [](Vec3 p) { return p; }) {
   return layers(window_cells(), {0.0, 20.0 - deep, 20.0, 20.0 + high}, map);
-}
-
-std::size_t border_edges(const mesh::Surface& surface) {
-  std::size_t count = 0;
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    count += surface.is_border(e) ? 1U : 0U;
-  }
-  return count;
 }
 
 }  // namespace

@@ -94,6 +94,8 @@ struct Tab {
   std::vector<Vec2> polygon;
   /// Both ends of the cut that it is put through, in the plane of the target's piece.
   std::optional<std::array<Vec2, 2>> slit = {};
+  /// It grows from a foot, is folded inwards and lies on a face of another body (foot_tabs.hpp).
+  bool of_foot = false;
 };
 
 /// A piece that is equal on paper to the first of its kind, turned over where it is its mirror image.

@@ -24,6 +24,7 @@ enum class Kind {
   hash,
   faces,
   bodies,
+  standing,
   skins,
   piece_mode,
   tab_sides,
@@ -44,10 +45,11 @@ struct Known {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 /// The range of an option's values is that of the option.
-constexpr std::array<Known, 37> known_settings{{
+constexpr std::array<Known, 38> known_settings{{
     {"seed", Kind::whole_number, Needed::always, 0.0, any},
     {"faces", Kind::faces, Needed::always},
     {"bodies", Kind::bodies, Needed::never},
+    {"standing", Kind::standing, Needed::never},
     {"skins", Kind::skins, Needed::never},
     {"concavity", Kind::number, Needed::always, 0.001, 2.0},
     {"tabs", Kind::yes_no, Needed::always},
@@ -141,6 +143,8 @@ bool fits(const Setting& value, const Known& known) {
       return word_is_one_of(value, {"auto", "keep"}) || number_fits(value, 4.0, any, true);
     case Kind::bodies:
       return word_is_one_of(value, {"united"});
+    case Kind::standing:
+      return word_is_one_of(value, {"apart"});
     case Kind::skins:
       return word_is_one_of(value, {"both", "middle"});
     case Kind::piece_mode:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "base/convex_hull.hpp"
@@ -10,29 +11,23 @@
 #include "unfold/tabs/place/even_tabs.hpp"
 #include "unfold/tabs/place/fit.hpp"
 #include "unfold/tabs/place/sites.hpp"
+#include "unfold/tabs/place/standing_tabs.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
-
-/// A tab that stands, on its site.
-struct Standing {
-  TabSite site;
-  ConvexShape shape;
-};
 
 class MoreTabs {
  public:
   MoreTabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
            std::span<const TabWish> wishes, Nets& nets, const Context& context)
-      : surface_(surface), nets_(nets), options_(options), wishes_(wishes), standing_(nets.pieces.size()) {
+      : surface_(surface), nets_(nets), options_(options), wishes_(wishes), standing_(nets, options) {
     // What is glued to another tab may be larger than the face behind it.
     options_.inside_target = false;
     sites_ = find_tab_sites(surface, panels, nets, with_greatest_height(options_, wishes), context);
     for (const Tab& tab : nets.tabs) {
       const std::size_t even = std::size_t{2} * tab.join.value();
       const TabSite& site = sites_[tab.side == sites_[even].side ? even : even + 1];
-      const std::vector<Vec2> ground = tab.slit ? convex_hull(tab.polygon) : tab.polygon;
-      standing_[site.piece].push_back({site, site.own.in(ConvexShape(std::span<const Vec2>(ground)))});
+      standing_.add_standing(site, tab);
     }
   }
 
@@ -47,7 +42,9 @@ class MoreTabs {
       const TabSite& own = sites_[first];
       const TabSite& other = sites_[first ^ 1U];
       const ConvexShape shape = own.own.in(ConvexShape(std::span<const Vec2>(nets_.tabs[join.tab].polygon)));
-      add(other, turned_over(shape, other.length), wishes_[j.value()].options, j);
+      Tab tab;
+      tab.join = j;
+      standing_.place(other, turned_over(shape, other.length), wishes_[j.value()].options, tab);
     }
   }
 
@@ -56,58 +53,29 @@ class MoreTabs {
     for (const FromLength& step : choice.heights_mm) {
       highest.height_mm = std::max(highest.height_mm, step.value);
     }
+    std::set<CornerId> feet;  // get tabs of their own
+    for (const FootSide& foot : find_feet(surface_, context)) {
+      feet.insert(foot.side);
+    }
     for (const TabSite& site : find_border_sites(surface_, nets_, highest, context)) {
+      if (feet.contains(site.side)) {
+        continue;
+      }
       const TabOptions own = options_for(options_, choice, surface_.length(surface_.edge(site.side)));
-      add(site, largest_tab({0.0, site.length, site.length}, site.obstacles, own, TabNeed::usable), own,
-          JoinId());
+      standing_.place(site,
+                      largest_tab({0.0, site.length, site.length}, site.obstacles, own, TabNeed::usable), own,
+                      Tab());
     }
   }
 
  private:
-  /// The best usable shape within `room` that nothing is in the way of.
-  void add(const TabSite& site, ConvexShape room, const TabOptions& options, JoinId join) {
-    for (const Obstacle& obstacle : site.obstacles) {
-      room = room.empty() ? room : trimmed(room, obstacle, options_.clearance_mm);
-    }
-    for (const Standing& other : standing_[site.piece]) {
-      room = room.empty()
-                 ? room
-                 : trimmed(room, tab_as_obstacle(site, other.site, other.shape), options_.clearance_mm);
-    }
-    for (const TabShape& shape : tab_shapes(room, site.length, options)) {
-      const bool clear = std::ranges::all_of(standing_[site.piece], [&](const Standing& other) {
-        return tabs_clear(site, shape.outline, other.site, other.shape, options_.clearance_mm);
-      });
-      if (clear) {
-        const ConvexShape placed = site.own.out(shape.outline);
-        nets_.tabs.push_back({site.side, join, std::vector<Vec2>(placed.begin(), placed.end())});
-        standing_[site.piece].push_back({site, shape.outline});
-        return;
-      }
-    }
-  }
-
   const mesh::Surface& surface_;
   Nets& nets_;
   TabOptions options_;
   std::span<const TabWish> wishes_;  // of each join
   std::vector<TabSite> sites_;
-  IdVector<PieceId, std::vector<Standing>> standing_;
+  StandingTabs standing_;
 };
-
-/// Tabs from `first` on go from each piece that doesn't fit the sheet with them.
-void drop_beyond(const Sheet& sheet, std::size_t first, Nets& nets) {
-  IdVector<TabId, std::uint8_t> keep(nets.tabs.size(), 1);
-  const TabsOfPiece tabs = tabs_of_pieces(nets);
-  for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
-    if (!fits_with(nets, piece, tabs[piece], sheet)) {
-      for (const TabId t : tabs[piece]) {
-        keep[t] = t.value() < first ? 1 : 0;
-      }
-    }
-  }
-  keep_only(keep, nets);
-}
 
 }  // namespace
 

@@ -82,7 +82,19 @@ class SiteFinder {
     return site;
   }
 
- private:
+  /// Of one that stands on another body.
+  [[nodiscard]] TabSite find_foot(const FootSide& foot) const {
+    TabSite site = find_border(foot.side);
+    const ConvexShape widest = widest_tab(site.length, options_);
+    for (std::size_t k = 1; k < foot.opening.size() && !widest.empty(); ++k) {
+      const ConvexShape edge{foot.opening[k], foot.opening[(k + 1) % foot.opening.size()]};
+      if (meet(edge.box(), widest.box()) && !apart(widest, edge, -just_touching_mm)) {
+        site.obstacles.push_back({edge, Obstacle::Kind::target_edge});
+      }
+    }
+    return site;
+  }
+
   /// What a site has by itself, whatever its tab is glued behind.
   [[nodiscard]] TabSite own_side(CornerId side) const {
     TabSite site;
@@ -95,6 +107,7 @@ class SiteFinder {
     return site;
   }
 
+ private:
   /// The outline of what lies behind the tab: the flat region at the edge and those that hang on it by folds
   /// so slight that a tab bends with them.
   void add_target(TabSite& site, CornerId twin, const ConvexShape& widest) const {
@@ -281,6 +294,30 @@ std::vector<TabSite> find_border_sites(const mesh::Surface& surface, const Nets&
       }
       sites.push_back(finder.find_border(surface.sides(edge)[0]));
     }
+  }
+  return sites;
+}
+
+std::vector<TabSite> bare_sites(const mesh::Surface& surface, const Nets& nets,
+                                const std::vector<CornerId>& sides) {
+  const TabOptions any;
+  const SiteFinder finder(surface, {}, nets, any);
+  std::vector<TabSite> sites;
+  sites.reserve(sides.size());
+  for (const CornerId side : sides) {
+    sites.push_back(finder.own_side(side));
+  }
+  return sites;
+}
+
+std::vector<TabSite> find_foot_sites(const mesh::Surface& surface, const Nets& nets,
+                                     const std::vector<FootSide>& feet, const TabOptions& options,
+                                     const Context& context) {
+  const SiteFinder finder(surface, {}, nets, options);
+  std::vector<TabSite> sites;
+  for (const FootSide& foot : feet) {
+    context.check();
+    sites.push_back(finder.find_foot(foot));
   }
   return sites;
 }

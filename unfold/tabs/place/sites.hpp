@@ -11,6 +11,7 @@
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
+#include "unfold/tabs/place/feet.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
@@ -81,5 +82,14 @@ struct FlatRegions {
 /// target. O(n log n).
 [[nodiscard]] std::vector<TabSite> find_border_sites(const mesh::Surface& surface, const Nets& nets,
                                                      const TabOptions& options, const Context& context);
+
+/// Sides of pieces, without what stands around them and what they are glued to. O(n log n).
+[[nodiscard]] std::vector<TabSite> bare_sites(const mesh::Surface& surface, const Nets& nets,
+                                              const std::vector<CornerId>& sides);
+
+/// Sides of feet as places for tabs that lie within the feet's openings, in their order. O(n log n).
+[[nodiscard]] std::vector<TabSite> find_foot_sites(const mesh::Surface& surface, const Nets& nets,
+                                                   const std::vector<FootSide>& feet,
+                                                   const TabOptions& options, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands on a flat face is parted from it, and only that.
+#include "prepare/features/standing_bodies.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "mesh/mesh.hpp"
+#include "mesh/model/openings.hpp"
+#include "prepare/layers.hpp"
+#include "support/shapes.hpp"
+#include "support/soups.hpp"
+
+using namespace ridgecraft;
+using test::border_edges;
+using test::layers;
+
+namespace {
+
+using StackCells = std::vector<std::array<int, 3>>;
+
+/// A plate of cells, and on it the cells that are given, of height 1 each from level 1 on. A cell is 4 mm
+/// wide.
+StackCells on_plate(int wide, const StackCells& on_it) {
+  StackCells cells = on_it;
+  for (int x = 0; x < wide; ++x) {
+    for (int y = 0; y < wide; ++y) {
+      cells.push_back({x, y, 0});
+    }
+  }
+  return cells;
+}
+
+mesh::Model stack(const StackCells& cells) {
+  return layers(cells, {0.0, 10.0, 30.0, 40.0});
+}
+
+/// The area of a closed surface, and that of all that is open in it, twice: below what stands there and on
+/// it.
+double area_with_openings(const mesh::Surface& surface) {
+  double area = mesh::total_area(surface);
+  for (const mesh::Opening& opening : mesh::flat_openings(surface, 0.01)) {
+    for (const auto& [a, b, c] : mesh::triangles_of(surface, opening)) {
+      area -= 0.5 * length(cross(b - a, c - a));
+    }
+  }
+  return area;
+}
+
+std::size_t parted(mesh::Model& model) {
+  const double area = mesh::total_area(model.surface);
+  const std::size_t before = model.surface.component_count();
+  const std::size_t standing = prepare::part_standing_bodies(model, Context());
+  CHECK(model.surface.component_count() == before + standing);
+  test::check_invariants(model.surface);
+  // What is added is what the openings lack.
+  CHECK(area_with_openings(model.surface) == Approx(area));
+  return standing;
+}
+
+}  // namespace
+
+TEST_CASE("a tower on a plate is parted from it, and the plate is whole below it", "[standing]") {
+  mesh::Model model = stack(on_plate(6, {{2, 2, 1}, {3, 2, 1}, {2, 3, 1}, {3, 3, 1}}));
+  CHECK(parted(model) == 1);
+  CHECK(border_edges(model.surface) > 0);
+  const std::vector<mesh::Opening> feet = mesh::flat_openings(model.surface, 0.01);
+  REQUIRE(feet.size() == 1);
+  CHECK(feet.front().middle.z == Approx(10.0));
+  CHECK(feet.front().normal.z == Approx(-1.0));
+  // Nothing is left to be done.
+  CHECK(prepare::part_standing_bodies(model, Context()) == 0);
+}
+
+TEST_CASE("what stands at the edge of a face, in a corner or in a hollow isn't parted", "[standing]") {
+  SECTION("flush with a side") {
+    mesh::Model model = stack(on_plate(4, {{0, 1, 1}, {0, 2, 1}, {1, 1, 1}, {1, 2, 1}}));
+    CHECK(parted(model) == 0);
+  }
+  SECTION("a hole") {
+    StackCells ring;
+    for (int x = 0; x < 6; ++x) {
+      for (int y = 0; y < 6; ++y) {
+        if (x < 2 || x > 3 || y < 2 || y > 3) {
+          ring.push_back({x, y, 1});
+        }
+      }
+    }
+    mesh::Model model = stack(on_plate(6, ring));
+    CHECK(parted(model) == 0);
+  }
+  SECTION("a well, whose floor is the face") {
+    StackCells well;
+    for (int x = 2; x < 6; ++x) {
+      for (int y = 2; y < 6; ++y) {
+        if (x == 2 || x == 5 || y == 2 || y == 5) {
+          well.push_back({x, y, 1});
+        }
+      }
+    }
+    mesh::Model model = stack(on_plate(8, well));
+    CHECK(parted(model) == 0);
+  }
+  SECTION("a foot of 4 x 4 mm") {
+    mesh::Model model = stack(on_plate(5, {{2, 2, 1}}));
+    CHECK(parted(model) == 0);
+  }
+}
+
+TEST_CASE("an arch that stands on two feet is one body", "[standing]") {
+  mesh::Model model =
+      stack(on_plate(10, {{2, 4, 1}, {2, 5, 1}, {3, 4, 1}, {3, 5, 1}, {6, 4, 1}, {6, 5, 1}, {7, 4, 1},
+                          {7, 5, 1}, {2, 4, 2}, {3, 4, 2}, {4, 4, 2}, {5, 4, 2}, {6, 4, 2}, {7, 4, 2},
+                          {2, 5, 2}, {3, 5, 2}, {4, 5, 2}, {5, 5, 2}, {6, 5, 2}, {7, 5, 2}}));
+  CHECK(parted(model) == 1);
+  CHECK(mesh::flat_openings(model.surface, 0.01).size() == 2);
+}
+
+TEST_CASE("no more bodies are parted than can be kept apart, and of equal ones all or none", "[standing]") {
+  StackCells towers;
+  const auto tower = [&](int x, int y, int wide) {
+    for (int i = 0; i < wide; ++i) {
+      for (int k = 0; k < wide; ++k) {
+        towers.push_back({x + i, y + k, 1});
+      }
+    }
+  };
+  for (int i = 0; i < 4; ++i) {
+    tower(1 + 5 * i, 1, 3);
+  }
+  SECTION("four") {
+    mesh::Model model = stack(on_plate(24, towers));
+    CHECK(parted(model) == 4);
+  }
+  SECTION("four large ones and eight small ones") {
+    for (int i = 0; i < 8; ++i) {
+      tower(1 + 3 * (i % 4), 8 + 4 * (i / 4), 2);
+    }
+    mesh::Model model = stack(on_plate(24, towers));
+    CHECK(parted(model) == 4);
+  }
+}
+
+TEST_CASE("how a model stands makes no difference to what is parted", "[standing]") {
+  const StackCells cells = on_plate(6, {{2, 2, 1}, {3, 2, 1}, {2, 3, 1}, {3, 3, 1}});
+  for (const double angle : {0.3, 1.1}) {
+    mesh::Model model = layers(cells, {0.0, 10.0, 30.0, 40.0}, [angle](Vec3 p) {
+      return Vec3{std::cos(angle) * p.x - std::sin(angle) * p.z, p.y,
+                  std::sin(angle) * p.x + std::cos(angle) * p.z};
+    });
+    CHECK(parted(model) == 1);
+  }
+}
