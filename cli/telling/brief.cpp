@@ -17,6 +17,7 @@
 #include "export/view/stance.hpp"
 #include "job/verdict.hpp"
 #include "prepare/prepared/seen_move.hpp"
+#include "prepare/selection/selection.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -285,6 +286,10 @@ std::string next_line(const PaperJob& job, const PaperResult& result, const Glue
   }
   if (made.ground) {
     clauses.push_back("--without '" + *made.ground + "' leaves the ground out");
+  }
+  if (const auto scattered = prepare::scattered_name(made.prepared.model)) {
+    clauses.push_back(fmt::format("--without '{}' leaves {} of its {} bodies out", scattered->name,
+                                  scattered->bodies, made.prepared.model.surface.component_count()));
   }
   clauses.emplace_back("-v tells all figures");
   return joined(clauses, {});

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "base/disjoint_sets.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/features/wall_loops.hpp"
+#include "prepare/prepared/options.hpp"
 #include "prepare/prepared/panels.hpp"
 
 namespace ridgecraft::prepare {
@@ -45,10 +45,8 @@ Walls walls_of_panels(const mesh::Surface& surface, const Panels& panels) {
 }
 
 /// Nobody glues anything with a smaller foot, mm^2.
-constexpr double least_foot = 25.0;
+constexpr double least_foot = 6.0;
 
-/// Loose bodies that can be kept apart on a table.
-constexpr std::size_t most_bodies = 10;
 /// Feet that differ by less than this share of their area are equal: all of them part, or none.
 constexpr double equal_feet = 1e-3;
 
@@ -69,7 +67,7 @@ class StandingBodies {
       }
     }
     drop_feet_that_hold(context);
-    drop_smallest_feet();
+    drop_largest_feet();
     drop_feet_that_hold(context);
     return feet_.empty() ? 0 : make();
   }
@@ -149,8 +147,9 @@ class StandingBodies {
            }) > 0;
   }
 
-  /// Leaves as many bodies standing as can be kept apart.
-  void drop_smallest_feet() {
+  /// Leaves as many bodies standing as can be kept apart: a small hole is harder to glue into than a large
+  /// one.
+  void drop_largest_feet() {
     const std::vector<std::uint32_t> component = components();
     const auto body = [&](const Foot& foot) { return component[standing(foot.loop.sides.front()).value()]; };
     std::map<std::uint32_t, double> area;  // of the feet of each body
@@ -161,14 +160,14 @@ class StandingBodies {
     for (const auto& [first, sum] : area) {
       areas.push_back(sum);
     }
-    std::ranges::sort(areas, std::greater<>());
-    const std::size_t room = most_bodies - std::min(most_bodies, surface_.component_count());
+    std::ranges::sort(areas);
+    const std::size_t room = most_loose_bodies - std::min(most_loose_bodies, surface_.component_count());
     if (areas.size() <= room) {
       return;
     }
-    const double largest_dropped = areas[room];
-    std::erase_if(feet_,
-                  [&](const Foot& foot) { return area[body(foot)] <= (1.0 + equal_feet) * largest_dropped; });
+    const double smallest_dropped = areas[room];
+    std::erase_if(
+        feet_, [&](const Foot& foot) { return (1.0 + equal_feet) * area[body(foot)] >= smallest_dropped; });
   }
 
   /// Whether any of the faces lies in the wall's plane and looks as it does.

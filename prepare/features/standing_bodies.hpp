@@ -18,7 +18,7 @@ namespace ridgecraft::prepare {
 /// the surface in two; nothing within it lies in the face's plane and looks the same way, as the floor of a
 /// well does. Faces that are added are like the face around; all else stays to the last bit. Returns how
 /// many components stand on others for it: only so many that there are ten in all at most, those with the
-/// largest feet, as more of them would be hard to keep apart on a table. Feet of less than 25 mm^2 stay as
+/// smallest feet, as more of them would be hard to keep apart on a table. Feet of less than 6 mm^2 stay as
 /// they are; the model is in mm. O(n log n). Throws Error(interrupted).
 std::size_t part_standing_bodies(mesh::Model& model, const Context& context);
 

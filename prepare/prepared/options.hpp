@@ -13,6 +13,9 @@ namespace ridgecraft::prepare {
 /// option for the drawing, for simplification and for warnings alike.
 inline constexpr double hidden_fold_angle = 3.0 * 3.14159265358979323846 / 180.0;
 
+/// So many loose bodies can be kept apart on a table.
+inline constexpr std::size_t most_loose_bodies = 10;
+
 /// How large the model becomes.
 struct SizeOptions {
   /// Largest extent in mm. Used when neither scale nor an axis is given.

@@ -2,6 +2,7 @@
 // Which of a model's objects and materials become paper, by the names that its artist gave them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,5 +30,15 @@ struct Selection {
 /// The name of the ground that a scene stands on: flat, wider than all else in two directions, and at one
 /// side of it. Nothing where there is none, or where the ground has no name of its own. O(n log n).
 [[nodiscard]] std::optional<std::string> ground_name(const mesh::Model& model);
+
+/// What many small bodies have in common.
+struct Scattered {
+  std::string name;
+  std::size_t bodies = 0;
+};
+
+/// The name of hair, leaves or bricks that make a model of more than ten bodies: half of its bodies and more
+/// have it, and two fifths of its area at most. O(n log n).
+[[nodiscard]] std::optional<Scattered> scattered_name(const mesh::Model& model);
 
 }  // namespace ridgecraft::prepare

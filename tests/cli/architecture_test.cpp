@@ -57,7 +57,7 @@ const std::vector<Folder>& folders() {
         {"details", {"prepared", "symmetry"}},
         {"sheets", {"prepared"}},
         {"panels", {"prepared"}},
-        {"selection", {"symmetry"}},
+        {"selection", {"prepared", "symmetry"}},
         {"shares", {"symmetry"}},
         {"walls", {"prepared", "panels", "shares"}},
         {"features", {"prepared", "symmetry", "panels", "walls"}},

@@ -440,3 +440,24 @@ TEST_CASE("what hangs together at a thread of paper alone becomes two pieces, in
     CHECK(Json::parse(outcome.out)["pieces"] == 2);
   }
 }
+
+TEST_CASE("what many loose bodies have in common is named, so that it can be left out", "[summaries]") {
+  const TemporaryFolder folder;
+  // A box, and twelve triangles over it.
+  std::string text =
+      "o trunk\nv 0 0 0\nv 40 0 0\nv 40 40 0\nv 0 40 0\nv 0 0 40\nv 40 0 40\nv 40 40 40\nv 0 40 40\n"
+      "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\no leaves\n";
+  for (int i = 0; i < 12; ++i) {
+    const double x = 3.0 * i;
+    text += fmt::format("v {} 0 50\nv {} 20 50\nv {} 10 70\nf -3 -2 -1\n", x, x, x);
+  }
+  write_bytes(folder / "tree.obj", text);
+  const Outcome tree = run_program({"tree.obj", "--size", "70mm", "-o", "t.fold"}, in(folder));
+  INFO(tree.out << tree.err);
+  REQUIRE(tree.exit_code == 0);
+  CHECK(tree.out.find("--without 'leaves' leaves 12 of its 13 bodies out") != std::string::npos);
+  const Outcome trunk =
+      run_program({"tree.obj", "--size", "70mm", "--without", "leaves", "-o", "u.fold"}, in(folder));
+  CHECK(trunk.exit_code == 0);
+  CHECK(trunk.out.find("bodies out") == std::string::npos);
+}
