@@ -26,6 +26,8 @@ unfold::Options unfold_options(const Options& options, const prepare::Prepared& 
     unfolding.sheet = unfold::Sheet{area.x, area.y};
   }
   unfolding.tabs = options.tabs;
+  // A wall of board stands on its edge.
+  unfolding.tabs.at_feet = options.tabs.at_feet && !(options.board.thickness_mm > 0.0);
   unfolding.panel_cuts = options.panel_cuts;
   unfolding.pieces = options.pieces;
   unfolding.wishes = std::move(wishes);

@@ -9,11 +9,13 @@
 #include "unfold/tabs/place/feet.hpp"
 #include "unfold/tabs/place/sites.hpp"
 #include "unfold/tabs/place/standing_tabs.hpp"
+#include "unfold/tabs/place/tab_wishes.hpp"
 
 namespace ridgecraft::unfold {
 
-void add_foot_tabs(const mesh::Surface& surface, const Options& options, Nets& nets, const Context& context) {
-  if (!options.tabs.wanted) {
+void add_foot_tabs(const mesh::Surface& surface, const Options& options, const TabChoice& choice, Nets& nets,
+                   const Context& context) {
+  if (!options.tabs.wanted || !options.tabs.at_feet) {
     return;
   }
   std::vector<FootSide> feet = find_feet(surface, context);
@@ -33,12 +35,16 @@ void add_foot_tabs(const mesh::Surface& surface, const Options& options, Nets& n
     const auto at = std::lower_bound(sides.begin(), sides.end(), tab.side) - sides.begin();
     tabs.add_standing(standing[static_cast<std::size_t>(at)], tab);
   }
-  for (const TabSite& site : find_foot_sites(surface, nets, feet, options.tabs, context)) {
+  TabOptions highest = options.tabs;
+  for (const FromLength& step : choice.heights_mm) {
+    highest.height_mm = std::max(highest.height_mm, step.value);
+  }
+  for (const TabSite& site : find_foot_sites(surface, nets, feet, highest, context)) {
+    const TabOptions own = options_for(options.tabs, choice, site.length);
     Tab tab;
     tab.of_foot = true;
-    tabs.place(site,
-               largest_tab({0.0, site.length, site.length}, site.obstacles, options.tabs, TabNeed::usable),
-               options.tabs, tab);
+    tabs.place(site, largest_tab({0.0, site.length, site.length}, site.obstacles, own, TabNeed::usable), own,
+               tab);
   }
   if (options.sheet && nets.tabs.size() > first) {
     drop_beyond(*options.sheet, first, nets);

@@ -31,7 +31,7 @@ void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, c
   } else {
     give_tabs(surface, panels, options, nets, context, choice);
   }
-  add_foot_tabs(surface, options, nets, context);
+  add_foot_tabs(surface, options, choice, nets, context);
   nets.equal = find_equal_pieces(surface, nets);
 }
 

@@ -245,7 +245,7 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
   }
   const std::vector<std::string> of_parts = sentences(found.notes, nets);
   nets.notes.insert(nets.notes.end(), of_parts.begin(), of_parts.end());
-  add_foot_tabs(surface, options, nets, context);
+  add_foot_tabs(surface, options, {}, nets, context);
   nets.equal = find_equal_pieces(surface, nets);
   note_result(whole, split, split_off_to_fold, nets);
   return nets;

@@ -128,7 +128,6 @@ std::string numbers_text(std::vector<paper::DrawReport::Number> lost) {
   return text + (lost.size() > most ? fmt::format(" and {} more", lost.size() - most) : "");
 }
 
-/// "2 that no join connects: 1 A to C; 2 D at B"
 /// The pieces that a body is glued onto, each once, ascending.
 std::vector<PieceId> below(const paper::Body& body) {
   std::vector<PieceId> pieces;
@@ -140,6 +139,7 @@ std::vector<PieceId> below(const paper::Body& body) {
   return pieces;
 }
 
+/// "3 that no tab joins: 1 A to C; 2 D on B; 3 E at B"
 std::string bodies_text(const unfold::Nets& nets, const std::vector<paper::Body>& bodies) {
   constexpr std::size_t most = 8;
   if (bodies.empty()) {

@@ -19,7 +19,8 @@ constexpr double title_height_mm = 8.0;
 constexpr double heading_height_mm = 3.4;
 constexpr double text_height_mm = 2.4;
 constexpr double text_step_mm = 5.0;
-constexpr double facts_height_mm = 68.0;  ///< what stands below the picture
+constexpr double facts_height_mm = 68.0;        ///< what stands below the picture
+constexpr double feet_advice_height_mm = 13.0;  ///< and more where bodies stand on others
 constexpr double tweezers_below_mm = 6.0;
 
 /// Texts from the top down.
@@ -106,6 +107,11 @@ void add_facts(const GuideModel& guide, const Box2& box, Group& group) {
                  group);
 }
 
+/// Whether bodies are glued onto others by tabs at their feet.
+bool has_feet(const GuideModel& guide) {
+  return std::ranges::any_of(guide.nets->tabs, &unfold::Tab::of_foot);
+}
+
 void add_advice(const GuideModel& guide, const Box2& box, Group& group) {
   Rows rows(group, {box.low.x, box.high.y}, box.size().x);
   rows.heading("What to do");
@@ -129,8 +135,13 @@ void add_advice(const GuideModel& guide, const Box2& box, Group& group) {
             "What a step says to close is joined before the piece is put on."
           : "Glue edges of equal numbers together, one after the other, in the order of the steps. What a "
             "step says to close is glued before the piece is put on.");
-  if (guide.nets->pieces.size() > 1) {
+  if (has_feet(guide)) {
     rows.item("6",
+              "Tabs without a number at the foot of a piece are folded inwards, and glued within the dashed "
+              "outline that bears the name of the piece.");
+  }
+  if (guide.nets->pieces.size() > 1) {
+    rows.item(has_feet(guide) ? "7" : "6",
               "The picture of a step shows the new piece in colour (lighter: its back), and the pieces that "
               "it is glued to in white. "
               "Their names are grey, or stand in brackets beside the picture.");
@@ -146,7 +157,7 @@ Group cover(const GuideModel& guide, const Context& context) {
   group.texts.push_back(words_from(shortened(guide.title, room.size().x, title_height_mm),
                                    {room.low.x, room.high.y - title_height_mm}, title_height_mm,
                                    Weight::bold));
-  const double facts_top = room.low.y + facts_height_mm;
+  const double facts_top = room.low.y + facts_height_mm + (has_feet(guide) ? feet_advice_height_mm : 0.0);
   constexpr double gap = 8.0;
   const Box2 frame{{room.low.x + gap, facts_top + gap},
                    {room.high.x - gap, room.high.y - title_height_mm - gap}};

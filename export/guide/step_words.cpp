@@ -31,12 +31,6 @@ bool is_in(const AssemblyStep& step, PieceId piece) {
   return std::binary_search(step.pieces.begin(), step.pieces.end(), piece);
 }
 
-/// Whether a piece belongs to an earlier step.
-bool stands_before(const Assembly& assembly, std::size_t index, PieceId piece) {
-  return std::any_of(assembly.steps.begin(), assembly.steps.begin() + static_cast<std::ptrdiff_t>(index),
-                     [&](const AssemblyStep& before) { return is_in(before, piece); });
-}
-
 std::string ranges_of(std::vector<std::uint32_t> numbers) {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
@@ -83,29 +77,58 @@ void add_gluing(const mesh::Surface& surface, const unfold::Nets& nets, const As
   }
 }
 
-/// What is glued onto what stands already, or the other way round, within an outline: "Glue A onto B, within
-/// the dashed line. C is glued onto A, within the dashed line."
+/// The last step that adds any of these pieces.
+std::size_t last_step(const Assembly& assembly, std::span<const PieceId> pieces) {
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < assembly.steps.size(); ++i) {
+    if (std::ranges::any_of(pieces, [&](PieceId piece) { return is_in(assembly.steps[i], piece); })) {
+      last = i;
+    }
+  }
+  return last;
+}
+
+/// Bodies that stand on others, told when they are whole and what they stand on is there: "Glue A and B onto
+/// C, D onto E and F, within the dashed lines."
 void add_glue_spots(const unfold::Nets& nets, const Assembly& assembly, std::size_t index,
                     std::span<const Body> bodies, std::vector<std::string>& sentences) {
-  std::map<PieceId, std::vector<std::string>> onto;
-  std::map<PieceId, std::vector<std::string>> below;
+  std::map<PieceId, std::vector<std::string>> below;  // what each piece is glued onto
   for (const Body& body : bodies) {
     for (const auto& [piece, other] : body.glued_onto) {
-      if (is_in(assembly.steps[index], piece) && stands_before(assembly, index, other)) {
-        onto[other].push_back(nets.pieces[piece].name);
-      } else if (is_in(assembly.steps[index], other) && stands_before(assembly, index, piece)) {
-        below[other].push_back(nets.pieces[piece].name);
+      if (std::max(last_step(assembly, body.pieces), last_step(assembly, {&other, 1})) == index) {
+        below[piece].push_back(nets.pieces[other].name);
       }
     }
   }
-  for (const auto& [other, names] : onto) {
-    sentences.push_back("Glue " + listed(names, "and") + " onto " + nets.pieces[other].name +
-                        ", within the dashed line.");
+  std::map<std::vector<std::string>, std::vector<std::string>> above;
+  std::size_t lines = 0;
+  for (const auto& [piece, others] : below) {
+    above[others].push_back(nets.pieces[piece].name);
+    lines += others.size();
   }
-  for (const auto& [other, names] : below) {
-    sentences.push_back(listed(names, "and") + (names.size() > 1 ? " are" : " is") + " glued onto " +
-                        nets.pieces[other].name + ", within the dashed line.");
+  std::string words;
+  for (const auto& [others, pieces] : above) {
+    words += (words.empty() ? "Glue " : ", ") + listed(pieces, "and") + " onto " + listed(others, "and");
   }
+  if (!words.empty()) {
+    sentences.push_back(words + ", within the dashed line" + (lines == 1 ? "." : "s."));
+  }
+}
+
+/// The first step that adds any of these pieces.
+std::size_t first_step(const Assembly& assembly, std::span<const PieceId> pieces) {
+  const auto first = std::ranges::find_if(assembly.steps, [&](const AssemblyStep& step) {
+    return std::ranges::any_of(pieces, [&](PieceId piece) { return is_in(step, piece); });
+  });
+  return static_cast<std::size_t>(first - assembly.steps.begin());
+}
+
+/// Whether the body of a piece belongs beside one of the others.
+bool belongs_beside(std::span<const Body> bodies, PieceId piece, std::span<const PieceId> others) {
+  return std::ranges::any_of(bodies, [&](const Body& body) {
+    return std::ranges::binary_search(body.pieces, piece) &&
+           (std::ranges::find(others, body.beside) != others.end());
+  });
 }
 
 /// Where the step's bodies belong that nothing holds yet: "A and H belong beside B, J beside E: no number
@@ -114,13 +137,19 @@ void add_places_of_bodies(const unfold::Nets& nets, const Assembly& assembly, st
                           std::span<const Body> bodies, std::vector<std::string>& sentences) {
   std::map<PieceId, std::vector<std::string>> beside;
   std::size_t count = 0;
-  for (const PieceId piece : assembly.steps[index].pieces) {
-    for (const Body& body : bodies) {
-      if (body.glued_onto.empty() && body.beside.valid() && stands_before(assembly, index, body.beside) &&
-          std::binary_search(body.pieces.begin(), body.pieces.end(), piece)) {
-        beside[body.beside].push_back(nets.pieces[piece].name);
-        ++count;
-      }
+  for (const Body& body : bodies) {
+    if (!body.glued_onto.empty() || !body.beside.valid()) {
+      continue;
+    }
+    const std::size_t own = first_step(assembly, body.pieces);
+    const std::size_t there = first_step(assembly, {&body.beside, 1});
+    // What comes first of two that belong beside each other has no place of its own.
+    const bool is_told = own == index && there < index;
+    if (is_told || (there == index && own < index && !belongs_beside(bodies, body.beside, body.pieces))) {
+      const PieceId piece =
+          *std::ranges::find_if(body.pieces, [&](PieceId p) { return is_in(assembly.steps[own], p); });
+      beside[body.beside].push_back(nets.pieces[piece].name);
+      ++count;
     }
   }
   std::string words;
@@ -197,9 +226,7 @@ std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfo
   }
   add_gluing(surface, nets, step, sentences);
   add_glue_spots(nets, assembly, index, bodies, sentences);
-  if (step.starts) {
-    add_places_of_bodies(nets, assembly, index, bodies, sentences);
-  }
+  add_places_of_bodies(nets, assembly, index, bodies, sentences);
   add_hard_edges(surface, nets, step, sentences);
   if (step.closes && !step.joins.empty()) {
     sentences.emplace_back("This closes the body: begin at the longest edge.");

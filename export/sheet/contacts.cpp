@@ -27,6 +27,10 @@ constexpr double parallel_cosine = 0.9986;
 constexpr double least_area = 4.0;
 /// Areas that meet at an edge of a face overlap by this, so that no crack stays between them, mm.
 constexpr double overlap_mm = 0.002;
+/// What stands on a face rises from it by 30 degrees at least (cosine).
+constexpr double rising_cosine = 0.8660254037844386;
+/// A body stands with its opening on a smaller one where this share of the opening lies there.
+constexpr double least_covered = 0.8;
 /// Corners of an outline that are no farther from its line are none, mm.
 constexpr double straight_mm = 0.02;
 /// Units of the whole-number plane for one mm.
@@ -84,6 +88,13 @@ struct Lying {
   std::array<Vec3, 3> corners;
   Vec3 normal;
   FaceId face;  ///< itself, or one beside the opening
+  std::uint32_t opening = none;
+  bool is_hole = false;  ///< the opening is one in a flat face of its body, which doesn't stand on it
+
+  static constexpr std::uint32_t none = ~0U;
+  [[nodiscard]] double area() const {
+    return 0.5 * length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  }
 };
 
 /// The part of it that lies on a face, in the plane of that face's piece.
@@ -189,6 +200,18 @@ std::vector<std::vector<Vec2>> outlines_of(const std::vector<std::vector<Vec2>>&
   return outlines;
 }
 
+/// Whether the faces beside an opening go on in its plane for the most part.
+bool is_hole(const mesh::Surface& surface, const mesh::Opening& opening) {
+  double flat = 0.0;
+  double whole = 0.0;
+  for (const CornerId side : opening.sides) {
+    const double size = surface.length(surface.edge(side));
+    whole += size;
+    flat += std::abs(dot(surface.normal(mesh::face_of(side)), opening.normal)) >= rising_cosine ? size : 0.0;
+  }
+  return flat > 0.5 * whole;
+}
+
 /// All faces, each at its place, then what openings are made of.
 std::vector<Lying> all_lying(const mesh::Surface& surface) {
   std::vector<Lying> all;
@@ -196,12 +219,15 @@ std::vector<Lying> all_lying(const mesh::Surface& surface) {
     const auto [a, b, c] = surface.vertices(face);
     all.push_back({{surface.point(a), surface.point(b), surface.point(c)}, surface.normal(face), face});
   }
+  std::uint32_t number = 0;
   for (const mesh::Opening& opening : mesh::flat_openings(surface, contact_mm)) {
     const std::vector<std::array<Vec3, 3>> triangles = mesh::triangles_of(surface, opening);
+    const bool hole = is_hole(surface, opening);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const CornerId side = opening.sides[std::min(i, opening.sides.size() - 1)];
-      all.push_back({triangles[i], opening.normal, mesh::face_of(side)});
+      all.push_back({triangles[i], opening.normal, mesh::face_of(side), number, hole});
     }
+    ++number;
   }
   return all;
 }
@@ -221,6 +247,39 @@ NearBoxes boxes_of(const std::vector<Lying>& all) {
   return NearBoxes(boxes);
 }
 
+/// By the piece that lies below and the one above: which two lie on each other, and where.
+using CommonAreas = std::map<std::pair<PieceId, PieceId>,
+                             std::vector<std::pair<std::array<std::uint32_t, 2>, std::vector<Vec2>>>>;
+
+/// A body with an opening stands on a smaller one only if the opening lies there for the most part: else a
+/// tower would be glued onto the target that leans against it.
+void drop_openings_beyond(const mesh::Surface& surface, const std::vector<Lying>& all,
+                          const std::vector<double>& area, CommonAreas& areas) {
+  const auto body = [&](std::uint32_t one) { return surface.component(all[one].face).value(); };
+  std::map<std::uint32_t, double> whole;  // of each opening
+  for (const Lying& one : all) {
+    if (one.opening != Lying::none) {
+      whole[one.opening] += one.area();
+    }
+  }
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> covered;  // of an opening by a body
+  for (const auto& [pieces, list] : areas) {
+    for (const auto& [two, polygon] : list) {
+      if (all[two[1]].opening != Lying::none) {
+        covered[{all[two[1]].opening, body(two[0])}] += 0.5 * doubled_area(polygon);
+      }
+    }
+  }
+  for (auto& [pieces, list] : areas) {
+    std::erase_if(list, [&](const auto& entry) {
+      const auto [below, above] = entry.first;
+      const std::uint32_t opening = all[above].opening;
+      return opening != Lying::none && area[body(below)] < area[body(above)] &&
+             (all[above].is_hole || covered[{opening, body(below)}] < least_covered * whole[opening]);
+    });
+  }
+}
+
 }  // namespace
 
 std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::Nets& nets) {
@@ -231,19 +290,17 @@ std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::N
   for (const FaceId face : ids<FaceId>(surface.face_count())) {
     area[surface.component(face).value()] += surface.area(face);
   }
-  std::map<std::pair<PieceId, PieceId>,
-           std::vector<std::pair<std::array<std::uint32_t, 2>, std::vector<Vec2>>>>
-      areas;
+  CommonAreas areas;
   const std::vector<Lying> all = all_lying(surface);
+  const auto body = [&](std::uint32_t one) { return surface.component(all[one].face).value(); };
   boxes_of(all).for_pairs([&](std::uint32_t i, std::uint32_t j) {
     std::uint32_t below = i;
     std::uint32_t above = j;
-    const auto body = [&](std::uint32_t one) { return surface.component(all[one].face).value(); };
     if (body(below) == body(above) ||
         !(std::abs(dot(all[below].normal, all[above].normal)) >= parallel_cosine)) {
       return;
     }
-    const auto is_opening = [&](std::uint32_t one) { return one >= surface.face_count(); };
+    const auto is_opening = [&](std::uint32_t one) { return all[one].opening != Lying::none; };
     if (is_opening(below) && is_opening(above)) {
       return;
     }
@@ -258,6 +315,7 @@ std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::N
                                                                           std::move(common));
     }
   });
+  drop_openings_beyond(surface, all, area, areas);
   std::vector<Contact> contacts;
   for (auto& [pieces, list] : areas) {
     std::ranges::sort(list, {}, [](const auto& entry) { return entry.first; });

@@ -67,8 +67,13 @@ class StandingBodies {
       }
     }
     drop_feet_that_hold(context);
-    drop_largest_feet();
-    drop_feet_that_hold(context);
+    // Those that stand, and no more of them than there is room for; a pillar between two plates makes two
+    // bodies more.
+    std::size_t room = most_loose_bodies - std::min(most_loose_bodies, surface_.component_count());
+    while (!feet_.empty() && component_count() > most_loose_bodies) {
+      room = drop_largest_feet(room);
+      drop_feet_that_hold(context);
+    }
     return feet_.empty() ? 0 : make();
   }
 
@@ -147,9 +152,14 @@ class StandingBodies {
            }) > 0;
   }
 
-  /// Leaves as many bodies standing as can be kept apart: a small hole is harder to glue into than a large
-  /// one.
-  void drop_largest_feet() {
+  [[nodiscard]] std::size_t component_count() const {
+    const std::vector<std::uint32_t> component = components();
+    return std::set<std::uint32_t>(component.begin(), component.end()).size();
+  }
+
+  /// Leaves so many bodies standing, or less: a small hole is harder to glue into than a large one. Returns
+  /// for how many there is room if these are still too many.
+  std::size_t drop_largest_feet(std::size_t room) {
     const std::vector<std::uint32_t> component = components();
     const auto body = [&](const Foot& foot) { return component[standing(foot.loop.sides.front()).value()]; };
     std::map<std::uint32_t, double> area;  // of the feet of each body
@@ -161,13 +171,11 @@ class StandingBodies {
       areas.push_back(sum);
     }
     std::ranges::sort(areas);
-    const std::size_t room = most_loose_bodies - std::min(most_loose_bodies, surface_.component_count());
-    if (areas.size() <= room) {
-      return;
-    }
+    room = std::min(room, areas.size() - 1);
     const double smallest_dropped = areas[room];
     std::erase_if(
         feet_, [&](const Foot& foot) { return (1.0 + equal_feet) * area[body(foot)] >= smallest_dropped; });
+    return room;
   }
 
   /// Whether any of the faces lies in the wall's plane and looks as it does.

@@ -19,7 +19,8 @@ namespace ridgecraft::prepare {
 /// well does. Faces that are added are like the face around; all else stays to the last bit. Returns how
 /// many components stand on others for it: only so many that there are ten in all at most, those with the
 /// smallest feet, as more of them would be hard to keep apart on a table. Feet of less than 6 mm^2 stay as
-/// they are; the model is in mm. O(n log n). Throws Error(interrupted).
+/// they are; the model is in mm. O(n log n), and for each foot the faces of what stands on it. Throws
+/// Error(interrupted).
 std::size_t part_standing_bodies(mesh::Model& model, const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -32,6 +32,8 @@ constexpr double blunt = 0.7853981633974483;
 /// Faces between skins are steps of one, not a rim or a flange, if they are narrower than this share of the
 /// thickness that counts as thin.
 constexpr double narrow = 0.5;
+/// So often faces may join a skin beside those that have just joined it.
+constexpr int most_rounds = 8;
 /// Skins are against each other where this share of one of them has the other behind it; at sharp corners a
 /// skin has a little of itself behind it.
 constexpr double few_against = 0.1;
@@ -218,7 +220,8 @@ class ThinWalls {
     in_skin_ = paired_;
     DisjointSets sets = hang_together();
     // Faces that have joined a skin may be what parted it from others.
-    while (join_corners_and_steps(sets)) {
+    for (int round = 0; round < most_rounds && join_corners_and_steps(sets); ++round) {
+      context_.check();
       sets = hang_together();
     }
     patch_.resize(faces_.size());
@@ -258,20 +261,22 @@ class ThinWalls {
     double outline_mm = 0.0;
     std::set<std::uint32_t> skins;
     bool goes_on = false;  ///< from one of them without a bend
+    bool joins = false;    ///< one of them, and is no rim
   };
 
   /// Round a corner of a wall the other skin is beside a face rather than behind it, and a skin that was made
   /// of small cubes has steps: what lies between patches of skins belongs to them, unless two of them are
   /// against each other. Then it is the rim between them. Returns whether anything joined a skin.
   bool join_corners_and_steps(DisjointSets& sets) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, double> against;  // area of the first before the second
+    // Of each skin: those that it has behind it, and how much of its area has.
+    std::map<std::uint32_t, std::map<std::uint32_t, double>> against;
     std::vector<double> area(faces_.size(), 0.0);
     std::map<std::uint32_t, Between> between;
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
       area[sets.find(i)] += surface_.area(faces_[i]);
       if (in_skin_[i]) {
         for (const std::uint32_t other : behind_[i]) {
-          against[{sets.find(i), sets.find(other)}] +=
+          against[sets.find(i)][sets.find(other)] +=
               surface_.area(faces_[i]) / static_cast<double>(behind_[i].size());
         }
       } else {
@@ -279,21 +284,22 @@ class ThinWalls {
       }
     }
     const auto is_rim = [&](const Between& faces) {
-      return std::ranges::any_of(faces.skins, [&](std::uint32_t a) {
-        return std::ranges::any_of(faces.skins, [&](std::uint32_t b) {
-          const auto found = against.find({a, b});
-          return found != against.end() && found->second >= few_against * area[a];
+      return std::ranges::any_of(faces.skins, [&](std::uint32_t skin) {
+        return std::ranges::any_of(against[skin], [&](const auto& behind) {
+          return behind.second >= few_against * area[skin] && faces.skins.contains(behind.first);
         });
       });
     };
+    for (auto& [first, faces] : between) {
+      const bool is_step = 2.0 * faces.area <= narrow * thin_ * faces.outline_mm;
+      faces.joins = !faces.skins.empty() && (is_step || faces.goes_on) && !is_rim(faces);
+    }
     bool any = false;
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
       if (in_skin_[i]) {
         continue;
       }
-      const Between& faces = between[sets.find(i)];
-      const bool is_step = 2.0 * faces.area <= narrow * thin_ * faces.outline_mm;
-      if (!faces.skins.empty() && (is_step || faces.goes_on) && !is_rim(faces)) {
+      if (between[sets.find(i)].joins) {
         in_skin_[i] = true;
         any = true;
       }
@@ -310,7 +316,7 @@ class ThinWalls {
         continue;
       }
       here.outline_mm += surface_.length(surface_.edge(c));
-      if (g.valid() && in_skin_[number_[g]]) {
+      if (g.valid() && in_skin_[number_[g]] && surface_.fold_angle(surface_.edge(c)) >= -sharp) {
         here.skins.insert(sets.find(number_[g]));
         here.goes_on = here.goes_on || is_blunt(c);
       }
@@ -335,6 +341,9 @@ class ThinWalls {
           behind[patch_[other]] += surface_.area(faces_[i]) / static_cast<double>(behind_[i].size());
         }
       }
+    }
+    if (behind.empty()) {
+      return std::nullopt;
     }
     const auto most = std::max_element(behind.begin(), behind.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });

@@ -12,6 +12,7 @@
 
 #include "base/polygon.hpp"
 #include "export/export.hpp"
+#include "export/guide/step_words.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 #include "verify/verify.hpp"
@@ -120,6 +121,61 @@ TEST_CASE("a cap without a back is glued where its border stands", "[contacts]")
   }));
   const auto on_tip = test::sample_pages(with_cap(30.0, 20.0), 1.0, 0.0);
   CHECK(paper::find_contacts(on_tip.model.model.surface, on_tip.nets).empty());
+}
+
+TEST_CASE("the guide says onto what a body is glued, once", "[contacts]") {
+  const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20}, {40, 40, 35}}}});
+  const auto sample = test::sample_pages(surface, 1.0, 5.0);
+  const auto contacts = paper::find_contacts(sample.model.model.surface, sample.nets);
+  const std::vector<paper::Body> bodies = paper::find_bodies(sample.model, sample.nets, contacts);
+  REQUIRE(bodies.size() == 2);
+  CHECK(paper::bodies_apart(bodies) == 1);
+  CHECK(paper::bodies_apart(paper::find_bodies(sample.model, sample.nets, {})) == 2);
+  const paper::Assembly assembly = paper::assembly_order(sample.model.model.surface, sample.nets);
+  const auto times_told = [&](const std::string& sentence, const std::vector<paper::Body>& of) {
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < assembly.steps.size(); ++i) {
+      const std::vector<std::string> sentences =
+          paper::step_sentences(sample.model.model.surface, sample.nets, assembly, i, of);
+      count += std::ranges::count(sentences, sentence);
+    }
+    return count;
+  };
+  const std::string below = sample.nets.pieces[contacts.front().piece].name;
+  const std::string above = sample.nets.pieces[contacts.front().other].name;
+  CHECK(times_told("Glue " + above + " onto " + below + ", within the dashed line.", bodies) == 1);
+  CHECK(times_told(above + " belongs beside " + below + ": no number joins it.", bodies) == 0);
+}
+
+TEST_CASE("an opening of any size lies on a face, whatever its shape", "[contacts]") {
+  // An L without a bottom, larger than the box that it stands on; its middle doesn't see all of its opening.
+  const std::vector<Vec2> foot{{2, 2}, {48, 2}, {48, 8}, {8, 8}, {8, 48}, {2, 48}};
+  const mesh::Surface box = boxes({{{{0, 0, 0}, {50, 50, 5}}}});
+  std::vector<Vec3> points(box.points().begin(), box.points().end());
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(box.face_count())) {
+    faces.push_back(box.vertices(f));
+  }
+  const auto first = static_cast<std::uint32_t>(points.size());
+  for (const double z : {5.0, 105.0}) {
+    for (const Vec2 p : foot) {
+      points.push_back({p.x, p.y, z});
+    }
+  }
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const std::uint32_t next = (i + 1) % 6;
+    faces.push_back({VertexId(first + i), VertexId(first + next), VertexId(first + 6 + next)});
+    faces.push_back({VertexId(first + i), VertexId(first + 6 + next), VertexId(first + 6 + i)});
+  }
+  const auto sample = test::sample_pages(mesh::Surface(std::move(points), std::move(faces)), 1.0, 5.0);
+  const auto contacts = paper::find_contacts(sample.model.model.surface, sample.nets);
+  double area = 0.0;
+  for (const paper::Contact& contact : contacts) {
+    CHECK(sample.model.model.surface.component(sample.nets.pieces[contact.piece].faces.front()) ==
+          sample.model.model.surface.component(FaceId(0)));
+    area += area_of(contact);
+  }
+  CHECK(area == Approx(46.0 * 6.0 + 40.0 * 6.0).epsilon(0.001));
 }
 
 TEST_CASE("a body that reaches over an edge is glued as far as the face goes", "[contacts]") {

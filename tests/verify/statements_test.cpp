@@ -318,6 +318,12 @@ const std::set<std::string> free_paths = {
     "/ridgecraft:tabs/#/polygon", "/ridgecraft:tabs/#/polygon/#", "/ridgecraft:tabs/#/polygon/#/#",
     // Equal pieces needn't be told.
     "/ridgecraft:equal_pieces", "/ridgecraft:equal_pieces/#", "/ridgecraft:equal_pieces/#/#",
+    // Nor what stands on others, which may have any outline and any tabs there.
+    "/ridgecraft:glue", "/ridgecraft:glue/#", "/ridgecraft:glue/#/outlines", "/ridgecraft:glue/#/outlines/#",
+    "/ridgecraft:glue/#/outlines/#/#", "/ridgecraft:glue/#/outlines/#/#/#", "/ridgecraft:more_tabs",
+    "/ridgecraft:more_tabs/#", "/ridgecraft:more_tabs/#/polygon", "/ridgecraft:more_tabs/#/polygon/#",
+    "/ridgecraft:more_tabs/#/polygon/#/#", "/ridgecraft:more_tabs/#/foot", "/ridgecraft:settings/bodies",
+    "/ridgecraft:settings/standing",
     // Nor need the order of assembly; what stands alone may come in any.
     "/ridgecraft:assembly",
     // Nor what is up.

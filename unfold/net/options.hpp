@@ -28,6 +28,8 @@ struct TabOptions {
   double clearance_mm = 0.2;                   ///< distance kept from everything but the tab's own edge
   /// Must a tab lie inside the flat region that it is glued behind? Without that it may show beyond it.
   bool inside_target = true;
+  /// Do bodies that stand on others get tabs at their feet (foot_tabs.hpp)?
+  bool at_feet = true;
   /// May pieces be split until every edge that is wide enough has a usable tab (pieces/tab_split.hpp)?
   bool split_pieces = false;
 };

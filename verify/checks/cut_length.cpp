@@ -11,8 +11,14 @@ namespace ridgecraft::verify {
 
 namespace {
 
+/// Far enough to have a line: what stands on a face rises from it.
+constexpr double foot_angle_deg = -90.0;
+
 /// How far the base of a tab is folded when its seam is closed, degrees; 0 where the file doesn't tell.
 double angle_at_base(const Case& given, const Tab& tab) {
+  if (tab.foot) {
+    return foot_angle_deg;
+  }
   const Index side = model_side_of(given.file, given.relations, tab.edge);
   return side != none && given.file.model.twin[side] != none
              ? model_fold(given.file, given.relations, side).angle_deg

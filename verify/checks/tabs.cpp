@@ -112,6 +112,8 @@ class TabCheck {
     const auto join = std::find_if(all.begin(), all.end(), has_edge);
     if (tab_.edges.size() != 1 || file_.edges[tab_.edge].assignment != Assignment::cut) {
       add("is an additional one and grows from more than one edge, or from a fold");
+    } else if (tab_.foot && join != all.end()) {
+      add("is one of a foot and grows from an edge that is glued to another one");
     } else if (join == all.end()) {
       if (!tab_.numbers.empty()) {
         add("states a number, but nothing is glued to its edge");

@@ -70,6 +70,7 @@ struct Tab {
   bool additional = false;
   /// Both ends of the cut in the neighbour that the tab is put through, instead of glued.
   std::optional<std::array<Vec2, 2>> slit = {};
+  bool foot = false;  ///< at a border, and folded inwards under what stands there
 };
 
 /// Where on a piece another piece is glued that no join connects with it.

@@ -144,6 +144,12 @@ Tab read_tab(const Json& json, std::size_t edges, const std::string& where) {
       (*tab.slit)[k] = {p[0], p[1]};
     }
   }
+  if (const auto foot = json.find("foot"); foot != json.end()) {
+    if (*foot != true) {
+      refuse("\"foot\" of {} is true, or isn't there", where);
+    }
+    tab.foot = true;
+  }
   for (const Json& join : list_member(json, "joins", where)) {
     tab.numbers.push_back(whole(join, 1, largest_exact, {where, "joins", tab.numbers.size()}));
   }

@@ -209,7 +209,7 @@ void note_unknown_keys(const Json& json, File& file) {
   constexpr std::array<std::string_view, 3> page = {"origin", "size", "margins"};
   constexpr std::array<std::string_view, 4> join = {"number", "edges", "tab", "why"};
   constexpr std::array<std::string_view, 3> glue = {"piece", "other", "outlines"};
-  constexpr std::array<std::string_view, 5> tab = {"edge", "edges", "polygon", "joins", "slit"};
+  constexpr std::array<std::string_view, 6> tab = {"edge", "edges", "polygon", "joins", "slit", "foot"};
   KeyWatch watch(file.unknown_keys);
   watch.look(json, top, own_prefix, "the file");
   watch.look(json.at("file_frames").at(0), model, own_prefix, "the model's frame");

@@ -19,7 +19,9 @@ struct FootSide {
 };
 
 /// Openings that are flat and lie on parallel faces of other components, none farther from them than
-/// mesh::touching_mm; of their sides those whose middle does. O(n log n). Throws Error(interrupted).
+/// mesh::touching_mm; of their sides those whose middle does, and whose face rises from there by 30 degrees:
+/// a sheet that lies on a face has none. Openings of more than 1000 sides have none either. O(n log n), and
+/// the square of an opening's sides. Throws Error(interrupted).
 [[nodiscard]] std::vector<FootSide> find_feet(const mesh::Surface& surface, const Context& context);
 
 }  // namespace ridgecraft::unfold
