@@ -56,8 +56,8 @@ std::optional<std::vector<Vec2>> FoldEnds::beyond(Vec2 end, Vec2 from, double ke
   const Vec2 first = end + (0.5 * kerf_mm) * away;
   const Vec2 last = end + std::min(room - clear_mm, room_on_sheet(end, away)) * away;
   if (!at_outline || dot(last - first, away) < shortest_mm || inside(loops_, end + probe_mm * away) ||
-      inside(loops_, 0.5 * (first + last)) || is_beside_cut(0.5 * (first + last), end, kerf_mm) ||
-      is_beside_cut(last, end, kerf_mm)) {
+      inside(loops_, 0.5 * (first + last)) || is_beside_cut(end + probe_mm * away, end, kerf_mm) ||
+      is_beside_cut(0.5 * (first + last), end, kerf_mm) || is_beside_cut(last, end, kerf_mm)) {
     return std::nullopt;
   }
   return std::vector<Vec2>{first, last};
