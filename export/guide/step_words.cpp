@@ -123,6 +123,14 @@ std::size_t first_step(const Assembly& assembly, std::span<const PieceId> pieces
   return static_cast<std::size_t>(first - assembly.steps.begin());
 }
 
+/// Whether a body is glued onto another one, or another one onto it.
+bool is_glued(std::span<const Body> bodies, const Body& body) {
+  return !body.glued_onto.empty() || std::ranges::any_of(bodies, [&](const Body& other) {
+    return std::ranges::any_of(
+        other.glued_onto, [&](const auto& pair) { return std::ranges::binary_search(body.pieces, pair[1]); });
+  });
+}
+
 /// Whether the body of a piece belongs beside one of the others.
 bool belongs_beside(std::span<const Body> bodies, PieceId piece, std::span<const PieceId> others) {
   return std::ranges::any_of(bodies, [&](const Body& body) {
@@ -138,7 +146,7 @@ void add_places_of_bodies(const unfold::Nets& nets, const Assembly& assembly, st
   std::map<PieceId, std::vector<std::string>> beside;
   std::size_t count = 0;
   for (const Body& body : bodies) {
-    if (!body.glued_onto.empty() || !body.beside.valid()) {
+    if (is_glued(bodies, body) || !body.beside.valid()) {
       continue;
     }
     const std::size_t own = first_step(assembly, body.pieces);
