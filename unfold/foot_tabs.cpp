@@ -35,10 +35,7 @@ void add_foot_tabs(const mesh::Surface& surface, const Options& options, const T
     const auto at = std::lower_bound(sides.begin(), sides.end(), tab.side) - sides.begin();
     tabs.add_standing(standing[static_cast<std::size_t>(at)], tab);
   }
-  TabOptions highest = options.tabs;
-  for (const FromLength& step : choice.heights_mm) {
-    highest.height_mm = std::max(highest.height_mm, step.value);
-  }
+  const TabOptions highest = with_greatest_height(options.tabs, choice);
   for (const TabSite& site : find_foot_sites(surface, nets, feet, highest, context)) {
     const TabOptions own = options_for(options.tabs, choice, site.length);
     Tab tab;

@@ -27,8 +27,6 @@ constexpr double parallel_cosine = 0.9986;
 constexpr double least_area = 4.0;
 /// Areas that meet at an edge of a face overlap by this, so that no crack stays between them, mm.
 constexpr double overlap_mm = 0.002;
-/// What stands on a face rises from it by 30 degrees at least (cosine).
-constexpr double rising_cosine = 0.8660254037844386;
 /// A body stands with its opening on a smaller one where this share of the opening lies there.
 constexpr double least_covered = 0.8;
 /// Corners of an outline that are no farther from its line are none, mm.
@@ -207,7 +205,7 @@ bool is_hole(const mesh::Surface& surface, const mesh::Opening& opening) {
   for (const CornerId side : opening.sides) {
     const double size = surface.length(surface.edge(side));
     whole += size;
-    flat += std::abs(dot(surface.normal(mesh::face_of(side)), opening.normal)) >= rising_cosine ? size : 0.0;
+    flat += mesh::rises_at(surface, opening, side) ? 0.0 : size;
   }
   return flat > 0.5 * whole;
 }

@@ -64,6 +64,11 @@ std::vector<Opening> flat_openings(const Surface& surface, double flat_mm) {
   return openings;
 }
 
+bool rises_at(const Surface& surface, const Opening& opening, CornerId side) {
+  constexpr double cosine = 0.8660254037844386;
+  return std::abs(dot(surface.normal(face_of(side)), opening.normal)) < cosine;
+}
+
 std::vector<std::array<Vec3, 3>> triangles_of(const Surface& surface, const Opening& opening) {
   std::vector<std::array<Vec3, 3>> triangles;
   for (const CornerId c : opening.sides) {

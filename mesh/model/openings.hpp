@@ -25,6 +25,10 @@ struct Opening {
 /// first sides. O(n) for n corners.
 [[nodiscard]] std::vector<Opening> flat_openings(const Surface& surface, double flat_mm);
 
+/// Whether the face beside a side of an opening rises from its plane by 30 degrees and more: what has such
+/// sides stands on what lies below; the others are those of a hole in a flat face, or of a sheet.
+[[nodiscard]] bool rises_at(const Surface& surface, const Opening& opening, CornerId side);
+
 /// Triangles that close an opening: from its middle to each side, in their order, where the middle sees all
 /// of it, else any. None where its border crosses itself. O(n log n) for n sides.
 [[nodiscard]] std::vector<std::array<Vec3, 3>> triangles_of(const Surface& surface, const Opening& opening);

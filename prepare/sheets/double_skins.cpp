@@ -296,10 +296,7 @@ class ThinWalls {
     }
     bool any = false;
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
-      if (in_skin_[i]) {
-        continue;
-      }
-      if (between[sets.find(i)].joins) {
+      if (!in_skin_[i] && between[sets.find(i)].joins) {
         in_skin_[i] = true;
         any = true;
       }

@@ -16,8 +16,6 @@ namespace {
 /// A foot and what it stands on are parallel up to this (cosine of 3 degrees).
 constexpr double parallel_cosine = 0.9986;
 
-/// What stands on a face rises from it by 30 degrees at least (cosine).
-constexpr double flat_cosine = 0.8660254037844386;
 /// Nobody glues a foot with more tabs.
 constexpr std::size_t most_sides = 1000;
 
@@ -38,9 +36,7 @@ class Feet {
       const CornerId side = opening.sides[i];
       const Vec3 start = at(mesh::next(side));  // of the tab's base
       const Vec3 end = at(side);
-      const bool lies_flat =
-          std::abs(dot(surface_.normal(mesh::face_of(side)), opening.normal)) > flat_cosine;
-      if (lies_flat ||
+      if (!mesh::rises_at(surface_, opening, side) ||
           !lies_on_another(0.5 * (start + end), opening.normal, surface_.component(mesh::face_of(side)))) {
         continue;
       }

@@ -49,13 +49,12 @@ class MoreTabs {
   }
 
   void add_borders(const TabChoice& choice, const Context& context) {
-    TabOptions highest = options_;
-    for (const FromLength& step : choice.heights_mm) {
-      highest.height_mm = std::max(highest.height_mm, step.value);
-    }
+    const TabOptions highest = with_greatest_height(options_, choice);
     std::set<CornerId> feet;  // get tabs of their own
-    for (const FootSide& foot : find_feet(surface_, context)) {
-      feet.insert(foot.side);
+    if (options_.at_feet) {
+      for (const FootSide& foot : find_feet(surface_, context)) {
+        feet.insert(foot.side);
+      }
     }
     for (const TabSite& site : find_border_sites(surface_, nets_, highest, context)) {
       if (feet.contains(site.side)) {

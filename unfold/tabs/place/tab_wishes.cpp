@@ -161,6 +161,13 @@ TabOptions options_for(const TabOptions& options, const TabChoice& choice, doubl
   return own;
 }
 
+TabOptions with_greatest_height(TabOptions options, const TabChoice& choice) {
+  for (const FromLength& step : choice.heights_mm) {
+    options.height_mm = std::max(options.height_mm, step.value);
+  }
+  return options;
+}
+
 TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wishes) {
   for (const TabWish& wish : wishes) {
     options.height_mm = std::max(options.height_mm, wish.options.height_mm);

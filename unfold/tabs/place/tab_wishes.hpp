@@ -36,6 +36,9 @@ struct TabWish {
 /// As high as the highest tab that is asked for: for what may lie in the way of any of them.
 [[nodiscard]] TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wishes);
 
+/// As high as the highest tab of any edge, by the choice for all of them.
+[[nodiscard]] TabOptions with_greatest_height(TabOptions options, const TabChoice& choice);
+
 /// One for each join. With TabSides::one_side the nets have tabs already: along a seam of two pieces, those
 /// tell which of them gives more of it. Throws Error(unreadable_input) where a number belongs to no join, or
 /// a piece to none of its sides; the message says who asked. O(n log n).
