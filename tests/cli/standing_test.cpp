@@ -3,10 +3,12 @@
 // before.
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/program_checks.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 

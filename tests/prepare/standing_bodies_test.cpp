@@ -2,6 +2,7 @@
 // What stands on a flat face is parted from it, and only that.
 #include "prepare/features/standing_bodies.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

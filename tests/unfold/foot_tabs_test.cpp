@@ -2,14 +2,17 @@
 // Tabs by which bodies are glued onto others: folded inwards, they stay within the foot.
 #include "unfold/foot_tabs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "base/polygon.hpp"
+#include "support/concave_shapes.hpp"
 #include "support/flat_panels.hpp"
 #include "support/shapes.hpp"
 #include "unfold/replace_tabs.hpp"
