@@ -22,7 +22,6 @@
 
 using namespace ridgecraft;
 using test::Sample;
-using unfold::Nets;
 using unfold::Tab;
 
 namespace {
