@@ -29,7 +29,7 @@ namespace ridgecraft {
 /// Three questions in the program have containers of their own: all pairs of a list that is asked once are
 /// found faster along a curve (near_boxes.hpp), the many boxes of one size in a net by a grid (box_grid.hpp),
 /// and faces that move while they are searched by circles (unfold/search/circle_tree.hpp). The reasons are in
-/// docs/architecture.md, "Written here, and why".
+/// docs/design/architecture.md, "Written here, and why".
 template <class Box>
 class BoxTree {
  public:

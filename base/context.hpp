@@ -28,8 +28,9 @@ struct Context {
   /// Set for work that has nothing before its end (until_deadline): when it has passed, check() throws
   /// Error(out_of_time).
   std::optional<Deadline> give_up;
-  unsigned threads = 1;    ///< at least 1; never changes a result
-  std::uint64_t seed = 1;  ///< of what searches draw at random (docs/architecture.md says what that is)
+  unsigned threads = 1;  ///< at least 1; never changes a result
+  /// Of random choices in searches; docs/design/architecture.md lists them.
+  std::uint64_t seed = 1;
 
   /// Throws Error(interrupted) when the user asked to stop, Error(out_of_time) when the work is to be given
   /// up.

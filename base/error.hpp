@@ -11,7 +11,7 @@
 namespace ridgecraft {
 
 /// Why the program can't do what it was asked. Each kind is one exit code (cli/exit_code.hpp,
-/// docs/exit-codes.md).
+/// docs/reference/exit-codes.md).
 enum class ErrorKind {
   internal,          ///< a broken promise of our own; never the user's fault
   usage,             ///< an option or argument is wrong

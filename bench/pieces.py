@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces and pages of a folder of models in each mode, beside a peer's; prints the table of docs/unfolding.md.
+"""Pieces and pages of a folder of models in each mode, beside a peer's; prints the table of docs/design/unfolding.md.
 
     bench/pieces.py MODELS --peer FIGURES.csv [--program build/release/ridgecraft] [--jobs 1] [-- OPTIONS]
 

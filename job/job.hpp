@@ -83,7 +83,7 @@ struct Paper {
 /// and for edges named by points that the model doesn't have, Error(unbuildable) where Options::strict asks
 /// for it, Error(out_of_time) where the deadline passes while there is nothing yet, Error(interrupted), and
 /// Error(internal) where the result fails its check. What takes time is named with each stage
-/// (docs/architecture.md).
+/// (docs/design/architecture.md).
 [[nodiscard]] Paper paper(mesh::Model model, const Options& options, const Context& context,
                           const Listener& listener = {});
 
@@ -94,7 +94,7 @@ struct Paper {
 /// The same nets with other tabs; they stay as they are but for these, also where another shape would have
 /// led the search to other folds, and no piece is split (TabOptions::split_pieces stays as it was). Their
 /// pages are laid out anew, since tabs take room. What the nets were searched with stays in the settings of
-/// the file (docs/formats.md), whatever this context's seed.
+/// the file (docs/reference/formats.md), whatever this context's seed.
 [[nodiscard]] Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context);
 
 /// Other nets of the same surface, such as a person has made of these edge by edge

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All tolerances at once: which parts join at which concavity (docs/segmentation.md, "Any number of
+// All tolerances at once: which parts join at which concavity (docs/design/segmentation.md, "Any number of
 // parts, all tolerances at once").
 #pragma once
 

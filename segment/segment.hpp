@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CoRiSe: a surface becomes nearly convex parts. Read this header first; docs/segmentation.md has the method.
+// CoRiSe: a surface becomes nearly convex parts. Read this header first; docs/design/segmentation.md has the
+// method.
 //
 // Source: G. Liu, Z. Xi, J.-M. Lien, "Nearly convex segmentation of polyhedra through convex ridge
 // separation", Computer-Aided Design 78 (2016) 137-146.

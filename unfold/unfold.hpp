@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A surface in parts becomes pieces of paper: nets without overlap, with glue tabs. Read this header first;
-// docs/unfolding.md has the method.
+// docs/design/unfolding.md has the method.
 #pragma once
 
 #include "base/context.hpp"

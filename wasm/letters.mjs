@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes as letters that a script element may hold, seven bits in each, as docs/page.md tells; web/packed.js reads them.
+// Bytes as letters that a script element may hold, seven bits in each, as docs/design/viewer.md tells; web/packed.js reads them.
 
 /** NUL, CR and "<", which a page can't hold: they stand in one letter with the seven bits behind them. */
 const taken = [0, 13, 60];

@@ -280,7 +280,7 @@ EMSCRIPTEN_KEEPALIVE int ridgecraft_write(int i) {
   });
 }
 
-/// What the page shows beside the nets (docs/page.md).
+/// What the page shows beside the nets (docs/design/viewer.md).
 EMSCRIPTEN_KEEPALIVE int ridgecraft_sheets() {
   return cli::guarded([&] { cli::answer = paper::write_sheets(cli::project.value().result.made.drawings); });
 }

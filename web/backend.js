@@ -9,7 +9,7 @@ import {unpackedText} from "./packed.js";
  * @property {number} revision
  * @property {Record<string, string | boolean>} options
  * @property {string} fold the nets: text of a FOLD file
- * @property {string} sheets what else stands on the pages: text of the second document (docs/page.md)
+ * @property {string} sheets what else stands on the pages: text of the second document (docs/design/viewer.md)
  * @property {{text: string, about?: {piece?: number, edge?: number, face?: number}}[]} notes
  * @property {Record<string, unknown>} figures
  * @property {boolean} canUndo

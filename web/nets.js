@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a FOLD file of this program says (docs/formats.md), as arrays and records that the other modules draw from.
+// What a FOLD file of this program says (docs/reference/formats.md), as arrays and records that the other modules draw from.
 // Lengths are mm, angles radians, y runs up.
 
 /**

@@ -9,7 +9,7 @@ import {segmentDistance} from "./scene.js";
 /** @typedef {import("./scene.js").Spot} Spot */
 
 /**
- * What the second document of the page says of a group (docs/page.md).
+ * What the second document of the page says of a group (docs/design/viewer.md).
  * @typedef {object} Group
  * @property {string} id
  * @property {[number, string, number, number, number, number, number?, number?][]} [texts] layer, text, x, y, height, degrees,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file that says which tab each edge gets (docs/tabs.md, "Edge by edge").
+// A file that says which tab each edge gets (docs/design/tabs.md, "Edge by edge").
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's exit codes: documented in docs/exit-codes.md and `ridgecraft --help`, and never changed.
+// The program's exit codes: documented in docs/reference/exit-codes.md and `ridgecraft --help`, and never
+// changed.
 #pragma once
 
 #include "base/error.hpp"

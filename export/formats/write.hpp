@@ -68,11 +68,11 @@ void check_pdf_size(Vec2 page_mm);
                                      std::optional<mesh::Axis> up = std::nullopt);
 
 /// Of drawings what a page for browsers can't tell from the nets: texts, leaders, the foot of each page,
-/// colours and pictures. The second document of docs/page.md. O(size).
+/// colours and pictures. The second document of docs/design/viewer.md. O(size).
 [[nodiscard]] std::string write_sheets(std::span<const Drawing> pages);
-/// Bytes of a page for browsers that shows a finished result (docs/page.md): the program of web/, `fold`,
-/// which are bytes of write_fold() with pages, and write_sheets() of the drawings. It loads nothing from
-/// elsewhere. Same input, same bytes. O(size).
+/// Bytes of a page for browsers that shows a finished result (docs/design/viewer.md): the program of web/,
+/// `fold`, which are bytes of write_fold() with pages, and write_sheets() of the drawings. It loads nothing
+/// from elsewhere. Same input, same bytes. O(size).
 [[nodiscard]] std::string write_html(std::string_view fold, std::span<const Drawing> pages, const Mark& mark);
 
 }  // namespace ridgecraft::paper

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// nets.fold: FOLD 1.2 (Demaine, Ku, Lang) with our own keys under "ridgecraft:". docs/formats.md has every
-// key.
+// nets.fold: FOLD 1.2 (Demaine, Ku, Lang) with our own keys under "ridgecraft:". docs/reference/formats.md
+// has every key.
 #include <algorithm>
 #include <cmath>
 #include <iterator>

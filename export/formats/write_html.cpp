@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A page for browsers: the front end of web/ with one result in it, as two documents of JSON, packed.
-// docs/page.md describes both.
+// docs/design/viewer.md describes both.
 #include <array>
 #include <cmath>
 #include <string>

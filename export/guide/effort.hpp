@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long it takes to build a model and how hard it is. docs/guide.md has the formula.
+// How long it takes to build a model and how hard it is. docs/design/building-guide.md has the formula.
 #pragma once
 
 #include <cstddef>

@@ -50,7 +50,7 @@ enum class BoardSide {
 };
 
 /// How far such a side moves outwards, mm, for a signed fold angle (radians, mountain folds negative): see
-/// docs/machines.md for the sections that these formulas are taken from.
+/// docs/design/machines.md for the sections that these formulas are taken from.
 [[nodiscard]] double side_change(BoardSide side, double angle, const Board& board);
 
 }  // namespace ridgecraft::paper

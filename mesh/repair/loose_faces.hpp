@@ -30,8 +30,8 @@ struct LooseFaces {
 /// Do the faces fulfil the invariants of Surface (unused points apart)?
 [[nodiscard]] bool is_surface(const LooseFaces& loose);
 
-/// Makes the invariants of Surface true, as repair does (docs/input.md, step 10): by giving points to several
-/// faces separately and turning faces around. No face is dropped or moved in the list. O(n log n).
+/// Makes the invariants of Surface true, as repair does (docs/design/mesh.md, step 10): by giving points to
+/// several faces separately and turning faces around. No face is dropped or moved in the list. O(n log n).
 void make_surface(LooseFaces& loose, const Context& context);
 
 /// Replaces the model's surface; points that no face uses are left out, and faces have no places in pictures

@@ -9,9 +9,9 @@
 
 namespace ridgecraft::mesh {
 
-/// Makes the invariants of Surface true, in the order that docs/input.md tells; every change is counted. Name
-/// and digest are the caller's. Throws Error(unusable_mesh) without naming the file where no face with an
-/// area is left. O(n log n).
+/// Makes the invariants of Surface true, in the order that docs/design/mesh.md tells; every change is
+/// counted. Name and digest are the caller's. Throws Error(unusable_mesh) without naming the file where no
+/// face with an area is left. O(n log n).
 [[nodiscard]] Model repair(Soup soup, const ReadOptions& options, const Context& context);
 
 }  // namespace ridgecraft::mesh

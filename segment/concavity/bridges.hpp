@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bridges of a part and what is known of their concavity (docs/segmentation.md, "Bridges").
+// Bridges of a part and what is known of their concavity (docs/design/segmentation.md, "Bridges").
 #pragma once
 
 #include <array>
@@ -60,7 +60,7 @@ struct ConcavityBounds {
 
 /// Bounds the concavity of bridge `index` by that of a bridge that shares an end and a triangle of the hull
 /// with it, and decides whether it is high; false, and nothing is changed, where no neighbour is near enough
-/// (docs/segmentation.md, "Derived bridges"). O(1).
+/// (docs/design/segmentation.md, "Derived bridges"). O(1).
 bool derive_bridge(std::uint32_t index, const Hull& hull, std::span<const Vec3> points, double tolerance,
                    std::span<Bridge> bridges);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How concave a part is: all its bridges with their valleys (docs/segmentation.md, "One part, measured").
+// How concave a part is: all its bridges with their valleys (docs/design/segmentation.md, "One part,
+// measured").
 #pragma once
 
 #include <cstdint>

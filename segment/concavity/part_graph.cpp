@@ -9,7 +9,7 @@ namespace ridgecraft::segment {
 namespace {
 
 /// How far a jump may lean out of the surface at its ends, as the cosine to the normal there
-/// (docs/segmentation.md, "Arcs and jumps").
+/// (docs/design/segmentation.md, "Arcs and jumps").
 constexpr double jump_lean = 0.3;
 
 }  // namespace

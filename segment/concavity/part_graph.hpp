@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part under consideration: which facets, which arcs, where it was cut off and what may jump across
-// (docs/segmentation.md, "Arcs and jumps").
+// (docs/design/segmentation.md, "Arcs and jumps").
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What concavity is left in the two halves when a valley is cut at a vertex (docs/segmentation.md,
+// What concavity is left in the two halves when a valley is cut at a vertex (docs/design/segmentation.md,
 // "Separators").
 #pragma once
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a deep valley is cut: at one vertex of a V, at two of a U (docs/segmentation.md, "Separators").
+// Where a deep valley is cut: at one vertex of a V, at two of a U (docs/design/segmentation.md,
+// "Separators").
 #pragma once
 
 #include <cstddef>

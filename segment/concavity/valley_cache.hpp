@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Valleys found earlier in the run (docs/segmentation.md, "Known valleys"): parts of a part often have the
-// same ones.
+// Valleys found earlier in the run (docs/design/segmentation.md, "Known valleys"): parts of a part often have
+// the same ones.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How deep each vertex of a valley lies under its bridge (docs/segmentation.md, "Depth of a valley").
+// How deep each vertex of a valley lies under its bridge (docs/design/segmentation.md, "Depth of a valley").
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shortest paths on a part: valleys between two vertices (docs/segmentation.md, "Arcs and jumps") and
+// Shortest paths on a part: valleys between two vertices (docs/design/segmentation.md, "Arcs and jumps") and
 // distances from several.
 #pragma once
 

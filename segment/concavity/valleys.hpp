@@ -26,11 +26,12 @@ class Valleys {
 
   /// The valley between two vertices; without steps where there is none. With `from_scratch` known ones serve
   /// only where they were searched on this very part; else also where they surely are still the shortest
-  /// (docs/segmentation.md, "Known valleys"). `tolerance`: what counts as deep. Valid until the next call.
+  /// (docs/design/segmentation.md, "Known valleys"). `tolerance`: what counts as deep. Valid until the next
+  /// call.
   [[nodiscard]] Valley find(std::uint32_t from, std::uint32_t to, double tolerance, bool from_scratch);
 
   /// Lengths along a valley of at least 3 vertices from its two ends to where it is cut
-  /// (docs/segmentation.md, "Separators"). `capped`: concavity of each vertex with the cap.
+  /// (docs/design/segmentation.md, "Separators"). `capped`: concavity of each vertex with the cap.
   [[nodiscard]] std::array<double, 2> sub_valleys(const Valley& valley, std::span<const double> capped,
                                                   double tolerance);
 

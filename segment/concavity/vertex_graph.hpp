@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The graph on which valleys run (docs/segmentation.md, "Arcs and jumps"): built once for the whole surface;
-// a part uses those of its arcs that its facets carry.
+// The graph on which valleys run (docs/design/segmentation.md, "Arcs and jumps"): built once for the whole
+// surface; a part uses those of its arcs that its facets carry.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a minimum cut through many facets surely isn't: found on clusters of facets (docs/segmentation.md,
-// "One part, cut").
+// Where a minimum cut through many facets surely isn't: found on clusters of facets
+// (docs/design/segmentation.md, "One part, cut").
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutting a part between its ridges (docs/segmentation.md, "Order of cuts"), and what is done when that cuts
-// nothing (there, "Where nothing is cut").
+// Cutting a part between its ridges (docs/design/segmentation.md, "Order of cuts"), and what is done when
+// that cuts nothing (there, "Where nothing is cut").
 #pragma once
 
 #include <cstdint>

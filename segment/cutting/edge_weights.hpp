@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a cut along an edge costs: concave and short edges are cheap (docs/segmentation.md,
+// What a cut along an edge costs: concave and short edges are cheap (docs/design/segmentation.md,
 // "Price of an edge").
 #pragma once
 

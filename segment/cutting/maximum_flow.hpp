@@ -11,7 +11,7 @@ namespace ridgecraft::segment {
 /// Y. Boykov, V. Kolmogorov, "An experimental comparison of min-cut/max-flow algorithms for energy
 /// minimization in vision", PAMI 26 (2004): two search trees that are kept between augmentations. Arcs are
 /// undirected: their capacity holds both ways. Integers, so that the cut doesn't depend on the order of the
-/// augmentations. Why not Boost's: docs/segmentation.md, "What is written by hand, and why".
+/// augmentations. Why not Boost's: docs/design/segmentation.md, "What is written by hand, and why".
 class MaximumFlow {
  public:
   static constexpr std::uint32_t no_node = 0xffffffffU;

@@ -12,8 +12,8 @@
 namespace ridgecraft::segment {
 namespace {
 
-/// From this depth on parts are halved, so that no input makes the recursion linear (docs/segmentation.md,
-/// "Where nothing is cut").
+/// From this depth on parts are halved, so that no input makes the recursion linear
+/// (docs/design/segmentation.md, "Where nothing is cut").
 constexpr int deepest_cut = 60;
 /// A worker's arrays cost up to a twentieth of the time that one thread takes for the whole surface: one more
 /// is made for each such part of the surface that there is to do.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts by planes, through both skins of a wall at once: what valleys can't find (docs/segmentation.md, "More
-// effort, smaller hulls, no pockets").
+// Cuts by planes, through both skins of a wall at once: what valleys can't find (docs/design/segmentation.md,
+// "More effort, smaller hulls, no pockets").
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which facets surely belong to a ridge and which are open to the cut (docs/segmentation.md, "Regions").
+// Which facets surely belong to a ridge and which are open to the cut (docs/design/segmentation.md,
+// "Regions").
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Convex ridges: sets of hull vertices whose bridges among themselves are low (docs/segmentation.md,
+// Convex ridges: sets of hull vertices whose bridges among themselves are low (docs/design/segmentation.md,
 // "Ridges").
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The convex hull of a part's vertices: exact, and triangulated in one fixed manner (docs/segmentation.md,
-// "Bridges").
+// The convex hull of a part's vertices: exact, and triangulated in one fixed manner
+// (docs/design/segmentation.md, "Bridges").
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ struct Hull {
 /// Quickhull (Barber, Dobkin, Huhdanpaa 1996) on flat arrays. Facets that contain a new point in their plane
 /// are replaced together with those that see it, so no facet is ever degenerate. Signs are exact: a bound on
 /// the rounding of each facet's plane decides nearly always, 128-bit integers the rest. Points must be on the
-/// grid. Why not a library's: docs/segmentation.md, "What is written by hand, and why".
+/// grid. Why not a library's: docs/design/segmentation.md, "What is written by hand, and why".
 class HullBuilder {
  public:
   explicit HullBuilder(std::span<const Vec3> points);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How deep a point lies under a hull: along its normal or beside an opening (docs/segmentation.md, "Cap on
-// depth").
+// How deep a point lies under a hull: along its normal or beside an opening (docs/design/segmentation.md,
+// "Cap on depth").
 #pragma once
 
 #include <cstdint>

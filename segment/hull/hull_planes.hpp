@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The planes of a hull's triangles, but for slivers (docs/segmentation.md, "Bridges").
+// The planes of a hull's triangles, but for slivers (docs/design/segmentation.md, "Bridges").
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether air lies deep under the hull of a part: what --pockets promises about (docs/segmentation.md, "More
-// effort, smaller hulls, no pockets").
+// Whether air lies deep under the hull of a part: what --pockets promises about (docs/design/segmentation.md,
+// "More effort, smaller hulls, no pockets").
 #pragma once
 
 #include <cstdint>

@@ -37,8 +37,8 @@ struct AssemblySettings {
   bool pockets = false;  ///< no part has a pocket (pocket_test.hpp)
 };
 
-/// What more effort, planes and a price of volume buy; measured in docs/segmentation.md. Attempts with planes
-/// come after those without.
+/// What more effort, planes and a price of volume buy; measured in docs/design/segmentation.md. Attempts with
+/// planes come after those without.
 [[nodiscard]] AssemblySettings assembly_settings(const Options& options);
 
 /// Cuts and joins parts that are within the tolerance; what comes out is, too.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The crumbs of a damaged surface join the parts that they touch (docs/segmentation.md, "Damaged models").
+// The crumbs of a damaged surface join the parts that they touch (docs/design/segmentation.md, "Damaged
+// models").
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The merge pass: neighbours whose union is within the tolerance become one part (docs/segmentation.md,
-// "Merge pass").
+// The merge pass: neighbours whose union is within the tolerance become one part
+// (docs/design/segmentation.md, "Merge pass").
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 namespace ridgecraft::segment {
 namespace {
 
-/// Of efforts above 1 and of planes; measured in docs/segmentation.md.
+/// Of efforts above 1 and of planes; measured in docs/design/segmentation.md.
 constexpr double default_weight = 5.0;
 
 }  // namespace

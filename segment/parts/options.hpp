@@ -35,10 +35,10 @@ struct Options {
   bool pockets = false;
   /// What holes in the surface are taken for.
   enum class Holes {
-    automatic,  ///< `close` where the surface looks damaged (docs/segmentation.md, "Damaged models"), else
-                ///< `keep`
-    keep,       ///< holes are borders
-    close       ///< small holes are closed while segmenting, and crumbs join the part that they touch
+    automatic,  ///< `close` where the surface looks damaged (docs/design/segmentation.md, "Damaged models"),
+                ///< else `keep`
+    keep,  ///< holes are borders
+    close  ///< small holes are closed while segmenting, and crumbs join the part that they touch
   };
   Holes holes = Holes::automatic;
   /// Whether a part may be made of several components.

@@ -6,8 +6,8 @@
 
 namespace ridgecraft::segment {
 
-/// The rules that readings differ in (docs/segmentation.md, "Where this differs from the paper, and from its
-/// plainest reading"); all of them hold for Reading::b.
+/// The rules that readings differ in (docs/design/segmentation.md, "Where this differs from the paper, and
+/// from its plainest reading"); all of them hold for Reading::b.
 struct Rules {
   bool jumps = true;            ///< a valley may run straight across the opening that a cut left
   bool cap = true;              ///< a vertex is no deeper than the hull is far along its normal

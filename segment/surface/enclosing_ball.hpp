@@ -15,7 +15,8 @@ struct Ball {
 
 /// Smallest enclosing ball of points whose coordinates are about 1 in size, by pivoting: the farthest point
 /// joins a support of at most four, until no point is outside by more than 1e-12. Typically ten passes of
-/// O(n). No points: radius 0. Why not CGAL's: docs/segmentation.md, "What is written by hand, and why".
+/// O(n). No points: radius 0. Why not CGAL's: docs/design/segmentation.md, "What is written by hand, and
+/// why".
 [[nodiscard]] Ball smallest_enclosing_ball(std::span<const Vec3> points);
 
 }  // namespace ridgecraft::segment

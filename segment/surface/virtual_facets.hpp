@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Holes of damaged surfaces are closed with facets that take part in everything but the result
-// (docs/segmentation.md, "Damaged models").
+// (docs/design/segmentation.md, "Damaged models").
 #pragma once
 
 #include "mesh/model/surface.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The direction of dependencies is checked, not hoped for (docs/architecture.md).
+// The direction of dependencies is checked, not hoped for (docs/design/architecture.md).
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -396,7 +396,7 @@ TEST_CASE("a header that is installed includes only such, of its folder or those
 }
 
 TEST_CASE("the browser's build has what is used of std::ranges", "[architecture]") {
-  // Its library is libc++ 13 (docs/studio.md), which has these; wasm/compat/ has the others.
+  // Its library is libc++ 13 (docs/design/studio.md), which has these; wasm/compat/ has the others.
   std::set<std::string> had = {"empty", "greater", "random_access_range"};
   std::ifstream compat(fs::path(RIDGECRAFT_SOURCE_DIR) / "wasm/compat/algorithm");
   const std::regex definition(R"re(^(?:auto|bool|void) (\w+)\()re");

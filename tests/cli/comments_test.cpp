@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <string>
@@ -63,49 +62,7 @@ std::set<std::string> error_kinds() {
   return kinds;
 }
 
-/// A file's text with the lines of each comment joined.
-std::string joined_comments(const fs::path& file) {
-  std::ifstream in(file);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return std::regex_replace(text, std::regex(R"(\n[ \t]*//+<?[ \t]*)"), " ");
-}
-
-/// Whether a page of docs/ has a heading that begins so.
-bool has_heading(const std::string& page, const std::string& beginning) {
-  std::ifstream in(fs::path(RIDGECRAFT_SOURCE_DIR) / "docs" / page);
-  std::string line;
-  while (std::getline(in, line)) {
-    const std::size_t text = line.find_first_not_of('#');
-    if (text > 0 && text != std::string::npos &&
-        line.compare(text, 1 + beginning.size(), " " + beginning) == 0) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
-
-TEST_CASE("headings of docs that comments name are there", "[comments]") {
-  const std::regex named(R"re(docs/([a-z-]+\.md), "([^"]+)")re");
-  std::size_t seen = 0;
-  for (const fs::path& room : rooms()) {
-    for (const auto& entry : fs::recursive_directory_iterator(room)) {
-      const std::string suffix = entry.path().extension().string();
-      if (suffix != ".hpp" && suffix != ".cpp") {
-        continue;
-      }
-      const std::string text = joined_comments(entry.path());
-      for (auto at = std::sregex_iterator(text.begin(), text.end(), named); at != std::sregex_iterator();
-           ++at) {
-        INFO(entry.path() << " names " << (*at)[0]);
-        CHECK(has_heading((*at)[1], (*at)[2]));
-        ++seen;
-      }
-    }
-  }
-  CHECK(seen > 20);
-}
 
 TEST_CASE("errors that comments announce are of a kind that there is", "[comments]") {
   const std::set<std::string> kinds = error_kinds();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/json.md names each key that --json prints, and none besides.
+// docs/reference/json.md names each key that --json prints, and none besides.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -34,7 +34,7 @@ void collect(const Json& json, const std::string& path, std::set<std::string>& k
 
 /// What stands between backticks in the tables of a section, but for links and options.
 std::set<std::string> documented(const std::string& section) {
-  std::istringstream lines(read_bytes(std::string(RIDGECRAFT_SOURCE_DIR) + "/docs/json.md"));
+  std::istringstream lines(read_bytes(std::string(RIDGECRAFT_SOURCE_DIR) + "/docs/reference/json.md"));
   std::set<std::string> keys;
   std::string inside = "all";
   for (std::string line; std::getline(lines, line);) {

@@ -127,7 +127,7 @@ fs::path plain_off(const TemporaryFolder& folder) {
 
 TEST_CASE("the code that docs show of an example is the example's", "[library]") {
   const std::regex begins("`examples/(\\w+)`:");
-  std::istringstream lines(text_of(root / "docs/library.md"));
+  std::istringstream lines(text_of(root / "docs/reference/library.md"));
   std::string line, example;
   std::set<std::string> shown;
   while (std::getline(lines, line)) {

@@ -77,7 +77,8 @@ TEST_CASE("broken files are repaired or refused as documented", "[cases]") {
       CHECK((outcome.changed || outcome.simplified));
     }
     if (reaction == "ok") {
-      // docs/input.md: ignored elements, unused points and bent polygons are told, though nothing is wrong.
+      // docs/design/mesh.md: ignored elements, unused points and bent polygons are told, though nothing is
+      // wrong.
       const bool remarked =
           file == "other_elements.obj" || file == "hard_monkey_saddle.obj" || file == "points_unused.obj";
       CHECK((!outcome.changed || remarked));

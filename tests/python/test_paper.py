@@ -145,7 +145,7 @@ def test_the_version_is_that_of_the_program():
     assert words == ["ridgecraft", ridgecraft.__version__]
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/library.md"])
+@pytest.mark.parametrize("page", ["README.md", "docs/reference/library.md"])
 def test_the_code_of_the_docs_runs(page, tmp_path, monkeypatch):
     text = (SAMPLES.parent / page).read_text()
     code = re.search(r"\n    import ridgecraft\n(?:    .*\n|\n)+", text).group()

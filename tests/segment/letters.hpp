@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines of capital letters and floor plans, and into how many parts prisms over them are cut. A person
 // would cut C into 3, E 4, G 4, H 3, J 3, M 4, S 5 and W 4: where both ends of a notch lie on the hull's flat
-// sides, the way around it along a rim isn't deep (docs/segmentation.md, "Limits").
+// sides, the way around it along a rim isn't deep (docs/design/segmentation.md, "Limits").
 #pragma once
 
 #include <cstddef>

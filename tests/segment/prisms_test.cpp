@@ -125,7 +125,7 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  // Of four steps a part may keep a notch beside an opening that a cut left (docs/segmentation.md).
+  // Of four steps a part may keep a notch beside an opening that a cut left (docs/design/segmentation.md).
   std::vector<Case> all{{"L", l, 1.0, 2, 2},           {"thin L", l, 0.1, 2, 2},  {"U", u, 1.0, 3, 3},
                         {"T", t, 1.0, 2, 2},           {"plus", plus, 1.0, 3, 5}, {"V", v, 0.7, 2, 3},
                         {"stairs", stairs, 2.0, 2, 4}, {"Z", z, 1.0, 3, 3},       {"star", star(), 0.5, 3, 6},

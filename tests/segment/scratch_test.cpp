@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The concavity that is reported, measured once more by slow and simple code of its own: gift wrapping,
-// Dijkstra on an explicit graph of the part, distances by the definitions in docs/segmentation.md,
+// Dijkstra on an explicit graph of the part, distances by the definitions in docs/design/segmentation.md,
 // "Rules".
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Concavity, residual concavity and separators of valleys given as chains (t, h): docs/segmentation.md,
-// "Depth of a valley" and "Separators".
+// Concavity, residual concavity and separators of valleys given as chains (t, h):
+// docs/design/segmentation.md, "Depth of a valley" and "Separators".
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -10,8 +10,8 @@
 namespace ridgecraft::test {
 namespace {
 
-/// The text that these letters hold (docs/page.md): seven bits each, and those of what a page can't hold in
-/// front of seven more.
+/// The text that these letters hold (docs/design/viewer.md): seven bits each, and those of what a page can't
+/// hold in front of seven more.
 std::string unpacked(const std::string& letters) {
   std::vector<bool> bits;
   const auto append = [&](unsigned seven) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in a page for browsers, read by other means than its own (docs/page.md).
+// What stands in a page for browsers, read by other means than its own (docs/design/viewer.md).
 #pragma once
 
 #include <string>

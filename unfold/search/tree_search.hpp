@@ -3,7 +3,7 @@
 //
 // Sources: the swap of a subtree against its neighbours and the tabu list: L. Zawallich, "Unfolding polyhedra
 // via tabu search", The Visual Computer 2024. Restriction to the tree path between two overlapping faces, and
-// the wide stage of random samples: our own measurements (docs/unfolding.md).
+// the wide stage of random samples: our own measurements (docs/design/unfolding.md).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One function per promise or part of one (docs/formats.md); each adds its faults and sets its figures.
+// One function per promise or part of one (docs/reference/formats.md); each adds its faults and sets its
+// figures.
 #pragma once
 
 #include "verify/file/model_surface.hpp"

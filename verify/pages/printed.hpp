@@ -69,10 +69,10 @@ struct PrintedFile {
 [[nodiscard]] bool is_pdf(std::string_view bytes);
 [[nodiscard]] bool is_svg(std::string_view bytes);
 
-/// Reads a file of docs/formats.md. It understands what cutters' programs do: paths of straight lines in a
-/// layer for each class of line, without transforms and style sheets; or several pages of Inkscape, each in a
-/// layer of its own. Never throws for what the bytes hold: what it doesn't understand is a defect, since a
-/// line that is overlooked can't be checked. O(size).
+/// Reads a file of docs/reference/formats.md. It understands what cutters' programs do: paths of straight
+/// lines in a layer for each class of line, without transforms and style sheets; or several pages of
+/// Inkscape, each in a layer of its own. Never throws for what the bytes hold: what it doesn't understand is
+/// a defect, since a line that is overlooked can't be checked. O(size).
 [[nodiscard]] PrintedFile read_svg(const std::string& name, std::string_view bytes);
 
 /// The same for PDF, whose layers are optional content and whose lines may be transformed. A guide has no

@@ -9,8 +9,8 @@ namespace ridgecraft::verify {
 /// How finely files hold a place, mm: four decimals in SVG; in PDF 1/256 point (0.0014 mm), of which the file
 /// has three decimals, rounded in both directions.
 constexpr double rounding_mm = 0.0013;
-/// Two lines nearer than this are one line on paper (docs/pages.md), mm: a corner may be drawn where its
-/// neighbour is.
+/// Two lines nearer than this are one line on paper (docs/design/pages.md), mm: a corner may be drawn where
+/// its neighbour is.
 constexpr double one_line_mm = 0.0105;
 /// How far a printed line may be beside the line of the nets, mm: its ends may each be drawn at a neighbour,
 /// and a line may bend to a corner beside it or leave the bends of a nearly straight chain out, which adds

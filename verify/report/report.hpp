@@ -10,7 +10,7 @@
 
 namespace ridgecraft::verify {
 
-/// The promises of docs/formats.md; form is promise 0. Those up to 6 are the contract's.
+/// The promises of docs/reference/formats.md; form is promise 0. Those up to 6 are the contract's.
 enum class Promise {
   form = 0,
   lengths = 1,

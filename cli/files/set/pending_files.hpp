@@ -24,8 +24,8 @@
 namespace ridgecraft::cli {
 
 /// Writes a set of files so that nobody ever sees half of one, and so that the files of one run stay together
-/// (docs/files.md). add() writes under a temporary name in the target's folder; commit() gives all files
-/// their names; what is never committed is removed, folders made for it included. Where the process is
+/// (docs/reference/files.md). add() writes under a temporary name in the target's folder; commit() gives all
+/// files their names; what is never committed is removed, folders made for it included. Where the process is
 /// killed, the next run into a folder clears away what it left there. Safe to discard() from another thread.
 class PendingFiles {
  public:

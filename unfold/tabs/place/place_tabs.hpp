@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Glue tabs on finished nets. docs/tabs.md has the method.
+// Glue tabs on finished nets. docs/design/tabs.md has the method.
 #pragma once
 
 #include <optional>
