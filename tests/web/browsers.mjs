@@ -37,3 +37,11 @@ export async function launch(require, name, webgl) {
     ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
     ...(webgl ? ["--enable-unsafe-swiftshader"] : ["--disable-3d-apis"])]});
 }
+
+/**
+ * Waits until the page has laid itself out: an element's new size reaches its ResizeObserver in the frame after a change.
+ * @param {any} page
+ */
+export function settled(page) {
+  return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}

@@ -9,7 +9,7 @@ import {parseArgs} from "node:util";
 
 import {lettersOf} from "../../wasm/letters.mjs";
 import {unpackedText} from "../../web/packed.js";
-import {launch, toolsIn} from "./browsers.mjs";
+import {launch, settled, toolsIn} from "./browsers.mjs";
 
 const {values} = parseArgs({options: {browser: {type: "string", default: "chromium"}, cmake: {type: "string"}, web: {type: "string"},
   program: {type: "string"}, samples: {type: "string"}, tools: {type: "string"}, out: {type: "string"}}});
@@ -78,22 +78,38 @@ async function open(options) {
   if (options?.viewport?.width < 700) {
     await page.click("#show-sheets");
   }
+  /** The piece that takes the most room: which one that is depends on how the model is unfolded. */
+  const largest = await page.evaluate(() => {
+    const areaOf = (piece) => {
+      const {width, height} = piece.querySelector(".faces").getBoundingClientRect();
+      return width * height;
+    };
+    const pieces = [...document.querySelectorAll("[data-piece]")].sort((a, b) => areaOf(b) - areaOf(a));
+    return Number(pieces[0].dataset.piece);
+  });
   /** A point of a piece in the window, away from its edges. */
-  const inside = (piece) => page.evaluate((index) => {
-    const box = document.querySelector(`[data-piece="${index}"] .faces`).getBoundingClientRect();
-    for (let i = 1; i < 40; ++i) {
-      for (let j = 1; j < 40; ++j) {
-        const [x, y] = [box.left + (i * box.width) / 40, box.top + (j * box.height) / 40];
-        const spot = globalThis.ridgecraft.inspect({x, y}).under.sheet;
-        if (spot && spot.piece === index && spot.edge < 0) {
-          return [x, y];
+  const inside = async (piece) => {
+    await settled(page);
+    const point = await page.evaluate((index) => {
+      const box = document.querySelector(`[data-piece="${index}"] .faces`).getBoundingClientRect();
+      for (let i = 1; i < 40; ++i) {
+        for (let j = 1; j < 40; ++j) {
+          const [x, y] = [box.left + (i * box.width) / 40, box.top + (j * box.height) / 40];
+          const spot = globalThis.ridgecraft.inspect({x, y}).under.sheet;
+          if (spot && spot.piece === index && spot.edge < 0) {
+            return [x, y];
+          }
         }
       }
+      return null;
+    }, piece);
+    if (!point) {
+      throw new Error(`piece ${piece} has no point away from its edges`);
     }
-    return null;
-  }, piece);
+    return point;
+  };
   const lines = async (call) => (await inspect()).notes.map(({text}) => text).filter((text) => text.startsWith(`${call}: `)).map((text) => text.slice(call.length + 2));
-  return {context, page, heard, inspect, idle, inside, lines};
+  return {context, page, heard, inspect, idle, largest, inside, lines};
 }
 
 const numbers = (line) => line.split(" ").slice(1).map(Number);
@@ -103,9 +119,14 @@ const scaleOf = (page) => page.evaluate(() => {
 });
 
 async function byMouse() {
-  const {context, page, heard, inspect, idle, inside, lines} = await open();
-  const [x, y] = await inside(1);
+  const {context, page, heard, inspect, idle, largest, inside, lines} = await open();
+  const [x, y] = await inside(largest);
   const scale = await scaleOf(page);
+  // Drags stay on the piece's page.
+  const inwards = await page.evaluate(([index, at]) => {
+    const {left, width} = document.querySelector(`[data-piece="${index}"]`).closest(".page").querySelector(".sheet").getBoundingClientRect();
+    return at < left + width / 2 ? 1 : -1;
+  }, [largest, x]);
 
   // A drag lays the piece so much further.
   const drag = async (dx, dy, while_held = async () => {}) => {
@@ -120,7 +141,7 @@ async function byMouse() {
   await drag(0, 1);
   check((await lines("apply")).length === 0, "a click lays a piece");
   await page.keyboard.press("Escape");
-  await drag(60, 40, async () => {
+  await drag(60 * inwards, 40, async () => {
     check(await page.locator(".new-page").count() === 1, "there is no new page while a piece is held");
     const shifts = await page.evaluate(() => ["[data-piece]", ".ground > g"].map((kind) =>
       [...document.querySelectorAll(`${kind}[transform]`)].map((part) => part.getAttribute("transform")).join()));
@@ -128,10 +149,10 @@ async function byMouse() {
     await page.screenshot({path: `${out}/${values.browser}-held.png`});
   });
   const first = (await lines("apply")).at(-1) ?? "";
-  await drag(120, 40);
+  await drag(120 * inwards, 40);
   const second = (await lines("apply")).at(-1) ?? "";
   const [a, b] = [numbers(first), numbers(second)];
-  check(first.startsWith("place ") && a[0] === b[0] && a[1] === b[1] && Math.abs(b[2] - a[2] - 60 / scale) < 0.05 && Math.abs(b[3] - a[3]) < 0.05 && a[4] === b[4],
+  check(first.startsWith("place ") && a[0] === b[0] && a[1] === b[1] && Math.abs(b[2] - a[2] - 60 * inwards / scale) < 0.05 && Math.abs(b[3] - a[3]) < 0.05 && a[4] === b[4],
     `60 pixels further of ${scale} a mm: "${first}", "${second}"`);
   check((await lines("preview")).some((line) => line.startsWith("place ")), "nobody asks for room while a piece is held");
 
@@ -155,7 +176,7 @@ async function byMouse() {
   await page.keyboard.press("Escape");
   await drag(0, 4 - y, async () => page.waitForSelector(".landing", {timeout: 5000}).catch(() => faults.push("where a piece will lie isn't shown")));
   const landed = numbers((await lines("apply")).at(-1) ?? "");
-  check(landed[3] === 20 && Math.abs(landed[2] - a[2] + 60 / scale) < 0.05, `a piece without room is laid at ${landed}, and not nearby`);
+  check(landed[3] === 20 && Math.abs(landed[2] - a[2] + 60 * inwards / scale) < 0.05, `a piece without room is laid at ${landed}, and not nearby`);
   check(await page.locator(".landing, [data-piece][transform], .no-room").count() === 0, "where a piece was to lie stays shown");
 
   // A click offers what can be done.
@@ -204,7 +225,7 @@ async function byMouse() {
   check(/^retry \d+ \d+$/.test(await after("n")), "N makes no other net");
   check(/^pack \d+$/.test(await after("p")), "P finds no other place");
   check(/^pin \d+$/.test(await after("l")), "L doesn't pin");
-  check((await inspect()).pinned.join() === "1" && await page.locator(".lock").count() === 1, "what is pinned has no lock");
+  check((await inspect()).pinned.join() === String(largest) && await page.locator(".lock").count() === 1, "what is pinned has no lock");
   const before = (await lines("apply")).length;
   await drag(60, 0);
   check((await lines("apply")).length === before, "a pinned piece is dragged");
@@ -222,7 +243,7 @@ async function byMouse() {
 
 /** With a finger: the sheets move as long as no piece was chosen; then the finger moves the piece. */
 async function byFinger() {
-  const {context, page, heard, inspect, idle, inside, lines} = await open({viewport: {width: 400, height: 800}, hasTouch: true});
+  const {context, page, heard, inspect, idle, largest, inside, lines} = await open({viewport: {width: 400, height: 800}, hasTouch: true});
   const stroke = await strokes(context, page);
   const applied = async () => (await lines("apply")).length;
   const cornerOf = () => page.evaluate(() => document.getElementById("plan").getAttribute("viewBox"));
@@ -234,17 +255,17 @@ async function byFinger() {
   await page.click("#open-wishes");
 
   const before = await cornerOf();
-  await stroke([await inside(0)], [[30, 24]]);
+  await stroke([await inside(largest)], [[30, 24]]);
   await idle();
   check(await applied() === 0, "a finger moves a piece that wasn't chosen");
   check(await cornerOf() !== before, "a finger doesn't move the sheets");
-  await stroke([await inside(0)], []);
-  check((await inspect()).chosen.join() === "0", "a tap doesn't choose a piece");
+  await stroke([await inside(largest)], []);
+  check((await inspect()).chosen.join() === String(largest), "a tap doesn't choose a piece");
 
   // The chosen piece follows the finger; the second place tells how far.
   const scale = await scaleOf(page);
   const moved = async (dx, dy) => {
-    await stroke([await inside(0)], [[dx / 2, dy / 2], [dx, dy]]);
+    await stroke([await inside(largest)], [[dx / 2, dy / 2], [dx, dy]]);
     await idle();
     return (await lines("apply")).at(-1) ?? "";
   };
@@ -253,10 +274,10 @@ async function byFinger() {
   const [one, two] = [numbers(first), numbers(second)];
   check(first.startsWith("place ") && await applied() === 2 && Math.abs(two[2] - one[2] - 24 / scale) < 0.05 && Math.abs(two[3] - one[3]) < 0.05 && one[4] === two[4],
     `a finger 24 pixels further of ${scale} a mm: "${first}", "${second}"`);
-  check((await inspect()).chosen.join() === "0", "a piece that was moved by finger isn't chosen any more");
+  check((await inspect()).chosen.join() === String(largest), "a piece that was moved by finger isn't chosen any more");
 
   // Two fingers zoom, also where the first one held the piece.
-  const [x, y] = await inside(0);
+  const [x, y] = await inside(largest);
   const {width, height, y: top} = await page.locator("#plan").boundingBox();
   const [right, down] = [x < width / 2 ? 1 : -1, y < top + height / 2 ? 1 : -1];
   await stroke([[x, y], [x + 60 * right, y + 90 * down]], [[20 * right, 30 * down]]);

@@ -5,6 +5,7 @@ import {readFileSync, writeFileSync} from "node:fs";
 import {pathToFileURL} from "node:url";
 
 import {unpackedText} from "../../web/packed.js";
+import {settled} from "./browsers.mjs";
 import {darkRows, pageSizes} from "./pdf_pages.mjs";
 
 const everywhere = ["chromium", "firefox", "painter"];
@@ -32,7 +33,7 @@ async function open({browser, browserName}, file, options = {}, before = () => {
   await page.goto(pathToFileURL(file).href);
   await page.waitForFunction(() => globalThis.ridgecraft?.inspect().firstPicture > 0);
   const inspect = (about) => page.evaluate((a) => globalThis.ridgecraft.inspect(a), about);
-  const frame = () => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const frame = () => settled(page);
   return {context, page, heard, inspect, frame};
 }
 
