@@ -335,17 +335,15 @@ TEST_CASE("a file that calls pieces equal that aren't is found", "[job][twins]")
   const std::string first = entry(kind[0].piece, false);
   CHECK(said("[[" + first + "," + entry(kind[1].piece, false) + "]]").sound());
   CHECK(said("[]").sound());
-  for (const std::string& wrong : {"[[" + entry(other, false) + "," + entry(kind[0].piece, false) + "]]",
-                                   "[[" + first + "," + entry(kind[1].piece, true) + "]]"}) {
+  for (const std::string& wrong :
+       {"[[" + entry(other, false) + "," + entry(kind[0].piece, false) + "]]",
+        "[[" + first + "," + entry(kind[1].piece, true) + "]]", "[[" + first + "," + first + "]]"}) {
     const verify::Report report = said(wrong);
     REQUIRE(report.faults.size() == 1);
     CHECK(report.faults[0].promise == verify::Promise::statements);
   }
-  for (const std::string& wrong :
-       {"[[" + first + "]]", "[[" + first + "," + first + "]]",
-        "[[" + entry(PieceId(99), false) + "," + first + "]]",
-        "[[" + entry(kind[0].piece, true) + "," + entry(kind[1].piece, false) + "]]", std::string("[7]"),
-        std::string("7")}) {
+  for (const std::string& wrong : {"[[" + first + "]]", "[[" + entry(PieceId(99), false) + "," + first + "]]",
+                                   std::string("[7]"), std::string("7")}) {
     const verify::Report report = said(wrong);
     REQUIRE_FALSE(report.faults.empty());
     CHECK(report.faults[0].promise == verify::Promise::form);

@@ -107,7 +107,7 @@ TEST_CASE("an order of assembly that nobody can follow is found", "[assembly]") 
 TEST_CASE("an order of assembly in a wrong form is none", "[assembly]") {
   check_found(form_promise, "is not a list", [](Json& steps) { steps = 3; });
   check_found(form_promise, "is not an object", [](Json& steps) { steps[0] = 3; });
-  check_found(form_promise, "has no pieces", [](Json& steps) { steps[0]["pieces"] = Json::array(); });
+  check_found(form_promise, "pieces has 0 entries", [](Json& steps) { steps[0]["pieces"] = Json::array(); });
   check_found(form_promise, "pieces", [](Json& steps) { steps[0]["pieces"][0] = 1000; });
-  check_found(form_promise, "no number of a join", [](Json& steps) { steps[0]["joins"].push_back("x"); });
+  check_found(form_promise, "is not a whole number", [](Json& steps) { steps[0]["joins"].push_back("x"); });
 }

@@ -101,7 +101,7 @@ TEST_CASE("slits that can't be cut or don't fit their tabs are faults", "[slits]
                 return Ends{a + Vec2{500, 0}, b + Vec2{500, 0}};
               }),
               "beside its piece"));
-  CHECK(tells(with_slits([](Vec2 a, Vec2 /*b*/) { return Ends{a}; }), "doesn't have two ends"));
+  CHECK(tells(with_slits([](Vec2 a, Vec2 /*b*/) { return Ends{a}; }), "slit has 1 entries, not 2"));
   Json convex = Json::parse(slotted_house().fold);
   for (Json& tab : convex["ridgecraft:tabs"]) {
     tab.erase("slit");

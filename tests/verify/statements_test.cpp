@@ -122,60 +122,32 @@ TEST_CASE("kind 2: settings that the nets contradict", "[statements]") {
   check_found("don't keep its faces", [](Json& json) { settings(json)["cuts"] = "0123456789abcdef"; });
 }
 
-TEST_CASE("kind 3: the hash of the model, and who made the file", "[statements]") {
+TEST_CASE("kind 3: the hash of the model, and what is up", "[statements]") {
   check_found("no hash of a model", [](Json& json) { json.erase("ridgecraft:model_digest"); });
   check_found("no hash of a model", [](Json& json) { json["ridgecraft:model_digest"] = "0123"; });
   check_found(
       "is not a text", [](Json& json) { json["ridgecraft:model_digest"] = 7; }, 0);
-  check_found("no version of ridgecraft",
-              [](Json& json) { json["file_creator"] = "ridgecraft of tomorrow"; });
-  check_found("is empty", [](Json& json) { json["file_creator"] = ""; });
   check_found(
-      "not x, y or z", [](Json& json) { json["ridgecraft:up"] = "north"; }, 0);
-  check_found(
-      "is not a text", [](Json& json) { json["ridgecraft:up"] = 2; }, 0);
+      "ridgecraft:up is \"north\", not one of \"x\", \"y\", \"z\"",
+      [](Json& json) { json["ridgecraft:up"] = "north"; }, 0);
 }
 
-TEST_CASE("kind 4: words of the frames", "[statements]") {
-  check_found("beside \"2D\"", [](Json& json) { json["frame_attributes"] = {"2D", "3D"}; });
-  check_found("which it isn't", [](Json& json) {
-    json["file_frames"][0]["frame_attributes"] = {"3D", "nonManifold"};
-  });
-  check_found("other words", [](Json& json) { json["file_frames"][0]["frame_attributes"] = {"3D"}; });
-  check_found("other words", [](Json& json) { json["file_classes"].push_back("animation"); });
-  check_found("other words", [](Json& json) { json["frame_classes"].push_back("graph"); });
-}
-
-TEST_CASE("kind 5: vertices and frames that nothing uses, keys that nobody knows", "[statements]") {
+TEST_CASE("kind 4: vertices that nothing uses, keys that are unknown or missing", "[statements]") {
   check_found("belongs to no face", [](Json& json) { json["vertices_coords"].push_back({0, 0}); });
   check_found("belongs to no face", [](Json& json) {
     json["file_frames"][0]["vertices_coords"].push_back({0, 0, 0});
   });
-  check_found("has 2 frames", [](Json& json) { json["file_frames"].push_back(Json::object()); });
-  check_found("nobody knows the key \"ridgecraft:fold_ordr\"",
+  check_found("unknown key \"ridgecraft:fold_ordr\" of the file",
               [](Json& json) { json["ridgecraft:fold_ordr"] = json["ridgecraft:fold_order"]; });
-  check_found("\"hole\" of piece 1", [](Json& json) { json["ridgecraft:pieces"][1]["hole"] = 1; });
-  check_found("\"tap\" of join 0", [](Json& json) { json["ridgecraft:joins"][0]["tap"] = 1; });
-  check_found("\"kind\" of tab 2", [](Json& json) { json["ridgecraft:tabs"][2]["kind"] = 1; });
-  check_found("\"name\" of page 0", [](Json& json) { json["ridgecraft:pages"][0]["name"] = 1; });
+  check_found("ridgecraft:fold_order is missing", [](Json& json) { json.erase("ridgecraft:fold_order"); });
+  check_found("\"hole\" of ridgecraft:pieces[1]",
+              [](Json& json) { json["ridgecraft:pieces"][1]["hole"] = 1; });
+  check_found("\"tap\" of ridgecraft:joins[0]", [](Json& json) { json["ridgecraft:joins"][0]["tap"] = 1; });
+  check_found("\"kind\" of ridgecraft:tabs[2]", [](Json& json) { json["ridgecraft:tabs"][2]["kind"] = 1; });
+  check_found("\"name\" of ridgecraft:pages[0]", [](Json& json) { json["ridgecraft:pages"][0]["name"] = 1; });
 }
 
-TEST_CASE("kind 6: names of pieces, their order, their reasons", "[statements]") {
-  check_found("should be named \"A\"", [](Json& json) {
-    std::swap(json["ridgecraft:pieces"][0]["name"], json["ridgecraft:pieces"][1]["name"]);
-  });
-  check_found("should be named", [](Json& json) { json["ridgecraft:pieces"][2]["name"] = ""; });
-  check_found("the reason of piece \"A\" can't be \"page\"",
-              [](Json& json) { json["ridgecraft:pieces"][0]["reason"] = "page"; });
-  check_found("the reason of piece \"B\" can't be \"part\"",
-              [](Json& json) { json["ridgecraft:pieces"][1]["reason"] = "part"; });
-  for (const char* reason : {"tabs", "request"}) {
-    check_found("can't be \"" + std::string(reason),
-                [&](Json& json) { json["ridgecraft:pieces"][1]["reason"] = reason; });
-  }
-}
-
-TEST_CASE("kind 7: pages that aren't where and what they should be", "[statements]") {
+TEST_CASE("kind 5: pages that aren't those of the settings", "[statements]") {
   check_found("aren't those of the settings",
               [](Json& json) { json["ridgecraft:pages"][0]["margins"][2] = 9.5; });
   check_found("isn't as large as the paper", [](Json& json) {
@@ -183,38 +155,14 @@ TEST_CASE("kind 7: pages that aren't where and what they should be", "[statement
   });
   check_found("isn't as large as the paper",
               [](Json& json) { json["ridgecraft:pages"][0]["size"] = nullptr; });
-  check_found("isn't at its place in the row",
-              [](Json& json) { json["ridgecraft:pages"][1]["origin"][0] = 220.4; });
 }
 
-TEST_CASE("kind 8: joins and tabs that are told in another way than they are", "[statements]") {
+TEST_CASE("kind 6: numbers that two seams share", "[statements]") {
   check_found("have the same number and are no straight seam", [](Json& json) {
     Json& joins = json["ridgecraft:joins"];
     const Json number = joins[0]["number"];
     joins[5]["number"] = number;
     json["ridgecraft:tabs"][joins[5]["tab"].get<std::size_t>()]["joins"] = {number};
-  });
-  check_found("doesn't come after", [](Json& json) {
-    Json& joins = json["ridgecraft:joins"];
-    joins[2]["number"] = 1000;
-    json["ridgecraft:tabs"][joins[2]["tab"].get<std::size_t>()]["joins"] = {1000};
-  });
-  check_found("has a tab and says why it has none",
-              [](Json& json) { json["ridgecraft:joins"][0]["why"] = "no room"; });
-  check_found("for more than one edge", [](Json& json) {
-    Json& numbers = json["ridgecraft:tabs"][0]["joins"];
-    numbers.push_back(numbers[0]);
-  });
-  check_found("has a corner twice", [](Json& json) {
-    Json& polygon = json["ridgecraft:tabs"][0]["polygon"];
-    polygon.push_back(polygon.back());
-  });
-  check_found("isn't convex", [](Json& json) {
-    Json& polygon = json["ridgecraft:tabs"][0]["polygon"];
-    const auto at = [&](std::size_t k, std::size_t x) { return polygon[k][x].get<double>(); };
-    const Json dent = {0.25 * (at(0, 0) + at(1, 0) + at(2, 0) + at(3, 0)),
-                       0.25 * (at(0, 1) + at(1, 1) + at(2, 1) + at(3, 1))};
-    polygon.insert(polygon.begin() + 3, dent);
   });
 }
 
@@ -228,7 +176,6 @@ TEST_CASE("files of other programs need not speak as this one does", "[statement
   json["vertices_coords"].push_back({300, 300});
   json["ridgecraft:note"] = "made by hand";
   json["ridgecraft:pieces"][0]["name"] = "left ear";
-  json["ridgecraft:pieces"][0]["reason"] = "time";
   json["file_frames"].push_back({{"frame_title", "a picture"}});
   const verify::Report report = test::verify_json(json);
   INFO(test::first_fault(report));
@@ -301,7 +248,14 @@ std::vector<Json> changes_of(const Json& value) {
 
 /// Where a change can't be seen in the file alone.
 const std::set<std::string> free_paths = {
-    "/file_title",                   // the model's name is whatever it is
+    "/file_title", "/file_creator",  // names are whatever they are
+    "/file_classes", "/frame_classes", "/frame_attributes", "/file_frames/#/frame_classes",
+    "/file_frames/#/frame_attributes", "/file_frames/#/frame_attributes/#",  // there may be more of them
+    "/file_frames",                                                          // and further frames
+    // The contract leaves names, order and reasons to the program, but for what it says of part and page.
+    "/ridgecraft:pieces", "/ridgecraft:pieces/#/name", "/ridgecraft:pieces/#/reason", "/ridgecraft:pages",
+    "/ridgecraft:joins", "/ridgecraft:joins/#", "/ridgecraft:joins/#/number", "/ridgecraft:joins/#/why",
+    "/ridgecraft:tabs", "/ridgecraft:tabs/#/joins",
     "/edges_vertices",               // two flat folds that change their numbers
     "/edges_vertices/#",             // an edge has no direction
     "/ridgecraft:joins/#/edges",     // nor has a join

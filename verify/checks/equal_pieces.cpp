@@ -63,6 +63,11 @@ class EqualPieceCheck {
     gather();
     for (std::size_t k = 0; k < file_.equal.size(); ++k) {
       for (const EqualPiece& equal : file_.equal[k]) {
+        if (kind_[equal.piece] != no_kind) {
+          findings_.add(Promise::statements, {{"piece", equal.piece}}, [&] {
+            return fmt::format("{} is named twice among equal pieces", piece_name(file_, equal.piece));
+          });
+        }
         kind_[equal.piece] = k;
       }
     }

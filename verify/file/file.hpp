@@ -92,14 +92,8 @@ struct Settings {
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
 };
 
-/// The words that a frame says about itself.
-struct FrameWords {
-  std::vector<std::string> classes, attributes;
-};
-
 /// The surface that was unfolded.
 struct Model {
-  FrameWords words;
   std::vector<Vec3> points;
   FaceList faces;
   std::vector<Index> twin;  ///< per side: the side of the other face along it, or none at a border
@@ -109,12 +103,9 @@ struct Model {
 
 struct File {
   std::string creator, title;
-  std::vector<std::string> file_classes;
-  FrameWords words;
-  std::size_t frames = 0;  ///< besides the nets
-  std::string digest;      ///< of the model's bytes, or empty
+  std::string digest;  ///< of the model's bytes, or empty
   Settings settings;
-  std::vector<std::string> unknown_keys;  ///< under "ridgecraft:", in words; the first few
+  std::vector<std::string> remarks;  ///< keys under "ridgecraft:" that are unknown or missing, in words
   Model model;
   std::vector<Vec2> points;
   FaceList faces;
@@ -130,7 +121,7 @@ struct File {
   /// Per piece the folds in the order in which they are made, those of one list together; nothing where the
   /// file doesn't tell.
   std::optional<std::vector<std::vector<std::vector<Index>>>> fold_order;
-  std::vector<std::vector<EqualPiece>> equal;  ///< kinds of two or more; no piece is in two of them
+  std::vector<std::vector<EqualPiece>> equal;  ///< kinds of two or more
 
   /// The order in which pieces are put together; nothing where the file doesn't tell.
   std::optional<std::vector<AssemblyStep>> assembly;

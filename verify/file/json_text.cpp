@@ -2,8 +2,6 @@
 #include "verify/file/json_text.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -103,71 +101,6 @@ Json parse_json(std::string_view bytes) {
            error.byte >= bytes.size() ? "it ends too early" : "it can't be read", place.line, place.column);
   } catch (const Json::exception&) {
     refuse("the file is not in the form of the contract: it has a number that is too large");
-  }
-}
-
-const Json& member(const Json& object, const char* key, std::string_view where) {
-  const auto found = object.find(key);
-  if (found == object.end()) {
-    refuse("{} has no \"{}\"", where, key);
-  }
-  return *found;
-}
-
-const Json& list_member(const Json& object, const char* key, std::string_view where) {
-  const Json& value = member(object, key, where);
-  if (!value.is_array()) {
-    refuse("\"{}\" of {} is not a list", key, where);
-  }
-  return value;
-}
-
-const std::string& text_member(const Json& object, const char* key, std::string_view where) {
-  const Json& value = member(object, key, where);
-  if (!value.is_string()) {
-    refuse("\"{}\" of {} is not a text", key, where);
-  }
-  return value.get_ref<const std::string&>();
-}
-
-std::string Spot::words() const {
-  return index == std::string_view::npos ? fmt::format("\"{}\" of {}", name, owner)
-                                         : fmt::format("{}[{}] of {}", name, index, owner);
-}
-
-std::int64_t whole(const Json& value, std::int64_t low, std::int64_t high, const Spot& spot) {
-  if (!value.is_number_integer()) {
-    refuse("{} is not a whole number", spot.words());
-  }
-  constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-  const bool huge = value.is_number_unsigned() && value.get<std::uint64_t>() > largest;
-  if (huge || value.get<std::int64_t>() < low || value.get<std::int64_t>() > high) {
-    refuse("{} is {}, which is out of range", spot.words(), value.dump());
-  }
-  return value.get<std::int64_t>();
-}
-
-Index index_below(const Json& value, std::size_t count, const Spot& spot) {
-  return static_cast<Index>(whole(value, 0, static_cast<std::int64_t>(count) - 1, spot));
-}
-
-double number(const Json& value, double limit, const Spot& spot) {
-  if (!value.is_number()) {
-    refuse("{} is not a number", spot.words());
-  }
-  const auto result = value.get<double>();
-  if (!(std::abs(result) <= limit)) {
-    refuse("{} is {:g}, which is out of range", spot.words(), result);
-  }
-  return result;
-}
-
-void lengths(const Json& value, std::span<double> result, const Spot& spot) {
-  if (!value.is_array() || value.size() != result.size()) {
-    refuse("{} is not a list of {} numbers", spot.words(), result.size());
-  }
-  for (std::size_t k = 0; k < result.size(); ++k) {
-    result[k] = number(value[k], max_coordinate_mm, spot);
   }
 }
 

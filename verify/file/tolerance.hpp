@@ -65,8 +65,6 @@ constexpr std::size_t most_fold_work = 100'000;
 
 /// Folds inside a flat region: each face is within 0.1 degrees of the same plane.
 constexpr double flat_region_fold_deg = 0.2 + angle_tolerance_deg;
-/// Between pages in the row of pages of this program, in mm.
-constexpr double page_gap_mm = 10.0;
 /// What a setting of a length and what follows from it may differ by, as a share: the settings stand in the
 /// file with ten digits.
 constexpr double setting_tolerance_share = 1e-6;
