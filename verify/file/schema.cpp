@@ -148,7 +148,8 @@ Rule faces(ListOf what, ListOf vertices) {
   return counting(what, list(in_order(Order::distinct, list(index_of(vertices), 3)), 1));
 }
 
-/// Sections 1 to 3 of the contract, and what docs/formats.md adds. Lists come before what points into them.
+/// Sections 1 to 3 of the contract, and what docs/reference/formats.md adds. Lists come before what points
+/// into them.
 Rule file_form() {
   using L = ListOf;
   const std::string_view own = "ridgecraft:";
