@@ -159,7 +159,7 @@ void add_printed(const verify::PrintedFigures& p, Summary& summary) {
 void tell_faults(const verify::Report& report, Summary& summary) {
   constexpr std::size_t most_of_promise = 5;
   if (!report.faults.empty()) {
-    summary.end_with("what each promise is, docs/reference/formats.md tells under FOLD");
+    summary.end_with("docs/reference/formats.md describes the promises");
   }
   for (std::size_t promise = 0; promise < verify::promise_count; ++promise) {
     std::size_t found = report.faults_not_listed[promise];
