@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 #include "psb.hpp"
-#include "segment/judging/evaluate.hpp"
+#include "segment/evaluate.hpp"
 #include "segment/segment.hpp"
 
 namespace {

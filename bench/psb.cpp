@@ -8,10 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "segment/evaluate.hpp"
 #include "segment/hull/hull.hpp"
-#include "segment/judging/agreement.hpp"
-#include "segment/judging/evaluate.hpp"
-#include "segment/surface/exact_orientation.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::bench {

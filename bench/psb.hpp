@@ -47,7 +47,7 @@ struct Figures {
 [[nodiscard]] Figures judge(const BenchmarkModel& model, std::span<const std::uint32_t> part_of_face,
                             const Context& context);
 /// How many vertices lie outside the hull of a part with a face of theirs, in exact arithmetic on the grid of
-/// segment/surface/exact_orientation.hpp (2^-40 of the model's radius). Hulls are those of the reported hull
+/// segment/surface/scaled_surface.hpp (2^-40 of the model's radius). Hulls are those of the reported hull
 /// vertices.
 [[nodiscard]] std::size_t outside_hulls(const mesh::Surface& surface,
                                         const segment::Segmentation& segmentation);

@@ -15,8 +15,8 @@
 #include "python/background.hpp"
 #include "python/polygons.hpp"
 #include "segment/hierarchy.hpp"
-#include "segment/polygon_labels.hpp"
 #include "segment/segment.hpp"
+#include "segment/surface/segmentation.hpp"
 #include "solid/solid.hpp"
 
 namespace ridgecraft::python {

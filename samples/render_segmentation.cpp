@@ -13,12 +13,10 @@
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
 #include "samples/picture.hpp"
+#include "segment/concavity/graph.hpp"
 #include "segment/concavity/measure.hpp"
-#include "segment/concavity/vertex_graph.hpp"
 #include "segment/cutting/cut.hpp"
-#include "segment/cutting/edge_weights.hpp"
 #include "segment/cutting/regions.hpp"
-#include "segment/cutting/ridges.hpp"
 #include "segment/segment.hpp"
 #include "segment/surface/scaled_surface.hpp"
 

@@ -6,11 +6,11 @@
 #include <numeric>
 #include <utility>
 
+#include "segment/concavity/graph.hpp"
 #include "segment/concavity/measure.hpp"
-#include "segment/concavity/vertex_graph.hpp"
-#include "segment/cutting/edge_weights.hpp"
-#include "segment/joining/border.hpp"
-#include "segment/surface/divided_valleys.hpp"
+#include "segment/cutting/cut.hpp"
+#include "segment/joining/partition.hpp"
+#include "segment/surface/redundant_points.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {

@@ -8,18 +8,15 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "segment/concavity/graph.hpp"
 #include "segment/concavity/measure.hpp"
-#include "segment/concavity/vertex_graph.hpp"
+#include "segment/cutting/cut.hpp"
 #include "segment/cutting/division.hpp"
-#include "segment/cutting/edge_weights.hpp"
 #include "segment/joining/assembly.hpp"
-#include "segment/joining/crumbs.hpp"
 #include "segment/joining/join_parts.hpp"
-#include "segment/surface/component_ties.hpp"
-#include "segment/surface/divided_valleys.hpp"
+#include "segment/surface/damage.hpp"
+#include "segment/surface/redundant_points.hpp"
 #include "segment/surface/scaled_surface.hpp"
-#include "segment/surface/undivided.hpp"
-#include "segment/surface/virtual_facets.hpp"
 
 namespace ridgecraft::segment {
 namespace {

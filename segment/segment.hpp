@@ -11,8 +11,7 @@
 
 #include "base/context.hpp"
 #include "mesh/model/surface.hpp"
-#include "segment/parts/options.hpp"
-#include "segment/parts/segmentation.hpp"
+#include "segment/surface/segmentation.hpp"
 
 namespace ridgecraft::segment {
 

@@ -9,7 +9,7 @@
 #include "cli/files/label_files.hpp"
 #include "cli/files/value.hpp"
 #include "export/export.hpp"
-#include "segment/polygon_labels.hpp"
+#include "segment/surface/segmentation.hpp"
 
 namespace ridgecraft::cli {
 

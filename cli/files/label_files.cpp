@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/sentence.hpp"
 #include "mesh/reading/read_file.hpp"
-#include "segment/polygon_labels.hpp"
+#include "segment/surface/segmentation.hpp"
 
 namespace ridgecraft::cli {
 

@@ -22,9 +22,9 @@
 #include "export/export.hpp"
 #include "mesh/model/file_numbers.hpp"
 #include "mesh/write.hpp"
+#include "segment/evaluate.hpp"
 #include "segment/hierarchy.hpp"
-#include "segment/judging/evaluate.hpp"
-#include "segment/polygon_labels.hpp"
+#include "segment/surface/segmentation.hpp"
 
 namespace ridgecraft::cli {
 namespace {

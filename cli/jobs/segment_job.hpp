@@ -10,7 +10,7 @@
 #include "cli/files/set/pending_files.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/model/model.hpp"
-#include "segment/judging/agreement.hpp"
+#include "segment/evaluate.hpp"
 #include "segment/segment.hpp"
 
 namespace ridgecraft::cli {

@@ -7,8 +7,8 @@
 
 #include <ridgecraft/base/error.hpp>
 #include <ridgecraft/mesh/mesh.hpp>
-#include <ridgecraft/segment/polygon_labels.hpp>
 #include <ridgecraft/segment/segment.hpp>
+#include <ridgecraft/segment/surface/segmentation.hpp>
 
 using namespace ridgecraft;
 

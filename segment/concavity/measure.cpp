@@ -4,8 +4,184 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "base/convex_hull.hpp"
 
 namespace ridgecraft::segment {
+namespace {
+
+/// Twice the area of a triangle, above 0 when it runs counterclockwise.
+template <class Spot>
+double turn(const Spot& a, const Spot& b, const Spot& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+}  // namespace
+
+/// Drops what lies inside the octagon of the points farthest in eight directions: nearly all points of a
+/// round shape (Akl and Toussaint 1978).
+void Shadow::drop_inner() {
+  constexpr std::array<std::array<double, 2>, 8> directions{
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  std::array<Spot, 8> octagon{};
+  for (std::size_t d = 0; d < 8; ++d) {
+    octagon[d] = *std::max_element(spots_.begin(), spots_.end(), [&](const Spot& p, const Spot& q) {
+      return directions[d][0] * p.x + directions[d][1] * p.y <
+             directions[d][0] * q.x + directions[d][1] * q.y;
+    });
+  }
+  std::erase_if(spots_, [&](const Spot& p) {
+    for (std::size_t d = 0; d < 8; ++d) {
+      const Spot& a = octagon[d];
+      const Spot& b = octagon[(d + 1) % 8];
+      if (a.id != b.id && turn(a, b, p) <= 0.0) {
+        return false;
+      }
+    }
+    return true;
+  });
+}
+
+void Shadow::cast(std::span<const Vec3> points, std::span<const std::uint32_t> ids, Vec3 right, Vec3 up) {
+  spots_.clear();
+  corners_.clear();
+  if (ids.empty()) {
+    return;
+  }
+  for (const std::uint32_t v : ids) {
+    spots_.push_back({dot(points[v], right), dot(points[v], up), v});
+  }
+  drop_inner();
+  std::sort(spots_.begin(), spots_.end(), [](const Spot& p, const Spot& q) {
+    return p.x != q.x ? p.x < q.x : (p.y != q.y ? p.y < q.y : p.id < q.id);
+  });
+  monotone_chain(spots_, turn<Spot>, chain_);
+  for (const Spot& spot : chain_) {
+    corners_.push_back(spot.id);
+  }
+}
+
+std::array<std::uint32_t, 2> Shadow::longest(std::span<const Vec3> points) const {
+  std::array<std::uint32_t, 2> best{};
+  double most = -1.0;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const std::uint32_t a = corners_[i];
+    const std::uint32_t b = corners_[(i + 1) % corners_.size()];
+    if (const double size = length(points[b] - points[a]); size > most) {
+      most = size;
+      best = {std::min(a, b), std::max(a, b)};
+    }
+  }
+  return best;
+}
+
+namespace {
+
+/// A bridge is derived from a neighbour whose other end is at most this share of the tolerance away.
+constexpr double derivation_share = 0.5;
+/// The bounds grow by this times the distance between the ends.
+constexpr double bounds_growth = 2.0;
+
+/// The corner of a triangle that isn't an end of one of its edges.
+std::uint32_t apex_of(const std::array<std::uint32_t, 3>& corners, const Bridge& edge) {
+  for (const std::uint32_t v : {corners[0], corners[1]}) {
+    if (v != edge.a && v != edge.b) {
+      return v;
+    }
+  }
+  return corners[2];
+}
+
+/// The searched bridge that a known one's bounds come from.
+std::uint32_t origin_of(const Bridge& bridge, std::uint32_t index) {
+  const auto* derived = std::get_if<Derived>(&bridge.known);
+  return derived != nullptr ? derived->from : index;
+}
+
+/// Whether the bounds of bridge number `source`, one end of which is `moved` away, decide about a bridge.
+bool derive_from(Bridge& bridge, std::uint32_t source, double moved, std::span<const Vec3> points,
+                 double tolerance, std::span<const Bridge> bridges) {
+  const std::optional<ConcavityBounds> bounds = concavity_bounds(bridges[source]);
+  if (!bounds) {
+    return false;
+  }
+  Derived derived;
+  derived.least = bounds->least - bounds_growth * moved;
+  derived.most = bounds->most + bounds_growth * moved;
+  if (!(derived.least > tolerance) && !(derived.most <= tolerance)) {
+    return false;
+  }
+  derived.from = origin_of(bridges[source], source);
+  const Bridge& origin = bridges[derived.from];
+  const auto apart = [&](std::uint32_t v, std::uint32_t w) { return length(points[v] - points[w]); };
+  derived.crossed = apart(bridge.a, origin.a) + apart(bridge.b, origin.b) >
+                    apart(bridge.a, origin.b) + apart(bridge.b, origin.a);
+  bridge.high = derived.least > tolerance;
+  bridge.length = bridges[source].length + moved;
+  bridge.known = derived;
+  return true;
+}
+
+}  // namespace
+
+std::optional<ConcavityBounds> concavity_bounds(const Bridge& bridge) {
+  if (const auto* searched = std::get_if<Searched>(&bridge.known)) {
+    return ConcavityBounds{searched->concavity, searched->concavity};
+  }
+  if (const auto* derived = std::get_if<Derived>(&bridge.known)) {
+    return ConcavityBounds{derived->least, derived->most};
+  }
+  return std::nullopt;
+}
+
+double greatest_concavity(const Bridge& bridge) {
+  return concavity_bounds(bridge).value_or(ConcavityBounds{}).most;
+}
+
+std::array<double, 2> sub_valleys(const Bridge& bridge, std::span<const Bridge> bridges) {
+  if (const auto* searched = std::get_if<Searched>(&bridge.known)) {
+    return searched->reach;
+  }
+  if (const auto* derived = std::get_if<Derived>(&bridge.known)) {
+    std::array<double, 2> reach = std::get<Searched>(bridges[derived->from].known).reach;
+    if (derived->crossed) {
+      std::swap(reach[0], reach[1]);
+    }
+    return reach;
+  }
+  return {};
+}
+
+bool derive_bridge(std::uint32_t index, const Hull& hull, std::span<const Vec3> points, double tolerance,
+                   std::span<Bridge> bridges) {
+  Bridge& bridge = bridges[index];
+  std::array<std::uint32_t, 2> triangles = hull.edge_triangles[index];
+  if (triangles[0] == none) {
+    return false;  // the hull is flat
+  }
+  const auto apex = [&](std::uint32_t t) { return apex_of(hull.triangles[t], bridge); };
+  if (apex(triangles[1]) < apex(triangles[0])) {
+    std::swap(triangles[0], triangles[1]);
+  }
+  for (const std::uint32_t t : triangles) {
+    for (const std::uint32_t kept : {bridge.a, bridge.b}) {
+      const std::uint32_t moved_end = kept == bridge.a ? bridge.b : bridge.a;
+      const double moved = length(points[moved_end] - points[apex(t)]);
+      if (moved > derivation_share * tolerance) {
+        continue;
+      }
+      for (const std::uint32_t e : hull.triangle_edges[t]) {
+        const bool shares_end = bridges[e].a == kept || bridges[e].b == kept;
+        if (e != index && shares_end && derive_from(bridge, e, moved, points, tolerance, bridges)) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 namespace {
 
 /// Longest bridges that a test sorts and looks at first: most unions that fail do so there.

@@ -1,17 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shortest paths on a part: valleys between two vertices (docs/design/segmentation.md, "Arcs and jumps") and
-// distances from several.
+// Valleys as shortest paths on a part (docs/design/segmentation.md, "Arcs and jumps"): the search, its queue,
+// and the valleys found earlier in the run.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "segment/concavity/bucket_queue.hpp"
-#include "segment/concavity/part_graph.hpp"
+#include "segment/concavity/graph.hpp"
 
 namespace ridgecraft::segment {
+
+// The queue of shortest-path searches: vertices by key, nearly smallest first.
+
+/// A priority queue that is as exact as its buckets are narrow: an entry taken may be behind others of its
+/// bucket. Searches with it look at a vertex again when a shorter way to it turns up, so paths come out exact
+/// all the same, and there is no heap to keep. Many entries of a search are never taken: they cost a
+/// push_back.
+class BucketQueue {
+ public:
+  struct Entry {
+    float key;
+    std::uint32_t vertex;
+  };
+
+  BucketQueue() : buckets_(1) {}
+  /// Empties it for keys from `base` on, at least 0. `width` of a bucket: best such that few entries share
+  /// one.
+  void start(float base, float width);
+  void push(float key, std::uint32_t v) {
+    std::uint32_t bucket = bucket_of(key);
+    bucket = bucket < current_ ? current_ : bucket;
+    if (bucket >= buckets_.size()) {
+      buckets_.resize(std::size_t{bucket} + 1);
+    }
+    last_ = bucket > last_ ? bucket : last_;
+    buckets_[bucket].push_back({key, v});
+  }
+  /// Takes an entry of the first bucket that has one, the one that came last; false when there is none.
+  [[nodiscard]] bool pop(Entry& entry);
+  /// Takes all entries that are left, in order of their buckets. Their keys are past then, and it is empty.
+  void drain(std::vector<Entry>& left);
+  /// Whether all entries with keys up to this one have been taken.
+  [[nodiscard]] bool is_past(float key) const { return bucket_of(key) < current_; }
+
+ private:
+  static constexpr std::uint32_t most_buckets = 4096;
+
+  [[nodiscard]] std::uint32_t bucket_of(float key) const {
+    const float place = (key - base_) * inverse_width_;
+    return place < static_cast<float>(most_buckets - 1)
+               ? static_cast<std::uint32_t>(place > 0.0F ? place : 0.0F)
+               : most_buckets - 1;
+  }
+
+  float base_ = 0.0F;
+  float inverse_width_ = 1.0F;
+  std::uint32_t current_ = 0;  ///< bucket from which entries are taken
+  std::uint32_t last_ = 0;     ///< last bucket in use
+  std::vector<std::vector<Entry>> buckets_;
+};
+
+// Shortest paths on a part: valleys between two vertices (docs/design/segmentation.md, "Arcs and jumps") and
+// distances from several.
 
 /// Length of a path that doesn't exist.
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -81,6 +134,48 @@ class ValleySearch {
   /// Vertices that the last find() reached, but from which it didn't take all arcs.
   std::vector<BucketQueue::Entry> left_;
   std::vector<std::uint32_t> unfinished_;
+};
+
+// Valleys found earlier in the run (docs/design/segmentation.md, "Known valleys"): parts of a part often have
+// the same ones.
+
+/// A valley with what doesn't depend on the part: its path, length and uncapped concavity.
+struct Valley {
+  std::span<const Step> steps;
+  std::span<const double> concavity;  ///< of each step, without the cap
+  double length = 0.0;
+  double greatest = 0.0;   ///< of concavity
+  std::uint64_t part = 0;  ///< signature of the part on which it was searched
+};
+
+/// Open addressing over flat pools. Spans are valid until the next store().
+class ValleyCache {
+ public:
+  ValleyCache();
+  /// Whether there is a valley between the two vertices; fills `out`.
+  [[nodiscard]] bool find(std::uint32_t from, std::uint32_t to, Valley& out) const;
+  /// Keeps a copy, in place of an earlier one between the same vertices.
+  void store(std::uint32_t from, std::uint32_t to, const Valley& valley);
+  /// Takes all valleys of another one over, in place of those between the same vertices.
+  void absorb(const ValleyCache& other);
+
+ private:
+  struct Entry {
+    std::uint64_t key = 0;
+    std::size_t first = 0;
+    std::uint32_t count = 0;  ///< 0: free
+    double length = 0.0;
+    double greatest = 0.0;
+    std::uint64_t part = 0;
+  };
+
+  [[nodiscard]] std::size_t slot(std::uint64_t key) const;
+  void grow();
+
+  std::vector<Entry> table_;
+  std::size_t used_ = 0;
+  std::vector<Step> steps_;
+  std::vector<double> concavity_;
 };
 
 }  // namespace ridgecraft::segment

@@ -1,17 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The valleys of one part at a time: known ones where they surely hold there, else searched.
+// Valleys of a part, measured: how deep each vertex lies under the bridge, and where a deep valley is cut
+// (docs/design/segmentation.md, "Depth of a valley" and "Separators").
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "segment/concavity/part_graph.hpp"
-#include "segment/concavity/valley_cache.hpp"
+#include "base/vector.hpp"
+#include "segment/concavity/graph.hpp"
 #include "segment/concavity/valley_search.hpp"
 
 namespace ridgecraft::segment {
+
+// How deep each vertex of a valley lies under its bridge (docs/design/segmentation.md, "Depth of a valley").
+
+/// The valley in the plane of its bridge: x = t, position along the bridge; y = h, distance to the bridge's
+/// segment. The first point is (0, 0), the last (length of the bridge, 0).
+void project_valley(std::span<const Vec3> valley, std::vector<Vec2>& chain);
+
+/// Concavity of each vertex of a chain (t, h) as project_valley makes it: h where t never falls; else the
+/// shortest path to the bridge inside the polygon of chain and bridge; else, where that polygon meets itself,
+/// the sum of distances down a hierarchy of bridges. O(n) for the first, O(n^2) typically for the second.
+void chain_concavity(std::span<const Vec2> chain, std::vector<double>& concavity);
+
+// What concavity is left in the two halves when a valley is cut at a vertex (docs/design/segmentation.md,
+// "Separators").
+
+/// prefix[k] = concavity of chain[0..k] under its own new bridges, the hull of the chain on the bridge's
+/// side. Chain as project_valley makes it. O(n^2) at worst, nearly linear on real valleys.
+void prefix_concavity(std::span<const Vec2> chain, std::vector<double>& prefix);
+
+/// The same of the reversed chain: suffix[k] = concavity of chain[k..n-1].
+void suffix_concavity(std::span<const Vec2> chain, std::vector<double>& suffix);
+
+// Where a deep valley is cut: at one vertex of a V, at two of a U (docs/design/segmentation.md,
+// "Separators").
+
+/// Positions in the valley; `first` belongs to its first end, `last` to its last; equal in a V.
+struct Separators {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  bool v_shaped = true;
+};
+
+/// `chain` as project_valley makes it, at least 3 points; per point its concavity, capped and as it was
+/// before the cap. O(n^2) at worst.
+[[nodiscard]] Separators find_separators(std::span<const Vec2> chain, std::span<const double> capped,
+                                         std::span<const double> uncapped, double tolerance);
+
+// The valleys of one part at a time: known ones where they surely hold there, else searched.
 
 /// Finds valleys on the part that a graph shows, and remembers them for the parts of that part.
 class Valleys {

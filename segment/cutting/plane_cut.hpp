@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "segment/cutting/cut.hpp"
-#include "segment/cutting/edge_weights.hpp"
-#include "segment/cutting/maximum_flow.hpp"
+#include "segment/cutting/minimum_cut.hpp"
 #include "segment/hull/hull.hpp"
 #include "segment/surface/scaled_surface.hpp"
 

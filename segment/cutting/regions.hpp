@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which facets surely belong to a ridge and which are open to the cut (docs/design/segmentation.md,
-// "Regions").
+// Convex ridges of a part, and which facets surely belong to one or are open to the cut
+// (docs/design/segmentation.md, "Ridges" and "Regions").
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,30 @@
 #include <vector>
 
 #include "segment/concavity/measure.hpp"
-#include "segment/cutting/ridges.hpp"
 
 namespace ridgecraft::segment {
+
+// Convex ridges: sets of hull vertices whose bridges among themselves are low (docs/design/segmentation.md,
+// "Ridges").
+
+/// A ridge with a high bridge.
+struct Ridge {
+  std::vector<std::uint32_t> vertices;  ///< hull vertices, ascending
+  /// Ends of high bridges among them, ascending, with the longest sub-valley from there to a separator.
+  struct End {
+    std::uint32_t vertex;
+    double reach;
+  };
+  std::vector<End> ends;
+  double diagonal = 0.0;  ///< of the axis-parallel box of its vertices
+};
+
+/// The active ridges of a measured part, ordered by their smallest hull vertex. At least two when a bridge is
+/// high.
+[[nodiscard]] std::vector<Ridge> find_ridges(const Measurement& measurement, std::span<const Vec3> points);
+
+// Which facets surely belong to a ridge and which are open to the cut (docs/design/segmentation.md,
+// "Regions").
 
 /// Owner of a facet that lies in no potential region or in several.
 inline constexpr std::uint32_t fuzzy = 0xffffffffU;

@@ -6,14 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include "segment/concavity/graph.hpp"
 #include "segment/concavity/measure.hpp"
-#include "segment/concavity/vertex_graph.hpp"
 #include "segment/cutting/cut.hpp"
-#include "segment/cutting/edge_weights.hpp"
 #include "segment/cutting/plane_cut.hpp"
-#include "segment/hull/pocket_test.hpp"
+#include "segment/hull/pockets.hpp"
 #include "segment/joining/partition.hpp"
-#include "segment/parts/options.hpp"
+#include "segment/surface/segmentation.hpp"
 
 namespace ridgecraft::segment {
 
@@ -31,10 +30,10 @@ struct AssemblySettings {
   std::vector<Attempt> attempts;  ///< the cheapest result counts, the first of equal ones
   double volume_weight = 0.0;     ///< price of volume: as Options::volume_weight
   /// Price of borders: how many parts more may be spent to save border of the length of one ball radius along
-  /// convex edges. Along concave edges, where borders belong, it counts for Theta (edge_weights.hpp) of that.
+  /// convex edges. Along concave edges, where borders belong, it counts for Theta (cutting/cut.hpp) of that.
   double border_weight = 0.0;
   double noise = 0.0;    ///< of the order in which pieces are joined, in shares of a part
-  bool pockets = false;  ///< no part has a pocket (pocket_test.hpp)
+  bool pockets = false;  ///< no part has a pocket (hull/pockets.hpp)
 };
 
 /// What more effort, planes and a price of volume buy; measured in docs/design/segmentation.md. Attempts with

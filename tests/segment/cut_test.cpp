@@ -10,7 +10,7 @@
 #include "base/context.hpp"
 #include "base/random.hpp"
 #include "segment/cutting/division.hpp"
-#include "segment/cutting/ridges.hpp"
+#include "segment/cutting/regions.hpp"
 #include "segment/segment.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"

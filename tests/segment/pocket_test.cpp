@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cups: what --pockets promises, checked by code of its own (lattice, winding by solid angles, hull planes by
 // trying triples of vertices), and the promise's building blocks.
-#include "segment/hull/pocket_test.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,10 +11,10 @@
 #include "base/context.hpp"
 #include "base/error.hpp"
 #include "base/random.hpp"
-#include "segment/hull/deepest_point.hpp"
-#include "segment/judging/evaluate.hpp"
+#include "segment/evaluate.hpp"
+#include "segment/hull/pockets.hpp"
 #include "segment/segment.hpp"
-#include "segment/surface/enclosing_ball.hpp"
+#include "segment/surface/scaled_surface.hpp"
 #include "segmented.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"

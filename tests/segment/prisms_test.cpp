@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prisms over letters and floor plans: all their corners lie on the hull's flat sides, and their notches
-// count all the same.
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <numbers>
 #include <string>
@@ -13,12 +12,113 @@
 
 #include "base/constrained_delaunay.hpp"
 #include "base/context.hpp"
-#include "letters.hpp"
+#include "base/vector.hpp"
 #include "segment/hierarchy.hpp"
 #include "segment/segment.hpp"
 
+namespace ridgecraft::test {
+namespace {
+
+// Outlines of capital letters and floor plans, and into how many parts prisms over them are cut. A person
+// would cut C into 3, E 4, G 4, H 3, J 3, M 4, S 5 and W 4: where both ends of a notch lie on the hull's flat
+// sides, the way around it along a rim isn't deep (docs/design/segmentation.md, "Limits").
+
+struct Letter {
+  std::string name;
+  std::vector<Vec2> outline;  ///< counterclockwise
+  std::size_t fewest = 1;
+  std::size_t most = 1;
+};
+
+/// Those of straight strokes that enclose nothing.
+std::vector<Letter> letters() {
+  return {
+      {"C", {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {3, 4}, {3, 5}, {0, 5}}, 2, 3},
+      {"E",
+       {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {2.5, 2}, {2.5, 3}, {1, 3}, {1, 4}, {3, 4}, {3, 5}, {0, 5}},
+       3,
+       4},
+      {"F", {{0, 0}, {1, 0}, {1, 2}, {2.5, 2}, {2.5, 3}, {1, 3}, {1, 4}, {3, 4}, {3, 5}, {0, 5}}, 3, 3},
+      {"G",
+       {{0, 0},
+        {4, 0},
+        {4, 2.5},
+        {2, 2.5},
+        {2, 1.7},
+        {3, 1.7},
+        {3, 1},
+        {1, 1},
+        {1, 4},
+        {4, 4},
+        {4, 5},
+        {0, 5}},
+       2,
+       5},
+      {"H",
+       {{0, 0}, {1, 0}, {1, 2}, {2, 2}, {2, 0}, {3, 0}, {3, 5}, {2, 5}, {2, 3}, {1, 3}, {1, 5}, {0, 5}},
+       3,
+       5},
+      {"I", {{0, 0}, {1, 0}, {1, 5}, {0, 5}}, 1, 1},
+      {"J", {{0, 0}, {3, 0}, {3, 5}, {2, 5}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1, 3},
+      {"K",
+       {{0, 0}, {1, 0}, {1, 2}, {2.6, 0}, {4, 0}, {2, 2.5}, {4, 5}, {2.6, 5}, {1, 3}, {1, 5}, {0, 5}},
+       3,
+       3},
+      {"M",
+       {{0, 0}, {1, 0}, {1, 3}, {2.5, 1}, {4, 3}, {4, 0}, {5, 0}, {5, 5}, {4, 5}, {2.5, 3}, {1, 5}, {0, 5}},
+       3,
+       4},
+      {"N", {{0, 0}, {1, 0}, {1, 3}, {3, 0}, {4, 0}, {4, 5}, {3, 5}, {3, 2}, {1, 5}, {0, 5}}, 3, 3},
+      {"S",
+       {{0, 0}, {3, 0}, {3, 3}, {1, 3}, {1, 4}, {3, 4}, {3, 5}, {0, 5}, {0, 2}, {2, 2}, {2, 1}, {0, 1}},
+       4,
+       5},
+      {"W",
+       {{1, 0},
+        {2, 0},
+        {3, 3},
+        {4, 0},
+        {5, 0},
+        {6, 5},
+        {5, 5},
+        {4.5, 2},
+        {3.5, 5},
+        {2.5, 5},
+        {1.5, 2},
+        {1, 5},
+        {0, 5}},
+       3,
+       4},
+      {"X",
+       {{0, 0},
+        {1, 0},
+        {2, 1.7},
+        {3, 0},
+        {4, 0},
+        {2.6, 2.5},
+        {4, 5},
+        {3, 5},
+        {2, 3.3},
+        {1, 5},
+        {0, 5},
+        {1.4, 2.5}},
+       3,
+       5},
+      {"Y", {{1.5, 0}, {2.5, 0}, {2.5, 2}, {4, 5}, {3, 5}, {2, 3}, {1, 5}, {0, 5}, {1.5, 2}}, 2, 3},
+      {"bracket", {{0, 0}, {5, 0}, {5, 0.6}, {0.6, 0.6}, {0.6, 5}, {0, 5}}, 2, 2},
+      {"house with a wing", {{0, 0}, {6, 0}, {6, 3}, {4, 3}, {4, 6}, {2, 6}, {2, 3}, {0, 3}}, 2, 2},
+  };
+}
+
+}  // namespace
+
+}  // namespace ridgecraft::test
+
 namespace ridgecraft {
 namespace {
+
+// Prisms over letters and floor plans: all their corners lie on the hull's flat sides, and their notches
+// count all the same.
 
 using Outline = std::vector<Vec2>;
 
@@ -57,7 +157,7 @@ Mesh prism(const Outline& outline, double height) {
 }
 
 /// Every triangle becomes four.
-Mesh divided(const Mesh& mesh) {
+Mesh subdivided(const Mesh& mesh) {
   Mesh result{mesh.points, {}};
   std::map<std::pair<VertexId, VertexId>, VertexId> middles;
   const auto middle = [&](VertexId a, VertexId b) {
@@ -153,7 +253,7 @@ TEST_CASE("the notch of an L measures half the hull's face over it, whatever the
   Mesh mesh = prism(l, 1.0);
   for (int i = 0; i < 4; ++i) {
     CHECK(concavity(mesh) == Approx(notch).epsilon(0.001));
-    mesh = divided(mesh);
+    mesh = subdivided(mesh);
   }
 }
 
@@ -164,7 +264,7 @@ TEST_CASE("a prism has the same parts, and is as concave, with its triangles div
     const segment::Segmentation whole = segment::segment(plain.surface(), {}, {}, Context());
     Mesh finer = plain;
     for (std::size_t pieces = 4; pieces <= 16; pieces *= 4) {
-      finer = divided(finer);
+      finer = subdivided(finer);
       CHECK(concavity(finer) == Approx(concavity(plain)).epsilon(1e-9));
       const segment::Segmentation s = segment::segment(finer.surface(), {}, {}, Context());
       REQUIRE(s.parts.size() == whole.parts.size());
@@ -176,7 +276,7 @@ TEST_CASE("a prism has the same parts, and is as concave, with its triangles div
 }
 
 TEST_CASE("points that bend a flat face aside, or divide one side alone, stay") {
-  const Mesh plain = divided(prism(l, 1.0));
+  const Mesh plain = subdivided(prism(l, 1.0));
   // One middle is moved a thousandth: no triangle of the whole is left there.
   Mesh bent = plain;
   bent.points.back().z += 1e-3;

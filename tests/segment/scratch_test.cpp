@@ -11,9 +11,9 @@
 
 #include "base/context.hpp"
 #include "base/random.hpp"
-#include "segment/concavity/valley_concavity.hpp"
+#include "segment/concavity/valleys.hpp"
 #include "segment/segment.hpp"
-#include "segment/surface/enclosing_ball.hpp"
+#include "segment/surface/scaled_surface.hpp"
 #include "segmented.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"

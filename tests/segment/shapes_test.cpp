@@ -12,7 +12,7 @@
 #include "base/context.hpp"
 #include "base/error.hpp"
 #include "base/random.hpp"
-#include "segment/judging/evaluate.hpp"
+#include "segment/evaluate.hpp"
 #include "segment/segment.hpp"
 #include "segmented.hpp"
 #include "support/concave_shapes.hpp"

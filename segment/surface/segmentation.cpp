@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segment/surface/segmentation.hpp"
+
+#include <algorithm>
+
+namespace ridgecraft::segment {
+namespace {
+
+/// Of efforts above 1 and of planes; measured in docs/design/segmentation.md.
+constexpr double default_weight = 5.0;
+
+}  // namespace
+
+double volume_weight(const Options& options) {
+  return options.volume_weight.value_or(options.effort > 1 || options.planes ? default_weight : 0.0);
+}
+
+std::string_view name(PartReason reason) {
+  switch (reason) {
+    case PartReason::component:
+      return "component";
+    case PartReason::ridge:
+      return "ridge";
+    case PartReason::split:
+      return "split";
+    case PartReason::merged:
+      return "merged";
+  }
+  return "";
+}
+
+double Segmentation::max_concavity() const {
+  double greatest = 0.0;
+  for (const Part& p : parts) {
+    greatest = std::max(greatest, p.concavity);
+  }
+  return greatest;
+}
+
+std::vector<std::uint32_t> polygon_labels(const mesh::Model& model, const Segmentation& segmentation) {
+  std::vector<std::uint32_t> labels(model.polygon_count, no_part);
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    if (model.polygon[f] < labels.size()) {
+      labels[model.polygon[f]] = segmentation.part[f].value();
+    }
+  }
+  return labels;
+}
+
+}  // namespace ridgecraft::segment
