@@ -242,7 +242,6 @@ void rescale(prepare::ReadyReport& ready, double factor) {
   ready.plain.moved_mm *= factor;
   ready.teeth.moved_mm *= factor;
   ready.sheets.thickness_mm *= factor;
-  ready.left_out.strands_mm *= factor;
 }
 
 /// Tabs anew, as the options ask for them.

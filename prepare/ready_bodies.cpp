@@ -71,7 +71,6 @@ Details leave_out_details(mesh::Model& model, const SizeOptions& size, const Sim
   if (simplify.mode == Simplification::automatic && model.surface.face_count() > simplify.most_faces) {
     left_out += leave_out_details(model, DetailLimits{simplify.short_edge_mm / mm, busy_share}, context);
   }
-  left_out.strands_mm *= mm;
   return left_out;
 }
 

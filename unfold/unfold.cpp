@@ -12,7 +12,6 @@
 #include "base/parallel.hpp"
 #include "prepare/symmetry/rotations.hpp"
 #include "unfold/all_tabs.hpp"
-#include "unfold/foldable_pieces.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/foot_tabs.hpp"
 #include "unfold/give_tabs.hpp"
@@ -34,7 +33,6 @@
 #include "unfold/pieces/moved_borders.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/pieces/ragged_pieces.hpp"
-#include "unfold/pieces/turned_branches.hpp"
 #include "unfold/pieces/turned_pieces.hpp"
 #include "unfold/pieces/twin_pieces.hpp"
 #include "unfold/plan.hpp"
@@ -175,10 +173,6 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
     }
   }
   calm = evened(calm);
-  if (turn && !context.out_of_time()) {
-    calm = turned_branches(asked.surface, patch, calm, *turn, images.edge, rules.weights, plan.room,
-                           tolerance, context);
-  }
   const Folds better =
       better_trees(asked.surface, plan.whole, patch, calm, images.edge, asked.options, plan.room, context);
   return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
@@ -228,9 +222,6 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
     split.folds = std::move(linear.folds);
     split.causes = std::move(linear.causes);
     split_off_to_fold = linear.split_pieces;
-  } else if (options.pieces.merge && options.pieces.mode != PieceMode::few) {
-    split.folds =
-        with_foldable_pieces(asked, plan, patch, split.folds, split.causes, for_searches(plan, context));
   }
   Nets nets = nets_of_folds(asked.surface, asked.part, patch, split.folds, split.causes);
   nets.notes = std::move(notes);

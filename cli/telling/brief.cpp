@@ -335,10 +335,6 @@ std::string details_text(const prepare::Details& details) {
             ? "1 body that stands out too little to be folded"
             : fmt::format("{} bodies that stand out of others by less than can be folded", details.low));
   }
-  if (details.strands > 0) {
-    clauses.push_back(fmt::format("{} (at least {}: wire or thread will do)",
-                                  counted(details.strands, "thin strand"), metres(details.strands_mm)));
-  }
   return listed(clauses, "and");
 }
 

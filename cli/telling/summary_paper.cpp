@@ -54,9 +54,7 @@ void add_skin(Summary& summary, const job::Paper& made) {
   const prepare::Details& details = made.ready.left_out;
   summary.add("left_out", Value::Object{{"small", details.small},
                                         {"flat", details.flat},
-                                        {"low", details.low},
-                                        {"strands", details.strands},
-                                        {"strands_mm", rounded(details.strands_mm)}});
+                                        {"low", details.low}});
   const prepare::PlainBodies& plain = made.ready.plain;
   summary.add("plain", Value::Object{{"count", plain.count}, {"moved_mm", rounded(plain.moved_mm)}});
   const prepare::Teeth teeth = all_teeth(made);

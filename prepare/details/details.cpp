@@ -16,7 +16,6 @@
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/details/reliefs.hpp"
-#include "prepare/details/strands.hpp"
 #include "prepare/symmetry/area_frame.hpp"
 
 namespace ridgecraft::prepare {
@@ -79,7 +78,7 @@ std::array<double, 3> extents(const mesh::Surface& surface, const std::vector<Fa
   return result;
 }
 
-enum class Kind { body, small, sheet, relief, strand };
+enum class Kind { body, small, sheet, relief };
 
 struct Component {
   std::vector<FaceId> faces;
@@ -163,8 +162,6 @@ class DetailSearch {
     }
     drop_sheets_in_the_air();
     find_reliefs();
-    const std::vector<bool> strands =
-        limits_.least_faces == 0.0 ? strands_among_bodies() : std::vector<bool>(components_.size(), false);
     double all = 0.0;
     double details = 0.0;
     std::size_t faces = 0;
@@ -180,19 +177,7 @@ class DetailSearch {
     if (details > most_area * all || of_faces < limits_.least_faces) {
       std::fill(result.begin(), result.end(), Kind::body);
     }
-    for (std::size_t c = 0; c < result.size(); ++c) {
-      result[c] = strands[c] ? Kind::strand : result[c];
-    }
     return result;
-  }
-
-  /// Together, in the unit of the surface.
-  [[nodiscard]] double length_of_strands(const std::vector<Kind>& kinds) const {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < kinds.size(); ++c) {
-      sum += kinds[c] == Kind::strand ? strand_length(surface_, components_[c].faces) : 0.0;
-    }
-    return sum;
   }
 
  private:
@@ -222,16 +207,6 @@ class DetailSearch {
         c.kind = Kind::body;
       }
     }
-  }
-
-  [[nodiscard]] std::vector<bool> strands_among_bodies() const {
-    std::vector<ComponentFaces> bodies;
-    for (const Component& c : components_) {
-      if (c.kind == Kind::body) {
-        bodies.push_back(c.faces);
-      }
-    }
-    return are_strands(surface_, bodies, limits_.narrow, context_);
   }
 
   /// What is neither long nor a detail by itself may be one by where it lies.
@@ -291,8 +266,6 @@ Details leave_out_details(mesh::Model& model, const DetailLimits& limits, const 
   details.small = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::small));
   details.flat = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::sheet));
   details.low = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::relief));
-  details.strands = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Kind::strand));
-  details.strands_mm = search.length_of_strands(kinds);
   if (details.count() == 0) {
     return details;
   }

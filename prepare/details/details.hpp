@@ -16,13 +16,11 @@ struct DetailLimits {
   double least_faces = 0.0;  ///< the share of the model's faces that details have at least, else all stay
 };
 
-/// Leaves out five kinds of components. Four are short beside the model: those with less area than a square
+/// Leaves out four kinds of components, short ones: those with less area than a square
 /// of twice `narrow`; strips narrower than `narrow` (window bars, wires); small flat sheets that are
 /// everywhere nearer than that to another component (panes, painted stones); bodies that stand out of
-/// large ones, or into them, by less than that all over (window frames, buttons). The fifth are strands
-/// (strands.hpp), where details are left out whatever their faces; Details::strands_mm is in the unit of the
-/// surface. Extents are those along a component's principal axes. Where the first three have more than a
-/// tenth of the model's area together, they are what the model is made of, and the first four stay. O(n log
+/// large ones, or into them, by less than that all over (window frames, buttons). Extents are those along a component's principal axes. Where the first three have more than a
+/// tenth of the model's area together, they are what the model is made of, and all stay. O(n log
 /// n).
 [[nodiscard]] Details leave_out_details(mesh::Model& model, const DetailLimits& limits,
                                         const Context& context);

@@ -13,16 +13,12 @@ struct Details {
   std::size_t small = 0;    ///< too small or too narrow to be folded and held
   std::size_t flat = 0;     ///< flat, and lying on another one
   std::size_t low = 0;      ///< bodies that hardly stand out of another one
-  std::size_t strands = 0;  ///< long and thin: hairs, wires
-  double strands_mm = 0.0;  ///< how long they are together at least, on paper as far as its size is known
 
-  [[nodiscard]] std::size_t count() const { return small + flat + low + strands; }
+  [[nodiscard]] std::size_t count() const { return small + flat + low; }
   Details& operator+=(const Details& other) {
     small += other.small;
     flat += other.flat;
     low += other.low;
-    strands += other.strands;
-    strands_mm += other.strands_mm;
     return *this;
   }
 };

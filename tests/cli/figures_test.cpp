@@ -112,10 +112,6 @@ TEST_CASE("what was left out is called bodies whatever else was, and crossings o
   details.low = 1;
   CHECK(cli::details_text(details) ==
         "2 flat bodies that lie on others and 1 body that stands out too little to be folded");
-  details.strands = 38;
-  details.strands_mm = 2660.0;
-  CHECK(
-      cli::details_text(details).ends_with(" and 38 thin strands (at least 2.66 m: wire or thread will do)"));
   mesh::RepairReport report;
   report.add(mesh::RepairKind::self_intersections, 112);
   CHECK(cli::repair_lines(report) == std::vector<std::string>{"112 faces run through each other"});

@@ -109,31 +109,3 @@ TEST_CASE("flat regions aren't cut, however ragged", "[pieces]") {
   const IdVector<FaceId, PartId> part = test::one_part(ball);
   CHECK(with_ragged_pieces_cut(patch, part.items(), tree, Weights(), Context()) == tree);
 }
-
-TEST_CASE("what can't be folded in one piece becomes two that can, with a reason", "[pieces]") {
-  // A square tube closed by a seam as cans have it: each edge is bent back into the other.
-  const mesh::Surface tube = test::bent_sheet({{40, 103},
-                                               {70, 103},
-                                               {70, 100},
-                                               {0, 100},
-                                               {0, 0},
-                                               {100, 0},
-                                               {100, 104.5},
-                                               {38, 104.5},
-                                               {38, 101.5},
-                                               {67, 101.5}},
-                                              30.0);
-  unfold::Options options;
-  options.sheet = unfold::Sheet{600.0, 400.0};
-  options.pieces = unfold::rules_of(unfold::PieceMode::parts);
-  const unfold::Nets nets =
-      unfold::unfold(tube, test::no_panels(tube), test::one_part(tube), options, Context());
-  CHECK(test::faults_of(tube, nets, options).empty());
-  CHECK(nets.pieces.size() == 2);
-  std::size_t for_shape = 0;
-  for (const unfold::Piece& piece : nets.pieces) {
-    CHECK(piece.folding.way != unfold::FoldWay::with_care);
-    for_shape += piece.reason == PieceReason::shape ? 1U : 0U;
-  }
-  CHECK(for_shape == 1);
-}
