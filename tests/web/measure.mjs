@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What studio.html takes (docs/design/studio.md, "What it takes"): until it takes models, until the program is ready, until a model
+// What studio.html takes: until it takes models, until the program is ready, until a model
 // that is dropped is shown, and from a click to the core's answer of an edit, and to the new picture. No test: seconds are
 // nobody's promise. Each is told by the clock and, behind it, by the processors of all the browser's processes, which counts
 // where other programs run beside it.
