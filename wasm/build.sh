@@ -26,7 +26,7 @@ fi
 quietly cmake --build "$build" -j "${JOBS:-$(nproc)}" --target ridgecraft_worker
 
 frame="$build/studio-frame.html"
-quietly cmake -D STUDIO=ON -D HTML="$frame" -P "$here/web/bundle.cmake"
+quietly sh "$here/web/bundle.sh" studio "$frame"
 version=$(sed -n 's/^project(ridgecraft VERSION \([0-9.]*\).*/\1/p' "$here/CMakeLists.txt")
 node "$here/wasm/studio.mjs" "$frame" "$build" "$here" "$version" "$build/studio.html"
 echo "$build/studio.html" >&2

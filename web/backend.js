@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who answers the page's wishes. All backends have one interface, so that the same page shows a finished result, and
+// Who answers the page's requests. All backends have one interface, so that the same page shows a finished result, and
 // edits a model where a program stands behind it.
 
 import {unpackedText} from "./packed.js";
@@ -44,7 +44,7 @@ import {unpackedText} from "./packed.js";
  * @property {(listener: (note: State["notes"][number]) => void) => void} onNote
  */
 
-/** A wish that needs a program behind the page. */
+/** A request that needs a program behind the page. */
 export class NotEditable extends Error {
   constructor() {
     super("not_editable");
@@ -55,10 +55,10 @@ export class NotEditable extends Error {
 /**
  * One finished result, that stands in the page itself.
  * @param {Document} page
- * @returns {Backend & {state: () => State}}
+ * @returns {Promise<Backend & {state: () => State}>}
  */
-export function staticBackend(page) {
-  const [fold, sheets] = ["fold", "sheets"].map((id) => unpackedText(page.getElementById(id)?.textContent ?? ""));
+export async function staticBackend(page) {
+  const [fold, sheets] = await Promise.all(["fold", "sheets"].map((id) => unpackedText(page.getElementById(id)?.textContent ?? "")));
   const refuse = () => Promise.reject(new NotEditable());
   return {
     state: () => ({revision: 0, options: {}, fold, sheets, notes: [], figures: {},

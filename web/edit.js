@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done by hand: somebody chooses an edge or a piece, and beside it stands what can be done there, or why it can't.
 
+import {faceOfPiece, placeOfPiece} from "./drag.js";
 import {htmlElement} from "./guide.js";
-import {faceOfPiece, placeOfPiece} from "./hands.js";
 import {modelEnds} from "./nets.js";
 import {byId} from "./panel.js";
-import {svgElement} from "./sheets.js";
+import {svgElement} from "./page_drawer.js";
 import {sayRefusal} from "./studio_words.js";
 import {say} from "./words.js";
 

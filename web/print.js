@@ -5,7 +5,7 @@ import {htmlElement} from "./guide.js";
 import {say, sayCount, sayList, sayNumber} from "./words.js";
 
 /** @typedef {import("./guide.js").Guide} Guide */
-/** @typedef {import("./sheets.js").PageDrawer} PageDrawer */
+/** @typedef {import("./page_drawer.js").PageDrawer} PageDrawer */
 
 const a4 = [210, 297];
 const stepsOnPage = 6;

@@ -1,326 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sheets as SVG: what is drawn on a page, pages in a grid, and what is under the pointer.
+// The sheets: pages in a grid that can be moved and zoomed, and what is under the pointer.
 
 import {faceAt, hasLine} from "./nets.js";
+import {svgElement} from "./page_drawer.js";
 import {segmentDistance} from "./scene.js";
 
-/** @typedef {import("./folding.js").Folding} Folding */
-/** @typedef {import("./nets.js").Nets} Nets */
+/** @typedef {import("./page_drawer.js").PageDrawer} PageDrawer */
 /** @typedef {import("./scene.js").Spot} Spot */
-
-/**
- * What the second document of the page says of a group (docs/design/viewer.md).
- * @typedef {object} Group
- * @property {string} id
- * @property {[number, string, number, number, number, number, number?, number?][]} [texts] layer, text, x, y, height, degrees,
- *   flags, width
- * @property {[string, number, number[], number[]][]} [lines] colour, width, dashes, points
- * @property {[string, number[]][]} [areas] colour, outline
- * @property {[string, number[][]][]} [ground]
- * @property {[number[], string, number[][]][]} [images] place, JPEG, clip
- * @property {[string, number[][]][]} [fills]
- *
- * @typedef {{pages: {size: number[], groups: Group[]}[]}} Sheets
- */
-
-const svgSpace = "http://www.w3.org/2000/svg";
-/** Classes of texts: numbers, names of pieces, words of the page. */
-const layerNames = ["number", "name", "word"];
-/** Of capital letters, as a share of the font's size. */
-const capitals = 0.72;
-
-/**
- * @template {keyof SVGElementTagNameMap} Name
- * @param {Name} name
- * @param {Record<string, string | number>} [attributes]
- * @param {Element} [parent]
- * @returns {SVGElementTagNameMap[Name]}
- */
-export function svgElement(name, attributes = {}, parent) {
-  const element = document.createElementNS(svgSpace, name);
-  for (const [key, value] of Object.entries(attributes)) {
-    element.setAttribute(key, String(value));
-  }
-  parent?.append(element);
-  return element;
-}
-
-/** @param {number} value */
-function short(value) {
-  return Math.round(value * 1000) / 1000;
-}
-
-/** Draws pages: all that is on paper, in mm from the left upper corner of the sheet. */
-export class PageDrawer {
-  /**
-   * @param {Nets} nets
-   * @param {Folding} folding
-   * @param {Sheets} sheets
-   */
-  constructor(nets, folding, sheets) {
-    this.nets = nets;
-    this.folding = folding;
-    this.sheets = sheets;
-    this.pieceByGroup = new Map(nets.pieces.map((piece) => [`piece-${piece.name}`, piece.index]));
-    this.painted = sheets.pages.some((page) => page.groups.some((group) => group.images || group.fills || group.ground));
-    this.clips = 0;
-  }
-
-  /** How many pages there are, those with lists of numbers included. */
-  get count() {
-    return Math.max(this.sheets.pages.length, this.nets.pages.length);
-  }
-
-  /** @param {number} p */
-  size(p) {
-    const page = this.nets.pages[p];
-    return this.sheets.pages[p]?.size ?? [page.width, page.height];
-  }
-
-  /** From the plane of all nets to the sheet. @param {number} p @param {number} x @param {number} y */
-  onSheet(p, x, y) {
-    const page = this.nets.pages[p];
-    return [short(x - page.x), short(page.height - (y - page.y))];
-  }
-
-  /** @param {number} p @param {number[][]} points @param {boolean} closed */
-  #path(p, points, closed) {
-    return `M${points.map(([x, y]) => this.onSheet(p, x, y).join(" ")).join("L")}${closed ? "Z" : ""}`;
-  }
-
-  /** Of numbers in the second document: y up, from the lower corner. @param {number} p @param {number[]} numbers @param {boolean} closed */
-  #toldPath(p, numbers, closed) {
-    const height = this.size(p)[1];
-    let d = "";
-    for (let i = 0; i < numbers.length; i += 2) {
-      d += `${i === 0 ? "M" : "L"}${short(numbers[i])} ${short(height - numbers[i + 1])}`;
-    }
-    return closed ? `${d}Z` : d;
-  }
-
-  /** @param {number} e @returns {number[][]} */
-  ends(e) {
-    const {points, edges} = this.nets;
-    return [edges[e].a, edges[e].b].map((v) => [points[2 * v], points[2 * v + 1]]);
-  }
-
-  /** @param {number} p page @param {number} e */
-  edgePath(p, e) {
-    return this.#path(p, this.ends(e), false);
-  }
-
-  /** @param {number} index of a piece */
-  outlines(index) {
-    const {nets, folding} = this;
-    const piece = nets.pieces[index];
-    const p = piece.page;
-    const lines = {faces: "", tabs: "", cut: "", mountain: "", valley: "", base: ""};
-    for (const f of piece.faces) {
-      lines.faces += this.#path(p, folding.flatCorners(f), true);
-    }
-    for (const e of piece.edges) {
-      const edge = nets.edges[e];
-      const [a, b] = this.ends(e);
-      if (edge.kind !== "B") {
-        if (hasLine(nets, e)) {
-          lines[edge.kind === "M" ? "mountain" : "valley"] += this.#path(p, [a, b], false);
-        }
-      } else if (edge.tab < 0) {
-        lines.cut += this.#path(p, [a, b], false);
-      } else {
-        const share = (/** @type {number[]} */ q) => ((q[0] - a[0]) * (b[0] - a[0]) + (q[1] - a[1]) * (b[1] - a[1])) / (edge.length * edge.length);
-        const at = (/** @type {number} */ t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
-        const bases = [];
-        for (const t of edge.tabs) {
-          const polygon = nets.tabs[t].polygon;
-          lines.tabs += nets.tabs[t].slit ? "" : this.#path(p, polygon, true);
-          lines.cut += this.#path(p, [...polygon.slice(1), polygon[0]], false);
-          const angle = folding.tabAngles[t];
-          lines[Math.abs(angle) < nets.hiddenAngle ? "base" : angle < 0 ? "mountain" : "valley"] +=
-            this.#path(p, [polygon[0], polygon[1]], false);
-          bases.push([share(polygon[0]), share(polygon[1])].sort((s, t) => s - t));
-        }
-        let bare = 0;
-        for (const [from, to] of [...bases.sort((s, t) => s[0] - t[0]), [1, 1]]) {
-          if ((from - bare) * edge.length > 0.02) {
-            lines.cut += this.#path(p, [at(bare), at(from)], false);
-          }
-          bare = to;
-        }
-      }
-    }
-    for (const slit of piece.slits) {
-      lines.cut += this.#path(p, slit, false);
-    }
-    return lines;
-  }
-
-  /** @param {Element} parent @param {number} p @param {[string, number[][]][]} fills */
-  #fills(parent, p, fills) {
-    for (const [colour, polygons] of fills) {
-      svgElement("path", {class: "fill", fill: colour, stroke: colour,
-        d: polygons.map((polygon) => this.#toldPath(p, polygon, true)).join("")}, parent);
-    }
-  }
-
-  /** @param {Element} parent @param {number} p @param {Group} group */
-  #paint(parent, p, group) {
-    const height = this.size(p)[1];
-    for (const [place, jpeg, clip] of group.images ?? []) {
-      const id = `clip-${++this.clips}`;
-      svgElement("path", {d: clip.map((polygon) => this.#toldPath(p, polygon, true)).join("")},
-        svgElement("clipPath", {id}, parent));
-      svgElement("image", {x: place[0], y: short(height - place[3]), width: short(place[2] - place[0]),
-        height: short(place[3] - place[1]), preserveAspectRatio: "none", "clip-path": `url(#${id})`,
-        href: `data:image/jpeg;base64,${jpeg}`}, parent);
-    }
-    this.#fills(parent, p, group.fills ?? []);
-  }
-
-  /** Colours that reach below other pieces. @param {Element} parent @param {number} p @returns {SVGElement[]} by piece */
-  ground(parent, p) {
-    /** @type {SVGElement[]} */
-    const grounds = [];
-    for (const group of this.sheets.pages[p]?.groups ?? []) {
-      if (group.ground) {
-        const own = svgElement("g", {}, parent);
-        this.#fills(own, p, group.ground);
-        grounds[this.pieceByGroup.get(group.id) ?? -1] = own;
-      }
-    }
-    return grounds;
-  }
-
-  /** Lines, areas and texts that the program has placed. @param {Element} parent @param {number} p @param {Group} group */
-  told(parent, p, group) {
-    const height = this.size(p)[1];
-    for (const [colour, area] of group.areas ?? []) {
-      svgElement("path", {fill: colour, d: this.#toldPath(p, area, true)}, parent);
-    }
-    for (const [colour, width, dashes, points] of group.lines ?? []) {
-      svgElement("path", {class: "told", stroke: colour, "stroke-width": width, "stroke-dasharray": dashes.join(" "),
-        d: this.#toldPath(p, points, false)}, parent);
-    }
-    for (const [layer, text, x, y, size, angle, flags = 0, width = 0] of group.texts ?? []) {
-      const kind = layerNames[layer];
-      const place = `translate(${x} ${short(height - y)})${angle ? ` rotate(${-angle})` : ""}`;
-      const element = svgElement("text", {class: `${kind}${flags & 2 ? " light" : ""}`, transform: place, y: short(size / 2),
-        "font-size": short(size / capitals)}, parent);
-      element.textContent = text;
-      if (text.length > 4 && width > 0) {
-        element.setAttribute("textLength", String(short(width)));
-        element.setAttribute("lengthAdjust", "spacingAndGlyphs");
-      }
-      if (flags & 1) {
-        svgElement("path", {class: `told ${kind}-line`, transform: place, stroke: flags & 2 ? "#ececec" : "#000",
-          "stroke-width": short(size / 9), d: `M${short(-width / 2)} ${short(0.76 * size)}H${short(width / 2)}`}, parent);
-      }
-    }
-  }
-
-  /**
-   * A piece as it lies on its page.
-   * @param {Element} parent
-   * @param {number} index
-   * @param {boolean} tinted in the piece's own colour, as on the screen
-   */
-  piece(parent, index, tinted) {
-    const piece = this.nets.pieces[index];
-    const group = this.sheets.pages[piece.page]?.groups.find((candidate) => this.pieceByGroup.get(candidate.id) === index);
-    const lines = this.outlines(index);
-    const tint = piece.colour.map((value) => Math.round(0.55 * value + 0.45 * 255));
-    svgElement("path", {class: "faces", fill: tinted && !this.painted ? `rgb(${tint})` : "#fff", d: lines.faces}, parent);
-    if (group) {
-      this.#paint(parent, piece.page, group);
-    }
-    svgElement("path", {class: "tabs", d: lines.tabs}, parent);
-    if (this.painted) {
-      svgElement("path", {class: "rim", d: lines.mountain + lines.valley + lines.base}, parent);
-    }
-    for (const kind of /** @type {const} */ (["mountain", "valley", "base", "cut"])) {
-      if (lines[kind]) {
-        svgElement("path", {class: kind, d: lines[kind]}, parent);
-      }
-    }
-    if (group) {
-      this.told(parent, piece.page, group);
-    }
-  }
-
-  /** All that belongs to no piece. @param {Element} parent @param {number} p */
-  furniture(parent, p) {
-    for (const group of this.sheets.pages[p]?.groups ?? []) {
-      if (!this.pieceByGroup.has(group.id)) {
-        this.told(parent, p, group);
-      }
-    }
-  }
-
-  /** A page for the printer, in true size. @param {number} p */
-  printed(p) {
-    const [width, height] = this.size(p);
-    const svg = svgElement("svg", {class: "plan", width: `${width}mm`, height: `${height}mm`, viewBox: `0 0 ${width} ${height}`});
-    this.ground(svg, p);
-    for (const index of this.nets.pages[p]?.pieces ?? []) {
-      this.piece(svgElement("g", {}, svg), index, false);
-    }
-    this.furniture(svg, p);
-    return svg;
-  }
-
-  /**
-   * The colours of a page as a picture, for the model's view.
-   * @param {number} p
-   * @param {number} scale pixels a mm
-   * @returns {Promise<HTMLCanvasElement>}
-   */
-  async picture(p, scale) {
-    const [width, height] = this.size(p);
-    const canvas = document.createElement("canvas");
-    canvas.width = Math.round(width * scale);
-    canvas.height = Math.round(height * scale);
-    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-    context.fillStyle = "#fff";
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    context.setTransform(scale, 0, 0, -scale, 0, canvas.height);
-    const pathOf = (/** @type {number[][]} */ polygons) => {
-      const path = new Path2D();
-      for (const polygon of polygons) {
-        for (let i = 0; i < polygon.length; i += 2) {
-          i === 0 ? path.moveTo(polygon[0], polygon[1]) : path.lineTo(polygon[i], polygon[i + 1]);
-        }
-        path.closePath();
-      }
-      return path;
-    };
-    const fill = (/** @type {[string, number[][]][]} */ fills) => {
-      for (const [colour, polygons] of fills) {
-        context.fillStyle = context.strokeStyle = colour;
-        context.lineWidth = 0.12;
-        const path = pathOf(polygons);
-        context.fill(path);
-        context.stroke(path);
-      }
-    };
-    const groups = this.sheets.pages[p]?.groups ?? [];
-    groups.forEach((group) => fill(group.ground ?? []));
-    for (const group of groups) {
-      for (const [place, jpeg, clip] of group.images ?? []) {
-        const image = new Image();
-        image.src = `data:image/jpeg;base64,${jpeg}`;
-        await image.decode();
-        context.save();
-        context.clip(pathOf(clip));
-        context.translate(place[0], place[3]);
-        context.scale(1, -1);
-        context.drawImage(image, 0, 0, place[2] - place[0], place[3] - place[1]);
-        context.restore();
-      }
-      fill(group.fills ?? []);
-    }
-    return canvas;
-  }
-}
 
 /**
  * @typedef {object} PlanListener
@@ -354,9 +40,9 @@ export class Plan {
     this.grounds = [];
     /** @type {number[]} */
     this.edges = [];
-    /** Where pieces may be moved. @type {import("./hands.js").Hands | null} */
-    this.hands = null;
-    /** The cell of the grid behind the last page, while pieces are held. @type {SVGRectElement | null} */
+    /** Where pieces may be moved. @type {import("./drag.js").PieceDrag | null} */
+    this.drag = null;
+    /** The cell of the grid behind the last page, while pieces are dragged. @type {SVGRectElement | null} */
     this.newPage = null;
     this.pagesGroup = svgElement("g", {}, svg);
     this.marks = svgElement("g", {class: "marks"}, svg);
@@ -512,7 +198,7 @@ export class Plan {
     svg.style.setProperty("--mark", String(Math.max(0.5, 3.2 / view.scale)));
     svg.classList.toggle("far", view.scale < 2);
     svg.classList.toggle("very-far", view.scale < 0.9);
-    this.hands?.draw();
+    this.drag?.draw();
   }
 
   /** @param {{x: number, y: number, scale: number}} view */
@@ -597,7 +283,7 @@ export class Plan {
       svgElement("path", {class: "mark", d: this.lineOf(e)}, this.marks);
       middles.push([0.5 * (ax + bx), 0.5 * (ay + by)]);
     }
-    this.hands?.draw();
+    this.drag?.draw();
     if (middles.length === 2) {
       svgElement("path", {class: "link", d: `M${middles[0].join(" ")}L${middles[1].join(" ")}`}, this.marks);
     }
@@ -706,8 +392,8 @@ export class Plan {
       moved = 0;
       start = {x: event.clientX, y: event.clientY};
       if (fingers.size > 1) {
-        this.hands?.cancel();
-      } else if (this.hands?.take(event, () => this.pick(event.clientX, event.clientY, reachOf(event)))) {
+        this.drag?.cancel();
+      } else if (this.drag?.take(event, () => this.pick(event.clientX, event.clientY, reachOf(event)))) {
         return;
       }
       if (event.shiftKey) {
@@ -727,9 +413,9 @@ export class Plan {
       const dx = event.clientX - before.x;
       const dy = event.clientY - before.y;
       moved += Math.abs(dx) + Math.abs(dy);
-      if (this.hands?.held) {
+      if (this.drag?.dragged) {
         if (moved > 4) {
-          this.hands.move(event);
+          this.drag.move(event);
         }
       } else if (frame) {
         const [a, b] = [start, {x: event.clientX, y: event.clientY}].map((at) => this.atClient(at.x, at.y));
@@ -751,13 +437,13 @@ export class Plan {
       fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
     });
     const up = (/** @type {PointerEvent} */ event) => {
-      const {hands} = this;
-      if (hands?.held?.moved) {
-        event.type === "pointerup" ? hands.drop() : hands.cancel();
+      const {drag} = this;
+      if (drag?.dragged?.moved) {
+        event.type === "pointerup" ? drag.drop() : drag.cancel();
         fingers.delete(event.pointerId);
         return;
       }
-      hands?.held && hands.cancel();
+      drag?.dragged && drag.cancel();
       if (frame) {
         const [a, b] = [start, {x: event.clientX, y: event.clientY}].map((at) => this.atClient(at.x, at.y));
         frame.remove();

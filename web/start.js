@@ -5,16 +5,14 @@ import {App} from "./app.js";
 import {staticBackend} from "./backend.js";
 import {byId, tellBroken} from "./panel.js";
 
-function startPage() {
-  try {
-    const backend = staticBackend(document);
-    const app = new App(backend, backend.state());
-    Object.assign(globalThis, {ridgecraft: {inspect: (/** @type {any} */ about) => app.inspect(about)}});
-  } catch (error) {
-    byId("app").hidden = true;
-    tellBroken(error);
-    throw error;
-  }
+async function startPage() {
+  const backend = await staticBackend(document);
+  const app = new App(backend, backend.state());
+  Object.assign(globalThis, {ridgecraft: {inspect: (/** @type {any} */ about) => app.inspect(about)}});
 }
 
-startPage();
+startPage().catch((error) => {
+  byId("app").hidden = true;
+  tellBroken(error);
+  throw error;
+});

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The studio: files come in, wishes are chosen, results are shown by the app, files go out. It holds the project's wishes and
+// The studio: files come in, options are chosen, results are shown by the app, files go out. It holds the project's options and
 // what is told of the work; the result itself is the app's.
 
 import {App} from "./app.js";
+import {faceOfPiece, PieceDrag, piecesWith, placeOfPiece} from "./drag.js";
 import {foretell, Offer} from "./edit.js";
 import {htmlElement} from "./guide.js";
-import {faceOfPiece, Hands, piecesWith, placeOfPiece} from "./hands.js";
 import {byId, Menu, sayAll} from "./panel.js";
-import {wishes, wishesOf} from "./wishes.js";
+import {optionTable} from "./options.js";
 import {say} from "./words.js";
 import {Cancelled, Refusal} from "./worker_backend.js";
 
-/** @typedef {import("./wishes.js").Wish} Wish */
+/** @typedef {import("./options.js").Option} Option */
 /** @typedef {import("./backend.js").State} State */
 /** @typedef {import("./worker_backend.js").WorkerBackend} WorkerBackend */
 
@@ -128,7 +128,7 @@ export class Studio {
    * @param {Uint8Array} bytes
    * @param {Record<string, Uint8Array>} beside
    * @param {Record<string, string | boolean>} options
-   * @param {string[]} [rest] words of a command line that are no wishes of the panel
+   * @param {string[]} [rest] words of a command line that are no options of the panel
    */
   open(name, bytes, beside, options, rest = []) {
     return this.run(() => this.backend.open(name, bytes, beside, options, rest), options, null);
@@ -175,7 +175,7 @@ export class Studio {
   /** The pieces that keys act on: those that are chosen, or that with the focus. @returns {number[]} */
   #pieces() {
     const focused = document.activeElement?.closest("[data-piece]")?.getAttribute("data-piece");
-    return this.app && this.app.chosen.size > 0 ? [...this.app.chosen] : focused ? [Number(focused)] : [];
+    return this.app && this.app.selection.chosen.size > 0 ? [...this.app.selection.chosen] : focused ? [Number(focused)] : [];
   }
 
   /** @param {KeyboardEvent} event */
@@ -325,9 +325,9 @@ export class Studio {
     const app = new App(this.backend, state, view, (spot) =>
       this.offer.show(app, spot, spot !== null && this.#pinned().has(spot.piece), this.#seed()));
     this.app = app;
-    app.plan.hands = new Hands(app.plan, {
-      chosen: () => app.chosen,
-      turns: () => app.chosenEdge < 0,
+    app.plan.drag = new PieceDrag(app.plan, {
+      chosen: () => app.selection.chosen,
+      turns: () => app.selection.chosenEdge < 0,
       pinned: this.#pinned(),
       fits: (edits) => this.backend.preview(edits).catch(() => ({ok: false})),
       lay: (edits) => this.layAndChoose(edits, edits.flatMap((edit) => ("face" in edit ? [edit.face] : []))),
@@ -354,24 +354,24 @@ export class Studio {
     this.#showNotes([...byId("studio-notes").querySelectorAll("li")].map((item) => item.textContent ?? "").concat(text));
   }
 
-  /** What can't be, with a button where the sentence names a wish that would help. @param {string} sentence */
+  /** What can't be, with a button where the sentence names a option that would help. @param {string} sentence */
   refuse(sentence) {
     this.error = sentence;
     const box = byId("refused");
     box.hidden = sentence === "";
     /** @type {HTMLElement} */ (box.querySelector("p")).textContent = sentence;
     const proposed = /(--[a-z-]+) ([\w.:%]*\w)/.exec(sentence);
-    const wish = proposed && wishes.find(({word, kind}) => word === proposed[1] && kind !== "flag");
+    const option = proposed && optionTable.find(({word, kind}) => word === proposed[1] && kind !== "flag");
     const button = byId("try-it");
-    button.hidden = !wish || !this.backend.project;
-    if (wish && proposed) {
-      button.textContent = `${say(`wish_${wish.key}`)}: ${proposed[2]}`;
-      button.onclick = () => this.wish({[wish.key]: proposed[2]});
+    button.hidden = !option || !this.backend.project;
+    if (option && proposed) {
+      button.textContent = `${say(`option_${option.key}`)}: ${proposed[2]}`;
+      button.onclick = () => this.setOptions({[option.key]: proposed[2]});
     }
   }
 
   /** @param {Record<string, string | boolean>} changed */
-  wish(changed) {
+  setOptions(changed) {
     const options = {...this.options, ...changed};
     return this.run(() => this.backend.set(options), options, this.app?.view() ?? null);
   }
@@ -400,16 +400,16 @@ export class Studio {
   // ---- the panel
 
   #buildPanel() {
-    const opens = byId("open-wishes");
+    const opens = byId("open-options");
     opens.addEventListener("click", () => opens.setAttribute("aria-expanded", String(byId("panel").classList.toggle("open"))));
-    const form = byId("wishes");
-    const groups = [...new Set(wishes.map(({group}) => group))];
-    const fieldset = (/** @type {string} */ group, /** @type {Wish[]} */ list) => htmlElement("fieldset", {},
-      [htmlElement("legend", {"data-say": `group_${group}`}), ...list.map((wish) => this.#control(wish))]);
+    const form = byId("options");
+    const groups = [...new Set(optionTable.map(({group}) => group))];
+    const fieldset = (/** @type {string} */ group, /** @type {Option[]} */ list) => htmlElement("fieldset", {},
+      [htmlElement("legend", {"data-say": `group_${group}`}), ...list.map((option) => this.#control(option))]);
     const more = htmlElement("details", {}, [htmlElement("summary", {"data-say": "more"})]);
     for (const group of groups) {
-      const first = wishes.filter((wish) => wish.group === group && !wish.more);
-      const rest = wishes.filter((wish) => wish.group === group && wish.more);
+      const first = optionTable.filter((option) => option.group === group && !option.more);
+      const rest = optionTable.filter((option) => option.group === group && option.more);
       if (first.length > 0) {
         form.append(fieldset(group, first));
       }
@@ -418,7 +418,7 @@ export class Studio {
       }
     }
     const reset = htmlElement("button", {type: "button", id: "reset", "data-say": "reset"});
-    reset.addEventListener("click", () => this.run(() => this.backend.set(Object.fromEntries(wishes.map(({key, usual}) => [key, usual]))), {}, this.app?.view() ?? null));
+    reset.addEventListener("click", () => this.run(() => this.backend.set(Object.fromEntries(optionTable.map(({key, usual}) => [key, usual]))), {}, this.app?.view() ?? null));
     form.append(more, reset);
     form.addEventListener("submit", (event) => event.preventDefault());
     form.addEventListener("change", () => this.#heard());
@@ -430,38 +430,38 @@ export class Studio {
     });
   }
 
-  /** @param {Wish} wish */
-  #control(wish) {
-    const id = `wish-${wish.key}`;
-    const words = htmlElement("span", {"data-say": `wish_${wish.key}`});
-    if (wish.kind === "flag") {
+  /** @param {Option} option */
+  #control(option) {
+    const id = `option-${option.key}`;
+    const words = htmlElement("span", {"data-say": `option_${option.key}`});
+    if (option.kind === "flag") {
       return htmlElement("label", {class: "flag"}, [htmlElement("input", {type: "checkbox", id}), words]);
     }
-    if (wish.kind === "choice") {
+    if (option.kind === "choice") {
       const select = htmlElement("select", {id});
-      for (const choice of wish.choices ?? []) {
-        const key = `wish_${wish.key}_${choice}`;
-        const option = htmlElement("option", {value: choice}, [choice]);
+      for (const choice of option.choices ?? []) {
+        const key = `option_${option.key}_${choice}`;
+        const item = htmlElement("option", {value: choice}, [choice]);
         if (say(key) !== key) {
-          option.setAttribute("data-say", key);
+          item.setAttribute("data-say", key);
         }
-        select.append(option);
+        select.append(item);
       }
       return htmlElement("label", {}, [words, select]);
     }
-    const usual = say(`wish_${wish.key}_usual`);
-    const input = htmlElement("input", {type: "text", id, inputmode: wish.kind === "text" ? "text" : "decimal",
-      placeholder: usual === `wish_${wish.key}_usual` ? String(wish.usual) : usual});
-    const unit = wish.kind === "length" ? "mm" : wish.unit ?? "";
+    const usual = say(`option_${option.key}_usual`);
+    const input = htmlElement("input", {type: "text", id, inputmode: option.kind === "text" ? "text" : "decimal",
+      placeholder: usual === `option_${option.key}_usual` ? String(option.usual) : usual});
+    const unit = option.kind === "length" ? "mm" : option.unit ?? "";
     const box = unit ? htmlElement("span", {class: "length"}, [input, htmlElement("small", {}, [unit])]) : input;
-    const help = say(`wish_${wish.key}_help`);
-    return htmlElement("label", {}, [words, box, ...(help === `wish_${wish.key}_help` ? [] : [htmlElement("small", {"data-say": `wish_${wish.key}_help`})])]);
+    const help = say(`option_${option.key}_help`);
+    return htmlElement("label", {}, [words, box, ...(help === `option_${option.key}_help` ? [] : [htmlElement("small", {"data-say": `option_${option.key}_help`})])]);
   }
 
-  /** Shows the wishes of the result that is shown. */
+  /** Shows the options of the result that is shown. */
   fillPanel() {
-    for (const {key, kind, usual} of wishes) {
-      const control = /** @type {HTMLInputElement} */ (byId(`wish-${key}`));
+    for (const {key, kind, usual} of optionTable) {
+      const control = /** @type {HTMLInputElement} */ (byId(`option-${key}`));
       const value = this.options[key] ?? usual;
       if (kind === "flag") {
         control.checked = value === true;
@@ -470,15 +470,15 @@ export class Studio {
       }
       control.classList.toggle("changed", value !== usual);
     }
-    byId("reset").hidden = wishes.every(({key, usual}) => (this.options[key] ?? usual) === usual);
+    byId("reset").hidden = optionTable.every(({key, usual}) => (this.options[key] ?? usual) === usual);
   }
 
   /** What the panel says now. */
   #asked() {
     /** @type {Record<string, string | boolean>} */
     const asked = {};
-    for (const {key, kind, usual} of wishes) {
-      const control = /** @type {HTMLInputElement} */ (byId(`wish-${key}`));
+    for (const {key, kind, usual} of optionTable) {
+      const control = /** @type {HTMLInputElement} */ (byId(`option-${key}`));
       if (kind === "flag") {
         asked[key] = control.checked;
       } else {
@@ -493,8 +493,8 @@ export class Studio {
   #heard() {
     clearTimeout(this.timer);
     const asked = this.#asked();
-    if (this.state && wishes.some(({key, usual}) => asked[key] !== (this.options[key] ?? usual))) {
-      this.wish(asked);
+    if (this.state && optionTable.some(({key, usual}) => asked[key] !== (this.options[key] ?? usual))) {
+      this.setOptions(asked);
     }
   }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The backend with the whole program in it, as WebAssembly in a worker. The project is a value here, in the page: model,
-// files beside it, options. So whatever ends a worker, a wish to cancel or a lack of memory, the next one goes on from it.
+// files beside it, options. So whatever ends a worker, a request to cancel or a lack of memory, the next one goes on from it.
 
 import {zipOf} from "./archive.js";
 import {NotEditable} from "./backend.js";
 import {sayRefusal} from "./studio_words.js";
-import {wordsOf} from "./wishes.js";
+import {wordsOf} from "./options.js";
 import {say, sayCount} from "./words.js";
 
 /** @typedef {import("./backend.js").State} State */
@@ -34,7 +34,7 @@ export class Cancelled extends Error {
  * @property {string} name of the model's file
  * @property {Record<string, Uint8Array>} files it, and those beside it
  * @property {Record<string, string | boolean>} options
- * @property {string[]} rest words of a command line that are no wishes of the panel
+ * @property {string[]} rest words of a command line that are no options of the panel
  * @property {string[]} steps what was done by hand, in the words of session/edit.hpp
  * @property {string[]} undone of these, the last one first to come back
  */
@@ -192,7 +192,7 @@ export class WorkerBackend {
 
   /** @param {Project} project @returns {Promise<State>} */
   async #make(project) {
-    // A newer wish ends the one before.
+    // A newer request ends the one before.
     this.cancel();
     this.notes = [];
     this.made = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of web/ as one text, made by web/bundle.cmake when the program is built. Private to
+// The page of web/ as one text, made by web/bundle.sh when the program is built. Private to
 // export/formats/.
 #pragma once
 

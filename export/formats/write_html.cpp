@@ -7,12 +7,13 @@
 #include <string_view>
 #include <utility>
 
+#include <zlib.h>
+
 #include "base/base64.hpp"
 #include "base/error.hpp"
 #include "base/json_text.hpp"
 #include "base/utf8.hpp"
 #include "base/xml_text.hpp"
-#include "export/formats/packed_text.hpp"
 #include "export/formats/page_template.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
@@ -164,6 +165,18 @@ class SheetsWriter {
   JsonText json_;
 };
 
+/// As web/packed.js reads it.
+std::string packed(std::string_view text) {
+  uLongf size = compressBound(static_cast<uLong>(text.size()));
+  std::string bytes(size, '\0');
+  const int outcome =
+      compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+                static_cast<uLong>(text.size()), Z_BEST_COMPRESSION);
+  RIDGECRAFT_ASSERT(outcome == Z_OK);
+  bytes.resize(size);
+  return base64(bytes);
+}
+
 }  // namespace
 
 std::string write_sheets(std::span<const Drawing> pages) {
@@ -176,8 +189,8 @@ std::string write_html(std::string_view fold, std::span<const Drawing> pages, co
       {"@SETTINGS@", mark.settings.empty() ? "" : xml_escaped(settings_json(mark.settings))},
       {"@PRODUCER@", xml_escaped(printable_utf8(mark.producer))},
       {"@TITLE@", xml_escaped(printable_utf8(mark.title))},
-      {"@FOLD@", packed_text(fold)},
-      {"@SHEETS@", packed_text(write_sheets(pages))},
+      {"@FOLD@", packed(fold)},
+      {"@SHEETS@", packed(write_sheets(pages))},
   }};
   std::string html;
   std::string_view rest = page_template;

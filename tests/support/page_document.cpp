@@ -2,7 +2,9 @@
 #include "support/page_document.hpp"
 
 #include <array>
-#include <vector>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
 
 #include <catch2/catch.hpp>
 #include <zlib.h>
@@ -10,29 +12,27 @@
 namespace ridgecraft::test {
 namespace {
 
-/// The text that these letters hold (docs/design/viewer.md): seven bits each, and those of what a page can't
-/// hold in front of seven more.
+std::string from_base64(const std::string& letters) {
+  constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t held = 0;
+  unsigned bits = 0;
+  for (const char letter : letters.substr(0, letters.find('='))) {
+    const std::size_t six = alphabet.find(letter);
+    REQUIRE(six != std::string_view::npos);
+    held = held << 6U | static_cast<std::uint32_t>(six);
+    bits += 6;
+    if (bits >= 8) {
+      bits -= 8;
+      bytes.push_back(static_cast<char>(held >> bits & 0xffU));
+    }
+  }
+  return bytes;
+}
+
+/// The text that these letters hold (docs/design/viewer.md).
 std::string unpacked(const std::string& letters) {
-  std::vector<bool> bits;
-  const auto append = [&](unsigned seven) {
-    for (unsigned bit = 64; bit > 0; bit /= 2) {
-      bits.push_back((seven & bit) != 0);
-    }
-  };
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    const unsigned byte = static_cast<unsigned char>(letters[i]);
-    if (byte < 0x80) {
-      append(byte);
-    } else {
-      const unsigned letter = (byte & 0x1fU) << 6U | (static_cast<unsigned char>(letters.at(++i)) & 0x3fU);
-      append(std::array{0x00U, 0x0dU, 0x3cU}.at(letter / 0x80 - 2));
-      append(letter & 0x7fU);
-    }
-  }
-  std::string packed(bits.size() / 8, '\0');
-  for (std::size_t i = 0; i < 8 * packed.size(); ++i) {
-    packed[i / 8] = static_cast<char>(packed[i / 8] << 1U | (bits[i] ? 1 : 0));
-  }
+  std::string packed = from_base64(letters);
   z_stream stream{};
   REQUIRE(inflateInit(&stream) == Z_OK);
   stream.next_in = reinterpret_cast<Bytef*>(packed.data());

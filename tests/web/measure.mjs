@@ -3,7 +3,7 @@
 // that is dropped is shown, and from a click to the core's answer of an edit, and to the new picture. No test: seconds are
 // nobody's promise. Each is told by the clock and, behind it, by the processors of all the browser's processes, which counts
 // where other programs run beside it.
-//   node measure.mjs --browser chromium --page FILE --tools FOLDER [--edits N] [--wish KEY=VALUE]... MODEL...
+//   node measure.mjs --browser chromium --page FILE --tools FOLDER [--edits N] [--option KEY=VALUE]... MODEL...
 import {readdirSync, readFileSync} from "node:fs";
 import {basename} from "node:path";
 import {pathToFileURL} from "node:url";
@@ -12,7 +12,7 @@ import {parseArgs} from "node:util";
 import {launch, toolsIn} from "./browsers.mjs";
 
 const {values, positionals} = parseArgs({allowPositionals: true, options: {browser: {type: "string", default: "chromium"},
-  page: {type: "string"}, tools: {type: "string"}, edits: {type: "string", default: "20"}, wish: {type: "string", multiple: true, default: []}}});
+  page: {type: "string"}, tools: {type: "string"}, edits: {type: "string", default: "20"}, option: {type: "string", multiple: true, default: []}}});
 const browser = await launch(toolsIn(values.tools), values.browser, true);
 
 /** Processors' milliseconds of all processes that this one has started, those that have ended left out; and their memory, MB. */
@@ -101,11 +101,11 @@ for (const model of positionals) {
   });
   say(`${name} shown`, shown);
   console.log(`the core's answer after ${(await page.evaluate(() => globalThis.answered - globalThis.dropped)).toFixed(0)} ms`);
-  for (const wish of values.wish) {
-    const [key, value] = wish.split("=");
+  for (const option of values.option) {
+    const [key, value] = option.split("=");
     say(`${key} ${value}`, await timed(async () => {
       await page.evaluate(([k, v]) => {
-        const control = document.getElementById(`wish-${k}`);
+        const control = document.getElementById(`option-${k}`);
         control.value = v;
         control.dispatchEvent(new Event("change", {bubbles: true}));
       }, [key, value]);

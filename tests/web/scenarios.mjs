@@ -72,7 +72,7 @@ async function opens(given) {
     given.check(shown.refoldError < (name === "whale" ? 1e-6 : flatFoldsMiss), `${name}: folding misses the model by ${shown.refoldError} mm`);
     given.check(shown.simple === (given.here === "painter") || given.here === "firefox", `${name}: drawn in the wrong way`);
     const fold = readFileSync(given.files[name].replace(".html", ".fold"), "utf8");
-    given.check(unpackedText(await page.textContent("#fold")) === fold, `${name}: the page has other nets than the file`);
+    given.check(await unpackedText(await page.textContent("#fold")) === fold, `${name}: the page has other nets than the file`);
     console.log(`    ${name}: first picture after ${shown.firstPicture.toFixed(0)} ms, script ${shown.script.toFixed(1)} ms a frame`);
     await page.screenshot({path: `${given.out}/${given.here}-${name}.png`});
     await context.close();
@@ -305,7 +305,7 @@ async function prints(given) {
     const {context, page} = await open(given, given.files[name]);
     const file = `${given.out}/${name}-printed.pdf`;
     writeFileSync(file, await page.pdf({preferCSSPageSize: true, printBackground: true}));
-    const {pages: {length: pages}} = JSON.parse(unpackedText(await page.textContent("#sheets")));
+    const {pages: {length: pages}} = JSON.parse(await unpackedText(await page.textContent("#sheets")));
     const sizes = pageSizes(file);
     given.check(sizes.length === pages, `${name}: ${sizes.length} pages are printed, and not ${pages}`);
     for (const [width, height] of sizes) {

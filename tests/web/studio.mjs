@@ -108,8 +108,8 @@ async function makesPaper() {
     check((await exported("pdf")).equals(native("house", ".pdf")), "the PDF of the house has other bytes than the program's");
   }
 
-  // A wish changes the sheets.
-  await page.selectOption("#wish-paper", "A3");
+  // A option changes the sheets.
+  await page.selectOption("#option-paper", "A3");
   await page.waitForFunction(() => globalThis.ridgecraft.inspect().options.paper === "A3", null, {timeout: 120000});
   await idle();
   check((await exported("fold")).equals(native("house", ".fold", "--paper", "A3")), "FOLD on A3: other bytes than the program's");
@@ -253,12 +253,12 @@ async function editsByHand() {
   await shot("edit-refused");
   check((await inspect()).pieces === joined.pieces, "a refusal changes the nets");
 
-  // A change of the wishes keeps what was done by hand, where it can be, and so does a worker that was ended.
+  // A change of the options keeps what was done by hand, where it can be, and so does a worker that was ended.
   await page.keyboard.press("Escape");
-  await page.selectOption("#wish-paper", "A3");
+  await page.selectOption("#option-paper", "A3");
   await page.waitForFunction(() => globalThis.ridgecraft.inspect().options.paper === "A3", null, {timeout: 120000});
   const larger = await idle();
-  check(larger.canUndo || larger.notes.some(({text}) => text.includes("von Hand")), "a wish forgets what was done by hand, without a word");
+  check(larger.canUndo || larger.notes.some(({text}) => text.includes("von Hand")), "a option forgets what was done by hand, without a word");
   check(heard.length === 0, `the page says or asks: ${heard.slice(0, 5)}`);
   await context.close();
 }

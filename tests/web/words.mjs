@@ -9,7 +9,7 @@ const source = process.argv[2];
 const load = (name) => import(pathToFileURL(`${source}/web/${name}`).href);
 const {texts, reader, noTabReasons, sayNoTab} = await load("words.js");
 const {refusals, sayRefusal} = await load("studio_words.js");
-const {wishes} = await load("wishes.js");
+const {optionTable} = await load("options.js");
 const faults = [];
 const check = (holds, words) => holds || faults.push(words);
 
@@ -21,7 +21,7 @@ function checkPair(about, pair) {
 }
 
 // What is the same in both: names, numbers, and what only puts others together.
-const alike = /^(format_(svg|eps)|facts|on_page|wish_.*_usual|wish_preset_.*|wish_up_[xyz])$/;
+const alike = /^(format_(svg|eps)|facts|on_page|option_.*_usual|option_preset_.*|option_up_[xyz])$/;
 for (const [key, pair] of Object.entries(texts)) {
   checkPair(key, pair);
   check(pair[0] !== pair[1] || alike.test(key), `${key}: "${pair[0]}" wasn't translated`);
@@ -31,7 +31,7 @@ for (const pair of [...refusals, ...noTabReasons]) {
   check(pair[0] !== pair[1], `"${pair[0]}" wasn't translated`);
 }
 
-// Asked for: by say(), by attributes of the page, by the table of wishes, or as a word that a text goes by.
+// Asked for: by say(), by attributes of the page, by the table of options, or as a word that a text goes by.
 const files = readdirSync(`${source}/web`).filter((name) => /\.(js|html)$/.test(name) && !name.endsWith("words.js"));
 const pages = files.map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
 const own = ["words.js", "studio_words.js"].map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
@@ -42,8 +42,8 @@ for (const [, key] of pages.matchAll(/\b(?:say\(|data-(?:say|label)=)"([^"]+)"/g
 for (const [, key] of pages.matchAll(/\bsayCount\("([^"]+)"/g)) {
   asked.add(`${key}_1`).add(`${key}_n`);
 }
-for (const {key, group} of wishes) {
-  asked.add(`wish_${key}`).add(`group_${group}`);
+for (const {key, group} of optionTable) {
+  asked.add(`option_${key}`).add(`group_${group}`);
 }
 for (const key of asked) {
   check(key in texts, `there is no text "${key}", which the page asks for`);
@@ -54,9 +54,9 @@ for (const key of Object.keys(texts)) {
   check(said, `nobody asks for the text "${key}"`);
 }
 const names = /^(|[a-z]{1,2}|A\d|letter|legal|tabloid|r\d+|plain)$/;
-for (const {key, choices} of wishes) {
+for (const {key, choices} of optionTable) {
   for (const choice of choices ?? []) {
-    check(names.test(choice) || `wish_${key}_${choice}` in texts, `there is no text for the choice "${choice}" of "${key}"`);
+    check(names.test(choice) || `option_${key}_${choice}` in texts, `there is no text for the choice "${choice}" of "${key}"`);
   }
 }
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a maker may choose, as one table: each wish is a control of the panel and words of the program's command line.
+// What a maker may choose, as one table: each option is a control of the panel and words of the program's command line.
 
 /**
- * @typedef {object} Wish
- * @property {string} key of the option, and of its texts: wish_KEY, and wish_KEY_help below it
+ * @typedef {object} Option
+ * @property {string} key of the option, and of its texts: option_KEY, and option_KEY_help below it
  * @property {string} group of the panel: its text is group_GROUP
  * @property {"length" | "number" | "choice" | "flag" | "text"} kind
  * @property {string} word of the command line
  * @property {string | boolean} usual value, for which nothing is said to the program
- * @property {string[]} [choices] texts are wish_KEY_CHOICE
+ * @property {string[]} [choices] texts are option_KEY_CHOICE
  * @property {string} [unit] behind the number
  * @property {boolean} [more] lies behind "more"
  */
 
-/** @type {Wish[]} */
-export const wishes = [
+/** @type {Option[]} */
+export const optionTable = [
   {key: "size", group: "size", kind: "length", word: "--size", usual: ""},
   {key: "faces", group: "size", kind: "text", word: "--faces", usual: "auto"},
   {key: "height", group: "size", kind: "length", word: "--height", usual: "", more: true},
@@ -53,12 +53,12 @@ export const wishes = [
 const bareNumber = /^[\d.]+$/;
 
 /**
- * The words of a command line for these wishes.
+ * The words of a command line for these options.
  * @param {Record<string, string | boolean>} options
  * @returns {string[]}
  */
 export function wordsOf(options) {
-  return wishes.flatMap(({key, kind, word, usual}) => {
+  return optionTable.flatMap(({key, kind, word, usual}) => {
     const value = options[key] ?? usual;
     if (value === usual || value === "" || value === false) {
       return [];
@@ -69,29 +69,29 @@ export function wordsOf(options) {
 }
 
 /**
- * The wishes that words of a command line stand for, and the words that stand for none of them.
+ * The options that words of a command line stand for, and the words that stand for none of them.
  * @param {string[]} words
  */
-export function wishesOf(words) {
+export function optionsOf(words) {
   /** @type {Record<string, string | boolean>} */
   const options = {};
   /** @type {string[]} */
   const rest = [];
   for (let i = 0; i < words.length; ++i) {
     const [word, ...value] = words[i].split("=");
-    const wish = wishes.find((w) => w.word === word);
-    if (!wish) {
+    const option = optionTable.find((w) => w.word === word);
+    if (!option) {
       rest.push(words[i]);
-    } else if (wish.kind === "flag") {
-      options[wish.key] = true;
+    } else if (option.kind === "flag") {
+      options[option.key] = true;
     } else {
       const text = value.length > 0 ? value.join("=") : words[++i] ?? "";
-      if (wish.key in options) {
+      if (option.key in options) {
         // Such as a second --only.
         rest.push(word, text);
         continue;
       }
-      options[wish.key] = wish.kind === "length" ? text.replace(/^([\d.]+)mm$/, "$1") : text;
+      options[option.key] = option.kind === "length" ? text.replace(/^([\d.]+)mm$/, "$1") : text;
     }
   }
   return {options, rest};

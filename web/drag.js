@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces of the sheets in somebody's hand: dragged, turned, and laid where there is room. What there is room for the program
-// says, while they are still held.
+// Pieces of the sheets that are dragged or turned, and laid where there is room. The program says where that is, while they
+// are still dragged.
 
-import {svgElement} from "./sheets.js";
+import {svgElement} from "./page_drawer.js";
 
 /** @typedef {import("./backend.js").Edit} Edit */
 /** @typedef {import("./nets.js").Nets} Nets */
@@ -55,10 +55,10 @@ export function placeOfPiece(nets, index, dx, dy, degrees, page = nets.pieces[in
 }
 
 /**
- * Whether a piece can be laid where it is held; where not, `instead` may be where its place can be nearby, mm on the page.
+ * Whether a piece can be laid where it is dragged to; where not, `instead` may be where its place can be nearby, mm on the page.
  * @typedef {{ok: boolean, instead?: number[]}} Room
  *
- * @typedef {object} HandsListener
+ * @typedef {object} DragHost
  * @property {() => Set<number>} chosen pieces, be it by an edge of theirs
  * @property {() => boolean} turns whether the piece that is chosen has a handle
  * @property {Set<number>} pinned pieces
@@ -67,25 +67,25 @@ export function placeOfPiece(nets, index, dx, dy, degrees, page = nets.pieces[in
  */
 
 /**
- * What is held now.
- * @typedef {object} Held
+ * What is dragged now.
+ * @typedef {object} Dragged
  * @property {number[]} pieces
  * @property {boolean} turns
  * @property {{x: number, y: number}} from where the pointer took it, in the window
  * @property {boolean} moved
- * @property {Edit[]} edits that lay it as it is held
- * @property {{edits: Edit[], room: Room} | null} told what was said of these, or of some before
+ * @property {Edit[]} edits that lay it where it is
+ * @property {{edits: Edit[], room: Room} | null} feedback to these, or to some before
  */
 
-export class Hands {
-  /** @param {Plan} plan @param {HandsListener} listener */
+export class PieceDrag {
+  /** @param {Plan} plan @param {DragHost} listener */
   constructor(plan, listener) {
     this.plan = plan;
     this.listener = listener;
-    /** @type {Held | null} */
-    this.held = null;
+    /** @type {Dragged | null} */
+    this.dragged = null;
     this.asking = false;
-    this.layer = svgElement("g", {class: "hands"}, plan.svg);
+    this.layer = svgElement("g", {class: "drag"}, plan.svg);
     this.draw();
   }
 
@@ -101,7 +101,7 @@ export class Hands {
     const chosen = this.listener.chosen();
     const from = {x: event.clientX, y: event.clientY};
     if (this.#onHandle(event)) {
-      this.held = {pieces: [...chosen], turns: true, from, moved: false, edits: [], told: null};
+      this.dragged = {pieces: [...chosen], turns: true, from, moved: false, edits: [], feedback: null};
       return true;
     }
     const spot = pick();
@@ -109,7 +109,7 @@ export class Hands {
       return false;
     }
     const pieces = chosen.has(spot.piece) ? [...chosen].filter((index) => !this.listener.pinned.has(index)) : [spot.piece];
-    this.held = {pieces, turns: false, from, moved: false, edits: [], told: null};
+    this.dragged = {pieces, turns: false, from, moved: false, edits: [], feedback: null};
     return true;
   }
 
@@ -120,30 +120,30 @@ export class Hands {
 
   /** @param {PointerEvent} event */
   move(event) {
-    const {held, plan} = this;
-    if (!held) {
+    const {dragged, plan} = this;
+    if (!dragged) {
       return;
     }
-    if (!held.moved) {
-      held.moved = true;
+    if (!dragged.moved) {
+      dragged.moved = true;
       plan.showNewPage(true);
-      plan.svg.classList.add("holding");
+      plan.svg.classList.add("dragging");
       this.layer.replaceChildren();
-      held.pieces.forEach((index) => plan.raise(index));
+      dragged.pieces.forEach((index) => plan.raise(index));
     }
     const {nets} = plan;
-    const dx = (event.clientX - held.from.x) / plan.view.scale;
-    const dy = (event.clientY - held.from.y) / plan.view.scale;
-    if (held.turns) {
-      const index = held.pieces[0];
+    const dx = (event.clientX - dragged.from.x) / plan.view.scale;
+    const dy = (event.clientY - dragged.from.y) / plan.view.scale;
+    if (dragged.turns) {
+      const index = dragged.pieces[0];
       const degrees = this.#turnAt(index, event);
       const [left, top, right, bottom] = plan.pieceBox(index);
       const corner = plan.corners[nets.pieces[index].page];
       plan.shift(index, `rotate(${-degrees} ${0.5 * (left + right) - corner.x} ${0.5 * (top + bottom) - corner.y})`);
-      held.edits = [placeOfPiece(nets, index, 0, 0, degrees)];
+      dragged.edits = [placeOfPiece(nets, index, 0, 0, degrees)];
     } else {
       const over = plan.pageAtClient(event.clientX, event.clientY);
-      held.edits = held.pieces.map((index) => {
+      dragged.edits = dragged.pieces.map((index) => {
         plan.shift(index, `translate(${dx} ${dy})`);
         const own = nets.pieces[index].page;
         const page = over < 0 ? own : over;
@@ -153,7 +153,7 @@ export class Hands {
         return placeOfPiece(nets, index, from.x + dx - to.x, there - height - (from.y + dy - to.y), 0, page);
       });
     }
-    this.#ask();
+    this.#askForRoom();
   }
 
   /** @param {number} index @param {PointerEvent} event */
@@ -164,30 +164,30 @@ export class Hands {
     return event.shiftKey ? turnStep * Math.round(degrees / turnStep) : degrees;
   }
 
-  /** Marks what is held while there is no room for it, or shows where it will lie; one question at a time. */
-  async #ask() {
+  /** Marks what is dragged while there is no room for it, or shows where it will lie; one question at a time. */
+  async #askForRoom() {
     if (this.asking) {
       return;
     }
     this.asking = true;
-    for (let asked = null; this.held && this.held.edits !== asked;) {
-      const {held} = this;
-      asked = held.edits;
+    for (let asked = null; this.dragged && this.dragged.edits !== asked;) {
+      const {dragged} = this;
+      asked = dragged.edits;
       const room = await this.listener.fits(asked);
-      held.told = {edits: asked, room};
-      if (held === this.held) {
-        held.pieces.forEach((index) => this.plan.pieces[index].classList.toggle("no-room", !room.ok && !room.instead));
-        this.#showLanding(held);
+      dragged.feedback = {edits: asked, room};
+      if (dragged === this.dragged) {
+        dragged.pieces.forEach((index) => this.plan.pieces[index].classList.toggle("no-room", !room.ok && !room.instead));
+        this.#showLanding(dragged);
       }
     }
     this.asking = false;
   }
 
-  /** The outline of what is held, where it will lie if that is elsewhere. @param {Held} held */
-  #showLanding({pieces, told}) {
+  /** The outline of what is dragged, where it will lie if that is elsewhere. @param {Dragged} dragged */
+  #showLanding({pieces, feedback}) {
     this.layer.replaceChildren();
-    const [edit] = told?.edits ?? [];
-    const instead = told?.room.instead;
+    const [edit] = feedback?.edits ?? [];
+    const instead = feedback?.room.instead;
     if (!instead || edit.kind !== "place") {
       return;
     }
@@ -202,31 +202,31 @@ export class Hands {
 
   /** Lets go; what finds no room lies nearby, or goes back. */
   async drop() {
-    const {held} = this;
-    this.held = null;
-    if (!held || held.edits.length === 0) {
-      this.#release(held);
+    const {dragged} = this;
+    this.dragged = null;
+    if (!dragged || dragged.edits.length === 0) {
+      this.#release(dragged);
       return;
     }
     this.plan.showNewPage(false);
-    const {instead} = held.told?.edits === held.edits ? held.told.room : await this.listener.fits(held.edits);
-    await this.listener.lay(held.edits.map((edit) => (instead && edit.kind === "place" ? {...edit, at: instead} : edit)));
-    this.#release(held);
+    const {instead} = dragged.feedback?.edits === dragged.edits ? dragged.feedback.room : await this.listener.fits(dragged.edits);
+    await this.listener.lay(dragged.edits.map((edit) => (instead && edit.kind === "place" ? {...edit, at: instead} : edit)));
+    this.#release(dragged);
   }
 
   cancel() {
-    const {held} = this;
-    this.held = null;
-    this.#release(held);
+    const {dragged} = this;
+    this.dragged = null;
+    this.#release(dragged);
   }
 
-  /** @param {Held | null} held */
-  #release(held) {
-    held?.pieces.forEach((index) => {
+  /** @param {Dragged | null} dragged */
+  #release(dragged) {
+    dragged?.pieces.forEach((index) => {
       this.plan.shift(index);
       this.plan.pieces[index].classList.remove("no-room");
     });
-    this.plan.svg.classList.remove("holding");
+    this.plan.svg.classList.remove("dragging");
     this.plan.showNewPage(false);
     this.draw();
   }

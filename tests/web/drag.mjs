@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves pieces in the studio's page by mouse, keyboard and finger. The program behind it is played by a few lines, which
 // note what they are asked, so that this runs where no WebAssembly was built.
-//   node hands.mjs --browser chromium|firefox --cmake FILE --web FOLDER --program FILE --samples FOLDER --tools FOLDER --out FOLDER
+//   node drag.mjs --browser chromium|firefox --web FOLDER --program FILE --samples FOLDER --tools FOLDER --out FOLDER
 import {execFileSync} from "node:child_process";
 import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
 import {pathToFileURL} from "node:url";
 import {parseArgs} from "node:util";
+import {deflateSync} from "node:zlib";
 
-import {lettersOf} from "../../wasm/letters.mjs";
 import {unpackedText} from "../../web/packed.js";
 import {launch, settled, toolsIn} from "./browsers.mjs";
 
-const {values} = parseArgs({options: {browser: {type: "string", default: "chromium"}, cmake: {type: "string"}, web: {type: "string"},
+const {values} = parseArgs({options: {browser: {type: "string", default: "chromium"}, web: {type: "string"},
   program: {type: "string"}, samples: {type: "string"}, tools: {type: "string"}, out: {type: "string"}}});
 const require = toolsIn(values.tools);
 const {out} = values;
@@ -19,7 +19,7 @@ mkdirSync(out, {recursive: true});
 const faults = [];
 const check = (holds, words) => holds || faults.push(words);
 
-/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page; what is held higher
+/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page; what is dragged higher
  * than 250 mm finds room 20 mm above the page's foot. */
 function play(fold, sheets) {
   let pinned = [];
@@ -44,18 +44,12 @@ execFileSync(values.program, [`${values.samples}/whale.obj`, "--overwrite", "--q
   {stdio: ["ignore", "ignore", "inherit"]});
 const fold = readFileSync(`${out}/whale.fold`, "utf8");
 const written = readFileSync(`${out}/whale.html`, "utf8");
-const sheets = unpackedText(/id="sheets">(.*?)<\/script>/s.exec(written)[1]);
-execFileSync(values.cmake, ["-D", "STUDIO=ON", "-D", `HTML=${out}/frame.html`, "-P", `${values.web}/bundle.cmake`]);
-/** Unpacks nothing: what it is given is what it gives. (module (memory (export "memory") 16) (func (export "begin") (param i32 i32)
- * (result i32) i32.const 0) (func (export "unpack") (param i32) (result i32) i32.const 0)) */
-const unpacker = "AGFzbQEAAAABDAJgAn9/AX9gAX8BfwMDAgABBQMBABAHGwMGbWVtb3J5AgAFYmVnaW4AAAZ1bnBhY2sAAQoLAgQAQQALBABBAAs=";
-const parts = [Buffer.from(`(${play})(${JSON.stringify(fold)},${JSON.stringify(sheets)});`), Buffer.from(JSON.stringify({whale: {"whale.obj": "v 0 0 0\n"}})),
-  Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])];
-const data = `<script type="text/plain" id="unpacker">${unpacker}</script>
-<script type="text/plain" id="packed" data-sizes="${parts.map(({length}) => length).join(" ")}">${lettersOf(Buffer.concat(parts))}</script>
-<script type="application/json" id="start">{}</script>
-`;
-const file = `${out}/hands.html`;
+const sheets = await unpackedText(/id="sheets">(.*?)<\/script>/s.exec(written)[1]);
+execFileSync("sh", [`${values.web}/bundle.sh`, "studio", `${out}/frame.html`]);
+const packed = (id, bytes) => `<script type="text/plain" id="packed-${id}">${deflateSync(bytes).toString("base64")}</script>\n`;
+const data = [packed("module", Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])), packed("program", `(${play})(${JSON.stringify(fold)},${JSON.stringify(sheets)});`),
+  packed("samples", JSON.stringify({whale: {"whale.obj": "v 0 0 0\n"}})), '<script type="application/json" id="start">{}</script>'].join("");
+const file = `${out}/drag.html`;
 writeFileSync(file, readFileSync(`${out}/frame.html`, "utf8").replace("@PRODUCER@", "Ridgecraft test")
   .replace("@DATA@", () => data));
 
@@ -129,12 +123,12 @@ async function byMouse() {
   }, [largest, x]);
 
   // A drag lays the piece so much further.
-  const drag = async (dx, dy, while_held = async () => {}) => {
+  const drag = async (dx, dy, meanwhile = async () => {}) => {
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x + dx / 2, y + dy / 2);
     await page.mouse.move(x + dx, y + dy);
-    await while_held();
+    await meanwhile();
     await page.mouse.up();
     return idle();
   };
@@ -142,11 +136,11 @@ async function byMouse() {
   check((await lines("apply")).length === 0, "a click lays a piece");
   await page.keyboard.press("Escape");
   await drag(60 * inwards, 40, async () => {
-    check(await page.locator(".new-page").count() === 1, "there is no new page while a piece is held");
+    check(await page.locator(".new-page").count() === 1, "there is no new page while a piece is dragged");
     const shifts = await page.evaluate(() => ["[data-piece]", ".ground > g"].map((kind) =>
       [...document.querySelectorAll(`${kind}[transform]`)].map((part) => part.getAttribute("transform")).join()));
-    check(shifts[0] !== "" && shifts[0] === shifts[1], `a piece is held by ${shifts[0]}, the colour below it by ${shifts[1]}`);
-    await page.screenshot({path: `${out}/${values.browser}-held.png`});
+    check(shifts[0] !== "" && shifts[0] === shifts[1], `a piece is dragged by ${shifts[0]}, the colour below it by ${shifts[1]}`);
+    await page.screenshot({path: `${out}/${values.browser}-dragged.png`});
   });
   const first = (await lines("apply")).at(-1) ?? "";
   await drag(120 * inwards, 40);
@@ -154,7 +148,7 @@ async function byMouse() {
   const [a, b] = [numbers(first), numbers(second)];
   check(first.startsWith("place ") && a[0] === b[0] && a[1] === b[1] && Math.abs(b[2] - a[2] - 60 * inwards / scale) < 0.05 && Math.abs(b[3] - a[3]) < 0.05 && a[4] === b[4],
     `60 pixels further of ${scale} a mm: "${first}", "${second}"`);
-  check((await lines("preview")).some((line) => line.startsWith("place ")), "nobody asks for room while a piece is held");
+  check((await lines("preview")).some((line) => line.startsWith("place ")), "nobody asks for room while a piece is dragged");
 
   // Without room it is red, goes back, and why is said in German.
   const refused = await drag(-700, 0, async () => page.waitForSelector(".no-room", {timeout: 5000}).catch(() => faults.push("what has no room isn't marked")));
@@ -248,11 +242,11 @@ async function byFinger() {
   const applied = async () => (await lines("apply")).length;
   const cornerOf = () => page.evaluate(() => document.getElementById("plan").getAttribute("viewBox"));
 
-  // The wishes stand in a drawer there.
-  check(!await page.isVisible("#wishes"), "the wishes take the sheets' room on a phone");
-  await page.click("#open-wishes");
-  check(await page.isVisible("#wish-paper") && await page.isVisible("#open-other"), "the wishes don't open on a phone");
-  await page.click("#open-wishes");
+  // The options stand in a drawer there.
+  check(!await page.isVisible("#options"), "the options take the sheets' room on a phone");
+  await page.click("#open-options");
+  check(await page.isVisible("#option-paper") && await page.isVisible("#open-other"), "the options don't open on a phone");
+  await page.click("#open-options");
 
   const before = await cornerOf();
   await stroke([await inside(largest)], [[30, 24]]);
@@ -276,7 +270,7 @@ async function byFinger() {
     `a finger 24 pixels further of ${scale} a mm: "${first}", "${second}"`);
   check((await inspect()).chosen.join() === String(largest), "a piece that was moved by finger isn't chosen any more");
 
-  // Two fingers zoom, also where the first one held the piece.
+  // Two fingers zoom, also where the first one dragged the piece.
   const [x, y] = await inside(largest);
   const {width, height, y: top} = await page.locator("#plan").boundingBox();
   const [right, down] = [x < width / 2 ? 1 : -1, y < top + height / 2 ? 1 : -1];

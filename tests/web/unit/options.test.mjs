@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options of the panel and words of a command line stand for each other.
+import assert from "node:assert/strict";
+import {test} from "node:test";
+
+import {optionsOf, optionTable, wordsOf} from "../../../web/options.js";
+
+/** A value that isn't the usual one. */
+function valueOf({kind, usual, choices}) {
+  return kind === "flag" ? !usual : kind === "choice" ? choices.find((choice) => choice !== usual && choice !== "") : "12";
+}
+
+test("what options say to the program, they are read from again", () => {
+  for (const option of optionTable) {
+    const asked = {[option.key]: valueOf(option)};
+    assert.deepEqual(optionsOf(wordsOf(asked)), {options: asked, rest: []}, option.key);
+  }
+  const all = Object.fromEntries(optionTable.map((option) => [option.key, valueOf(option)]));
+  assert.deepEqual(optionsOf(wordsOf(all)).options, all);
+});
+
+test("usual values say nothing to the program", () => {
+  assert.deepEqual(wordsOf({}), []);
+  assert.deepEqual(wordsOf(Object.fromEntries(optionTable.map(({key, usual}) => [key, usual]))), []);
+});
+
+test("words that are no options are passed on, in their order", () => {
+  assert.deepEqual(optionsOf(["--unknown", "--size=20cm", "x"]), {options: {size: "20cm"}, rest: ["--unknown", "x"]});
+});
