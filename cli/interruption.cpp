@@ -1,106 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interruption.hpp"
 
-#include <cerrno>
-#include <exception>
-#include <system_error>
+#include <string_view>
 
-#include <pthread.h>
+#include <unistd.h>
+
+#include "cli/telling/exit_code.hpp"
 
 namespace ridgecraft::cli {
 namespace {
 
-/// Wakes the waiter at the end of a job. Nothing happens where somebody else sends it: by default it's
-/// ignored.
-constexpr int wake_up = SIGURG;
+/// Between the signal and the end of a program that doesn't stop by itself.
+constexpr unsigned grace_s = 1;
 
-/// How long the stages have to end by themselves after a signal: half a second.
-constexpr timespec grace{0, 500'000'000};
-
-/// For signal handlers, where no thread could be had.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a handler knows nothing else
-Interruption* without_thread = nullptr;
+constinit std::atomic<Interruption*> current = nullptr;
+static_assert(std::atomic<Interruption*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+
+void print(int file, std::string_view text) noexcept {
+  [[maybe_unused]] const ssize_t ignored = ::write(file, text.data(), text.size());
+}
 
 }  // namespace
 
-Interruption::Interruption(PendingFiles& pending) : pending_(pending), failures_(std::uncaught_exceptions()) {
-  signals_ = interrupting_signals();
-  sigset_t blocked = signals_;
-  sigaddset(&blocked, wake_up);
-  pthread_sigmask(SIG_BLOCK, &blocked, &previous_);
-  try {
-    waiter_ = std::jthread([this](const std::stop_token& finished) { wait_for_signal(finished); });
-  } catch (const std::system_error&) {
-    wait_with_handlers();
-    pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
+Interruption::Interruption(bool json) : json_(json) {
+  current = this;
+  struct sigaction action {};
+  action.sa_handler = handle;
+  action.sa_flags = SA_RESTART;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    sigaction(signals[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler != SIG_IGN || signals[i] == SIGALRM) {
+      sigaction(signals[i], &action, nullptr);
+    }
   }
 }
 
 Interruption::~Interruption() {
-  if (waiter_.joinable()) {
-    waiter_.request_stop();
-    pthread_kill(waiter_.native_handle(), wake_up);
-    waiter_.join();
-    pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
-  } else {
-    for (std::size_t i = 0; i < interrupting.size(); ++i) {
-      if (sigismember(&signals_, interrupting[i]) == 1) {
-        sigaction(interrupting[i], &before_[i], nullptr);
-      }
-    }
-    without_thread = nullptr;
+  ::alarm(0);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    sigaction(signals[i], &before_[i], nullptr);
   }
-  // A job that failed tells why. One that came to its end may have looked before the signal came.
-  if (stopped().stop_requested() && std::uncaught_exceptions() == failures_) {
-    end_now();
-  }
+  current = nullptr;
 }
 
-void Interruption::wait_with_handlers() {
-  without_thread = this;
-  struct sigaction action {};
-  action.sa_handler = handle;
-  action.sa_flags = SA_RESTART;
-  for (std::size_t i = 0; i < interrupting.size(); ++i) {
-    if (sigismember(&signals_, interrupting[i]) == 1) {
-      sigaction(interrupting[i], &action, &before_[i]);
-    }
-  }
+void Interruption::work_is_done(bool files_written) noexcept {
+  json_ = false;
+  files_written_ = files_written;
 }
 
-/// Nothing but atomic variables is touched: the stop source has no callbacks.
-void Interruption::handle(int /*signal*/) {
-  if (without_thread != nullptr) {
-    without_thread->user_.request_stop();
+/// Only calls what is safe in signal handlers: the stop source has no callbacks.
+void Interruption::handle(int signal) {
+  Interruption* const job = current;
+  if (job == nullptr) {
+    return;
   }
+  if (signal == SIGALRM) {
+    job->end();
+  }
+  job->source_.request_stop();
+  ::alarm(grace_s);
 }
 
-void Interruption::wait_for_signal(const std::stop_token& finished) {
-  sigset_t heeded = signals_;
-  sigaddset(&heeded, wake_up);
-  for (int signal = -1; signal < 0 || signal == wake_up;) {
-    signal = sigwaitinfo(&heeded, nullptr);
-    if ((signal < 0 || signal == wake_up) && finished.stop_requested()) {
-      return;
-    }
+void Interruption::end() const noexcept {
+  print(STDERR_FILENO, files_written_ ? "\nridgecraft: interrupted after the files were written\n"
+                                      : "\nridgecraft: interrupted before the work was done\n");
+  if (json_) {
+    print(STDOUT_FILENO,
+          "{\"error\": {\"code\": 130, \"message\": \"interrupted before the work was done\"}}\n");
   }
-  user_.request_stop();
-  sigset_t end;
-  sigemptyset(&end);
-  sigaddset(&end, wake_up);
-  while (sigtimedwait(&end, nullptr, &grace) >= 0 || errno == EINTR) {
-    if (finished.stop_requested()) {
-      return;
-    }
-  }
-  end_now();
-}
-
-void Interruption::end_now() {
-  if (pending_.discard()) {
-    files_are_written();
-  }
-  end_interrupted();
+  ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
 }  // namespace ridgecraft::cli

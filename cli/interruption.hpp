@@ -3,45 +3,39 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <csignal>
-#include <stop_token>
-#include <thread>
 
 #include "base/stop.hpp"
-#include "cli/early_end.hpp"
-#include "cli/files/set/pending_files.hpp"
 
 namespace ridgecraft::cli {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP set the stop token. Stages look at it often; where a library
-/// call can't be stopped, the program removes its temporary files and ends by itself half a second later,
-/// with exit code 130. Where no thread can be had for that, signal handlers set the token, and the program
-/// ends when its stages look at it. When it goes, a signal that nobody has looked for ends the program,
-/// unless an exception is under way: then the job has failed, and that is told. Signals that come later are
-/// heeded as before it came (early_end.hpp).
+/// While it lives, SIGINT, SIGTERM and SIGHUP set the stop token, which stages look at often, and end the
+/// program with exit code 130 where it is still there a second later. Signals that are ignored when it comes
+/// (nohup, a job in the background) stay ignored. At most one lives at a time.
 class Interruption {
  public:
-  explicit Interruption(PendingFiles& pending);
+  /// `json`: a program that is ended so prints an object on standard output, too.
+  explicit Interruption(bool json);
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
 
   /// Set when a signal came.
-  [[nodiscard]] StopToken stopped() const { return user_.get_token(); }
+  [[nodiscard]] StopToken stopped() const { return source_.get_token(); }
+  /// From now on the result is printed: the object is left out, and the sentence tells of the files.
+  void work_is_done(bool files_written) noexcept;
 
  private:
-  void wait_for_signal(const std::stop_token& finished);
-  void wait_with_handlers();
-  static void handle(int signal);
-  [[noreturn]] void end_now();
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGALRM};
 
-  PendingFiles& pending_;
-  int failures_;  ///< exceptions under way when it came
-  StopSource user_;
-  sigset_t signals_{};
-  sigset_t previous_{};
-  std::array<struct sigaction, interrupting.size()> before_{};  ///< where there is no thread
-  std::jthread waiter_;
+  static void handle(int signal);
+  [[noreturn]] void end() const noexcept;
+
+  StopSource source_;
+  std::atomic<bool> json_;
+  std::atomic<bool> files_written_ = false;
+  std::array<struct sigaction, signals.size()> before_{};
 };
 
 }  // namespace ridgecraft::cli

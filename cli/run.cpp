@@ -11,15 +11,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "base/printable.hpp"
 #include "cli/arguments/options.hpp"
 #include "cli/arguments/parse.hpp"
-#include "cli/early_end.hpp"
 #include "cli/files/formats.hpp"
 #include "cli/files/model_input.hpp"
-#include "cli/files/set/pending_files.hpp"
+#include "cli/files/pending_files.hpp"
 #include "cli/files/value.hpp"
 #include "cli/interruption.hpp"
 #include "cli/jobs/about.hpp"
@@ -99,6 +99,15 @@ void fill_closed_streams() {
   }
 }
 
+/// Each file of a result stays open until all are written: a thousand, where a model takes hundreds of pages.
+void allow_many_open_files() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) == 0) {
+    limit.rlim_cur = limit.rlim_max;
+    ::setrlimit(RLIMIT_NOFILE, &limit);
+  }
+}
+
 /// Whether -q keeps a job from printing: not where the text is all that it makes.
 enum class Quiet { no, yes };
 
@@ -106,7 +115,7 @@ enum class Quiet { no, yes };
 class Session {
  public:
   explicit Session(const CommonOptions& options)
-      : interruption_(pending_), progress_(!options.quiet && !options.json), options_(options) {
+      : interruption_(options.json), progress_(!options.quiet && !options.json), options_(options) {
     Context& context = context_;
     context.threads = options.threads;
     context.seed = options.seed;
@@ -119,14 +128,6 @@ class Session {
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
-  /// Temporary files go while signals still wait: afterwards one may end the program at any time. What killed
-  /// runs had left is told by jobs that fail, too.
-  ~Session() {
-    if (pending_.discard()) {
-      files_are_written();
-    }
-    warn(pending_.take_notes());
-  }
 
   [[nodiscard]] const Context& context() const { return context_; }
   [[nodiscard]] PendingFiles& pending() { return pending_; }
@@ -166,6 +167,7 @@ class Session {
   [[nodiscard]] ExitCode finish(const std::vector<std::string>& files, Quiet quiet, const Text& text,
                                 const JsonText& json) {
     progress_.clear();
+    interruption_.work_is_done(!files.empty());
     int error = 0;
     if (options_.json || !options_.quiet || quiet == Quiet::no) {
       const std::string words = options_.json ? json() : printable_lines(text());
@@ -174,9 +176,7 @@ class Session {
       } else {
         error = print(words);
       }
-      json_is_printed();
     }
-    end_if_interrupted();
     if (error != 0) {
       complain("the files were written, but the summary couldn't be printed: " + why_unprinted(error));
       return ExitCode::untold;
@@ -185,18 +185,8 @@ class Session {
   }
 
  private:
-  /// What a signal asked to stop was done before it could.
-  void end_if_interrupted() {
-    if (interruption_.stopped().stop_requested()) {
-      if (pending_.discard()) {
-        files_are_written();
-      }
-      end_interrupted();
-    }
-  }
-
-  PendingFiles pending_;
   Interruption interruption_;
+  PendingFiles pending_;  ///< goes first: signals are still held off while it removes files
   Progress progress_;
   CommonOptions options_;
   Context context_;
@@ -405,6 +395,13 @@ ExitCode fail(ExitCode code, const std::string& sentence, bool json) {
   return code;
 }
 
+/// True where the words of a command line ask for JSON: options end at "--".
+bool asks_for_json(const std::vector<std::string>& words) {
+  const auto word =
+      std::ranges::find_if(words, [](const std::string& w) { return w == "--json" || w == "--"; });
+  return word != words.end() && *word == "--json";
+}
+
 ExitCode do_guarded(const std::vector<std::string>& arguments, bool json) {
   try {
     return std::visit([](const auto& job) { return do_job(job); }, parse_arguments(arguments));
@@ -426,6 +423,7 @@ ExitCode run(const std::vector<std::string>& arguments) noexcept {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   fill_closed_streams();
+  allow_many_open_files();
   // Wrong arguments are told as JSON, too, so this can't wait until they are parsed.
   return do_guarded(arguments, asks_for_json(arguments));
 }

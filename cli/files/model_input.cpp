@@ -47,7 +47,8 @@ std::size_t read_some(std::array<char, chunk>& buffer, const Context& context) {
   for (;;) {
     context.check();
     pollfd ready{STDIN_FILENO, POLLIN, 0};
-    if (::poll(&ready, 1, wait_ms) == 0) {
+    const int count = ::poll(&ready, 1, wait_ms);
+    if (count == 0 || (count < 0 && errno == EINTR)) {
       continue;
     }
     const ssize_t got = ::read(STDIN_FILENO, buffer.data(), buffer.size());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/arguments/options.hpp"
-#include "cli/files/set/pending_files.hpp"
+#include "cli/files/pending_files.hpp"
 #include "cli/files/targets.hpp"
 #include "job/job.hpp"
 

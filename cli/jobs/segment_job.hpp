@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/arguments/options.hpp"
-#include "cli/files/set/pending_files.hpp"
+#include "cli/files/pending_files.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/model/model.hpp"
 #include "segment/evaluate.hpp"

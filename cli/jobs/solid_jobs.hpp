@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/arguments/options.hpp"
-#include "cli/files/set/pending_files.hpp"
+#include "cli/files/pending_files.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/mesh.hpp"
 #include "solid/body.hpp"

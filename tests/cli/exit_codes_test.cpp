@@ -288,7 +288,7 @@ TEST_CASE("exit code 130: Ctrl-C leaves nothing behind", "[exit_codes]") {
   const Outcome outcome = run_program({"sheet.off", "--faces", "keep"}, options);
   CHECK(outcome.exit_code == 130);
   CHECK_FALSE(outcome.by_signal);
-  CHECK(outcome.err.find("nothing was written") != std::string::npos);
+  CHECK(outcome.err.find("before the work was done") != std::string::npos);
   CHECK(outcome.seconds < *options.interrupt_after_s + 5.0);
   CHECK(folder.names() == std::set<std::string>{"sheet.off"});
 }

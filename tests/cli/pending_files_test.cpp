@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that appear together or not at all.
-#include "cli/files/set/pending_files.hpp"
+// Files that appear when all of them are complete.
+#include "cli/files/pending_files.hpp"
 
+#include <barrier>
 #include <csignal>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -11,13 +13,14 @@
 #include <sys/stat.h>
 
 #include "base/error.hpp"
+#include "cli/program_checks.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft;
 using cli::PendingFiles;
 namespace fs = std::filesystem;
 
-TEST_CASE("when one file can't get its name the others are as they were", "[pending]") {
+TEST_CASE("where one file can't be replaced the others are as they were", "[pending]") {
   const test::TemporaryFolder folder;
   test::write_bytes(folder / "old", "before");
   fs::create_directories(folder / "busy/inside");
@@ -26,36 +29,30 @@ TEST_CASE("when one file can't get its name the others are as they were", "[pend
     pending.add(folder / "new", "1");
     pending.add(folder / "old", "2");
     pending.add(folder / "busy", "3");  // a folder can't be replaced by a file
-    pending.add(folder / "last", "4");
     CHECK_THROWS_AS(pending.commit(), Error);
   }
   CHECK(test::read_bytes(folder / "old") == "before");
   CHECK(folder.names() == std::set<std::string>{"old", "busy"});
 }
 
-TEST_CASE("without second names, what can't be put back is named", "[pending]") {
+TEST_CASE("where one file can't get its name, those that have theirs are named", "[pending]") {
   const test::TemporaryFolder folder;
-  test::write_bytes(folder / "old", "before");
-  fs::create_directories(folder / "busy/inside");
   {
-    PendingFiles pending({.before_step = [&](std::string_view step) {
-      if (step == "rename") {
-        for (const std::string& name : folder.names()) {
-          if (name.ends_with(".old")) {
-            fs::remove(folder / name);
-          }
-        }
+    PendingFiles pending;
+    pending.add(folder / "one", "1");
+    pending.add(folder / "two", "2");
+    const std::set<std::string> before = folder.names();
+    pending.add(folder / "three", "3");
+    for (const std::string& name : folder.names()) {
+      if (!before.contains(name)) {
+        fs::remove(folder / name);
       }
-    }});
-    pending.add(folder / "new", "1");
-    pending.add(folder / "old", "2");
-    pending.add(folder / "busy", "3");  // a folder can't be replaced by a file
-    CHECK_THROWS_WITH(pending.commit(), Catch::StartsWith("can't write " + (folder / "busy").string()) &&
-                                            Catch::EndsWith("; " + (folder / "old").string() +
-                                                            " is new already and couldn't be put back"));
+    }
+    CHECK_THROWS_WITH(pending.commit(), Catch::StartsWith("can't write " + (folder / "three").string()) &&
+                                            Catch::EndsWith("; " + (folder / "one").string() + " and " +
+                                                            (folder / "two").string() + " are new already"));
   }
-  CHECK(test::read_bytes(folder / "old") == "2");
-  CHECK(folder.names() == std::set<std::string>{"old", "busy"});
+  CHECK(folder.names() == std::set<std::string>{"one", "two"});
 }
 
 TEST_CASE("files in new folders appear on commit, and nothing else stays", "[pending]") {
@@ -129,27 +126,68 @@ TEST_CASE("a leftover that can't be removed is told, and no failure", "[pending]
   CHECK(test::read_bytes(folder / "page.svg") == "1");
 }
 
-TEST_CASE("the disk gets each new folder's name before anything is put there", "[pending]") {
-  const test::TemporaryFolder folder;
-  std::vector<std::string> steps;
-  PendingFiles pending({.before_step = [&](std::string_view step) { steps.emplace_back(step); }});
-  pending.add(folder / "a/b/new", "1");
-  REQUIRE(steps.size() > 4);
-  CHECK(std::vector<std::string>(steps.begin(), steps.begin() + 4) ==
-        std::vector<std::string>{"mkdir", "fsync", "mkdir", "fsync"});
+TEST_CASE("two sets that race for one folder write whole files", "[pending]") {
+  constexpr int rounds = 100;
+  const std::vector<std::string> names{"a/x", "a/y", "b/z"};
+  const test::TemporaryFolder folder(test::memory());
+  std::size_t wrong = 0;
+  std::barrier both(2, [&]() noexcept {
+    for (const auto& [name, bytes] : test::contents(folder.path())) {
+      wrong += name.ends_with(".part") || (bytes != std::string(99, '1') && bytes != std::string(99, '2'));
+    }
+    fs::remove_all(folder / "a");
+    fs::remove_all(folder / "b");
+  });
+  const auto write = [&](char mark) {
+    for (int i = 0; i < rounds; ++i) {
+      both.arrive_and_wait();
+      PendingFiles pending;
+      for (const std::string& name : names) {
+        pending.add(folder / name, std::string(99, mark));
+      }
+      pending.commit();
+    }
+    both.arrive_and_wait();
+  };
+  {
+    const std::jthread first([&] { write('1'); });
+    const std::jthread second([&] { write('2'); });
+  }
+  CHECK(wrong == 0);
 }
 
-TEST_CASE("a set in folders between which no path leads is refused", "[pending]") {
-  const test::TemporaryFolder folder;
-  {
-    PendingFiles pending;
-    pending.add(folder / "a/x", "1");
-    pending.add(folder / "b/y", "1");
-    fs::rename(folder / "b", folder / "c");
-    fs::create_symlink("b", folder / "b");
-    CHECK_THROWS_WITH(pending.commit(), Catch::Contains("no path leads from one to the other"));
-    fs::remove(folder / "b");
-    fs::rename(folder / "c", folder / "b");
+TEST_CASE("two sets that make the same folder, of which one is given up", "[pending]") {
+  const test::TemporaryFolder folder(test::memory());
+  std::barrier both(2, [&]() noexcept { fs::remove_all(folder / "a"); });
+  std::size_t failed = 0;
+  const std::jthread other([&] {
+    for (int i = 0; i < 300; ++i) {
+      both.arrive_and_wait();
+      PendingFiles given_up;
+      given_up.add(folder / "a/b/y", "y");
+    }
+  });
+  for (int i = 0; i < 300; ++i) {
+    both.arrive_and_wait();
+    try {
+      PendingFiles pending;
+      pending.add(folder / "a/b/x", "x");
+      pending.commit();
+    } catch (const Error&) {
+      ++failed;
+    }
   }
-  CHECK(folder.names().empty());
+  CHECK(failed == 0);
+}
+
+TEST_CASE("hundreds of files at a time", "[pending][slow]") {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / "house.obj", test::house);
+  const test::Outcome outcome = test::run_command(
+      {"/bin/sh", "-c",
+       "ulimit -S -n 64; exec " RIDGECRAFT_PROGRAM " house.obj --size 1m --no-guide -o x.svg --faces keep"},
+      test::in(folder));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(folder.names().size() > 70);
 }

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SIGINT, SIGTERM and SIGHUP where no job runs that would look for them.
+// SIGINT, SIGTERM and SIGHUP while a job runs.
 #include <chrono>
 #include <csignal>
-#include <optional>
-#include <stdexcept>
-#include <thread>
 
 #include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/early_end.hpp"
-#include "cli/files/set/pending_files.hpp"
-#include "cli/interruption.hpp"
 #include "cli/program_checks.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -41,34 +34,34 @@ class FullPipe {
   int pipe_ = -1;
 };
 
-/// Does the work in a process of its own that heeds signals as the program does. Its exit code, 0 at its end.
-int exit_code_of(void (*work)()) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    ::dup2(nowhere, STDERR_FILENO);
-    cli::end_at_signals(false);
-    work();
-    ::_exit(0);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 }  // namespace
 
-TEST_CASE("signals are heeded where no job runs", "[signals]") {
+TEST_CASE("a job that waits for its model ends at a signal", "[signals]") {
+  const TemporaryFolder folder;
+  RunOptions options = in(folder);
+  options.interrupt_after_s = 0.2;
+  options.when_heeded = true;
+  options.signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
+  const std::string program = RIDGECRAFT_PROGRAM;
+  const Outcome outcome =
+      run_command({"/bin/sh", "-c", "mkfifo pipe; exec " + program + " info - --json <> pipe"}, options);
+  CHECK(outcome.exit_code == 130);
+  CHECK_FALSE(outcome.by_signal);
+  CHECK(outcome.err == "ridgecraft: stopped before the work was done; nothing was written\n");
+  CHECK(outcome.out.find("\"code\": 130") != std::string::npos);
+}
+
+TEST_CASE("a job that looks at no signal ends a second later", "[signals]") {
   const TemporaryFolder folder;
   const FullPipe pipe(folder / "pipe");
+  write_bytes(folder / "house.obj", house);
   RunOptions options = in(folder);
   options.out_file = folder / "pipe";
   options.interrupt_after_s = 0.5;
-  options.signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
-  const Outcome outcome = run_program({"--help"}, options);
-  CHECK_FALSE(outcome.by_signal);
+  options.when_heeded = true;
+  const Outcome outcome = run_program({"info", "house.obj"}, options);
   CHECK(outcome.exit_code == 130);
-  CHECK(outcome.err == "\nridgecraft: interrupted; nothing was written\n");
+  CHECK(outcome.err == "\nridgecraft: interrupted before the work was done\n");
 }
 
 TEST_CASE("a signal while the summary is printed says that the files are there", "[signals]") {
@@ -101,58 +94,4 @@ TEST_CASE("signals that are ignored stay ignored", "[signals]") {
   const Outcome outcome =
       run_command({"/bin/sh", "-c", "trap '' HUP; exec " + program + " house.obj -o house.pdf"}, options);
   CHECK(outcome.exit_code == 0);
-}
-
-TEST_CASE("no signal ends the program by itself once its code has begun", "[signals]") {
-  // Before that, while the system loads libraries, nobody can keep a signal from ending it.
-  const TemporaryFolder folder;
-  write_bytes(folder / "house.obj", house);
-  for (int i = 0; i < 40; ++i) {
-    RunOptions options = in(folder);
-    options.interrupt_after_s = 0.001 * i;
-    options.when_heeded = true;
-    const Outcome outcome = run_program({"info", "house.obj"}, options);
-    CAPTURE(i, outcome.err);
-    CHECK_FALSE(outcome.by_signal);
-    CHECK((outcome.exit_code == 130 || outcome.exit_code == 0));
-    CHECK((outcome.exit_code == 0) == outcome.err.empty());
-  }
-}
-
-TEST_CASE("a signal between the summary and the end of a job isn't lost", "[signals]") {
-  for (int i = 0; i < 20; ++i) {
-    CHECK(exit_code_of([] {
-            cli::PendingFiles pending;
-            std::optional<cli::Interruption> interruption(pending);
-            ::kill(::getpid(), SIGTERM);  // nobody looks at the stop token any more
-            interruption.reset();
-          }) == 130);
-  }
-}
-
-TEST_CASE("a job that fails when a signal comes tells its failure", "[signals]") {
-  CHECK(exit_code_of([] {
-          cli::PendingFiles pending;
-          try {
-            const cli::Interruption interruption(pending);
-            ::kill(::getpid(), SIGTERM);
-            while (!interruption.stopped().stop_requested()) {
-              std::this_thread::yield();
-            }
-            throw std::runtime_error("a failure");
-          } catch (const std::runtime_error&) {
-            ::_exit(7);
-          }
-        }) == 7);
-}
-
-TEST_CASE("a job's end waits for nothing", "[signals]") {
-  constexpr int jobs = 50;
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < jobs; ++i) {
-    cli::PendingFiles pending;
-    const cli::Interruption interruption(pending);
-  }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  CHECK(seconds.count() < 0.01 * jobs);
 }

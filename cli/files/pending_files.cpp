@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/files/pending_files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <random>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/error.hpp"
+#include "base/sentence.hpp"
+
+namespace ridgecraft::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Another run may remove a folder that it made, or a file that isn't locked yet, before this one has its
+/// lock. That doesn't happen often in a row.
+constexpr int most_tries = 20;
+
+constexpr std::string_view part_prefix = ".ridgecraft-";
+constexpr std::string_view part_suffix = ".part";
+constexpr std::size_t part_digits = 16;
+
+/// Short, so that it fits wherever the target's name does. Process ids would not do: in containers many runs
+/// are process 1.
+std::string new_part_name() {
+  std::random_device random;
+  return fmt::format("{}{:08x}{:08x}{}", part_prefix, random(), random(), part_suffix);
+}
+
+bool is_part_name(std::string_view name) {
+  if (name.size() != part_prefix.size() + part_digits + part_suffix.size() ||
+      !name.starts_with(part_prefix) || !name.ends_with(part_suffix)) {
+    return false;
+  }
+  return name.substr(part_prefix.size(), part_digits).find_first_not_of("0123456789abcdef") ==
+         std::string_view::npos;
+}
+
+[[noreturn]] void refuse(const fs::path& target, int error, const std::string& more = {}) {
+  throw Error(ErrorKind::cant_write,
+              "can't write " + target.lexically_normal().string() + ": " + std::strerror(error) + more);
+}
+
+fs::path folder_of(const fs::path& target) {
+  return target.has_parent_path() ? target.parent_path() : fs::path(".");
+}
+
+/// Waits until the disk has the names in the folder. Where the file system can't promise that, nothing is
+/// done about it.
+void sync_folder(const fs::path& folder) {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.is_open()) {
+    ::fsync(opened.number());
+  }
+}
+
+/// Waits until the disk has the bytes: a full one often tells only then. 0, or the system's error number.
+int write_durably(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) {
+      return errno;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+  }
+  // Some file systems know no fsync.
+  return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS ? 0 : errno;
+}
+
+/// False where another run holds the new file to be left by a killed one, or has removed it already.
+bool lock_new_part(int file) {
+  struct stat status {};
+  const bool busy = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  return !busy && ::fstat(file, &status) == 0 && status.st_nlink > 0;
+}
+
+/// Removes what killed runs have left: the `.part` files that no run has locked.
+void remove_left_parts(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path path = entry->path();
+    if (!is_part_name(path.filename().string())) {
+      continue;
+    }
+    // A pipe of that name mustn't keep anybody waiting.
+    const Descriptor file(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat status {};
+    if (file.is_open() && ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) &&
+        ::flock(file.number(), LOCK_EX | LOCK_NB) == 0) {
+      ::unlink(path.c_str());
+    }
+  }
+}
+
+}  // namespace
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(number_, other.number_);
+  return *this;
+}
+
+Descriptor::~Descriptor() {
+  if (is_open()) {
+    ::close(number_);
+  }
+}
+
+void PendingFiles::add(const fs::path& target, std::string_view bytes) {
+  parts_.push_back(create_part(target));
+  if (const int error = write_durably(parts_.back().file.number(), bytes); error != 0) {
+    ::unlink(parts_.back().path.c_str());
+    parts_.pop_back();
+    refuse(target, error);
+  }
+}
+
+void PendingFiles::create_folders(const fs::path& folder) {
+  fs::path so_far;
+  for (const fs::path& name : folder) {
+    so_far /= name;
+    std::error_code error;
+    if (fs::is_directory(so_far, error)) {
+      continue;
+    }
+    if (fs::create_directory(so_far, error)) {
+      made_folders_.push_back(so_far);
+      sync_folder(folder_of(so_far));  // or a power failure takes the folder, with files that the disk has
+    } else if (error) {
+      std::error_code ignored;
+      if (!fs::exists(fs::symlink_status(so_far, ignored)) &&
+          (error == std::errc::no_such_file_or_directory || error == std::errc::file_exists)) {
+        return;  // another run has just removed it, or the folder around it
+      }
+      throw Error(ErrorKind::cant_write,
+                  "can't create the folder " + so_far.string() + ": " + std::strerror(error.value()));
+    }
+  }
+}
+
+PendingFiles::Part PendingFiles::create_part(const fs::path& target) {
+  const fs::path folder = folder_of(target);
+  for (int tries = 1;; ++tries) {
+    create_folders(target.parent_path());
+    if (!folders_.contains(folder)) {
+      remove_left_parts(folder);  // before anything is written: it may be what fills the disk
+    }
+    const fs::path path = folder / new_part_name();
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    const int error = errno;
+    if (file.is_open() && lock_new_part(file.number())) {
+      folders_.insert(folder);
+      return {target, path, std::move(file)};
+    }
+    if ((!file.is_open() && error != ENOENT) || tries == most_tries) {
+      refuse(target, error);
+    }
+  }
+}
+
+std::vector<std::string> PendingFiles::commit(const LastLook& look) {
+  const std::vector<fs::path> leftovers = look ? look() : std::vector<fs::path>();
+  for (const Part& part : parts_) {
+    std::error_code ignored;
+    if (fs::is_directory(fs::symlink_status(part.target, ignored))) {
+      refuse(part.target, EISDIR);
+    }
+  }
+  std::vector<std::string> renamed;
+  for (const Part& part : parts_) {
+    if (::rename(part.path.c_str(), part.target.c_str()) != 0) {
+      const int error = errno;
+      refuse(part.target, error,
+             renamed.empty()
+                 ? ""
+                 : "; " + listed(renamed, "and") + (renamed.size() == 1 ? " is" : " are") + " new already");
+    }
+    renamed.push_back(part.target.lexically_normal().string());
+  }
+  parts_.clear();
+  made_folders_.clear();
+  std::vector<std::string> notes;
+  for (const fs::path& file : leftovers) {
+    if (::unlink(file.c_str()) != 0 && errno != ENOENT) {
+      const int error = errno;
+      notes.push_back(file.string() + " is of an earlier run and can't be removed: " + std::strerror(error));
+    }
+  }
+  std::for_each(folders_.begin(), folders_.end(), sync_folder);
+  return notes;
+}
+
+void PendingFiles::discard() noexcept {
+  for (const Part& part : parts_) {
+    ::unlink(part.path.c_str());
+  }
+  for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder) {
+    ::rmdir(folder->c_str());  // stays where somebody else has put something into it
+  }
+}
+
+}  // namespace ridgecraft::cli

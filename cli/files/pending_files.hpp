@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that are being written: each under a temporary name until all of them are complete.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ridgecraft::cli {
+
+/// An open file, closed at its end.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  ~Descriptor();
+
+  [[nodiscard]] bool is_open() const { return number_ >= 0; }
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// Writes a set of files so that none is ever seen half written. add() writes `.ridgecraft-ID.part` in the
+/// target's folder and waits until the disk has it; commit() renames all of them; what is never committed is
+/// removed, folders made for it included. A run that is killed leaves old or new files, whole ones, and its
+/// `.part` files go when the next run adds a file to the folder. Each run locks (flock) its own until they
+/// are renamed: the system takes the lock back when the process ends. Where a file system knows no locks,
+/// `.part` files of other runs stay.
+class PendingFiles {
+ public:
+  PendingFiles() = default;
+  PendingFiles(const PendingFiles&) = delete;
+  PendingFiles& operator=(const PendingFiles&) = delete;
+  ~PendingFiles() { discard(); }
+
+  /// Writes the bytes into a folder that is made where it isn't there. No target may be added twice. Throws
+  /// Error(cant_write).
+  void add(const std::filesystem::path& target, std::string_view bytes);
+
+  /// Called before the first renaming: looks once more whether the targets may be replaced, and throws where
+  /// not. Returns files of earlier runs that are to go.
+  using LastLook = std::function<std::vector<std::filesystem::path>()>;
+
+  /// Renames everything into place, in the order of add(), then removes what is to go. Returns a sentence for
+  /// each file that couldn't be removed. Throws Error(cant_write) when a file can't get its name (the
+  /// sentence names those that have it already), and what `look` does.
+  std::vector<std::string> commit(const LastLook& look = {});
+
+ private:
+  struct Part {
+    std::filesystem::path target;
+    std::filesystem::path path;  ///< `.part`
+    Descriptor file;             ///< holds the lock
+  };
+
+  void discard() noexcept;
+  void create_folders(const std::filesystem::path& folder);
+  Part create_part(const std::filesystem::path& target);
+
+  std::vector<Part> parts_;
+  std::vector<std::filesystem::path> made_folders_;  ///< outer ones first
+  std::set<std::filesystem::path> folders_;          ///< that have got parts
+};
+
+}  // namespace ridgecraft::cli
