@@ -113,7 +113,7 @@ class PartMerger {
     if (least_pieces(patch, room_) == 1 && least_cost_of_piece(patch, parts, weights_) < limit) {
       tree = join_as_they_are(patch, sub_folds(patch_, folds_, both.faces), room_, weights_,
                               {parts, search_.tolerance, limit}, join_work_);
-      // Pieces of one part were unfolded together in vain when the part was (unite_pieces.hpp).
+      // Pieces of one part come from a search for one net of all of it.
       if (!tree && (parts > 1 || a.merged || b.merged)) {
         tree = unfold_afresh(patch, parts, limit);
       }

@@ -12,7 +12,6 @@
 #include "unfold/pieces/merge_pieces.hpp"
 #include "unfold/pieces/overlap_split.hpp"
 #include "unfold/pieces/piece_reasons.hpp"
-#include "unfold/pieces/unite_pieces.hpp"
 #include "unfold/search/fit_search.hpp"
 #include "unfold/search/net_search.hpp"
 #include "unfold/search/one_piece.hpp"
@@ -38,9 +37,6 @@ constexpr std::uint64_t fit_trials = 400;
 /// Faces times iterations, about 0.5 s, after which no more of them are made: spiky solids take long each
 /// time.
 constexpr std::uint64_t attempts_cost = 2'000'000;
-
-/// Pieces that overlap has left aren't united afresh where they are no more than this.
-constexpr std::size_t most_searched_together = 3;
 
 /// Rounds of taking pieces apart and joining them anew: fewer where each takes long.
 int refine_rounds(std::uint32_t faces) {
@@ -90,7 +86,6 @@ class PatchUnfolder {
       propose(merge_pieces(patch_, panel_folds(), room_, tolerance_, merge_budget, context_));
     }
     refine();
-    unite();
     insist_on_clean();
     note_pieces();
     return {best_->folds, piece_reasons(patch_, best_->folds, pieces_without()), std::move(notes_)};
@@ -168,21 +163,6 @@ class PatchUnfolder {
         best_->folds = std::move(folds);
         best_->cost = cost;
       }
-    }
-  }
-
-  /// Neighbours are unfolded afresh together, where that makes one piece of two.
-  void unite() {
-    // So few that overlap alone has left were searched for together.
-    const bool in_vain = best_->cost.pieces == clean_pieces_ && clean_pieces_ <= most_searched_together;
-    if (best_->cost.pieces <= least_pieces_ || in_vain || context_.out_of_time()) {
-      return;
-    }
-    Folds folds = unite_pieces(patch_, best_->folds, room_, tolerance_, random_.next(), context_);
-    const SplitCost cost = cost_of(patch_, folds);
-    if (cost.pieces < best_->cost.pieces) {
-      best_->folds = std::move(folds);
-      best_->cost = cost;
     }
   }
 
