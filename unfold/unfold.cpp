@@ -24,6 +24,7 @@
 #include "unfold/part_notes.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
+#include "unfold/patch/problem.hpp"
 #include "unfold/pieces/better_borders.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
@@ -104,14 +105,13 @@ struct Search {
 };
 
 /// The parts with the borders between them moved where that makes fewer pieces, and notes of it.
-void move_borders_of(const Asked& asked, const Plan& plan, const Patch& patch, const Context& context,
+void move_borders_of(const NetProblem& problem, const Asked& asked, const Context& context,
                      UnfoldedParts& parts) {
   std::vector<PieceReason> cause;
   for (const Cause& c : parts.causes) {
     cause.push_back(c.reason);
   }
-  MovedBorders moved = move_borders(asked.surface, plan.whole, patch, asked.part.items(), parts.folds, cause,
-                                    asked.options, plan.room, context);
+  MovedBorders moved = move_borders(problem, parts.folds, cause, context);
   parts.folds = std::move(moved.folds);
   const std::set<PartId> parts_moved(moved.parts.begin(), moved.parts.end());
   // What was told of these is of faces that they no longer have, or not alone.
@@ -129,29 +129,25 @@ void move_borders_of(const Asked& asked, const Plan& plan, const Patch& patch, c
 template <class FindMirrored, class FindTurned>
 Search search(const Asked& asked, const Plan& plan, const Patch& patch, const FindMirrored& find_mirrored,
               const FindTurned& find_turned, const Context& context) {
+  const NetProblem problem{asked.surface, plan.whole, patch, asked.part.items(), asked.options, plan.room};
   UnfoldedParts parts = unfold_parts(asked, plan, context);
   const PieceRules& rules = asked.options.pieces;
   if (rules.merge) {
-    move_borders_of(asked, plan, patch, context, parts);
+    move_borders_of(problem, asked, context, parts);
   }
-  Folds merged = rules.merge ? merge_parts(patch, asked.part.items(), parts.folds, plan.room, rules.weights,
-                                           net_tolerance(patch.extent), context.seed, context)
-                             : std::move(parts.folds);
+  Folds merged = rules.merge ? merge_parts(problem, parts.folds, context) : std::move(parts.folds);
   if (rules.merge && rules.mode == PieceMode::few) {
-    merged = fewer_pieces(asked.surface, plan.whole, patch, merged, asked.options, plan.room, context);
+    merged = fewer_pieces(problem, merged, context);
   }
-  const double tolerance = net_tolerance(patch.extent);
   const MirrorImages images = context.out_of_time() ? MirrorImages() : find_mirrored();
   const std::optional<prepare::PartialRotation> turn = context.out_of_time() ? std::nullopt : find_turned();
   const IdVector<EdgeId, EdgeId> turned_edges = turn ? turn->edge : IdVector<EdgeId, EdgeId>();
   const auto evened = [&](const Folds& folds) {
-    return even_pieces(asked.surface, patch, folds, images, turned_edges, rules.weights, plan.room, tolerance,
-                       context.seed, context);
+    return even_pieces(problem, folds, images, turned_edges, context);
   };
   Folds even = evened(merged);
   if (turn) {
-    Folds turned = turned_pieces(asked.surface, patch, even, *turn, images.edge, rules.weights, plan.room,
-                                 tolerance, context.seed, context);
+    Folds turned = turned_pieces(problem, even, *turn, images.edge, context);
     if (lay_out(patch, turned).faces.size() > lay_out(patch, even).faces.size()) {
       blame(patch, even, turned, PieceReason::shape, parts.causes);
     }
@@ -162,8 +158,7 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
   };
   const auto bordered = [&](const Folds& folds, Start start) {
     const Patch apart = with_twins_apart(patch, folds, twins_of(folds));
-    return better_borders(asked.surface, plan.whole, apart, folds, images.edge, asked.options, plan.room,
-                          start, context);
+    return better_borders(problem.with(apart), folds, images.edge, start, context);
   };
   Folds calm = bordered(even, Start::anywhere);
   if (rules.merge && !context.out_of_time()) {
@@ -173,10 +168,9 @@ Search search(const Asked& asked, const Plan& plan, const Patch& patch, const Fi
     }
   }
   calm = evened(calm);
-  const Folds better =
-      better_trees(asked.surface, plan.whole, patch, calm, images.edge, asked.options, plan.room, context);
-  return {with_equal_twins(asked.surface, patch, better, twins_of(better), plan.room, rules.weights),
-          std::move(parts.causes), std::move(parts.notes)};
+  const Folds better = better_trees(problem, calm, images.edge, context);
+  return {with_equal_twins(problem, better, twins_of(better)), std::move(parts.causes),
+          std::move(parts.notes)};
 }
 
 /// Everything of a piece but its faces and folds.

@@ -127,6 +127,8 @@ TEST_CASE("evened pieces are clean nets, no more of them, each the image of one"
   const MirrorImages images = unfold::mirror_images(surface, weights);
   REQUIRE(!images.edge.empty());
   const double tolerance = unfold::net_tolerance(patch.extent);
+  const unfold::Options options;
+  const unfold::Room room;
   std::size_t evened = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     Random random(seed);
@@ -141,8 +143,10 @@ TEST_CASE("evened pieces are clean nets, no more of them, each the image of one"
     if (!unfold::find_overlaps(unfold::lay_out(patch, folds), tolerance).empty()) {
       continue;
     }
-    const Folds even = unfold::even_pieces(surface, patch, folds, images, {}, weights, unfold::Room(),
-                                           tolerance, seed, Context());
+    Context seeded;
+    seeded.seed = seed;
+    const Folds even =
+        unfold::even_pieces({surface, panels, patch, {}, options, room}, folds, images, {}, seeded);
     const unfold::Layout before = unfold::lay_out(patch, folds);
     const unfold::Layout after = unfold::lay_out(patch, even);
     CHECK(after.faces.size() <= before.faces.size());

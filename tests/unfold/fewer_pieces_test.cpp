@@ -56,7 +56,7 @@ TEST_CASE("pieces join where one net takes them, and stay clean and on the sheet
     unfold::Options options = test::on_sheet(width, 300.0);
     options.pieces = unfold::rules_of(unfold::PieceMode::few);
     const unfold::Room room{options.sheet, 5.0, 0};
-    const Folds fewer = fewer_pieces(ball, panels, patch, crumbs, options, room, Context());
+    const Folds fewer = unfold::fewer_pieces({ball, panels, patch, {}, options, room}, crumbs, Context());
     const unfold::Layout layout = lay_out(patch, fewer);
     CAPTURE(width, layout.faces.size());
     CHECK(all_fit(patch, fewer, room));

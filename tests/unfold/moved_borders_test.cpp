@@ -96,8 +96,8 @@ TEST_CASE("borders that move save pieces, and nets stay clean and fit", "[border
         cause.push_back(why.reason);
       }
       const auto moved = [&] {
-        return move_borders(c.surface, plan.whole, patch, c.part.items(), parts.folds, cause, options,
-                            plan.room, {});
+        return move_borders({c.surface, plan.whole, patch, c.part.items(), options, plan.room}, parts.folds,
+                            cause, {});
       };
       const MovedBorders result = moved();
       const Layout before = lay_out(patch, parts.folds);
@@ -150,8 +150,8 @@ TEST_CASE("a piece that isn't worth what its faces cost elsewhere stays", "[bord
       for (const Cause& why : parts.causes) {
         cause.push_back(why.reason);
       }
-      const MovedBorders moved = move_borders(c.surface, plan.whole, patch, c.part.items(), parts.folds,
-                                              cause, options, plan.room, {});
+      const MovedBorders moved = move_borders(
+          {c.surface, plan.whole, patch, c.part.items(), options, plan.room}, parts.folds, cause, {});
       pieces += lay_out(patch, moved.folds).faces.size();
     }
     return pieces;
@@ -171,7 +171,7 @@ TEST_CASE("a surface without a part too many stays as it is", "[borders]") {
   REQUIRE(for_overlap(parts.causes) == 0);
   const std::vector<PieceReason> cause(patch.size(), PieceReason::part);
   const MovedBorders result =
-      move_borders(ball, plan.whole, patch, part.items(), parts.folds, cause, options, plan.room, {});
+      move_borders({ball, plan.whole, patch, part.items(), options, plan.room}, parts.folds, cause, {});
   CHECK(result.parts.empty());
   CHECK(result.folds == parts.folds);
 }
@@ -192,7 +192,7 @@ TEST_CASE("borders move until parts have no piece that is mostly their own", "[b
     const UnfoldedParts parts = unfold_parts(asked, plan, {});
     const std::vector<PieceReason> cause(patch.size(), PieceReason::overlap);
     const MovedBorders result =
-        move_borders(ball, plan.whole, patch, part.items(), parts.folds, cause, options, plan.room, {});
+        move_borders({ball, plan.whole, patch, part.items(), options, plan.room}, parts.folds, cause, {});
     const Layout after = lay_out(patch, result.folds);
     CHECK(after.faces.size() + result.parts.size() == lay_out(patch, parts.folds).faces.size());
     CHECK(find_overlaps(after, net_tolerance(patch.extent)).empty());

@@ -114,7 +114,10 @@ TEST_CASE("pieces around an axis get one division and one tree", "[unfold]") {
   std::size_t changed = 0;
   for (const int arms : {3, 4, 5}) {
     const mesh::Surface surface = with_arms(arms);
-    const Patch patch = test::whole_patch(surface, test::no_panels(surface));
+    const prepare::Panels panels = test::no_panels(surface);
+    const unfold::Options options;
+    const unfold::Room room;
+    const Patch patch = test::whole_patch(surface, panels);
     const double tolerance = unfold::net_tolerance(patch.extent);
     const auto turn = unfold::turn_of(surface, weights);
     REQUIRE(turn.has_value());
@@ -132,8 +135,10 @@ TEST_CASE("pieces around an axis get one division and one tree", "[unfold]") {
       ++clean;
       const Folds& folds = *given;
       const unfold::Layout before = unfold::lay_out(patch, folds);
-      const Folds turned = unfold::turned_pieces(surface, patch, folds, *turn, {}, weights, unfold::Room(),
-                                                 tolerance, seed, Context());
+      Context seeded;
+      seeded.seed = seed;
+      const Folds turned =
+          unfold::turned_pieces({surface, panels, patch, {}, options, room}, folds, *turn, {}, seeded);
       const unfold::Layout after = unfold::lay_out(patch, turned);
       changed += turned != folds ? 1U : 0U;
       CHECK(unfold::find_overlaps(after, tolerance).empty());

@@ -55,13 +55,18 @@ std::vector<Group> groups_of(const Patch& patch, const Layout& layout) {
   return groups;
 }
 
+struct Rules {
+  const IdVector<EdgeId, EdgeId>& mirrored;
+  Start start = Start::anywhere;
+};
+
 /// The trees of one group with less energy, as folds of its sub-patch.
-Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& whole,
-               const Folds& folds, const Group& group, const IdVector<EdgeId, EdgeId>& mirrored,
-               const Options& options, const Room& room, Start start, std::uint64_t seed,
+Folds searched(const NetProblem& problem, const Folds& folds, const Group& group, const Rules& rules,
                const Context& context) {
-  const Patch patch = sub_patch(whole, group.faces);
-  Folds tree = sub_folds(whole, folds, group.faces);
+  const mesh::Surface& surface = problem.surface;
+  const TabOptions& tabs = problem.options.tabs;
+  const Patch patch = sub_patch(problem.patch, group.faces);
+  Folds tree = sub_folds(problem.patch, folds, group.faces);
   std::vector<std::uint32_t> links;
   for (const std::uint32_t side : group.links) {
     const auto at = std::lower_bound(group.faces.begin(), group.faces.end(), side / 3);
@@ -72,20 +77,20 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
   for (const std::uint32_t side : links) {
     set_fold(patch, tree, side, true);
   }
-  ChangingNet net(surface, panels, linked.apart, linked.joined, tree, options.tabs,
+  ChangingNet net(surface, problem.panels, linked.apart, linked.joined, tree, tabs,
                   net_tolerance(patch.extent));
-  CutFacts facts = cut_facts(net, options.tabs);
-  const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart, mirrored);
+  CutFacts facts = cut_facts(net, tabs);
+  const std::vector<std::uint32_t> mirror = mirror_sides(surface, linked.apart, rules.mirrored);
   facts.mirror = mirror;
   // A link stays a cut, so that its image had better be one.
   const std::vector<std::int8_t> images_of_links =
-      images_outside(surface, linked.apart, mirrored, edges_in_forest(surface, patch, apart));
+      images_outside(surface, linked.apart, rules.mirrored, edges_in_forest(surface, patch, apart));
   facts.image_outside = images_of_links;
-  Annealing rules = annealing_for(options.pieces.trials_per_face, patch.size());
-  if (start == Start::near) {
-    rules.first_heat = heat_nearby;
+  Annealing annealing = annealing_for(problem.options.pieces.trials_per_face, patch.size());
+  if (rules.start == Start::near) {
+    annealing.first_heat = heat_nearby;
   }
-  anneal(net, facts, room, options.pieces.weights, rules, seed, context);
+  anneal(net, facts, problem.room, problem.weights(), annealing, context.seed, context);
   tree = net.folds();
   for (const std::uint32_t side : links) {
     set_fold(patch, tree, side, false);
@@ -95,9 +100,9 @@ Folds searched(const mesh::Surface& surface, const prepare::Panels& panels, cons
 
 }  // namespace
 
-Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                     const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,
-                     const Room& room, Start start, const Context& context) {
+Folds better_borders(const NetProblem& problem, const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored,
+                     Start start, const Context& context) {
+  const Patch& patch = problem.patch;
   const std::vector<Group> groups = groups_of(patch, lay_out(patch, folds));
   std::vector<Folds> trees(groups.size());
   do_in_parallel(
@@ -108,9 +113,9 @@ Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels
           return;
         }
         // Beside those of the parts (the seed) and of the trees (its complement).
-        const std::uint64_t seed = Random::stream(~context.seed + 1, i).next();
-        trees[i] =
-            searched(surface, panels, patch, folds, groups[i], mirrored, options, room, start, seed, own);
+        Context seeded = own;
+        seeded.seed = Random::stream(~context.seed + 1, i).next();
+        trees[i] = searched(problem, folds, groups[i], {mirrored, start}, seeded);
       },
       [&](std::size_t done) {
         context.report("unfold", 0.8 + 0.1 * static_cast<double>(done) / static_cast<double>(groups.size()));

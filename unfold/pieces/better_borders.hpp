@@ -4,11 +4,7 @@
 #pragma once
 
 #include "base/context.hpp"
-#include "mesh/model/surface.hpp"
-#include "prepare/prepared/panels.hpp"
-#include "unfold/net/options.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -19,9 +15,8 @@ enum class Start { anywhere, near };
 /// hand faces to each other; their number stays, they stay clean and fit the room if they did. `mirrored`:
 /// mirror_images. The patch is the whole surface. Deterministic for one seed but for the deadline; one group
 /// is one task.
-[[nodiscard]] Folds better_borders(const mesh::Surface& surface, const prepare::Panels& panels,
-                                   const Patch& patch, const Folds& folds,
-                                   const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,
-                                   const Room& room, Start start, const Context& context);
+[[nodiscard]] Folds better_borders(const NetProblem& problem, const Folds& folds,
+                                   const IdVector<EdgeId, EdgeId>& mirrored, Start start,
+                                   const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -29,23 +29,28 @@ constexpr double worth_of_free_folding_mm = 100.0;
 constexpr double trials_again = 0.4;
 constexpr double first_heat = 8.0;
 
+/// What surrounds a piece.
+struct Forest {
+  const Folds& folds;
+  const IdVector<EdgeId, EdgeId>& mirrored;
+  const IdVector<EdgeId, InForest> edges;
+};
+
 /// One piece and its tree.
 class PieceTree {
  public:
-  PieceTree(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-            const Folds& folds, const std::vector<std::uint32_t>& faces,
-            const IdVector<EdgeId, EdgeId>& mirrored, const IdVector<EdgeId, InForest>& edges,
-            const Options& options, const Room& room, Random random, const Context& context)
-      : options_(options),
-        room_(room),
+  PieceTree(const NetProblem& problem, const Forest& forest, const std::vector<std::uint32_t>& faces,
+            Random random, const Context& context)
+      : options_(problem.options),
+        room_(problem.room),
         context_(context),
         random_(random),
-        piece_(sub_patch(patch, faces)),
-        mirror_(mirror_sides(surface, piece_, mirrored)),
-        outside_(images_outside(surface, piece_, mirrored, edges)),
-        net_(surface, panels, piece_, sub_folds(patch, folds, faces), options.tabs,
-             net_tolerance(piece_.extent)) {
-    facts_ = cut_facts(net_, options.tabs);
+        piece_(sub_patch(problem.patch, faces)),
+        mirror_(mirror_sides(problem.surface, piece_, forest.mirrored)),
+        outside_(images_outside(problem.surface, piece_, forest.mirrored, forest.edges)),
+        net_(problem.surface, problem.panels, piece_, sub_folds(problem.patch, forest.folds, faces),
+             problem.options.tabs, net_tolerance(piece_.extent)) {
+    facts_ = cut_facts(net_, options_.tabs);
     facts_.mirror = mirror_;
     facts_.image_outside = outside_;
   }
@@ -144,23 +149,22 @@ std::vector<std::size_t> images_of_pieces(const mesh::Surface& surface, const Pa
 
 }  // namespace
 
-Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                   const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,
-                   const Room& room, const Context& context) {
+Folds better_trees(const NetProblem& problem, const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored,
+                   const Context& context) {
+  const mesh::Surface& surface = problem.surface;
+  const Patch& patch = problem.patch;
   std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;
   for (std::vector<std::uint32_t>& faces : pieces) {
     std::sort(faces.begin(), faces.end());
   }
   const std::vector<std::size_t> image = images_of_pieces(surface, patch, folds, pieces, mirrored);
-  const IdVector<EdgeId, InForest> edges = edges_in_forest(surface, patch, folds);
+  const Forest forest{folds, mirrored, edges_in_forest(surface, patch, folds)};
   std::vector<Folds> trees(pieces.size());
   const auto improve = [&](std::size_t i, const Context& own) {
     // Parts were unfolded with the streams of the seed itself.
     const Random random = Random::stream(~context.seed, i);
     trees[i] = own.out_of_grace() ? sub_folds(patch, folds, pieces[i])
-                                  : PieceTree(surface, panels, patch, folds, pieces[i], mirrored, edges,
-                                              options, room, random, own)
-                                        .improved();
+                                  : PieceTree(problem, forest, pieces[i], random, own).improved();
   };
   do_in_parallel(
       pieces.size(), context,
@@ -180,7 +184,7 @@ Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels, 
     const std::optional<Folds> tree =
         carried_over(surface, sub_patch(patch, pieces[image[i]]), trees[image[i]], own, mirrored);
     // The image may be off by what the eye doesn't see, but a net may not.
-    if (tree && all_fit(own, *tree, room) &&
+    if (tree && all_fit(own, *tree, problem.room) &&
         find_overlaps(lay_out(own, *tree), net_tolerance(own.extent)).empty()) {
       trees[i] = *tree;
     } else {

@@ -3,11 +3,7 @@
 #pragma once
 
 #include "base/context.hpp"
-#include "mesh/model/surface.hpp"
-#include "prepare/prepared/panels.hpp"
-#include "unfold/net/options.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -16,9 +12,7 @@ namespace ridgecraft::unfold {
 /// costs where that is the rule. The pieces keep their faces, stay free of overlap and fit the room if they
 /// did; of two that are mirror images the second gets what the first got. `mirrored`: mirror_images. The
 /// patch is the whole surface. Deterministic for one seed but for the deadline; one piece is one task.
-[[nodiscard]] Folds better_trees(const mesh::Surface& surface, const prepare::Panels& panels,
-                                 const Patch& patch, const Folds& folds,
-                                 const IdVector<EdgeId, EdgeId>& mirrored, const Options& options,
-                                 const Room& room, const Context& context);
+[[nodiscard]] Folds better_trees(const NetProblem& problem, const Folds& folds,
+                                 const IdVector<EdgeId, EdgeId>& mirrored, const Context& context);
 
 }  // namespace ridgecraft::unfold

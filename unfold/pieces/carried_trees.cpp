@@ -9,17 +9,10 @@
 
 namespace ridgecraft::unfold {
 
-CarriedTrees::CarriedTrees(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                           const Layout& layout, const Room& room, double tolerance, std::uint64_t seed,
+CarriedTrees::CarriedTrees(const NetProblem& problem, const Folds& folds, const Layout& layout,
                            const Context& context)
-    : surface_(surface),
-      patch_(patch),
-      folds_(folds),
-      layout_(layout),
-      room_(room),
-      random_(seed),
-      context_(context) {
-  search_.tolerance = tolerance;
+    : problem_(problem), folds_(folds), layout_(layout), random_(context.seed), context_(context) {
+  search_.tolerance = problem.tolerance();
 }
 
 bool CarriedTrees::was_a_piece(const std::vector<std::uint32_t>& faces) const {
@@ -30,21 +23,23 @@ bool CarriedTrees::was_a_piece(const std::vector<std::uint32_t>& faces) const {
 
 std::optional<Folds> CarriedTrees::tree_of(const std::vector<std::uint32_t>& faces) {
   if (was_a_piece(faces)) {
-    return sub_folds(patch_, folds_, faces);
+    return sub_folds(problem_.patch, folds_, faces);
   }
-  return find_one_piece(sub_patch(patch_, faces), room_, search_, random_.next(), context_).tree;
+  return find_one_piece(sub_patch(problem_.patch, faces), problem_.room, search_, random_.next(), context_)
+      .tree;
 }
 
 std::optional<Folds> CarriedTrees::image_of(const std::vector<std::uint32_t>& original,
                                             const std::vector<std::uint32_t>& faces, const Folds& result,
                                             const IdVector<EdgeId, EdgeId>& images) {
-  const Patch own = sub_patch(patch_, faces);
-  std::optional<Folds> tree =
-      carried_over(surface_, sub_patch(patch_, original), sub_folds(patch_, result, original), own, images);
-  if (tree && all_fit(own, *tree, room_) && find_overlaps(lay_out(own, *tree), search_.tolerance).empty()) {
+  const Patch own = sub_patch(problem_.patch, faces);
+  std::optional<Folds> tree = carried_over(problem_.surface, sub_patch(problem_.patch, original),
+                                           sub_folds(problem_.patch, result, original), own, images);
+  if (tree && all_fit(own, *tree, problem_.room) &&
+      find_overlaps(lay_out(own, *tree), search_.tolerance).empty()) {
     return tree;
   }
-  return find_one_piece(own, room_, search_, random_.next(), context_).tree;
+  return find_one_piece(own, problem_.room, search_, random_.next(), context_).tree;
 }
 
 }  // namespace ridgecraft::unfold

@@ -8,10 +8,8 @@
 
 #include "base/context.hpp"
 #include "base/random.hpp"
-#include "mesh/model/surface.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 #include "unfold/search/one_piece.hpp"
 
 namespace ridgecraft::unfold {
@@ -19,9 +17,8 @@ namespace ridgecraft::unfold {
 /// What was given must outlive it. Faces are those of the patch, ascending, and connected.
 class CarriedTrees {
  public:
-  /// `folds`: of the pieces as they were; `tolerance`: as deep as faces may overlap, mm.
-  CarriedTrees(const mesh::Surface& surface, const Patch& patch, const Folds& folds, const Layout& layout,
-               const Room& room, double tolerance, std::uint64_t seed, const Context& context);
+  /// `folds`: of the pieces as they were.
+  CarriedTrees(const NetProblem& problem, const Folds& folds, const Layout& layout, const Context& context);
 
   /// Whether these faces were one piece.
   [[nodiscard]] bool was_a_piece(const std::vector<std::uint32_t>& faces) const;
@@ -36,11 +33,9 @@ class CarriedTrees {
                                               const IdVector<EdgeId, EdgeId>& images);
 
  private:
-  const mesh::Surface& surface_;
-  const Patch& patch_;
+  const NetProblem problem_;
   const Folds& folds_;
   const Layout& layout_;
-  const Room& room_;
   OnePieceSearch search_;
   Random random_;
   const Context& context_;

@@ -20,20 +20,17 @@ using Faces = std::vector<std::uint32_t>;
 
 class Evening {
  public:
-  Evening(const mesh::Surface& surface, const Patch& patch, const Folds& folds, const MirrorImages& images,
-          const IdVector<EdgeId, EdgeId>& turned, const Weights& weights, const Room& room, double tolerance,
-          std::uint64_t seed, const Context& context)
-      : surface_(surface),
-        patch_(patch),
+  Evening(const NetProblem& problem, const Folds& folds, const MirrorImages& images,
+          const IdVector<EdgeId, EdgeId>& turned, const Context& context)
+      : problem_(problem),
+        patch_(problem.patch),
         folds_(folds),
         images_(images),
         turned_(turned),
-        weights_(weights),
-        room_(room),
-        units_(surface, patch, images),
-        layout_(lay_out(patch, folds)),
-        trees_(surface, patch, folds_, layout_, room, tolerance, seed, context) {
-    crosses_ = units_.crossing(patch, folds_, layout_.piece);
+        units_(problem.surface, problem.patch, images),
+        layout_(lay_out(problem.patch, folds)),
+        trees_(problem, folds_, layout_, context) {
+    crosses_ = units_.crossing(patch_, folds_, layout_.piece);
   }
 
   Folds run() {
@@ -82,23 +79,21 @@ class Evening {
         original[label.of] = faces;
       }
     }
-    return all_fit(patch_, result, room_) || !all_fit(patch_, folds_, room_)
+    return all_fit(patch_, result, problem_.room) || !all_fit(patch_, folds_, problem_.room)
                ? std::optional(std::move(result))
                : std::nullopt;
   }
 
   [[nodiscard]] double cost_of(const Folds& folds) const {
     const std::array images{&images_.edge, &turned_};
-    return cost_of_forest(surface_, patch_, folds, images, weights_);
+    return cost_of_forest(problem_.surface, patch_, folds, images, problem_.weights());
   }
 
-  const mesh::Surface& surface_;
+  const NetProblem problem_;
   const Patch& patch_;
   const Folds& folds_;
   const MirrorImages& images_;
   const IdVector<EdgeId, EdgeId>& turned_;
-  const Weights& weights_;
-  const Room& room_;
   const MirrorUnits units_;
   const Layout layout_;
   CarriedTrees trees_;
@@ -107,13 +102,12 @@ class Evening {
 
 }  // namespace
 
-Folds even_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                  const MirrorImages& images, const IdVector<EdgeId, EdgeId>& turned, const Weights& weights,
-                  const Room& room, double tolerance, std::uint64_t seed, const Context& context) {
+Folds even_pieces(const NetProblem& problem, const Folds& folds, const MirrorImages& images,
+                  const IdVector<EdgeId, EdgeId>& turned, const Context& context) {
   if (images.edge.empty() || context.out_of_time()) {
     return folds;
   }
-  return Evening(surface, patch, folds, images, turned, weights, room, tolerance, seed, context).run();
+  return Evening(problem, folds, images, turned, context).run();
 }
 
 }  // namespace ridgecraft::unfold

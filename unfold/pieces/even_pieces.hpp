@@ -5,10 +5,7 @@
 #include <cstdint>
 
 #include "base/context.hpp"
-#include "mesh/model/surface.hpp"
-#include "unfold/net/piece_rules.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 
 namespace ridgecraft::unfold {
@@ -17,13 +14,11 @@ namespace ridgecraft::unfold {
 /// plane become their own mirror image, of the others each gets one. Both sides are tried; the one that costs
 /// less (piece_cost.hpp, and Weights::mirror for each mm of cut whose mirror image is none) is taken if it
 /// makes no more pieces and costs no more than the forest as it was, every piece has a net without overlap
-/// (deeper than `tolerance`, mm), and those that fitted the room do. Faces without a mirror image stay with
-/// what they were with. The patch is the whole surface. Deterministic for one seed but for the deadline. O(n
+/// and those that fitted the room do. Faces without a mirror image stay with
+/// what they were with. Deterministic for one seed but for the deadline. O(n
 /// log n) beside the search for nets of the pieces that change. `turned`: the edges' images by a turn of the
 /// model, or empty: cuts that have none there cost the same.
-[[nodiscard]] Folds even_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                                const MirrorImages& images, const IdVector<EdgeId, EdgeId>& turned,
-                                const Weights& weights, const Room& room, double tolerance,
-                                std::uint64_t seed, const Context& context);
+[[nodiscard]] Folds even_pieces(const NetProblem& problem, const Folds& folds, const MirrorImages& images,
+                                const IdVector<EdgeId, EdgeId>& turned, const Context& context);
 
 }  // namespace ridgecraft::unfold

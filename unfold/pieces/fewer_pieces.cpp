@@ -121,17 +121,17 @@ class Body {
 
 }  // namespace
 
-Folds fewer_pieces(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                   const Folds& folds, const Options& options, const Room& room, const Context& context) {
+Folds fewer_pieces(const NetProblem& problem, const Folds& folds, const Context& context) {
+  const Patch& patch = problem.patch;
   Folds result = folds;
   Random random(context.seed);
-  TreesTogether trees(surface, panels, options, room, net_tolerance(patch.extent), context);
+  TreesTogether trees(problem, context);
   for (const Faces& faces : bodies_of(patch)) {
     if (context.out_of_time()) {
       break;
     }
-    Body body(sub_patch(patch, faces), sub_folds(patch, result, faces), room);
-    body.unfold_as_one(options.panel_cuts, random.next(), context);
+    Body body(sub_patch(patch, faces), sub_folds(patch, result, faces), problem.room);
+    body.unfold_as_one(problem.options.panel_cuts, random.next(), context);
     std::set<Faces> failed;
     while (body.save_a_piece(trees, failed, context)) {
     }

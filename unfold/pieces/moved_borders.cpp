@@ -38,17 +38,16 @@ struct Around {
 
 class BorderMover {
  public:
-  BorderMover(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-              std::span<const PartId> part, const Folds& folds, std::span<const PieceReason> cause,
-              const Options& options, const Room& room, const Context& context)
-      : patch_(patch),
-        part_(part),
+  BorderMover(const NetProblem& problem, const Folds& folds, std::span<const PieceReason> cause,
+              const Context& context)
+      : patch_(problem.patch),
+        part_(problem.part),
         cause_(cause),
-        options_(options),
-        room_(room),
+        options_(problem.options),
+        room_(problem.room),
         context_(context),
-        tolerance_(net_tolerance(patch.extent)),
-        trees_(surface, panels, options, room, tolerance_, context),
+        tolerance_(problem.tolerance()),
+        trees_(problem, context),
         result_{folds, {}} {
     look();
   }
@@ -304,11 +303,9 @@ class BorderMover {
 
 }  // namespace
 
-MovedBorders move_borders(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                          std::span<const PartId> part, const Folds& folds,
-                          std::span<const PieceReason> cause, const Options& options, const Room& room,
+MovedBorders move_borders(const NetProblem& problem, const Folds& folds, std::span<const PieceReason> cause,
                           const Context& context) {
-  return BorderMover(surface, panels, patch, part, folds, cause, options, room, context).run();
+  return BorderMover(problem, folds, cause, context).run();
 }
 
 }  // namespace ridgecraft::unfold

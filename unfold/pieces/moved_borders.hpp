@@ -8,12 +8,8 @@
 
 #include "base/context.hpp"
 #include "base/id.hpp"
-#include "mesh/model/surface.hpp"
-#include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
-#include "unfold/net/options.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -29,12 +25,10 @@ struct MovedBorders {
 /// searched for a net (heated_search.hpp) and, where they don't fit the room, for borders at which they do
 /// (energy/anneal.hpp). What is proven to need as many pieces isn't tried (least_trees.hpp). The forest stays
 /// clean and what fits still fits. `cause`: of each face why its piece is none with the others of its part,
-/// PieceReason::part for the one that stands for it. The patch is the whole surface. The searches' work
+/// PieceReason::part for the one that stands for it. The searches' work
 /// is bounded (trees_together.hpp): a second or two, more where a hundred parts have no net, since what is
 /// found is compared beside it. Deterministic for one seed but for the deadline. Throws Error(interrupted).
-[[nodiscard]] MovedBorders move_borders(const mesh::Surface& surface, const prepare::Panels& panels,
-                                        const Patch& patch, std::span<const PartId> part, const Folds& folds,
-                                        std::span<const PieceReason> cause, const Options& options,
-                                        const Room& room, const Context& context);
+[[nodiscard]] MovedBorders move_borders(const NetProblem& problem, const Folds& folds,
+                                        std::span<const PieceReason> cause, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -36,18 +36,17 @@ struct GrowingPiece {
 
 class PartMerger {
  public:
-  PartMerger(const Patch& patch, std::span<const PartId> part, const Folds& folds, const Room& room,
-             const Weights& weights, double tolerance, std::uint64_t seed, const Context& context)
-      : patch_(patch),
-        part_(part),
+  PartMerger(const NetProblem& problem, const Folds& folds, const Context& context)
+      : patch_(problem.patch),
+        part_(problem.part),
         folds_(folds),
-        room_(room),
-        weights_(weights),
-        random_(seed),
+        room_(problem.room),
+        weights_(problem.weights()),
+        random_(context.seed),
         context_(context) {
-    search_.tolerance = tolerance;
+    search_.tolerance = problem.tolerance();
     search_.starts = 2;
-    for (Faces& faces : lay_out(patch, folds).faces) {
+    for (Faces& faces : lay_out(patch_, folds).faces) {
       std::sort(faces.begin(), faces.end());
       GrowingPiece& piece = pieces_.emplace_back();
       piece.faces = std::move(faces);
@@ -159,9 +158,8 @@ class PartMerger {
 
 }  // namespace
 
-Folds merge_parts(const Patch& patch, std::span<const PartId> part, const Folds& folds, const Room& room,
-                  const Weights& weights, double tolerance, std::uint64_t seed, const Context& context) {
-  return PartMerger(patch, part, folds, room, weights, tolerance, seed, context).run();
+Folds merge_parts(const NetProblem& problem, const Folds& folds, const Context& context) {
+  return PartMerger(problem, folds, context).run();
 }
 
 }  // namespace ridgecraft::unfold

@@ -8,9 +8,7 @@
 
 #include "base/context.hpp"
 #include "base/id.hpp"
-#include "unfold/net/piece_rules.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -18,8 +16,6 @@ namespace ridgecraft::unfold {
 /// `tolerance`, mm) that fits the room and costs less than the two (piece_cost.hpp), the smallest pieces
 /// first, until there are no such neighbours. The patch is the whole surface; `part`: of each of its faces.
 /// Panels stay whole. Deterministic for one seed but for the deadline.
-[[nodiscard]] Folds merge_parts(const Patch& patch, std::span<const PartId> part, const Folds& folds,
-                                const Room& room, const Weights& weights, double tolerance,
-                                std::uint64_t seed, const Context& context);
+[[nodiscard]] Folds merge_parts(const NetProblem& problem, const Folds& folds, const Context& context);
 
 }  // namespace ridgecraft::unfold

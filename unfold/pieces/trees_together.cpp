@@ -81,15 +81,13 @@ PiecesTogether pieces_together(const Patch& whole, const Folds& folds, const Lay
   return all;
 }
 
-TreesTogether::TreesTogether(const mesh::Surface& surface, const prepare::Panels& panels,
-                             const Options& options, const Room& room, double tolerance,
-                             const Context& context)
-    : surface_(surface),
-      panels_(panels),
-      options_(options),
-      room_(room),
+TreesTogether::TreesTogether(const NetProblem& problem, const Context& context)
+    : surface_(problem.surface),
+      panels_(problem.panels),
+      options_(problem.options),
+      room_(problem.room),
       context_(context),
-      tolerance_(tolerance),
+      tolerance_(problem.tolerance()),
       random_(context.seed) {}
 
 std::optional<Folds> TreesTogether::one_fewer(const PiecesTogether& all) {

@@ -12,11 +12,9 @@
 #include "base/random.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/linked_patch.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 #include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
@@ -44,8 +42,7 @@ struct SettledTrees {
 class TreesTogether {
  public:
   /// All must outlive this.
-  TreesTogether(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                const Room& room, double tolerance, const Context& context);
+  TreesTogether(const NetProblem& problem, const Context& context);
 
   /// Clean trees that fit the room, one fewer than they are: linked trees are searched for a net by heat
   /// (heated_search.hpp) and, where they don't fit the room, for borders at which they do

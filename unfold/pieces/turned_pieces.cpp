@@ -33,22 +33,20 @@ using TurnedFaces = std::vector<std::uint32_t>;
 
 class Turning {
  public:
-  Turning(const mesh::Surface& surface, const Patch& patch, const IdVector<EdgeId, EdgeId>& mirrored,
-          const prepare::PartialRotation& turn, const Weights& weights, const Room& room, double tolerance,
-          std::uint64_t seed, const Context& context)
-      : surface_(surface),
-        patch_(patch),
+  Turning(const NetProblem& problem, const IdVector<EdgeId, EdgeId>& mirrored,
+          const prepare::PartialRotation& turn, const Context& context)
+      : problem_(problem),
+        surface_(problem.surface),
+        patch_(problem.patch),
         mirrored_(mirrored),
         turned_(turn.edge),
-        weights_(weights),
-        room_(room),
-        tolerance_(tolerance),
-        seed_(seed),
+        weights_(problem.weights()),
+        room_(problem.room),
         context_(context),
-        unit_(units_of(patch)),
-        faces_of_unit_(patch.size()),
-        turns_(powers_of(turn, surface, patch, unit_)) {
-    for (std::uint32_t f = 0; f < patch.size(); ++f) {
+        unit_(units_of(patch_)),
+        faces_of_unit_(patch_.size()),
+        turns_(powers_of(turn, surface_, patch_, unit_)) {
+    for (std::uint32_t f = 0; f < patch_.size(); ++f) {
       faces_of_unit_[unit_[f]].push_back(f);
     }
   }
@@ -219,7 +217,7 @@ class Turning {
     if (!division || division->sets.size() > layout.faces.size() + 1) {
       return std::nullopt;
     }
-    CarriedTrees trees(surface_, patch_, folds, layout, room_, tolerance_, seed_, context_);
+    CarriedTrees trees(problem_, folds, layout, context_);
     Folds result(folds.size(), 0);
     put_back(patch_, faces, sub_folds(patch_, folds, faces), result);
     for (std::size_t i = 0; i < division->sets.size(); ++i) {
@@ -244,14 +242,13 @@ class Turning {
     return cost_of_forest(surface_, patch_, folds, images, weights_);
   }
 
+  const NetProblem problem_;
   const mesh::Surface& surface_;
   const Patch& patch_;
   const IdVector<EdgeId, EdgeId>& mirrored_;
   const IdVector<EdgeId, EdgeId>& turned_;
   const Weights& weights_;
   const Room& room_;
-  double tolerance_;
-  std::uint64_t seed_;
   const Context& context_;
   const std::vector<std::uint32_t> unit_;
   std::vector<TurnedFaces> faces_of_unit_;
@@ -267,11 +264,9 @@ std::optional<prepare::PartialRotation> turn_of(const mesh::Surface& surface, co
   return prepare::widest_rotation(surface, seen_as_image, least_share_turned, least_order_turned);
 }
 
-Folds turned_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                    const prepare::PartialRotation& turn, const IdVector<EdgeId, EdgeId>& mirrored,
-                    const Weights& weights, const Room& room, double tolerance, std::uint64_t seed,
-                    const Context& context) {
-  return Turning(surface, patch, mirrored, turn, weights, room, tolerance, seed, context).run(folds);
+Folds turned_pieces(const NetProblem& problem, const Folds& folds, const prepare::PartialRotation& turn,
+                    const IdVector<EdgeId, EdgeId>& mirrored, const Context& context) {
+  return Turning(problem, mirrored, turn, context).run(folds);
 }
 
 }  // namespace ridgecraft::unfold

@@ -10,8 +10,7 @@
 #include "mesh/model/surface.hpp"
 #include "prepare/symmetry/rotations.hpp"
 #include "unfold/net/piece_rules.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -24,14 +23,11 @@ namespace ridgecraft::unfold {
 /// Carries pieces over to every place that powers of a turn take them to: each piece that lies on one side of
 /// the axis is tried as the one that all others get the net of, and what remains of those joins its
 /// neighbours. The trial that costs least is taken (cost_of_forest, with `turn` and `mirrored`) if it costs
-/// less than the pieces as they are, until none does. `mirrored`: mirror_images, or empty. Pieces stay clean
-/// (no deeper than `tolerance`, mm), and fit the room if they did; there is at most one more by each step.
-/// The patch is the whole surface. Deterministic for one seed but for the deadline. O(n log n) for each
-/// trial, of which there are at most 32 in each of six steps.
-[[nodiscard]] Folds turned_pieces(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
+/// less than the pieces as they are, until none does. `mirrored`: mirror_images, or empty. Pieces stay clean,
+/// and fit the room if they did; there is at most one more by each step. Deterministic for one seed but for
+/// the deadline. O(n log n) for each trial, of which there are at most 32 in each of six steps.
+[[nodiscard]] Folds turned_pieces(const NetProblem& problem, const Folds& folds,
                                   const prepare::PartialRotation& turn,
-                                  const IdVector<EdgeId, EdgeId>& mirrored, const Weights& weights,
-                                  const Room& room, double tolerance, std::uint64_t seed,
-                                  const Context& context);
+                                  const IdVector<EdgeId, EdgeId>& mirrored, const Context& context);
 
 }  // namespace ridgecraft::unfold

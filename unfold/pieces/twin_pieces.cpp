@@ -184,13 +184,15 @@ Patch with_twins_apart(const Patch& patch, const Folds& folds, const TwinPieces&
   return result;
 }
 
-Folds with_equal_twins(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                       const TwinPieces& twins, const Room& room, const Weights& weights) {
+Folds with_equal_twins(const NetProblem& problem, const Folds& folds, const TwinPieces& twins) {
+  const Patch& patch = problem.patch;
+  const Room& room = problem.room;
+  const Weights& weights = problem.weights();
   Folds result = folds;
   if (twins.empty()) {
     return result;
   }
-  EdgeImages images(surface);
+  EdgeImages images(problem.surface);
   for (const std::vector<TwinPiece>& kind : twins) {
     // Trees are laid on the first piece, where the best one is chosen, and from there on all others.
     const Patch first = sub_patch(patch, kind[0].faces);

@@ -8,9 +8,8 @@
 
 #include "base/context.hpp"
 #include "mesh/model/surface.hpp"
-#include "unfold/net/piece_rules.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -34,7 +33,6 @@ using TwinPieces = std::vector<std::vector<TwinPiece>>;
 
 /// The tree that costs least (energy/piece_cost.hpp) of those that twins have for all of a kind, where it is
 /// clean and fits the room. O(n log n).
-[[nodiscard]] Folds with_equal_twins(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                                     const TwinPieces& twins, const Room& room, const Weights& weights);
+[[nodiscard]] Folds with_equal_twins(const NetProblem& problem, const Folds& folds, const TwinPieces& twins);
 
 }  // namespace ridgecraft::unfold
