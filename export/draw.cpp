@@ -2,27 +2,21 @@
 // Puts the drawing of each page together: its pieces, their texts, the furniture.
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "base/printable.hpp"
 #include "base/utf8.hpp"
 #include "export/export.hpp"
 #include "export/page/back_of_page.hpp"
-#include "export/page/enlarged.hpp"
 #include "export/page/furniture.hpp"
 #include "export/page/glue_spots.hpp"
 #include "export/page/list_pages.hpp"
 #include "export/page/neighbours.hpp"
 #include "export/page/number_list.hpp"
 #include "export/page/page_index.hpp"
-#include "export/page/page_marks.hpp"
 #include "export/page/piece_drawing.hpp"
-#include "export/page/place_marks.hpp"
 #include "export/page/tab_shadows.hpp"
 #include "export/page/text_placement.hpp"
 #include "export/paint/paint.hpp"
@@ -69,32 +63,6 @@ IdVector<PieceId, std::vector<std::string>> piece_notes(const mesh::Surface& sur
   return notes;
 }
 
-/// What becomes of the numbers that found no place on a page's pieces.
-void report_numbers(const std::vector<PieceDrawing>& pieces, bool can_list, DrawReport& report) {
-  for (const PieceDrawing& piece : pieces) {
-    for (const Seam& seam : piece.seams) {
-      if (seam.told == NumberAt::enlarged || seam.told == NumberAt::list) {
-        (can_list ? report.labels_listed : report.labels_left_out).push_back({piece.name, seam.number});
-      }
-    }
-  }
-}
-
-/// Tells a picture, and smaller ones instead of it, which piece of which page it shows, and its letter: that
-/// with the number `letters`, which grows where it is used.
-void set_place(Enlarged& picture, std::size_t page, std::size_t piece, std::size_t& letters) {
-  const auto set = [&](Enlarged& one) {
-    one.shown.page = page;
-    one.shown.piece = piece;
-    one.shown.letter = one.whole ? "" : picture_letter(letters);
-  };
-  set(picture);
-  std::ranges::for_each(picture.smaller, set);
-  const bool lettered =
-      !picture.whole || std::ranges::any_of(picture.smaller, [](const Enlarged& one) { return !one.whole; });
-  letters += lettered ? 1U : 0U;
-}
-
 /// How much is to be cut and folded.
 void report_lines(const Group& group, DrawReport& report) {
   for (const Line& line : group.lines) {
@@ -107,130 +75,186 @@ void report_lines(const Group& group, DrawReport& report) {
   }
 }
 
+/// Draws all pages, phase by phase: pieces, texts, lists, backs, colours, feet.
+class PageDrawer {
+ public:
+  PageDrawer(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages, const Style& style,
+             const Context& context)
+      : model_(model),
+        surface_(model.model.surface),
+        nets_(nets),
+        pages_(pages),
+        style_(style),
+        context_(context),
+        can_list_(has_room_for_lists(pages.paper)),
+        contents_(piece_contents(surface_, nets)),
+        pieces_(pages.count),
+        piece_ids_(pages.count),
+        lists_(pages.count),
+        backs_(pages.count) {}
+
+  /// `known`: pictures of an earlier drawing, or nothing.
+  std::vector<Drawing> draw(const DrawnPictures* known) {
+    describe_pieces();
+    draw_pieces();
+    for (std::size_t page = 0; page < pages_.count; ++page) {
+      context_.check();
+      place_texts(pieces_[page], pages_.paper, style_, report_, context_);
+      report_listed(page);
+      draw_tab_shadows(page);
+    }
+    place_lists();
+    if (style_.numbers == Numbers::back) {
+      for (std::size_t page = 0; page < pages_.count; ++page) {
+        backs_[page] = take_to_back(pieces_[page], pages_.paper.size, style_.turned_over);
+      }
+    }
+    report_.pictures =
+        paint_pieces(model_, nets_, contents_, pages_, style_, piece_ids_, pieces_, known, context_);
+    collect_groups();
+    add_list_pages();
+    finish_pages();
+    return std::move(drawings_);
+  }
+
+  DrawReport report() && { return std::move(report_); }
+
+ private:
+  void describe_pieces() {
+    report_.contacts = find_contacts(surface_, nets_);
+    report_.bodies = find_bodies(model_, nets_, report_.contacts);
+    report_.kinds = find_piece_kinds(model_, nets_);
+    report_.objects = find_piece_objects(model_, nets_);
+  }
+
+  void draw_pieces() {
+    const auto notes = piece_notes(surface_, nets_, report_.bodies, report_.kinds, report_.objects);
+    for (const PieceId id : ids<PieceId>(nets_.pieces.size())) {
+      const Placement& placement = pages_.placements[id];
+      PieceDrawing piece = piece_drawing(model_, nets_, id, contents_[id], placement, style_);
+      piece.notes = notes[id];
+      report_lines(piece.group, report_);
+      for (const Contact& contact : std::ranges::equal_range(report_.contacts, id, {}, &Contact::piece)) {
+        add_glue_spot(contact, placement, nets_.pieces[contact.other].name, piece);
+      }
+      pieces_[placement.page.value()].push_back(std::move(piece));
+      piece_ids_[placement.page.value()].push_back(id);
+    }
+  }
+
+  void report_listed(std::size_t page) {
+    for (const PieceDrawing& piece : pieces_[page]) {
+      for (const Seam& seam : piece.seams) {
+        if (seam.at == NumberAt::list) {
+          (can_list_ ? report_.labels_listed : report_.labels_left_out).push_back({piece.name, seam.number});
+        }
+      }
+    }
+  }
+
+  void draw_tab_shadows(std::size_t page) {
+    for (std::size_t i = 0; style_.tab_shadows && i < pieces_[page].size(); ++i) {
+      const PieceId id = piece_ids_[page][i];
+      add_tab_shadows(surface_, nets_, id, contents_[id], pages_.placements[id], pieces_[page][i]);
+    }
+  }
+
+  void place_lists() {
+    const auto neighbours = find_neighbours(surface_, nets_);
+    for (std::size_t page = 0; page < pages_.count; ++page) {
+      const ListedPage listed{nets_, pages_, PageId(page), neighbours, report_.kinds, pieces_[page]};
+      PageIndex index = page_index(listed, {});
+      // All that pages have no room for stands on the last one, if all of it finds room there.
+      if (page + 1 == pages_.count && !unplaced_.empty()) {
+        if (PageIndex joint = page_index(listed, unplaced_); joint.left.empty()) {
+          index = std::move(joint);
+          unplaced_ = {};
+        }
+      }
+      lists_[page] = std::move(index.texts);
+      unplaced_.add(std::move(index.left), page + 1, pages_.count > 1);
+    }
+    // Where all pieces lie on one page, anybody sees where an edge goes on: that is worth no page.
+    if (pages_.count == 1 && unplaced_.numbers.empty()) {
+      unplaced_ = {};
+    }
+  }
+
+  void collect_groups() {
+    for (std::vector<PieceDrawing>& on_page : pieces_) {
+      drawings_.emplace_back();
+      for (PieceDrawing& piece : on_page) {
+        drawings_.back().groups.push_back(std::move(piece.group));
+      }
+    }
+  }
+
+  void add_list_pages() {
+    if (!can_list_) {
+      return;
+    }
+    for (std::vector<Text>& list : list_pages(unplaced_, pages_.paper)) {
+      lists_.push_back(std::move(list));
+      drawings_.emplace_back();
+      ++report_.list_pages;
+    }
+  }
+
+  /// Titles, feet and lists.
+  void finish_pages() {
+    LineKinds anywhere;
+    for (const Drawing& drawing : drawings_) {
+      anywhere = anywhere | line_kinds(drawing.groups);
+    }
+    for (std::size_t i = 0; i < drawings_.size(); ++i) {
+      Drawing& drawing = drawings_[i];
+      drawing.size = pages_.paper.size;
+      drawing.title = printable_utf8(model_.model.name);
+      if (i < pages_.names.size()) {
+        drawing.title += printable_utf8(": " + pages_.names[i]);
+      }
+      drawing.page = static_cast<int>(i + 1);
+      drawing.page_count = static_cast<int>(drawings_.size());
+      Group foot;
+      foot.id = "page";
+      if (pages_.paper.furniture) {
+        foot = furniture(pages_.paper, drawing.title, drawing.page, drawing.page_count,
+                         line_kinds(drawing.groups), anywhere);
+      }
+      foot.texts.insert(foot.texts.end(), lists_[i].begin(), lists_[i].end());
+      drawing.groups.push_back(std::move(foot));
+      if (i < backs_.size() && !backs_[i].empty()) {
+        drawing.back = std::move(backs_[i]);
+        drawing.back.push_back(foot_of_back(pages_.paper, drawing.title, drawing.page, drawing.page_count));
+      }
+    }
+  }
+
+  const prepare::Prepared& model_;
+  const mesh::Surface& surface_;
+  const unfold::Nets& nets_;
+  const Pages& pages_;
+  const Style& style_;
+  const Context& context_;
+  bool can_list_;
+  IdVector<PieceId, PieceContents> contents_;
+  std::vector<std::vector<PieceDrawing>> pieces_;  ///< of each page
+  std::vector<std::vector<PieceId>> piece_ids_;    ///< which these are
+  std::vector<std::vector<Text>> lists_;           ///< of each page, list pages included
+  std::vector<std::vector<Group>> backs_;
+  PageLists unplaced_;  ///< for which pages have no room
+  std::vector<Drawing> drawings_;
+  DrawReport report_;
+};
+
 }  // namespace
 
 std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
                           const Style& style, DrawReport* report, const Context& context) {
-  DrawReport sum;
-  sum.contacts = find_contacts(model.model.surface, nets);
-  sum.bodies = find_bodies(model, nets, sum.contacts);
-  sum.kinds = find_piece_kinds(model, nets);
-  sum.objects = find_piece_objects(model, nets);
-  const auto notes = piece_notes(model.model.surface, nets, sum.bodies, sum.kinds, sum.objects);
-  const auto neighbours = find_neighbours(model.model.surface, nets);
-  std::vector<PageMarks> indices;
-  std::vector<PicturePlace> shown;
-  std::size_t letters = 0;
-  Unplaced left;
-  const bool can_list = has_room_for_lists(pages.paper);
-  const auto contents = piece_contents(model.model.surface, nets);
-  std::vector<std::vector<PieceDrawing>> pieces(pages.count);
-  std::vector<std::vector<PieceId>> piece_ids(pages.count);
-  for (const PieceId piece : ids<PieceId>(nets.pieces.size())) {
-    const Placement& placement = pages.placements[piece];
-    pieces[placement.page.value()].push_back(
-        piece_drawing(model, nets, piece, contents[piece], placement, style));
-    pieces[placement.page.value()].back().notes = notes[piece];
-    report_lines(pieces[placement.page.value()].back().group, sum);
-    for (const Contact& contact : std::ranges::equal_range(sum.contacts, piece, {}, &Contact::piece)) {
-      add_glue_spot(contact, placement, nets.pieces[contact.other].name,
-                    pieces[placement.page.value()].back());
-    }
-    piece_ids[placement.page.value()].push_back(piece);
-  }
-  std::vector<Drawing> drawings;
-  for (std::size_t i = 0; i < pages.count; ++i) {
-    context.check();
-    place_texts(pieces[i], pages.paper.size, piece_box(pages.paper), style, sum, context);
-    std::vector<Enlarged> larger;
-    for (std::size_t k = 0; can_list && k < pieces[i].size(); ++k) {
-      for (Enlarged& picture : enlarged_parts(pieces[i][k], style, piece_area(pages.paper), context)) {
-        set_place(picture, i, k, letters);
-        larger.push_back(std::move(picture));
-      }
-    }
-    report_numbers(pieces[i], can_list, sum);
-    for (std::size_t k = 0; style.tab_shadows && k < pieces[i].size(); ++k) {
-      const PieceId piece = piece_ids[i][k];
-      add_tab_shadows(model.model.surface, nets, piece, contents[piece], pages.placements[piece],
-                      pieces[i][k]);
-    }
-    const auto index_with = [&](const Unplaced& others) {
-      return page_index(nets, pages, PageId(i), neighbours, sum.kinds, pieces[i], larger, others);
-    };
-    PageIndex index = index_with({});
-    // All that pages have no room for stands on the last one, if all of it finds room there.
-    if (i + 1 == pages.count && !left.empty()) {
-      if (PageIndex joint = index_with(left); joint.left.empty()) {
-        index = std::move(joint);
-        left = {};
-      }
-    }
-    indices.push_back(std::move(index.marks));
-    shown.insert(shown.end(), index.shown.begin(), index.shown.end());
-    left.add(std::move(index.left), i + 1, pages.count > 1);
-  }
-  // Where all pieces lie on one page, anybody sees where an edge goes on: that is worth no page.
-  if (pages.count == 1 && left.numbers.empty() && left.pictures.empty()) {
-    left = {};
-  }
-  std::ranges::transform(left.pictures, std::back_inserter(shown), &Enlarged::shown);
-  for (std::size_t i = 0; i < pages.count; ++i) {
-    std::vector<PicturePlace> here;
-    std::ranges::copy_if(shown, std::back_inserter(here),
-                         [&](const PicturePlace& place) { return place.page == i; });
-    mark_places(pieces[i], here, indices[i], pages.paper.size, piece_box(pages.paper));
-  }
-  std::vector<std::vector<Group>> backs(pages.count);
-  for (std::size_t i = 0; style.numbers == Numbers::back && i < pages.count; ++i) {
-    backs[i] = take_to_back(pieces[i], pages.paper.size, style.turned_over);
-  }
-  sum.pictures = paint_pieces(model, nets, contents, pages, style, piece_ids, pieces,
-                              report == nullptr ? nullptr : report->pictures.get(), context);
-  for (std::vector<PieceDrawing>& on_page : pieces) {
-    drawings.emplace_back();
-    for (PieceDrawing& piece : on_page) {
-      drawings.back().groups.push_back(std::move(piece.group));
-    }
-  }
-  if (can_list) {
-    for (PageMarks& list : list_pages(std::move(left), pages.paper)) {
-      indices.push_back(std::move(list));
-      drawings.emplace_back();
-      ++sum.list_pages;
-    }
-  }
-  LineKinds anywhere;
-  for (const Drawing& drawing : drawings) {
-    anywhere = anywhere | line_kinds(drawing.groups);
-  }
-  for (std::size_t i = 0; i < drawings.size(); ++i) {
-    Drawing& drawing = drawings[i];
-    drawing.size = pages.paper.size;
-    drawing.title = printable_utf8(model.model.name);
-    if (i < pages.names.size()) {
-      drawing.title += printable_utf8(": " + pages.names[i]);
-    }
-    drawing.page = static_cast<int>(i + 1);
-    drawing.page_count = static_cast<int>(drawings.size());
-    Group foot;
-    foot.id = "page";
-    if (pages.paper.furniture) {
-      foot = furniture(pages.paper, drawing.title, drawing.page, drawing.page_count,
-                       line_kinds(drawing.groups), anywhere);
-    }
-    const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
-    append(foot.texts, indices[i].texts);
-    append(foot.lines, indices[i].lines);
-    append(foot.areas, indices[i].areas);
-    drawing.groups.push_back(std::move(foot));
-    if (i < backs.size() && !backs[i].empty()) {
-      drawing.back = std::move(backs[i]);
-      drawing.back.push_back(foot_of_back(pages.paper, drawing.title, drawing.page, drawing.page_count));
-    }
-  }
+  PageDrawer drawer(model, nets, pages, style, context);
+  std::vector<Drawing> drawings = drawer.draw(report == nullptr ? nullptr : report->pictures.get());
   if (report != nullptr) {
-    *report = sum;
+    *report = std::move(drawer).report();
   }
   return drawings;
 }

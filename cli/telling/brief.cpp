@@ -166,8 +166,8 @@ void add_glue(const GlueFigures& glue, Clauses& clauses) {
   }
 }
 
-/// What becomes of numbers that have no room at their edges. Files for machines have no pictures, some of
-/// them no numbers either.
+/// Where numbers stand that have no room at their edges. Files for machines have no lists, some of them no
+/// numbers either.
 std::string numbers_without_room(const PaperJob& job, const PaperResult& result) {
   const std::size_t lost = result.made.drawn.labels_listed.size();
   if (lost == 0) {
@@ -179,8 +179,7 @@ std::string numbers_without_room(const PaperJob& job, const PaperResult& result)
                            return shows == Shows::sheets || shows == Shows::print || shows == Shows::page;
                          });
   if (has_pages) {
-    return begin + (lost == 1 ? "stands in a part of its piece that is drawn larger"
-                              : "stand in parts of their pieces that are drawn larger");
+    return begin + (lost == 1 ? "stands in a list of its page" : "stand in lists of their pages");
   }
   const bool writes = job.preset.paths.engraves || job.preset.pdf;
   return writes && !job.preset.simulates

@@ -326,12 +326,12 @@ void add_numbers(Summary& summary, const paper::DrawReport& drawn) {
     facts.push_back(fmt::format("{} beside their piece", drawn.labels_outside));
   }
   if (listed > 0) {
-    facts.push_back(fmt::format("{} in enlarged parts or lists {}{}", listed,
+    facts.push_back(fmt::format("{} in lists {}{}", listed,
                                 drawn.list_pages > 0 ? "at the end" : "beside pieces",
                                 numbers_text(drawn.labels_listed)));
   }
   if (lost > 0) {
-    facts.push_back(fmt::format("{} left out: this paper is too small for pictures{}", lost,
+    facts.push_back(fmt::format("{} left out: this paper is too small for lists{}", lost,
                                 numbers_text(drawn.labels_left_out)));
   }
   if (drawn.names_left_out > 0) {

@@ -17,8 +17,8 @@ void fit_registration(Paper& paper);
 /// and the bottom left corner, their arms along the edges. A group of id `registration_group`.
 [[nodiscard]] Group registration_marks(Vec2 sheet);
 
-/// What is printed of a page that is cut by a machine: colours, pictures, numbers, names, lists, enlarged
-/// parts and the marks; no line that is cut or folded, as the machine may be half a millimetre off. Without
+/// What is printed of a page that is cut by a machine: colours, pictures, numbers, names, lists
+/// and the marks; no line that is cut or folded, as the machine may be half a millimetre off. Without
 /// marks where nothing is cut, on pages that have nothing but lists.
 [[nodiscard]] Drawing printed_page(const Drawing& page);
 

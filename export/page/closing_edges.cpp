@@ -40,7 +40,7 @@ std::optional<std::size_t> mate_ahead(const PieceDrawing& piece, const Rim& rim,
 }
 
 bool has_number(const PieceDrawing& piece, const Rim& rim, std::size_t place) {
-  return piece.seams[rim[place % rim.size()]].told == NumberAt::edge;
+  return piece.seams[rim[place % rim.size()]].at == NumberAt::edge;
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ void leave_out_closing(PieceDrawing& piece) {
   for (const Rim& rim : piece.rims) {
     std::vector<std::size_t> closing;
     for (std::size_t at = 0; at < rim.size(); ++at) {
-      if (piece.seams[rim[at]].told != NumberAt::list) {
+      if (piece.seams[rim[at]].at != NumberAt::list) {
         continue;
       }
       for (const bool back : {false, true}) {
@@ -72,7 +72,7 @@ void leave_out_closing(PieceDrawing& piece) {
       }
     }
     for (const std::size_t seam : closing) {
-      piece.seams[seam].told = NumberAt::closing;
+      piece.seams[seam].at = NumberAt::closing;
     }
   }
 }

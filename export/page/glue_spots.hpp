@@ -14,7 +14,7 @@ void add_glue_spot(const Contact& contact, const Placement& placement, const std
                    PieceDrawing& piece);
 
 /// Puts the names of what is glued on into their outlines, or beside them with a leader. A name without room
-/// is told by its spot (GlueSpot::named).
+/// is marked so in its spot (GlueSpot::named).
 void place_spot_names(PieceDrawing& piece, const Box2& area, Obstacles& obstacles);
 
 /// "A: within dashes B, C": what is glued on a piece and has no room for its name there; empty where all

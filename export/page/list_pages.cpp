@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,7 +21,6 @@ constexpr std::array<double, 3> letters_mm{2.6, 2.2, table_text_height};
 constexpr double row_share = table_row_height / table_text_height;
 constexpr double least_column_mm = 75.0;
 constexpr double column_gap_mm = 8.0;
-constexpr double least_list_mm = 40.0;  ///< a list below pictures has at least so much room
 constexpr double heading_share = 1.15;  ///< height of headings, of the letters'
 constexpr double entry_share = 1.3;     ///< of the lines that entries begin with
 constexpr double indent_share = 2.0;
@@ -40,11 +38,15 @@ struct ListLine {
   bool begins = true;  ///< not the rest of a longer one
 };
 
+/// Rows of words under a heading.
+struct RowList {
+  std::string_view heading;
+  std::vector<std::string> rows;
+};
+
 class Setter {
  public:
-  /// `first_top`: where the first page begins; none where nothing stands on it yet.
-  Setter(const Paper& paper, double letters, std::optional<double> first_top)
-      : area_(piece_box(paper)), letters_(letters), first_top_(first_top) {
+  Setter(const Paper& paper, double letters) : area_(piece_box(paper)), letters_(letters) {
     const double width = area_.size().x;
     columns_ = std::max(1.0, std::floor((width + column_gap_mm) / (least_column_mm + column_gap_mm)));
     width_ = (width - (columns_ - 1.0) * column_gap_mm) / columns_;
@@ -118,7 +120,7 @@ class Setter {
 
   void begin_page() {
     pages_.emplace_back();
-    y_ = pages_.size() == 1 ? first_top_.value_or(area_.high.y) : area_.high.y;
+    y_ = area_.high.y;
     lowest_ = y_;
   }
 
@@ -174,7 +176,6 @@ class Setter {
 
   Box2 area_;
   double letters_;
-  std::optional<double> first_top_;
   double columns_ = 1.0;
   double width_ = 0.0;
   double column_ = 0.0;
@@ -183,47 +184,6 @@ class Setter {
   double columns_top_ = 0.0;  ///< of the list's columns
   bool at_top_ = true;
   std::vector<std::vector<Text>> pages_;
-};
-
-/// Pictures side by side, row below row.
-class PictureRows {
- public:
-  explicit PictureRows(const Box2& area) : area_(area) {}
-
-  void put(Enlarged picture) {
-    if (x_ + picture.size.x > area_.high.x) {
-      begin_row();
-    }
-    // The first in a row, and whatever is higher than what stands there.
-    if (pages_.empty() || top_ - picture.size.y < area_.low.y) {
-      pages_.emplace_back();
-      top_ = area_.high.y;
-      bottom_ = top_;
-      x_ = area_.low.x;
-    }
-    pages_.back().add(std::move(picture.marks), {x_, top_ - picture.size.y});
-    x_ += picture.size.x + column_gap_mm;
-    bottom_ = std::min(bottom_, top_ - picture.size.y);
-  }
-
-  /// Where lists may begin on the last page; none where it has no room for any.
-  [[nodiscard]] std::optional<double> lowest() const {
-    const double top = bottom_ - column_gap_mm;
-    return pages_.empty() || top - area_.low.y < least_list_mm ? std::nullopt : std::optional<double>(top);
-  }
-  std::vector<PageMarks> pages() && { return std::move(pages_); }
-
- private:
-  void begin_row() {
-    x_ = area_.low.x;
-    top_ = bottom_ - column_gap_mm;
-  }
-
-  Box2 area_;
-  std::vector<PageMarks> pages_;
-  double x_ = 0.0;
-  double top_ = 0.0;
-  double bottom_ = 0.0;
 };
 
 /// "2 equal: A, B" is an entry with a line; "A and B are mirror images" gets an entry for all of them.
@@ -245,30 +205,18 @@ std::vector<std::string> rows_of_kinds(const std::vector<std::string>& kinds) {
 
 }  // namespace
 
-std::vector<PageMarks> list_pages(Unplaced left, const Paper& paper) {
-  PictureRows rows(piece_box(paper));
-  for (Enlarged& picture : left.pictures) {
-    rows.put(with_words(std::move(picture)));
-  }
-  const std::vector<RowList> lists{{number_list_heading, std::move(left.numbers)},
-                                   {partner_list_heading, std::move(left.partners)},
+std::vector<std::vector<Text>> list_pages(const PageLists& left, const Paper& paper) {
+  const std::vector<RowList> lists{{number_list_heading, left.numbers},
+                                   {partner_list_heading, left.partners},
                                    {kind_list_heading, rows_of_kinds(left.kinds)}};
-  const std::optional<double> top = rows.lowest();
-  std::vector<PageMarks> pages = std::move(rows).pages();
-  std::vector<std::vector<Text>> best = Setter(paper, letters_mm.back(), top).set(lists);
+  const std::vector<std::vector<Text>> fewest = Setter(paper, letters_mm.back()).set(lists);
   for (const double letters : letters_mm) {
-    std::vector<std::vector<Text>> larger = Setter(paper, letters, top).set(lists);
-    if (larger.size() <= best.size()) {
-      best = std::move(larger);
-      break;
+    std::vector<std::vector<Text>> larger = Setter(paper, letters).set(lists);
+    if (larger.size() <= fewest.size()) {
+      return larger;
     }
   }
-  const std::size_t first = top ? pages.size() - 1 : pages.size();
-  pages.resize(std::max(pages.size(), first + best.size()));
-  for (std::size_t i = 0; i < best.size(); ++i) {
-    pages[first + i].add({std::move(best[i]), {}, {}}, {});
-  }
-  return pages;
+  return fewest;
 }
 
 }  // namespace ridgecraft::paper

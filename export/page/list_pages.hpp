@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "export/page/page_index.hpp"
-#include "export/page/page_marks.hpp"
+#include "export/sheet/drawing.hpp"
 #include "export/sheet/paper.hpp"
 
 namespace ridgecraft::paper {
 
-/// What pages have no room for, on pages of their own. Pictures come first, side by side in rows. The lists
-/// follow, one after the other, each under its heading, which stands again where it goes on in another column
-/// or page. What stands before the first colon of a row is the entry's own line, and what semicolons part has
-/// a line each. In columns; letters are as large as costs no page. Only where has_room_for_lists().
-[[nodiscard]] std::vector<PageMarks> list_pages(Unplaced left, const Paper& paper);
+/// What pages have no room for, on pages of their own. The lists follow each other, each under its heading,
+/// which stands again where it goes on in another column or page. What stands before the first colon of a row
+/// is the entry's own line; semicolons separate the lines below. In columns; letters are as large as costs no
+/// page. Only where has_room_for_lists(). O(rows).
+[[nodiscard]] std::vector<std::vector<Text>> list_pages(const PageLists& left, const Paper& paper);
 
 }  // namespace ridgecraft::paper

@@ -20,7 +20,7 @@ using Shown = std::vector<std::uint32_t>;
 Shown shown_on(const PieceDrawing& piece, const std::vector<std::size_t>& rim) {
   Shown numbers;
   for (const std::size_t seam : rim) {
-    if (piece.seams[seam].told == NumberAt::edge) {
+    if (piece.seams[seam].at == NumberAt::edge) {
       numbers.push_back(piece.seams[seam].number);
     }
   }
@@ -75,8 +75,8 @@ std::string words_of_run(const PieceDrawing& piece, const std::vector<std::size_
 
 /// The words for one outline; none where all its numbers were placed.
 std::vector<std::string> words_of_rim(const PieceDrawing& piece, const std::vector<std::size_t>& rim) {
-  const auto is_lost = [&](std::size_t seam) { return piece.seams[seam].told != NumberAt::edge; };
-  const auto is_listed = [&](std::size_t seam) { return piece.seams[seam].told == NumberAt::list; };
+  const auto is_lost = [&](std::size_t seam) { return piece.seams[seam].at != NumberAt::edge; };
+  const auto is_listed = [&](std::size_t seam) { return piece.seams[seam].at == NumberAt::list; };
   const auto lost = static_cast<std::size_t>(std::count_if(rim.begin(), rim.end(), is_lost));
   if (std::ranges::none_of(rim, is_listed)) {
     return {};

@@ -24,10 +24,4 @@ inline constexpr std::string_view number_list_heading =
 /// Whether a page of this paper can hold such a list.
 [[nodiscard]] bool has_room_for_lists(const Paper& paper);
 
-/// Rows of words under a heading.
-struct RowList {
-  std::string_view heading;
-  std::vector<std::string> rows;
-};
-
 }  // namespace ridgecraft::paper

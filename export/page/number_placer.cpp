@@ -106,7 +106,7 @@ struct NumberPlacer::Frame {
         inward(perpendicular(along)),
         angle(upright(elementary::atan2(along.y, along.x))) {}
 
-  [[nodiscard]] Vec2 out(Beside side) const { return side == Beside::inside ? inward : -inward; }
+  [[nodiscard]] Vec2 out(Side side) const { return side == Side::inside ? inward : -inward; }
 
   double size;
   Vec2 middle;
@@ -173,7 +173,23 @@ bool NumberPlacer::place_on_tab(PieceDrawing& piece, const Seam& seam) {
   return false;
 }
 
-bool NumberPlacer::place_near(const Wanted& wanted, Beside side) {
+bool NumberPlacer::place(const Wanted& wanted, NumberPlace where) {
+  switch (where) {
+    case NumberPlace::at_edge:
+      return place_near(wanted, Side::inside);
+    case NumberPlace::further_inside:
+      return place_further_inside(wanted);
+    case NumberPlace::beside_piece:
+      return place_near(wanted, Side::outside);
+    case NumberPlace::leader_inside:
+      return place_with_leader(wanted, Side::inside);
+    case NumberPlace::leader_outside:
+      return place_with_leader(wanted, Side::outside);
+  }
+  return false;
+}
+
+bool NumberPlacer::place_near(const Wanted& wanted, Side side) {
   for (const double height : heights_) {
     for (const double offset : near_offsets) {
       if (place_along(wanted, height, offset, false, side)) {
@@ -185,11 +201,11 @@ bool NumberPlacer::place_near(const Wanted& wanted, Beside side) {
                              [&](double height) { return place_along(wanted, height, 0.0, true, side); });
 }
 
-bool NumberPlacer::place_inside(const Wanted& wanted) {
+bool NumberPlacer::place_further_inside(const Wanted& wanted) {
   for (const double height : heights_) {
     for (double offset = first_offset; offset < deepest_offset; offset += offset_step) {
-      if (place_along(wanted, height, offset, false, Beside::inside) ||
-          place_along(wanted, height, offset, true, Beside::inside)) {
+      if (place_along(wanted, height, offset, false, Side::inside) ||
+          place_along(wanted, height, offset, true, Side::inside)) {
         return true;
       }
     }
@@ -197,11 +213,11 @@ bool NumberPlacer::place_inside(const Wanted& wanted) {
   return false;
 }
 
-bool NumberPlacer::place_with_leader(const Wanted& wanted, Beside side) {
+bool NumberPlacer::place_with_leader(const Wanted& wanted, Side side) {
   const Frame frame(wanted.seam->edge);
   const std::vector<Vec2>& tab = wanted.seam->tab;
-  // Beside the piece the line ends at the edge, or at the far side of the tab that stands on it.
-  const bool from_tab = side == Beside::outside && !tab.empty();
+  // Side the piece the line ends at the edge, or at the far side of the tab that stands on it.
+  const bool from_tab = side == Side::outside && !tab.empty();
   const Vec2 start = from_tab ? 0.5 * (tab[2] + tab.back()) : frame.middle;
   const double size = from_tab ? length(tab.back() - tab[2]) : frame.size;
   for (const double height : {heights_[1], heights_.back()}) {
@@ -269,7 +285,7 @@ bool NumberPlacer::put(PieceDrawing& piece, const Text& text, const TurnedBox& b
   return true;
 }
 
-bool NumberPlacer::place_along(const Wanted& wanted, double height, double offset, bool across, Beside side) {
+bool NumberPlacer::place_along(const Wanted& wanted, double height, double offset, bool across, Side side) {
   const Frame frame(wanted.seam->edge);
   Text text =
       number_text(*wanted.seam, height, across ? upright(frame.angle + 0.5 * std::numbers::pi) : frame.angle);
@@ -277,8 +293,8 @@ bool NumberPlacer::place_along(const Wanted& wanted, double height, double offse
   const double half = across ? at_origin.half_width : at_origin.half_height;
   const double half_along = across ? at_origin.half_height : at_origin.half_width;
   const double room = std::max(0.0, 0.5 * frame.size - half_along);
-  // Beside the piece, that is beyond the tab.
-  const double lift = side == Beside::outside ? tab_height(*wanted.seam, frame.middle, frame.inward) : 0.0;
+  // Side the piece, that is beyond the tab.
+  const double lift = side == Side::outside ? tab_height(*wanted.seam, frame.middle, frame.inward) : 0.0;
   const Vec2 out = frame.out(side);
   TurnedBox box = at_origin;
   double last = -1.0;
@@ -302,9 +318,9 @@ bool NumberPlacer::place_along(const Wanted& wanted, double height, double offse
 }
 
 /// `text` wherever around a point of its edge there is room for it.
-bool NumberPlacer::lead_from(const Wanted& wanted, Text text, Vec2 start, const Frame& frame, Beside side) {
+bool NumberPlacer::lead_from(const Wanted& wanted, Text text, Vec2 start, const Frame& frame, Side side) {
   const Vec2 out = frame.out(side);
-  const double longest = side == Beside::inside ? longest_leader_inside : longest_leader_outside;
+  const double longest = side == Side::inside ? longest_leader_inside : longest_leader_outside;
   text.centre = {};
   TurnedBox box = box_of(text);
   const Vec2 box_from_text = box.centre;

@@ -21,8 +21,14 @@ struct Wanted {
   bool on_tab = false;  ///< its number stands on the tab already
 };
 
-/// Which side of an edge.
-enum class Beside { inside, outside };
+/// Where a number may stand, beside on its tab.
+enum class NumberPlace : std::uint8_t {
+  at_edge,         ///< inside the piece, along the edge, close to it, else across it
+  further_inside,  ///< likewise, further inside the same panel
+  beside_piece,    ///< as at_edge, outside the piece: beyond the tab, if there is one
+  leader_inside,   ///< anywhere around the edge, with a line to it
+  leader_outside,  ///< likewise, outside the piece; such numbers are lost when it is cut out
+};
 
 /// Each attempt adds the text, and its leader, to the piece's group where it finds a place, and says whether
 /// it did. No text covers a line or another text, or reaches out of the area. Heights of letters go from
@@ -36,16 +42,12 @@ class NumberPlacer {
   void add_lines(const PieceDrawing& piece);
 
   bool place_on_tab(PieceDrawing& piece, const Seam& seam);
-  /// Along the edge, close to it.
-  bool place_near(const Wanted& wanted, Beside side = Beside::inside);
-  /// Along the edge, further inside the same panel.
-  bool place_inside(const Wanted& wanted);
-  /// Anywhere around, with a line to the edge.
-  bool place_with_leader(const Wanted& wanted, Beside side);
+  bool place(const Wanted& wanted, NumberPlace where);
   /// Numbers tell on which piece the other edge is ("B:12"), where there is room for it.
   void name_partners();
 
  private:
+  enum class Side { inside, outside };
   struct Frame;
   /// A number that stands by its edge or on its tab.
   struct Placed {
@@ -59,9 +61,12 @@ class NumberPlacer {
   [[nodiscard]] std::optional<Text> with_partner(const Text& plain, const Placed& placed) const;
   [[nodiscard]] bool on_area(const TurnedBox& box) const;
   bool put(PieceDrawing& piece, const Text& text, const TurnedBox& box);
-  bool place_along(const Wanted& wanted, double height, double offset, bool across, Beside side);
+  bool place_near(const Wanted& wanted, Side side);
+  bool place_further_inside(const Wanted& wanted);
+  bool place_with_leader(const Wanted& wanted, Side side);
+  bool place_along(const Wanted& wanted, double height, double offset, bool across, Side side);
   /// `text` wherever around a point of its edge there is room for it.
-  bool lead_from(const Wanted& wanted, Text text, Vec2 start, const Frame& frame, Beside side);
+  bool lead_from(const Wanted& wanted, Text text, Vec2 start, const Frame& frame, Side side);
   bool put_with_leader(const Wanted& wanted, const Text& text, const TurnedBox& box, const Segment2& leader,
                        Vec2 out);
 

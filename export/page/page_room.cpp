@@ -27,12 +27,6 @@ void at_places(const Box2& area, Vec2 size, Try try_at) {
   }
 }
 
-/// Whether two rectangles are no further apart than lists may be.
-bool crowd(const Box2& a, const Box2& b) {
-  return a.low.x - index_clearance < b.high.x && b.low.x < a.high.x + index_clearance &&
-         a.low.y - index_clearance < b.high.y && b.low.y < a.high.y + index_clearance;
-}
-
 }  // namespace
 
 PageRoom::PageRoom(const Paper& paper, const std::vector<PieceDrawing>& pieces)
@@ -54,10 +48,6 @@ void PageRoom::add(const std::vector<Text>& texts) {
   for (const Text& text : texts) {
     obstacles_.add(text);
   }
-}
-
-void PageRoom::add(const Box2& box) {
-  boxes_.push_back(box);
 }
 
 std::optional<std::vector<Text>> PageRoom::place(const std::vector<Text>& texts) const {
@@ -88,32 +78,12 @@ std::optional<std::vector<Text>> PageRoom::place(const std::vector<Text>& texts)
   return found;
 }
 
-std::optional<Vec2> PageRoom::place(Vec2 size) const {
-  std::optional<Vec2> found;
-  at_places(area_, size, [&](Vec2 corner) {
-    if (free(Box2{corner, corner + size})) {
-      found = corner;
-    }
-    return found.has_value();
-  });
-  return found;
-}
-
 bool PageRoom::free(TurnedBox text, double height, Vec2 centre) const {
   text.centre += centre;
   // The foot lies below the area: it needs no more than the distance to a line.
-  const Box2 own = text.bounds();
-  return std::ranges::none_of(boxes_, [&](const Box2& box) { return crowd(own, box); }) &&
-         obstacles_.is_free(text, height, std::min(index_clearance, 0.5 * table_row_height),
+  return obstacles_.is_free(text, height, std::min(index_clearance, 0.5 * table_row_height),
                             index_clearance) &&
          !on_a_piece(centre);
-}
-
-bool PageRoom::free(const Box2& box) const {
-  const Vec2 half = 0.5 * box.size();
-  const TurnedBox turned{box.low + half, {1.0, 0.0}, half.x, half.y};
-  return std::ranges::none_of(boxes_, [&](const Box2& other) { return crowd(box, other); }) &&
-         obstacles_.is_free(turned, table_text_height, 0.0, index_clearance) && !on_a_piece(turned.centre);
 }
 
 bool PageRoom::on_a_piece(Vec2 p) const {

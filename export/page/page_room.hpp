@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Room beside the pieces of a page, for lists and pictures.
+// Room beside the pieces of a page, for lists.
 #pragma once
 
 #include <optional>
@@ -19,22 +19,17 @@ class PageRoom {
   /// The texts at the lowest place that has room, the leftmost of those. They don't count as being there
   /// until add(). O(places tried x texts).
   [[nodiscard]] std::optional<std::vector<Text>> place(const std::vector<Text>& texts) const;
-  /// The lower left corner of a rectangle at such a place. O(places tried).
-  [[nodiscard]] std::optional<Vec2> place(Vec2 size) const;
 
   void add(const std::vector<Text>& texts);
-  void add(const Box2& box);
 
  private:
   /// Whether there is room for a text of this height that covers `text` around its centre.
   [[nodiscard]] bool free(TurnedBox text, double height, Vec2 centre) const;
-  [[nodiscard]] bool free(const Box2& box) const;
   [[nodiscard]] bool on_a_piece(Vec2 p) const;
 
   Box2 area_;
   Obstacles obstacles_;
   const std::vector<PieceDrawing>& pieces_;
-  std::vector<Box2> boxes_;
 };
 
 }  // namespace ridgecraft::paper

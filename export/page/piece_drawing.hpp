@@ -13,12 +13,11 @@
 
 namespace ridgecraft::paper {
 
-/// Where a seam's number is told.
+/// Where a seam's number stands.
 enum class NumberAt : std::uint8_t {
-  edge,      ///< at the edge or on its tab
-  closing,   ///< nowhere: its other edge lies beside it when the paper closes
-  enlarged,  ///< in a part of the piece that is drawn once more, larger
-  list,      ///< in words, or nowhere on paper too small for them
+  edge,     ///< at the edge or on its tab
+  closing,  ///< nowhere: its other edge lies beside it when the paper closes
+  list,     ///< in a list of the page or at the end; nowhere on paper too small for lists
 };
 
 /// A cut edge of a piece that is glued to another edge.
@@ -27,7 +26,7 @@ struct Seam {
   std::string partner;    ///< name of the piece that the other edge is on; empty where it is this one
   Segment2 edge;          ///< its face lies on the left
   std::vector<Vec2> tab;  ///< the tab that grows from it, first two corners on the edge; or nothing
-  NumberAt told = NumberAt::list;
+  NumberAt at = NumberAt::list;
 };
 
 /// Where a piece that no join connects with this one is glued on.

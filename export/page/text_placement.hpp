@@ -12,10 +12,10 @@ namespace ridgecraft::paper {
 
 /// Adds its texts to each piece of one page: each join's number inside the piece at its edge and on its tab,
 /// and the piece's name in the widest free place. No text covers a line or another text, or reaches out of
-/// `area`. A number that finds no room at its edge moves further in, then gets a leader, at last a place
-/// beside the piece; then it is left out, which its seam tells (Seam::told). Past the context's deadline
-/// and grace it is left out where it finds no room at its edge.
-void place_texts(std::vector<PieceDrawing>& pieces, Vec2 page_size, const Box2& area, const Style& style,
+/// piece_box(). Each number takes the first place that has room: at its edge, further inside, with a leader
+/// inside, with a leader beside the piece. Without one it stands in a list, as its seam says (Seam::at). Past
+/// the context's deadline and grace only places at the edge are tried. O(numbers x places x lines near them).
+void place_texts(std::vector<PieceDrawing>& pieces, const Paper& paper, const Style& style,
                  DrawReport& report, const Context& context);
 
 }  // namespace ridgecraft::paper

@@ -74,10 +74,10 @@ struct DrawReport {
     std::uint32_t number = 0;
     friend auto operator<=>(const Number&, const Number&) = default;
   };
-  /// Numbers that found no place at their edges even at the smallest height, and stand in a part of the piece
-  /// that is drawn larger or in a list, on the page or at the end; page by page.
+  /// Numbers that found no place on or beside their pieces even at the smallest height, and stand in a list,
+  /// on the page or at the end; page by page.
   std::vector<Number> labels_listed;
-  std::vector<Number> labels_left_out;  ///< the same where the paper is too small for either
+  std::vector<Number> labels_left_out;  ///< the same where the paper is too small for a list
   /// Of lines to cut, and of lines to fold, bases of tabs among them, as they are drawn, mm: none twice, and
   /// no folds that get no line.
   double cut_mm = 0.0;

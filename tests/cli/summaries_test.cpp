@@ -337,13 +337,12 @@ TEST_CASE("of numbers without room it is told where they stand, if that is anywh
     REQUIRE(outcome.exit_code == 0);
     return outcome.out;
   };
-  const std::string pictures =
-      "numbers had no room at their edges and stand in parts of their pieces that are drawn larger";
+  const std::string lists = "numbers had no room at their edges and stand in lists of their pages";
   const std::string nowhere = "numbers had no room at their edges and aren't in the machine's files";
-  CHECK(run({"-o", "a.pdf"}).find(pictures) != std::string::npos);
+  CHECK(run({"-o", "a.pdf"}).find(lists) != std::string::npos);
   CHECK(run({"--preset", "lightburn", "-o", "b.svg"}).find(nowhere) != std::string::npos);
-  CHECK(run({"--preset", "lightburn", "-o", "c.svg", "-o", "c.pdf"}).find(pictures) != std::string::npos);
-  CHECK(run({"--preset", "silhouette", "--print-and-cut", "-o", "d"}).find(pictures) != std::string::npos);
+  CHECK(run({"--preset", "lightburn", "-o", "c.svg", "-o", "c.pdf"}).find(lists) != std::string::npos);
+  CHECK(run({"--preset", "silhouette", "--print-and-cut", "-o", "d"}).find(lists) != std::string::npos);
   CHECK(run({"--preset", "silhouette", "-o", "e.svg"}).find("numbers had no room") == std::string::npos);
 }
 

@@ -30,7 +30,7 @@ paper::PieceDrawing outline(const std::vector<int>& numbers) {
       paper::Seam seam;
       seam.number = static_cast<std::uint32_t>(std::abs(numbers[i]));
       seam.edge = {corner(i + 1), corner(i)};  // its face on the left
-      seam.told = numbers[i] > 0 ? NumberAt::edge : NumberAt::list;
+      seam.at = numbers[i] > 0 ? NumberAt::edge : NumberAt::list;
       piece.rims[0].push_back(piece.seams.size());
       piece.seams.push_back(seam);
     }
@@ -44,7 +44,7 @@ std::vector<std::size_t> left_out(const std::vector<int>& numbers) {
   paper::leave_out_closing(piece);
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < piece.seams.size(); ++i) {
-    if (piece.seams[i].told == NumberAt::closing) {
+    if (piece.seams[i].at == NumberAt::closing) {
       places.push_back(i);
     }
   }

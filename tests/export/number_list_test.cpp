@@ -26,7 +26,7 @@ paper::PieceDrawing rim(const std::vector<int>& numbers, const std::vector<doubl
     paper::Seam seam;
     seam.number = static_cast<std::uint32_t>(std::abs(numbers[i]));
     seam.edge = {{0.0, 0.0}, {sizes.empty() ? 1.0 : sizes[i], 0.0}};
-    seam.told = numbers[i] > 0 ? paper::NumberAt::edge : paper::NumberAt::list;
+    seam.at = numbers[i] > 0 ? paper::NumberAt::edge : paper::NumberAt::list;
     piece.rims[0].push_back(piece.seams.size());
     piece.seams.push_back(seam);
   }
@@ -39,7 +39,7 @@ std::string number_of(const std::string& text) {
   return number.find_first_not_of("0123456789") == std::string::npos ? number : std::string();
 }
 
-/// All numbers of joins on a page: at edges, in pictures of parts of pieces, and in rows of the list.
+/// All numbers of joins on a page: at edges and in rows of the list.
 std::multiset<std::string> numbers_on(const paper::Drawing& page) {
   std::multiset<std::string> numbers;
   for (const paper::Group& group : page.groups) {

@@ -2,6 +2,7 @@
 // The index of a page: true, in its place, and no hindrance to anything else.
 #include "export/page/page_index.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -64,6 +65,48 @@ TEST_CASE("neighbours are those of the joins, both ways", "[page_index]") {
   CHECK(told == expected);
 }
 
+/// Whether a point lies on a face of the page.
+bool on_a_piece(const test::SamplePages& sample, const paper::Drawing& page, Vec2 p) {
+  const auto faces = ids<FaceId>(sample.nets.piece.size());
+  return std::any_of(faces.begin(), faces.end(), [&](FaceId f) {
+    const paper::Placement& place = sample.pages.placements[sample.nets.piece[f]];
+    const Vec2 a = place(sample.nets.flat[f][0]);
+    const Vec2 b = place(sample.nets.flat[f][1]);
+    const Vec2 c = place(sample.nets.flat[f][2]);
+    return place.page.value() + 1 == static_cast<std::uint32_t>(page.page) && cross(b - a, p - a) > 0.0 &&
+           cross(c - b, p - b) > 0.0 && cross(a - c, p - c) > 0.0;
+  });
+}
+
+/// Checks that the page's lists touch nothing and no heading stands twice; how many rows they have.
+std::size_t checked_rows(const test::SamplePages& sample, const paper::Drawing& page) {
+  paper::Obstacles all(page.size);
+  for (const paper::Group& group : page.groups) {
+    for (const paper::Line& line : group.lines) {
+      for (std::size_t i = 1; i < line.points.size(); ++i) {
+        all.add({line.points[i - 1], line.points[i]}, paper::Obstacles::Kind::cut);
+      }
+    }
+    for (const paper::Text& text : group.texts) {
+      if (group.id != "page") {
+        all.add(text);
+      }
+    }
+  }
+  std::multiset<std::string> rows;
+  for (const paper::Text& text : index_of(page)) {
+    CAPTURE(text.text);
+    CHECK(all.is_free(text, 1.0));
+    all.add(text);
+    CHECK(box_of(text).bounds().high.x <= page.size.x - 10.0 + 1e-6);
+    CHECK_FALSE(on_a_piece(sample, page, text.centre));
+    rows.insert(text.text);
+  }
+  CHECK(rows.count(std::string(paper::partner_list_heading)) <= 1);
+  CHECK(rows.count(std::string(paper::number_list_heading)) <= 1);
+  return rows.size();
+}
+
 TEST_CASE("the index stands beside the pieces, clear of all else", "[page_index]") {
   const mesh::Surface cube = test::cube();
   for (const double scale : {15.0, 30.0, 55.0, 70.0}) {
@@ -72,41 +115,32 @@ TEST_CASE("the index stands beside the pieces, clear of all else", "[page_index]
     const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
     std::size_t rows = 0;
     for (const paper::Drawing& page : pages) {
-      const std::vector<paper::Text> index = index_of(page);
-      rows += index.size();
-      paper::Obstacles all(page.size);
-      for (const paper::Group& group : page.groups) {
-        for (const paper::Line& line : group.lines) {
-          for (std::size_t i = 1; i < line.points.size(); ++i) {
-            all.add({line.points[i - 1], line.points[i]}, paper::Obstacles::Kind::cut);
-          }
-        }
-        for (const paper::Text& text : group.texts) {
-          if (group.id != "page") {
-            all.add(text);
-          }
-        }
-      }
-      for (const paper::Text& text : index) {
-        CAPTURE(text.text);
-        CHECK(all.is_free(text, 1.0));
-        CHECK(box_of(text).bounds().high.x <= page.size.x - 10.0 + 1e-6);
-        for (const FaceId f : ids<FaceId>(sample.nets.piece.size())) {
-          const paper::Placement& place = sample.pages.placements[sample.nets.piece[f]];
-          if (place.page.value() + 1 != static_cast<std::uint32_t>(page.page)) {
-            continue;
-          }
-          const Vec2 a = place(sample.nets.flat[f][0]);
-          const Vec2 b = place(sample.nets.flat[f][1]);
-          const Vec2 c = place(sample.nets.flat[f][2]);
-          const bool on_face = cross(b - a, text.centre - a) > 0.0 && cross(c - b, text.centre - b) > 0.0 &&
-                               cross(a - c, text.centre - c) > 0.0;
-          CHECK_FALSE(on_face);
-        }
-      }
+      rows += checked_rows(sample, page);
     }
     CHECK(rows > pages.size());
   }
+}
+
+TEST_CASE("numbers without room stand in a list beside the pieces, clear of all else", "[page_index]") {
+  const mesh::Surface ball = test::sphere(16, 10);
+  const auto cuts = test::all_edges(ball);
+  const std::string heading(paper::number_list_heading.substr(0, 12));
+  std::size_t lists = 0;
+  for (const double scale : {9.0, 14.0}) {
+    for (const char* format : {"A4", "120x160mm", "A3-landscape"}) {
+      for (const auto& edges : {std::vector<EdgeId>{}, cuts}) {
+        CAPTURE(scale, format, edges.size());
+        const auto sample = test::sample_pages(ball, scale, 3.0, edges, "Ball", paper::parse_paper(format));
+        for (const paper::Drawing& page : test::drawings(sample)) {
+          checked_rows(sample, page);
+          const auto index = index_of(page);
+          lists += static_cast<std::size_t>(std::count_if(
+              index.begin(), index.end(), [&](const auto& text) { return text.text.starts_with(heading); }));
+        }
+      }
+    }
+  }
+  CHECK(lists > 3);
 }
 
 TEST_CASE("an index alone has a page of its own only where pieces lie on several pages", "[page_index]") {
