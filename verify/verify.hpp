@@ -7,9 +7,8 @@
 #include <string_view>
 
 #include "base/context.hpp"
-#include "verify/file/model_surface.hpp"
+#include "verify/file/report.hpp"
 #include "verify/pages/printed.hpp"
-#include "verify/report/report.hpp"
 
 namespace ridgecraft::verify {
 

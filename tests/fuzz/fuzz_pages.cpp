@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "verify/file/file.hpp"
-#include "verify/pages/content_stream.hpp"
 #include "verify/pages/printed.hpp"
+#include "verify/pages/readers.hpp"
 
 namespace {
 

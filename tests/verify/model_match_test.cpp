@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "verify/cube_file.hpp"
-#include "verify/geometry/surface_tree.hpp"
+#include "verify/geometry/space.hpp"
 #include "verify/written_job.hpp"
 
 using namespace ridgecraft;

@@ -5,10 +5,9 @@
 #include "base/context.hpp"
 #include "base/random.hpp"
 #include "verify/file/file.hpp"
-#include "verify/pages/content_stream.hpp"
-#include "verify/pages/line_set.hpp"
-#include "verify/pages/path_data.hpp"
+#include "verify/pages/check_pages.hpp"
 #include "verify/pages/printed.hpp"
+#include "verify/pages/readers.hpp"
 #include "verify/replaced.hpp"
 #include "verify/written_job.hpp"
 

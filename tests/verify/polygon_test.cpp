@@ -9,8 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "verify/geometry/box_finder.hpp"
-#include "verify/geometry/rigid_motion.hpp"
+#include "verify/geometry/space.hpp"
 
 using namespace ridgecraft;
 using verify::Polygon;

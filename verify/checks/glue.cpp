@@ -15,8 +15,8 @@
 #include "base/segment.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_finder.hpp"
-#include "verify/geometry/surface_tree.hpp"
+#include "verify/geometry/polygon.hpp"
+#include "verify/geometry/space.hpp"
 
 namespace ridgecraft::verify {
 namespace {

@@ -10,8 +10,7 @@
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/polygon.hpp"
-#include "verify/geometry/surface_tree.hpp"
-#include "verify/geometry/winding.hpp"
+#include "verify/geometry/space.hpp"
 
 namespace ridgecraft::verify {
 namespace {

@@ -15,11 +15,10 @@
 #include <fmt/format.h>
 
 #include "base/segment.hpp"
+#include "verify/file/relations.hpp"
 #include "verify/file/settings_form.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_finder.hpp"
 #include "verify/geometry/polygon.hpp"
-#include "verify/relations/plates.hpp"
 
 namespace ridgecraft::verify {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/relations/case.hpp"
+#include "verify/file/relations.hpp"
 
 namespace ridgecraft::verify {
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "verify/file/json_text.hpp"
+#include "verify/file/schema.hpp"
 #include "verify/file/tolerance.hpp"
 
 namespace ridgecraft::verify {

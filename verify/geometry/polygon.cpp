@@ -2,14 +2,16 @@
 #include "verify/geometry/polygon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "base/elementary.hpp"
 #include "base/segment.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_finder.hpp"
 
 namespace ridgecraft::verify {
 namespace {
@@ -118,6 +120,191 @@ double penetration(std::span<const Vec2> a, std::span<const Vec2> b) {
     }
   }
   return std::isfinite(depth) ? depth : 0.0;
+}
+
+// Polygons in convex parts: ear clipping, then removal of needless diagonals.
+
+namespace {
+
+using Corner = std::uint32_t;
+using Triangle = std::array<Corner, 3>;
+
+double turn(Vec2 a, Vec2 b, Vec2 c) {
+  return cross(b - a, c - a);
+}
+
+/// Cuts triangles off a counterclockwise polygon until nothing is left.
+class EarClipper {
+ public:
+  EarClipper(std::span<const Vec2> polygon, const Context& context) : at_(polygon), context_(context) {
+    const auto n = static_cast<Corner>(polygon.size());
+    for (Corner i = 0; i < n; ++i) {
+      next_.push_back(i + 1 < n ? i + 1 : 0);
+      previous_.push_back(i > 0 ? i - 1 : n - 1);
+    }
+    for (Corner i = 0; i < n; ++i) {
+      if (turn_at(i) <= 0.0) {
+        blunt_.push_back(i);
+      }
+    }
+    gone_.assign(n, false);
+  }
+
+  std::vector<Triangle> run() {
+    std::size_t left = at_.size();
+    Corner corner = 0;
+    std::size_t refused = 0;
+    while (left > 3) {
+      context_.check();
+      if (is_ear(corner)) {
+        corner = cut(corner, refused);
+        --left;
+      } else if (++refused >= left) {
+        // Only rounding, or a polygon that crosses itself, leaves no ear: give up the corner that is nearest
+        // to one.
+        corner = cut(flattest(corner), refused);
+        --left;
+      } else {
+        corner = next_[corner];
+      }
+    }
+    keep({previous_[corner], corner, next_[corner]});
+    return std::move(triangles_);
+  }
+
+ private:
+  [[nodiscard]] double turn_at(Corner i) const { return turn(at_[previous_[i]], at_[i], at_[next_[i]]); }
+
+  [[nodiscard]] bool is_ear(Corner i) {
+    if (turn_at(i) <= 0.0) {
+      return false;
+    }
+    const Vec2 a = at_[previous_[i]];
+    const Vec2 b = at_[i];
+    const Vec2 c = at_[next_[i]];
+    std::erase_if(blunt_, [this](Corner k) { return gone_[k] || turn_at(k) > 0.0; });
+    return std::none_of(blunt_.begin(), blunt_.end(), [&](Corner k) {
+      const Vec2 p = at_[k];
+      return !(p == a || p == b || p == c) && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 &&
+             turn(c, a, p) >= 0.0;
+    });
+  }
+
+  [[nodiscard]] Corner flattest(Corner start) const {
+    Corner best = start;
+    for (Corner i = next_[start]; i != start; i = next_[i]) {
+      if (std::abs(turn_at(i)) < std::abs(turn_at(best))) {
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  Corner cut(Corner i, std::size_t& refused) {
+    keep({previous_[i], i, next_[i]});
+    next_[previous_[i]] = next_[i];
+    previous_[next_[i]] = previous_[i];
+    gone_[i] = true;
+    refused = 0;
+    // On to the far side: ears that are taken in turns become no fan of needles.
+    return next_[next_[i]];
+  }
+
+  void keep(const Triangle& t) {
+    const double area = turn(at_[t[0]], at_[t[1]], at_[t[2]]);
+    if (area > 0.0) {
+      triangles_.push_back(t);
+    } else if (area < 0.0) {
+      // Only polygons that cross themselves have these. Signed triangles add up to the winding number, so
+      // nothing that the outline goes round is left out when they count, too.
+      triangles_.push_back({t[0], t[2], t[1]});
+    }
+  }
+
+  std::span<const Vec2> at_;
+  const Context& context_;
+  std::vector<Corner> next_, previous_;
+  std::vector<Corner> blunt_;  ///< not convex now, perhaps later; only these can lie in an ear
+  std::vector<bool> gone_;
+  std::vector<Triangle> triangles_;
+};
+
+/// Triangles as rings of sides that grow together where a diagonal isn't needed.
+class Rings {
+ public:
+  Rings(std::span<const Vec2> polygon, const std::vector<Triangle>& triangles) : at_(polygon) {
+    std::map<std::pair<Corner, Corner>, std::uint32_t> side_from_to;
+    for (const Triangle& t : triangles) {
+      const auto base = static_cast<std::uint32_t>(start_.size());
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        start_.push_back(t[k]);
+        next_.push_back(base + (k + 1) % 3);
+        previous_.push_back(base + (k + 2) % 3);
+        side_from_to[{t[k], t[(k + 1) % 3]}] = base + k;
+      }
+    }
+    removed_.assign(start_.size(), false);
+    for (const auto& [ends, side] : side_from_to) {
+      const auto back = side_from_to.find({ends.second, ends.first});
+      if (ends.first < ends.second && back != side_from_to.end()) {
+        remove_if_needless(side, back->second);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<Polygon> polygons() const {
+    std::vector<Polygon> result;
+    std::vector<bool> seen = removed_;
+    for (std::uint32_t first = 0; first < start_.size(); ++first) {
+      if (seen[first]) {
+        continue;
+      }
+      Polygon& ring = result.emplace_back();
+      for (std::uint32_t side = first; !seen[side]; side = next_[side]) {
+        seen[side] = true;
+        ring.push_back(at_[start_[side]]);
+      }
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] bool turns_left(std::uint32_t arriving, std::uint32_t leaving) const {
+    return turn(at_[start_[arriving]], at_[start_[leaving]], at_[start_[next_[leaving]]]) >= 0.0;
+  }
+
+  void remove_if_needless(std::uint32_t side, std::uint32_t back) {
+    if (!turns_left(previous_[side], next_[back]) || !turns_left(previous_[back], next_[side])) {
+      return;
+    }
+    link(previous_[side], next_[back]);
+    link(previous_[back], next_[side]);
+    removed_[side] = true;
+    removed_[back] = true;
+  }
+
+  void link(std::uint32_t arriving, std::uint32_t leaving) {
+    next_[arriving] = leaving;
+    previous_[leaving] = arriving;
+  }
+
+  std::span<const Vec2> at_;
+  std::vector<Corner> start_;
+  std::vector<std::uint32_t> next_, previous_;
+  std::vector<bool> removed_;
+};
+
+}  // namespace
+
+std::vector<Polygon> convex_parts(std::span<const Vec2> polygon, const Context& context) {
+  Polygon corners(polygon.begin(), polygon.end());
+  if (doubled_area(corners) < 0.0) {
+    std::reverse(corners.begin(), corners.end());
+  }
+  if (is_convex(corners)) {
+    return {std::move(corners)};
+  }
+  return Rings(corners, EarClipper(corners, context).run()).polygons();
 }
 
 }  // namespace ridgecraft::verify

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/pages/print_form.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
+
+#include "verify/pages/readers.hpp"
 
 namespace ridgecraft::verify {
 namespace {

@@ -12,9 +12,8 @@
 #include <qpdf/QPDFPageLabelDocumentHelper.hh>
 #include <qpdf/QPDFPageObjectHelper.hh>
 
-#include "verify/pages/content_stream.hpp"
-#include "verify/pages/print_form.hpp"
-#include "verify/pages/tolerance.hpp"
+#include "verify/file/tolerance.hpp"
+#include "verify/pages/readers.hpp"
 
 namespace ridgecraft::verify {
 namespace {

@@ -1,21 +1,267 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Promise 7, in motion: do the pieces run through themselves while they are folded in their order?
+// Promises 6 and 7: folded nets are the model, and the order in which they are folded.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "verify/checks/checks.hpp"
+#include "verify/file/relations.hpp"
+#include "verify/file/settings_form.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_finder.hpp"
 #include "verify/geometry/polygon.hpp"
-#include "verify/geometry/rigid_motion.hpp"
-#include "verify/relations/plates.hpp"
+#include "verify/geometry/space.hpp"
 
 namespace ridgecraft::verify {
+
+// Promise 6: every piece, folded by its stated angles, is the model's surface.
+
+namespace {
+
+/// Across a side the neighbour is turned about that side: a mountain (negative angle) bends it away from the
+/// printed side, which faces the viewer.
+Motion fold_about(const File& file, Index side) {
+  const Vec2 tail = file.points[file.faces.tail(side)];
+  const Vec2 along = file.points[file.faces.head(side)] - tail;
+  const double angle = file.edges[file.side_edge[side]].angle_deg * std::numbers::pi / 180.0;
+  const Turn turn = Turn::about(normalized(Vec3{along.x, along.y, 0.0}), -angle);
+  const Vec3 fixed{tail.x, tail.y, 0.0};
+  return {turn, fixed - turn(fixed)};
+}
+
+/// Faces that folds connect, each with the motion that brings it from the plane to its place beside the
+/// first.
+struct Folded {
+  std::vector<Index> faces;
+  std::vector<Motion> motions;
+};
+
+/// Folds everything that is connected with a face; faces that are done are marked.
+Folded fold_from(const Case& given, Index start, std::vector<bool>& done) {
+  const File& file = given.file;
+  const Relations& relations = given.relations;
+  const Context& context = given.context;
+  Folded folded{{start}, {Motion{}}};
+  done[start] = true;
+  for (std::size_t at = 0; at < folded.faces.size(); ++at) {
+    context.check();
+    const Index face = folded.faces[at];
+    for (Index side = file.faces.first(face); side < file.faces.first(face) + file.faces.size(face); ++side) {
+      const Index twin = relations.fold_twin[side];
+      if (twin == none || done[file.faces.face(twin)]) {
+        continue;
+      }
+      const Motion fold = fold_about(file, side);
+      const Motion& parent = folded.motions[at];
+      const Motion child{parent.turn * fold.turn, parent(fold.shift)};
+      done[file.faces.face(twin)] = true;
+      folded.faces.push_back(file.faces.face(twin));
+      folded.motions.push_back(child);
+    }
+  }
+  return folded;
+}
+
+/// Corners of the folded faces, and where the model has them.
+struct FoldedCorners {
+  std::vector<Vec3> folded, model;
+  std::vector<Index> side;
+};
+
+FoldedCorners corners_of(const Case& given, const Folded& folded) {
+  const File& file = given.file;
+  const Relations& relations = given.relations;
+  FoldedCorners corners;
+  for (std::size_t i = 0; i < folded.faces.size(); ++i) {
+    const Index face = folded.faces[i];
+    if (!relations.corners_match[face]) {
+      continue;  // promise 1 says so
+    }
+    const std::span<const Index> targets = file.model.faces.vertices(file.face_model[face]);
+    for (Index k = 0; k < targets.size(); ++k) {
+      const Vec2 p = file.points[file.faces.vertices(face)[k]];
+      corners.folded.push_back(folded.motions[i]({p.x, p.y, 0.0}));
+      corners.model.push_back(file.model.points[targets[k]]);
+      corners.side.push_back(file.faces.first(face) + k);
+    }
+  }
+  return corners;
+}
+
+void check_corners(const Case& given, const FoldedCorners& corners, Findings& findings) {
+  if (corners.folded.empty()) {
+    return;
+  }
+  const File& file = given.file;
+  const Motion motion = best_motion(corners.folded, corners.model);
+  double worst = 0.0;
+  Index where = 0;
+  for (Index i = 0; i < corners.folded.size(); ++i) {
+    const double distance = length(motion(corners.folded[i]) - corners.model[i]);
+    if (distance > worst) {
+      worst = distance;
+      where = i;
+    }
+  }
+  double& figure = findings.figures().max_refold_error_mm;
+  figure = std::fmax(figure, worst);
+  if (worst > position_tolerance_share * file.model.size) {
+    const Index face = file.faces.face(corners.side[where]);
+    findings.add(Promise::refolds,
+                 {{"piece", file.face_piece[face]}, {"vertex", file.faces.tail(corners.side[where])}}, [&] {
+                   return fmt::format(
+                       "folded, {} is not the model's surface: a corner of face {} is {:.4g} mm away "
+                       "from where model face {} has it",
+                       piece_name(file, file.face_piece[face]), face, worst, file.face_model[face]);
+                 });
+  }
+}
+
+}  // namespace
+
+void check_refold(const Case& given, Findings& findings) {
+  std::vector<bool> done(given.file.faces.faces(), false);
+  for (Index face = 0; face < given.file.faces.faces(); ++face) {
+    if (!done[face]) {
+      check_corners(given, corners_of(given, fold_from(given, face, done)), findings);
+    }
+  }
+}
+
+// Promise 7: the folds of each piece, each once, in an order in which paper can be folded.
+
+namespace {
+
+class OrderCheck {
+ public:
+  OrderCheck(const Case& given, Findings& findings)
+      : file_(given.file),
+        relations_(given.relations),
+        findings_(findings),
+        plates_(find_plates(file_, relations_, still_fold_deg)),
+        creases_(find_creases(file_, relations_, plates_)),
+        step_of_(file_.edges.size(), none) {}
+
+  void run() {
+    for (Index piece = 0; piece < file_.pieces.size(); ++piece) {
+      sound_ = true;
+      check_steps(piece);
+      check_all_there(piece);
+      check_whole_creases(piece);
+      if (sound_ && file_.is_ours()) {
+        check_way(piece);
+      }
+    }
+  }
+
+ private:
+  using Steps = std::vector<std::vector<Index>>;
+
+  [[nodiscard]] const Steps& steps(Index piece) const { return (*file_.fold_order)[piece]; }
+
+  void add(Index piece, Index edge, const std::string& words) {
+    sound_ = false;
+    findings_.add(Promise::fold_order, {{"piece", piece}, {"edge", edge}},
+                  [&] { return fmt::format("the fold order of {} {}", piece_name(file_, piece), words); });
+  }
+
+  [[nodiscard]] Index piece_of(Index edge) const {
+    return file_.face_piece[file_.faces.face(relations_.sides_of(edge).front())];
+  }
+
+  void check_steps(Index piece) {
+    for (std::size_t step = 0; step < steps(piece).size(); ++step) {
+      for (const Index edge : steps(piece)[step]) {
+        if (file_.edges[edge].assignment == Assignment::cut) {
+          add(piece, edge, fmt::format("names edge {}, which is no fold", edge));
+        } else if (piece_of(edge) != piece) {
+          add(piece, edge, fmt::format("names edge {} of {}", edge, piece_name(file_, piece_of(edge))));
+        } else if (step_of_[edge] != none) {
+          add(piece, edge, fmt::format("names edge {} twice", edge));
+        } else if (file_.is_ours() && file_.edges[edge].assignment == Assignment::flat) {
+          add(piece, edge, fmt::format("names edge {}, which stays flat", edge));
+        }
+        step_of_[edge] = static_cast<Index>(step);
+      }
+    }
+  }
+
+  void check_all_there(Index piece) {
+    for (const Crease& crease : creases_[piece]) {
+      for (const Index edge : crease.edges) {
+        if (step_of_[edge] == none) {
+          add(piece, edge, fmt::format("lacks the fold at edge {}", edge));
+        }
+      }
+    }
+  }
+
+  /// Folds between the same two stiff plates can only be made together.
+  void check_whole_creases(Index piece) {
+    for (const Crease& crease : creases_[piece]) {
+      for (const Index edge : crease.edges) {
+        const Index first = step_of_[crease.edges.front()];
+        if (first != none && step_of_[edge] != none && step_of_[edge] != first) {
+          add(piece, edge,
+              fmt::format("folds edges {} and {} one after the other, which are one crease",
+                          crease.edges.front(), edge));
+        }
+      }
+    }
+  }
+
+  /// This program folds a piece all at a time or crease by crease. Plates that close a circle have creases
+  /// that move together.
+  void check_way(Index piece) {
+    std::set<Index> plates;
+    std::map<Index, Index> crease_of_step;  // the first edge of one
+    for (const Crease& crease : creases_[piece]) {
+      plates.insert({crease.first, crease.second});
+    }
+    if (steps(piece).size() < 2 || plates.size() != creases_[piece].size() + 1) {
+      return;
+    }
+    for (const Crease& crease : creases_[piece]) {
+      const Index edge = crease.edges.front();
+      if (!crease_of_step.emplace(step_of_[edge], edge).second) {
+        add(piece, edge, "folds several creases in one of many steps");
+        return;
+      }
+    }
+    // Edges that were to be kept may be in the way of the split that this takes.
+    const Settings& settings = file_.settings;
+    if (is_true(settings, "fold_linear") && settings.find("keep") == nullptr &&
+        settings.find("from") == nullptr) {
+      add(piece, creases_[piece].front().edges.front(),
+          fmt::format("has {} steps, where the settings ask for all creases together", steps(piece).size()));
+    }
+  }
+
+  const File& file_;
+  const Relations& relations_;
+  Findings& findings_;
+  Plates plates_;
+  std::vector<std::vector<Crease>> creases_;  ///< of each piece
+  std::vector<Index> step_of_;                ///< per edge: the last step that names it
+  bool sound_ = true;                         ///< so far, of the piece that is looked at
+};
+
+}  // namespace
+
+void check_fold_order(const Case& given, Findings& findings) {
+  if (given.file.fold_order) {
+    OrderCheck(given, findings).run();
+  }
+}
+
+// Promise 7, in motion: do the pieces run through themselves while they are folded in their order?
+
 namespace {
 
 using Corners = std::array<Vec3, 3>;

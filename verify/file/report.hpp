@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a check gives: the promises, the figures and the faults, and how many of these are listed.
+// What a check is given besides the file, and what it gives: the promises, the figures and the faults.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/vector.hpp"
+
 namespace ridgecraft::verify {
+
+// What a check gives: the promises, the figures and the faults, and how many of these are listed.
 
 /// The promises of docs/reference/formats.md; form is promise 0. Those up to 6 are the contract's.
 enum class Promise {
@@ -87,6 +93,14 @@ struct Report {
 struct Options {
   std::size_t max_faults = 1000;  ///< listed per promise; the figures count all
   bool folding = false;           ///< move every piece through its fold order: takes as long as all the rest
+};
+
+/// The surface that the nets are said to be of, in its own unit, as whoever read it hands it over.
+struct ModelSurface {
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices into points
+  double units_per_point_unit = 1.0;                ///< a point times this is in the unit of the model's file
+  std::string digest;                               ///< hash of the file's bytes, or empty
 };
 
 }  // namespace ridgecraft::verify

@@ -1,17 +1,118 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What the knife cuts: lengths, and pieces that it can't cut out or that fall apart.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/convex_hull.hpp"
+#include "base/segment.hpp"
+#include "verify/checks/checks.hpp"
+#include "verify/file/relations.hpp"
+#include "verify/file/tolerance.hpp"
+#include "verify/geometry/polygon.hpp"
+
+namespace ridgecraft::verify {
+
+// The figures cut_mm and fold_mm: the knife goes round each tab instead of along its base, which is folded;
+// and how much of the folds is so flat that pages have no line for it.
+
+namespace {
+
+/// Far enough to have a line: what stands on a face rises from it.
+constexpr double foot_angle_deg = -90.0;
+
+/// How far the base of a tab is folded when its seam is closed, degrees; 0 where the file doesn't tell.
+double angle_at_base(const Case& given, const Tab& tab) {
+  if (tab.foot) {
+    return foot_angle_deg;
+  }
+  const Index side = model_side_of(given.file, given.relations, tab.edge);
+  return side != none && given.file.model.twin[side] != none
+             ? model_fold(given.file, given.relations, side).angle_deg
+             : 0.0;
+}
+
+}  // namespace
+
+void measure_cuts(const Case& given, Findings& findings) {
+  const File& file = given.file;
+  double& cut = findings.figures().cut_mm;
+  double& fold = findings.figures().fold_mm;
+  double& unlined = findings.figures().unlined_fold_mm;
+  const double hidden_deg = file.settings.number("hide_folds_deg").value_or(default_hidden_deg);
+  for (const Edge& edge : file.edges) {
+    const double size = length(file.points[edge.ends[1]] - file.points[edge.ends[0]]);
+    if (edge.assignment == Assignment::cut) {
+      cut += size;
+    } else if (edge.assignment != Assignment::flat) {
+      fold += size;
+      unlined += std::abs(edge.angle_deg) < hidden_deg ? size : 0.0;
+    }
+  }
+  for (const Tab& tab : file.tabs) {
+    const double base = length(tab.polygon[1] - tab.polygon[0]);
+    fold += base;
+    unlined += std::abs(angle_at_base(given, tab)) < hidden_deg ? base : 0.0;
+    cut -= base;
+    cut += tab.slit ? length((*tab.slit)[1] - (*tab.slit)[0]) : 0.0;
+    for (std::size_t k = 1; k < tab.polygon.size(); ++k) {
+      cut += length(tab.polygon[(k + 1) % tab.polygon.size()] - tab.polygon[k]);
+    }
+  }
+}
+
+// The figure narrow_pieces: what no knife cuts out, though it might hang on another piece.
+
+namespace {
+
+/// The distance of the two parallel lines between which these corners of a convex polygon lie, at its least.
+double width_of(const std::vector<Vec2>& hull) {
+  double least = hull.size() < 3 ? 0.0 : HUGE_VAL;
+  for (std::size_t i = 0; i < hull.size() && hull.size() >= 3; ++i) {
+    const Vec2 along = hull[(i + 1) % hull.size()] - hull[i];
+    double most = 0.0;
+    for (const Vec2 p : hull) {
+      most = std::max(most, cross(along, p - hull[i]));
+    }
+    least = std::min(least, most / length(along));
+  }
+  return least;
+}
+
+}  // namespace
+
+void count_narrow_pieces(const Case& given, Findings& findings) {
+  const File& file = given.file;
+  std::vector<std::vector<Vec2>> corners(file.pieces.size());
+  for (Index face = 0; face < file.faces.faces(); ++face) {
+    for (const Vec2 p : file.polygon(face)) {
+      corners[file.face_piece[face]].push_back(p);
+    }
+  }
+  const auto piece_of = [&](Index edge) {
+    return file.face_piece[file.faces.face(given.relations.sides_of(edge).front())];
+  };
+  std::vector<char> meets_another(file.pieces.size(), 0);
+  for (const Join& join : file.joins) {
+    const Index first = piece_of(join.edges[0]);
+    const Index second = piece_of(join.edges[1]);
+    if (first != second) {
+      meets_another[first] = meets_another[second] = 1;
+    }
+  }
+  for (Index piece = 0; piece < file.pieces.size(); ++piece) {
+    const bool narrow =
+        meets_another[piece] != 0 && width_of(convex_hull(std::move(corners[piece]))) < least_piece_mm;
+    findings.figures().narrow_pieces += narrow ? 1 : 0;
+  }
+}
+
 // The figure thin_necks: pieces that would tear in the hand, because two stretches of them hang together by a
 // thread of paper. A neck is looked for as the shortest way across the paper from a corner of the outline to
 // a side of it: wherever paper is narrow, one end of its narrowest place is a corner.
-#include <algorithm>
-#include <optional>
-#include <vector>
 
-#include "base/segment.hpp"
-#include "verify/checks/checks.hpp"
-#include "verify/file/tolerance.hpp"
-#include "verify/geometry/box_finder.hpp"
-
-namespace ridgecraft::verify {
 namespace {
 
 /// A closed line of cut edges round the paper, or round a hole in it.

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/relations/relations.hpp"
+#include "verify/file/relations.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "verify/file/json_text.hpp"
+#include "base/elementary.hpp"
+#include "verify/file/schema.hpp"
+#include "verify/file/tolerance.hpp"
 
 namespace ridgecraft::verify {
 namespace {
@@ -138,6 +145,95 @@ std::string tab_name(const File& file, Index tab) {
       fmt::join(numbers.begin(),
                 numbers.begin() + static_cast<std::ptrdiff_t>(std::min(most, numbers.size())), ", "),
       numbers.size() > most ? ", ..." : "");
+}
+
+ModelFold model_fold(const File& file, const Relations& relations, Index model_side) {
+  constexpr double degrees = 180.0 / std::numbers::pi;
+  const Model& model = file.model;
+  const Index a = model.faces.face(model_side);
+  const Index b = model.faces.face(model.twin[model_side]);
+  const Vec3 along = model.points[model.faces.head(model_side)] - model.points[model.faces.tail(model_side)];
+  const double sine = dot(cross(relations.normal[a], relations.normal[b]), normalized(along));
+  ModelFold fold;
+  fold.angle_deg = -elementary::atan2(sine, dot(relations.normal[a], relations.normal[b])) * degrees;
+  // Faces without area have no normal: then every angle is within the tolerance.
+  const double area = std::min(relations.area[a], relations.area[b]);
+  fold.tolerance_deg = area > 0.0
+                           ? angle_tolerance_deg + degrees * slender_share * model.size * length(along) / area
+                           : std::numeric_limits<double>::infinity();
+  return fold;
+}
+
+namespace {
+
+/// Whether each crease moves one further plate, and none that is nearer to the middle than one before.
+bool grows_from(Index middle, std::span<const Crease* const> order) {
+  std::map<Index, Index> depth{{middle, 0}};
+  Index deepest = 0;
+  for (const Crease* crease : order) {
+    const auto first = depth.find(crease->first);
+    const auto second = depth.find(crease->second);
+    if ((first == depth.end()) == (second == depth.end())) {
+      return false;
+    }
+    const Index now = (first != depth.end() ? first : second)->second + 1;
+    if (now < deepest) {
+      return false;
+    }
+    deepest = now;
+    depth[first != depth.end() ? crease->second : crease->first] = now;
+  }
+  return true;
+}
+
+}  // namespace
+
+Plates find_plates(const File& file, const Relations& relations, double flat_deg) {
+  DisjointSets sets(file.faces.faces());
+  for (Index side = 0; side < file.faces.sides(); ++side) {
+    const Index twin = relations.fold_twin[side];
+    if (twin != none && std::abs(file.edges[file.side_edge[side]].angle_deg) < flat_deg) {
+      sets.join(file.faces.face(side), file.faces.face(twin));
+    }
+  }
+  Plates plates;
+  std::vector<Index> number(file.faces.faces(), none);
+  for (Index face = 0; face < file.faces.faces(); ++face) {
+    Index& of_set = number[sets.find(face)];
+    of_set = of_set == none ? plates.count++ : of_set;
+    plates.plate.push_back(of_set);
+  }
+  return plates;
+}
+
+std::vector<std::vector<Crease>> find_creases(const File& file, const Relations& relations,
+                                              const Plates& plates) {
+  std::map<std::pair<Index, Index>, Crease> by_plates;
+  for (Index side = 0; side < file.faces.sides(); ++side) {
+    const Index twin = relations.fold_twin[side];
+    if (twin == none || twin < side) {
+      continue;
+    }
+    const auto [low, high] =
+        std::minmax(plates.plate[file.faces.face(side)], plates.plate[file.faces.face(twin)]);
+    if (low != high) {
+      Crease& crease = by_plates[{low, high}];
+      crease.first = low;
+      crease.second = high;
+      crease.edges.push_back(file.side_edge[side]);
+    }
+  }
+  std::vector<std::vector<Crease>> creases(file.pieces.size());
+  for (auto& [pair, crease] : by_plates) {
+    const Index side = relations.sides_of(crease.edges.front()).front();
+    creases[file.face_piece[file.faces.face(side)]].push_back(std::move(crease));
+  }
+  return creases;
+}
+
+bool goes_inwards(std::span<const Crease* const> order) {
+  const std::vector<const Crease*> outwards(order.rbegin(), order.rend());
+  return grows_from(outwards.front()->first, outwards) || grows_from(outwards.front()->second, outwards);
 }
 
 }  // namespace ridgecraft::verify

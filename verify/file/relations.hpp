@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the two frames of a file go together: which side of a net is which side of the model, and what its
-// folds join.
+// How the two frames of a file go together: which side of a net is which side of the model, what its folds
+// join, by how much the model is folded there, and which stiff plates move when a piece is folded.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/context.hpp"
 #include "verify/file/file.hpp"
 
 namespace ridgecraft::verify {
+
+// How the two frames of a file go together: which side of a net is which side of the model, and what its
+// folds join.
 
 /// What is wrong with an edge before it is even compared with the model.
 enum class EdgeFlaw : unsigned char {
@@ -69,5 +73,50 @@ struct Relations {
 [[nodiscard]] std::string tab_name(const File& file, Index tab);
 [[nodiscard]] std::string edge_name(const File& file, const Relations& relations, Index edge);
 [[nodiscard]] std::string join_name(const File& file, Index join);
+
+// A file that is checked, with all that the checks share.
+
+/// What every check is given.
+struct Case {
+  const File& file;
+  const Relations& relations;
+  const Context& context;
+};
+
+// By how much the model is folded at an edge.
+
+/// The fold that the model has between two faces: negative for mountains.
+struct ModelFold {
+  double angle_deg = 0.0;
+  double tolerance_deg = 0.0;  ///< how well the angle is known: badly between slender faces
+};
+
+/// At a side of the model that has a twin. O(1).
+[[nodiscard]] ModelFold model_fold(const File& file, const Relations& relations, Index model_side);
+
+// The stiff plates of a piece and the creases between them: what moves when it is folded.
+
+/// Faces of the nets that folds flatter than an angle join.
+struct Plates {
+  std::vector<Index> plate;  ///< per net face, numbered by their first faces
+  Index count = 0;
+};
+
+/// Sound folds below `flat_deg` join faces. O(n α(n)).
+[[nodiscard]] Plates find_plates(const File& file, const Relations& relations, double flat_deg);
+
+/// All folds between two plates: they lie on one line, or the plates couldn't move.
+struct Crease {
+  Index first = 0, second = 0;  ///< plates, the smaller number first
+  std::vector<Index> edges;
+};
+
+/// The creases of each piece. O(n log n).
+[[nodiscard]] std::vector<std::vector<Crease>> find_creases(const File& file, const Relations& relations,
+                                                            const Plates& plates);
+
+/// Whether creases, in the order in which they are folded one at a time, come by their distance from some
+/// plate, the farthest first. At least one crease; distances are counted in creases. O(n log n).
+[[nodiscard]] bool goes_inwards(std::span<const Crease* const> order);
 
 }  // namespace ridgecraft::verify
