@@ -7,16 +7,39 @@
 //   points + cage before + cage after --deform--> points
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
 #include "segment/segment.hpp"
-#include "solid/body.hpp"
 
 namespace ridgecraft::solid {
+
+/// A closed triangle mesh, counterclockwise seen from outside.
+struct Body {
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// Mass properties at density 1, in the points' unit.
+struct MassProperties {
+  double volume = 0.0;
+  Vec3 center;
+  /// About the centre: xx, yy, zz, xy, xz, yz, with the signs of the inertia tensor.
+  std::array<double, 6> inertia{};
+};
+
+/// By signed tetrahedra from the origin. O(n).
+[[nodiscard]] MassProperties mass_properties(const Body& body);
+/// Of several bodies as if they shared no space.
+[[nodiscard]] MassProperties mass_properties(std::span<const Body> bodies);
 
 /// How large a hull may be.
 struct HullOptions {
@@ -60,5 +83,39 @@ struct ShellOptions {
 /// 2005). They reproduce every affine map. O(points * cage faces).
 [[nodiscard]] std::vector<Vec3> deform(std::span<const Vec3> points, const Body& before, const Body& after,
                                        const Context& context);
+
+// Whether a cage that somebody brings can hold a model: closed, and around it.
+
+/// Throws Error(unusable_mesh) with a sentence that names the file and the first place, unless each edge of
+/// the cage lies between two triangles that run along it in opposite directions. Points in one place count as
+/// one, since many formats write each triangle with points of its own. O(n log n).
+void require_closed(const std::string& file, const solid::Body& cage);
+
+/// How many of the points lie outside a closed cage; on it is not outside. Winding numbers from solid angles
+/// (van Oosterom, Strackee, "The solid angle of a plane triangle", IEEE Transactions on Biomedical
+/// Engineering 30(2), 1983), so bodies of one cage may overlap. O(points * cage faces), as the deformation
+/// itself.
+[[nodiscard]] std::size_t count_outside(std::span<const Vec3> points, const solid::Body& cage,
+                                        const Context& context);
+
+// Bodies as files.
+
+/// OBJ with one object per body, named hull_1, hull_2, ...; every bit of the coordinates is kept. `comment`
+/// becomes the first line.
+[[nodiscard]] std::string write_obj(const std::vector<Body>& bodies, std::string_view comment);
+
+/// URDF: one link named `name` with a collision element per body, whose meshes are `mesh_files` (one per
+/// body, convex; paths as the reader of the URDF resolves them), and a visual element `visual_file`. Lengths
+/// of the meshes are multiplied by `metres_per_unit`; mass and inertia are those of the bodies at `density`
+/// kg/m^3, as if they shared no space.
+struct UrdfOptions {
+  std::string name;
+  std::string comment;
+  std::string visual_file;
+  std::vector<std::string> mesh_files;
+  double metres_per_unit = 0.001;
+  double density = 1000.0;
+};
+[[nodiscard]] std::string write_urdf(const std::vector<Body>& bodies, const UrdfOptions& options);
 
 }  // namespace ridgecraft::solid

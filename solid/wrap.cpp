@@ -11,7 +11,7 @@
 #include <CGAL/alpha_wrap_3.h>
 
 #include "base/error.hpp"
-#include "solid/body_of.hpp"
+#include "solid/hulls.hpp"
 #include "solid/solid.hpp"
 
 namespace ridgecraft::solid {

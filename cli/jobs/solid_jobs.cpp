@@ -24,9 +24,7 @@
 #include "mesh/model/file_numbers.hpp"
 #include "mesh/reading/read_soup.hpp"
 #include "mesh/write.hpp"
-#include "solid/cage_check.hpp"
 #include "solid/solid.hpp"
-#include "solid/write_bodies.hpp"
 
 namespace ridgecraft::cli {
 namespace {

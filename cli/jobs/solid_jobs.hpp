@@ -9,7 +9,7 @@
 #include "cli/files/pending_files.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/mesh.hpp"
-#include "solid/body.hpp"
+#include "solid/solid.hpp"
 
 namespace ridgecraft::cli {
 

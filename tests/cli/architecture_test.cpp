@@ -93,7 +93,7 @@ const std::vector<Folder>& folders() {
         {"cutting", {"surface", "hull", "concavity"}},
         {"joining", {"surface", "hull", "concavity", "cutting"}}},
        {"segment.hpp", "hierarchy.hpp", "surface/segmentation.hpp", "evaluate.hpp"}},
-      {"solid", {"segment", "mesh"}, {}, {"solid.hpp", "body.hpp", "write_bodies.hpp", "cage_check.hpp"}},
+      {"solid", {"segment", "mesh"}, {}, {"solid.hpp"}},
       {"unfold",
        {"prepare", "mesh"},
        {{"net", {}},

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "solid/convex_hull.hpp"
+#include "solid/hulls.hpp"
 #include "solid/solid.hpp"
 #include "support/shapes.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/hulls.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -12,11 +14,8 @@
 
 #include "base/random.hpp"
 #include "segment/segment.hpp"
-#include "solid/convex_hull.hpp"
-#include "solid/enclosing_polytope.hpp"
 #include "solid/solid.hpp"
 #include "solid/solid_checks.hpp"
-#include "solid/write_bodies.hpp"
 #include "support/shapes.hpp"
 #include "support/temporary_folder.hpp"
 

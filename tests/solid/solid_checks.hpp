@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/vector.hpp"
-#include "solid/body.hpp"
+#include "solid/solid.hpp"
 
 namespace ridgecraft::test {
 
