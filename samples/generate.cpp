@@ -4,8 +4,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "samples/models.hpp"
-#include "samples/write_model.hpp"
+#include "samples/samples.hpp"
 
 int main(int argc, char** argv) {
   using namespace ridgecraft::samples;

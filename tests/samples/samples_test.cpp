@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sample models: the files in the repository are those that the generator writes, and every one is what a
 // maker may expect of a sample.
+#include "samples/samples.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,8 +12,6 @@
 #include <catch2/catch.hpp>
 
 #include "mesh/mesh.hpp"
-#include "samples/models.hpp"
-#include "samples/write_model.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft;

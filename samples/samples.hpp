@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The small kit that all samples are built with: polygons over shared points, grown from rings and from each
-// other.
+// The samples, each as a finished shape; the small kit that they are built with, polygons over shared points,
+// grown from rings and from each other; and their files.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -105,5 +107,42 @@ Grid revolve(Shape& shape, const std::vector<Vec2>& profile, int steps, Index ma
 /// second.
 [[nodiscard]] Ring patch(const Ring& quad, Vec2 low, Vec2 high);
 [[nodiscard]] Vec3 mean(const Ring& ring);
+
+// The samples, each as a finished shape.
+
+// animals.cpp
+[[nodiscard]] Shape whale();
+[[nodiscard]] Shape fish();
+[[nodiscard]] Shape dinosaur();
+[[nodiscard]] Shape penguin();
+[[nodiscard]] Shape fox_head();
+// things.cpp
+[[nodiscard]] Shape rocket();
+[[nodiscard]] Shape mug();
+[[nodiscard]] Shape vase();
+[[nodiscard]] Shape chess_rook();
+[[nodiscard]] Shape torus();
+[[nodiscard]] Shape heart();
+[[nodiscard]] Shape house();
+[[nodiscard]] Shape lighthouse();
+// solids.cpp
+[[nodiscard]] Shape gem();
+[[nodiscard]] Shape star();
+[[nodiscard]] Shape packaging_box();  ///< the only one with a border
+
+struct Sample {
+  const char* file;  ///< its suffix says the format
+  Shape (*make)();
+  bool closed = true;  ///< a surface without border
+};
+
+/// All of them.
+[[nodiscard]] std::span<const Sample> all();
+
+// Finished shapes as files: OBJ with its materials, binary STL, ASCII PLY and OFF with colours.
+
+/// Writes the shape in the format of the file's suffix (.obj, .stl, .ply, .off); an OBJ's materials go to a
+/// file beside it. The same bytes on every machine. Throws std::runtime_error where a file can't be written.
+void write_model(const Shape& shape, const std::filesystem::path& file);
 
 }  // namespace ridgecraft::samples
