@@ -5,9 +5,9 @@
 //               [--checker COMMAND] MODEL...
 //
 // Each model goes through a whole job at default options, simplified to N faces (0, the default: as a job
-// does). Then edits of all kinds are drawn at random (random_edits.hpp) until N of them (1000) were done;
-// those that are refused are counted, too. The FOLD file of each state passes verify/, which session/ sees
-// to; what it throws counts as wrong. After every N-th edit (1: each) undo gives the bytes of FOLD file and
+// does). Then edits of all kinds are drawn at random until N of them (1000) were done; those that are refused
+// are counted, too. The FOLD file of each state passes verify/, which session/ sees to; what it throws counts
+// as wrong. After every N-th edit (1: each) undo gives the bytes of FOLD file and
 // pages from before, and redo those from after; after every N-th (100), and at the end, the file, opened
 // again, gives its own bytes; every N-th state (50) is also given to a checker of FOLD files as `COMMAND
 // FILE`, if there is one, which ends with 0 where it finds no fault. Seconds are of the processor, on one
@@ -15,14 +15,19 @@
 // where anything was wrong.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,12 +38,137 @@
 #include "export/export.hpp"
 #include "job/job.hpp"
 #include "mesh/mesh.hpp"
-#include "random_edits.hpp"
 #include "session/session.hpp"
 
 using namespace ridgecraft;
 
 namespace {
+
+enum class EditKind { cut, join, tab_from, no_tab, place, pin, unpin, retry, pack };
+constexpr std::array<std::string_view, 9> edit_kinds{"cut", "join",  "tab-from", "no-tab", "place",
+                                                     "pin", "unpin", "retry",    "pack"};
+
+/// An edge that is used so, in either direction; none where none is found soon.
+std::optional<session::Edge> any_edge(const session::Project& project, unfold::EdgeUse use, Random& random) {
+  const mesh::Surface& surface = project.now.prepared.model.surface;
+  const auto edges = static_cast<std::uint32_t>(surface.edge_count());
+  for (std::uint32_t tries = 0; tries < 10 * edges; ++tries) {
+    const EdgeId e(random.below(edges));
+    if (project.now.nets.use[e] == use) {
+      const CornerId side = surface.sides(e)[0];
+      session::Edge edge{surface.vertex(side), surface.vertex(mesh::next(side))};
+      if (random.below(2) == 0) {
+        std::swap(edge.from, edge.to);
+      }
+      return edge;
+    }
+  }
+  return std::nullopt;
+}
+
+FaceId any_face(const session::Project& project, PieceId piece, Random& random) {
+  const auto& faces = project.now.nets.pieces[piece].faces;
+  return faces[random.below(static_cast<std::uint32_t>(faces.size()))];
+}
+
+/// Of the pieces that are pinned, or of the others.
+std::optional<FaceId> any_face(const session::Project& project, bool pinned, Random& random) {
+  const session::State& state = project.state();
+  std::vector<PieceId> pieces;
+  for (const PieceId p : ids<PieceId>(project.now.nets.pieces.size())) {
+    if (state.is_pinned(p) == pinned) {
+      pieces.push_back(p);
+    }
+  }
+  if (pieces.empty()) {
+    return std::nullopt;
+  }
+  return any_face(project, pieces[random.below(static_cast<std::uint32_t>(pieces.size()))], random);
+}
+
+std::optional<session::Edit> any_place(const session::Project& project, Random& random) {
+  const std::optional<FaceId> face = any_face(project, false, random);
+  if (!face || !project.state().pages) {
+    return std::nullopt;
+  }
+  const paper::Pages& pages = *project.state().pages;
+  const paper::Placement& lies = pages.placements[project.now.nets.piece[*face]];
+  const auto& corners = project.now.nets.flat[*face];
+  const Vec2 from = lies(corners[0]);
+  const Vec2 side = lies(corners[1]) - from;
+  session::Place place;
+  place.face = *face;
+  const double degrees = std::atan2(side.y, side.x) * 180.0 / std::numbers::pi;
+  const auto count = static_cast<std::uint32_t>(pages.count);
+  if (random.below(4) != 0) {
+    constexpr double reach_mm = 20.0;
+    place.page = lies.page.value();
+    place.at = from + Vec2{reach_mm * (2.0 * random.unit() - 1.0), reach_mm * (2.0 * random.unit() - 1.0)};
+    place.degrees = random.below(2) == 0 ? degrees : degrees + 15.0 * (2.0 * random.unit() - 1.0);
+  } else {
+    place.page = random.below(count + 1);
+    place.at = {pages.paper.size.x * random.unit(), pages.paper.size.y * random.unit()};
+    place.degrees = degrees + 90.0 * random.below(4);
+  }
+  return place;
+}
+
+std::optional<session::Edit> any_pack(const session::Project& project, Random& random) {
+  session::Pack pack;
+  for (std::uint32_t pieces = random.below(4); pieces > 0; --pieces) {
+    if (const std::optional<FaceId> face = any_face(project, false, random)) {
+      pack.faces.push_back(*face);
+    }
+  }
+  return pack;
+}
+
+/// One of this kind, which may well be refused; none where the project has nothing for it. A place is mostly
+/// some millimetres away from where the piece lies. No more than a third of the pieces gets pinned.
+std::optional<session::Edit> random_edit(const session::Project& project, EditKind kind, Random& random) {
+  using unfold::EdgeUse;
+  const auto at_edge = [&](EdgeUse use, auto edit) -> std::optional<session::Edit> {
+    if (const auto edge = any_edge(project, use, random)) {
+      edit.edge = *edge;
+      return edit;
+    }
+    return std::nullopt;
+  };
+  const auto at_piece = [&](bool pinned, auto edit) -> std::optional<session::Edit> {
+    if (const auto face = any_face(project, pinned, random)) {
+      edit.face = *face;
+      return edit;
+    }
+    return std::nullopt;
+  };
+  switch (kind) {
+    case EditKind::cut:
+      return at_edge(EdgeUse::fold, session::Cut{});
+    case EditKind::join:
+      return at_edge(EdgeUse::cut, session::Join{});
+    case EditKind::tab_from:
+      return at_edge(EdgeUse::cut, session::TabFrom{});
+    case EditKind::no_tab:
+      return at_edge(EdgeUse::cut, session::NoTab{});
+    case EditKind::place:
+      return any_place(project, random);
+    case EditKind::pin:
+      if (3 * (project.state().pinned.size() + 1) > project.now.nets.pieces.size()) {
+        return std::nullopt;
+      }
+      return at_piece(false, session::Pin{});
+    case EditKind::unpin:
+      return at_piece(true, session::Unpin{});
+    case EditKind::retry: {
+      session::Retry retry;
+      retry.seed = 1 + random.below(1000);
+      return at_piece(false, retry);
+    }
+    case EditKind::pack:
+      return any_pack(project, random);
+  }
+  return std::nullopt;
+}
 
 struct Settings {
   std::size_t faces = 0;
@@ -87,7 +217,7 @@ struct OfKind {
   std::size_t refused = 0;
   Times applying, undoing;
 };
-using OfKinds = std::array<OfKind, bench::edit_kinds.size()>;
+using OfKinds = std::array<OfKind, edit_kinds.size()>;
 
 /// What was done to one model.
 struct Tally {
@@ -155,9 +285,9 @@ void open_again(const session::Project& project, const std::string& bytes, Tally
 }
 
 /// Draws an edit of this kind and does it. Returns whether it was done.
-bool edit_once(session::Project& project, bench::EditKind kind, const Settings& settings, Random& random,
+bool edit_once(session::Project& project, EditKind kind, const Settings& settings, Random& random,
                std::string& bytes, Tally& tally, OfKind& of_kind) {
-  const std::optional<session::Edit> edit = bench::random_edit(project, kind, random);
+  const std::optional<session::Edit> edit = random_edit(project, kind, random);
   if (!edit) {
     return false;
   }
@@ -202,12 +332,12 @@ void edit_at_random(session::Project& project, const Settings& settings, Tally& 
     constexpr std::size_t in_a_row = 8;
     const auto kind = random.below(static_cast<std::uint32_t>(of_kinds.size()));
     try {
-      for (std::size_t i = 0; i < in_a_row && !edit_once(project, static_cast<bench::EditKind>(kind),
-                                                         settings, random, bytes, tally, of_kinds[kind]);
+      for (std::size_t i = 0; i < in_a_row && !edit_once(project, static_cast<EditKind>(kind), settings,
+                                                         random, bytes, tally, of_kinds[kind]);
            ++i) {
       }
     } catch (const std::exception& error) {
-      complain(project, tally, fmt::format("{}: {}", bench::edit_kinds[kind], error.what()));
+      complain(project, tally, fmt::format("{}: {}", edit_kinds[kind], error.what()));
     }
   }
 }
@@ -252,9 +382,8 @@ std::size_t measure(const std::string& file, const Settings& settings, OfKinds& 
 
 void print_kinds(OfKinds& of_kinds) {
   for (std::size_t k = 0; k < of_kinds.size(); ++k) {
-    fmt::print("{}: {} done, {} refused; edit {}, undo {}\n", bench::edit_kinds[k],
-               of_kinds[k].applying.count(), of_kinds[k].refused, of_kinds[k].applying.text(),
-               of_kinds[k].undoing.text());
+    fmt::print("{}: {} done, {} refused; edit {}, undo {}\n", edit_kinds[k], of_kinds[k].applying.count(),
+               of_kinds[k].refused, of_kinds[k].applying.text(), of_kinds[k].undoing.text());
   }
 }
 
