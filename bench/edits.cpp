@@ -284,15 +284,25 @@ void open_again(const session::Project& project, const std::string& bytes, Tally
   ++tally.states;
 }
 
+/// A project that is edited, and what came of it so far.
+struct Trial {
+  session::Project& project;
+  std::string bytes;  ///< of the project as it is
+  const Settings& settings;
+  Random random;
+  Tally& tally;
+};
+
 /// Draws an edit of this kind and does it. Returns whether it was done.
-bool edit_once(session::Project& project, EditKind kind, const Settings& settings, Random& random,
-               std::string& bytes, Tally& tally, OfKind& of_kind) {
-  const std::optional<session::Edit> edit = random_edit(project, kind, random);
+bool edit_once(Trial& trial, EditKind kind, OfKind& of_kind) {
+  const Settings& settings = trial.settings;
+  Tally& tally = trial.tally;
+  const std::optional<session::Edit> edit = random_edit(trial.project, kind, trial.random);
   if (!edit) {
     return false;
   }
   const double start = processor_seconds();
-  session::Answer answer = session::apply(project, {&*edit, 1}, {});
+  session::Answer answer = session::apply(trial.project, {&*edit, 1}, {});
   const double took = processor_seconds() - start;
   if (std::holds_alternative<session::Refusal>(answer)) {
     tally.refusing.add(took);
@@ -307,7 +317,7 @@ bool edit_once(session::Project& project, EditKind kind, const Settings& setting
   ++tally.done;
   ++tally.states;
   if (tally.done % settings.undone == 0) {
-    go_back_and_forth(changed, bytes, after, tally, of_kind);
+    go_back_and_forth(changed, trial.bytes, after, tally, of_kind);
   }
   if (tally.done % settings.reopened == 0 || tally.done == settings.edits) {
     open_again(changed, after, tally);
@@ -318,22 +328,20 @@ bool edit_once(session::Project& project, EditKind kind, const Settings& setting
       complain(changed, tally, "the checker finds faults");
     }
   }
-  project = std::move(changed);
-  bytes = std::move(after);
+  trial.project = std::move(changed);
+  trial.bytes = std::move(after);
   return true;
 }
 
 void edit_at_random(session::Project& project, const Settings& settings, Tally& tally, OfKinds& of_kinds) {
-  Random random(settings.seed);
-  std::string bytes = bytes_of(project.now);
+  Trial trial{project, bytes_of(project.now), settings, Random(settings.seed), tally};
   const std::size_t patience = 20 * settings.edits;
   for (std::size_t tries = 0; tally.done < settings.edits && tries < patience; ++tries) {
     // Some of a kind in a row, or what is mostly refused would hardly be done.
     constexpr std::size_t in_a_row = 8;
-    const auto kind = random.below(static_cast<std::uint32_t>(of_kinds.size()));
+    const auto kind = trial.random.below(static_cast<std::uint32_t>(of_kinds.size()));
     try {
-      for (std::size_t i = 0; i < in_a_row && !edit_once(project, static_cast<EditKind>(kind), settings,
-                                                         random, bytes, tally, of_kinds[kind]);
+      for (std::size_t i = 0; i < in_a_row && !edit_once(trial, static_cast<EditKind>(kind), of_kinds[kind]);
            ++i) {
       }
     } catch (const std::exception& error) {

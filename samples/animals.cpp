@@ -26,9 +26,12 @@ Ring half_ring(const Section& s) {
           {0, s.y, s.top}};
 }
 
-void paint(Shape& shape, const Grid& grid, std::size_t rows_begin, std::size_t rows_end, std::size_t column,
-           Index material) {
-  for (std::size_t i = rows_begin; i < rows_end; ++i) {
+struct Rows {
+  std::size_t begin, end;
+};
+
+void paint(Shape& shape, const Grid& grid, Rows rows, std::size_t column, Index material) {
+  for (std::size_t i = rows.begin; i < rows.end; ++i) {
     shape.set_material(grid.face(i, column), material);
   }
 }
@@ -52,8 +55,8 @@ Shape whale() {
   rings.push_back({{0, 53, 27}, {14, 54, 31}, {33, 60, 43}, {14, 51, 34.5}, {0, 48, 32}});
   rings.push_back({{0, 57, 34}, {16, 61, 39}, {33, 60, 43}, {16, 61, 39}, {0, 57, 34}});
   const Grid body = loft(shape, rings, false, back);
-  paint(shape, body, 0, 6, 0, belly);
-  paint(shape, body, 0, 3, 1, belly);
+  paint(shape, body, {0, 6}, 0, belly);
+  paint(shape, body, {0, 3}, 1, belly);
   const Index head = body.face(2, 2);
   shape.raise(head, patch(shape.ring(head), {0.07, 0.12}, {0.33, 0.44}), back);
   shape.set_material(head, eye);
@@ -98,8 +101,8 @@ Shape fish() {
       {{0, 58, -22}, {0, 58, -22}, {0, 52, -10}, {0, 47, 0}, {0, 52, 10}, {0, 58, 22}, {0, 58, 22}});
   const Grid body = loft(shape, rings, false, orange);
   for (std::size_t row = 0; row + 1 < rings.size(); ++row) {
-    paint(shape, body, row, row + 1, 0, fin);
-    paint(shape, body, row, row + 1, 5, fin);
+    paint(shape, body, {row, row + 1}, 0, fin);
+    paint(shape, body, {row, row + 1}, 5, fin);
     for (std::size_t column = 1; column < 5; ++column) {
       const bool stripe = row == 2 || row == 4 || row == 6;
       shape.set_material(body.face(row, column), row == 7 ? fin : stripe ? white : orange);
@@ -143,8 +146,8 @@ Shape dinosaur() {
     }
   }
   const Grid body = loft(shape, rings, false, skin);
-  paint(shape, body, 3, 10, 0, belly);
-  paint(shape, body, 2, 12, 3, back);
+  paint(shape, body, {3, 10}, 0, belly);
+  paint(shape, body, {2, 12}, 3, back);
   const Index cheek = body.face(1, 2);
   shape.raise(cheek, patch(shape.ring(cheek), {0.35, 0.2}, {0.9, 0.85}), skin);
   shape.set_material(cheek, eye);
@@ -189,10 +192,10 @@ Shape penguin() {
   rings.push_back(Ring(6, {0, 1, 113}));
   rings[6][5] = {0, -34, 79};  // the tip of the beak
   const Grid body = loft(shape, rings, false, coat);
-  paint(shape, body, 1, 5, 4, white);
-  paint(shape, body, 1, 5, 3, white);
-  paint(shape, body, 5, 7, 3, white);
-  paint(shape, body, 5, 7, 4, orange);
+  paint(shape, body, {1, 5}, 4, white);
+  paint(shape, body, {1, 5}, 3, white);
+  paint(shape, body, {5, 7}, 3, white);
+  paint(shape, body, {5, 7}, 4, orange);
   shape.set_material(body.face(6, 2), white);
   const Index cheek = body.face(6, 3);
   shape.raise(cheek, patch(shape.ring(cheek), {0.3, 0.2}, {0.95, 0.75}), white);

@@ -82,65 +82,89 @@ Polytope polytope_of(const Box& box) {
   return body;
 }
 
-/// What is left of a polytope in a half space; none where rounding leaves no closed polytope.
-std::optional<Polytope> clipped(const Polytope& body, const HalfSpace& half) {
-  std::vector<double> outside;
-  for (const Vec3 p : body.points) {
-    outside.push_back(dot(half.normal, p) - half.offset);
-  }
-  Polytope result;
-  std::vector<std::uint32_t> kept(body.points.size(), std::numeric_limits<std::uint32_t>::max());
-  for (std::size_t i = 0; i < body.points.size(); ++i) {
-    if (outside[i] <= 0.0) {
-      kept[i] = static_cast<std::uint32_t>(result.points.size());
-      result.points.push_back(body.points[i]);
+/// Cuts a polytope by a half space.
+class Clip {
+ public:
+  Clip(const Polytope& body, const HalfSpace& half)
+      : body_(body), kept_(body.points.size(), std::numeric_limits<std::uint32_t>::max()) {
+    for (const Vec3 p : body.points) {
+      outside_.push_back(dot(half.normal, p) - half.offset);
     }
   }
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> on_edge;
-  const auto cut_point = [&](std::uint32_t a, std::uint32_t b) {
-    const auto key = std::minmax(a, b);
-    const auto [at, fresh] =
-        on_edge.try_emplace({key.first, key.second}, static_cast<std::uint32_t>(result.points.size()));
-    if (fresh) {
-      const double t = outside[key.first] / (outside[key.first] - outside[key.second]);
-      result.points.push_back(body.points[key.first] +
-                              t * (body.points[key.second] - body.points[key.first]));
+
+  /// What is left; none where rounding leaves no closed polytope.
+  std::optional<Polytope> run() {
+    for (std::size_t i = 0; i < body_.points.size(); ++i) {
+      if (outside_[i] <= 0.0) {
+        kept_[i] = add(body_.points[i]);
+      }
     }
-    return at->second;
-  };
-  std::map<std::uint32_t, std::uint32_t> cap;  // the new face's edges, against the old faces' direction
-  for (const auto& loop : body.loops) {
+    for (const auto& loop : body_.loops) {
+      clip_face(loop);
+    }
+    return close() ? std::optional(std::move(result_)) : std::nullopt;
+  }
+
+ private:
+  std::uint32_t add(Vec3 p) {
+    result_.points.push_back(p);
+    return static_cast<std::uint32_t>(result_.points.size() - 1);
+  }
+
+  /// Where the plane meets an edge.
+  std::uint32_t cut_point(std::uint32_t a, std::uint32_t b) {
+    const auto [low, high] = std::minmax(a, b);
+    const auto at = on_edge_.find({low, high});
+    if (at != on_edge_.end()) {
+      return at->second;
+    }
+    const double t = outside_[low] / (outside_[low] - outside_[high]);
+    return on_edge_[{low, high}] = add(body_.points[low] + t * (body_.points[high] - body_.points[low]));
+  }
+
+  void clip_face(const std::vector<std::uint32_t>& loop) {
     std::vector<std::uint32_t> rest;
     std::optional<std::uint32_t> leaves;
     std::optional<std::uint32_t> enters;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::uint32_t a = loop[i];
       const std::uint32_t b = loop[(i + 1) % loop.size()];
-      if (outside[a] <= 0.0) {
-        rest.push_back(kept[a]);
+      if (outside_[a] <= 0.0) {
+        rest.push_back(kept_[a]);
       }
-      if ((outside[a] <= 0.0) != (outside[b] <= 0.0)) {
-        (outside[a] <= 0.0 ? leaves : enters) = cut_point(a, b);
+      if ((outside_[a] <= 0.0) != (outside_[b] <= 0.0)) {
         rest.push_back(cut_point(a, b));
+        (outside_[a] <= 0.0 ? leaves : enters) = rest.back();
       }
     }
     if (leaves && enters) {
-      cap[*enters] = *leaves;
+      cap_[*enters] = *leaves;
     }
     if (rest.size() >= 3) {
-      result.loops.push_back(std::move(rest));
+      result_.loops.push_back(std::move(rest));
     }
   }
-  std::vector<std::uint32_t> loop;
-  for (auto at = cap.begin(); at != cap.end() && loop.size() < cap.size(); at = cap.find(at->second)) {
-    loop.push_back(at->first);
+
+  /// Adds the face in the plane. Returns false where its edges form no single loop.
+  bool close() {
+    std::vector<std::uint32_t> loop;
+    for (auto at = cap_.begin(); at != cap_.end() && loop.size() < cap_.size(); at = cap_.find(at->second)) {
+      loop.push_back(at->first);
+    }
+    if (loop.size() < 3 || loop.size() != cap_.size()) {
+      return false;
+    }
+    result_.loops.push_back(std::move(loop));
+    return true;
   }
-  if (loop.size() < 3 || loop.size() != cap.size()) {
-    return std::nullopt;
-  }
-  result.loops.push_back(std::move(loop));
-  return result;
-}
+
+  const Polytope& body_;
+  Polytope result_;
+  std::vector<double> outside_;      ///< per point of the body
+  std::vector<std::uint32_t> kept_;  ///< per point of the body: in the result
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> on_edge_;  ///< cut points
+  std::map<std::uint32_t, std::uint32_t> cap_;  ///< the new face's edges, against the old faces' direction
+};
 
 /// The point of a triangle that is nearest to p (Ericson, "Real-Time Collision Detection", 2005,
 /// section 5.1.5).
@@ -202,7 +226,7 @@ Polytope clipped_to(const Body& hull, Polytope body, std::size_t max_vertices, c
     if (distance <= near_enough * size) {
       return body;
     }
-    auto smaller = clipped(body, touching(hull, (1.0 / distance) * farthest));
+    auto smaller = Clip(body, touching(hull, (1.0 / distance) * farthest)).run();
     if (!smaller || smaller->points.size() > max_vertices) {
       return body;
     }

@@ -204,6 +204,47 @@ class ModelCheck {
   /// Did bodies that run into each other become one skin?
   [[nodiscard]] bool united() const { return file_.settings.find("bodies") != nullptr; }
 
+  /// A component of the model, in its unit.
+  struct Body {
+    Box3 box;
+    double area = 0.0;
+    Vec3 normal;  ///< sum of those of its faces, as long as their areas
+  };
+
+  /// Per face of the model a point of its component, the same for all of them.
+  static std::vector<Index> components_of(const ModelSurface& surface) {
+    DisjointSets sets(surface.points.size());
+    for (const auto& [a, b, c] : surface.faces) {
+      sets.join(a, b);
+      sets.join(b, c);
+    }
+    std::vector<Index> component;
+    for (const auto& face : surface.faces) {
+      component.push_back(sets.find(face[0]));
+    }
+    return component;
+  }
+
+  [[nodiscard]] std::vector<Body> bodies_of(const std::vector<Index>& component, std::size_t points) const {
+    std::vector<Body> bodies(points);
+    for (std::size_t f = 0; f < component.size(); ++f) {
+      Body& body = bodies[component[f]];
+      for (const Vec3 p : model_[f]) {
+        body.box.add(p);
+      }
+      body.normal += area_vector(model_[f]);
+      body.area += length(area_vector(model_[f]));
+    }
+    return bodies;
+  }
+
+  /// A strip, or a flat sheet; `scale`: mm of the nets per unit.
+  static bool is_detail(const Body& body, double scale) {
+    const bool is_strip =
+        scale * scale * body.area <= 4.0 * detail_mm * (scale * body.box.diagonal() + detail_mm);
+    return is_strip || length(body.normal) >= flat_detail_cosine * body.area;
+  }
+
   /// What the program leaves out can't be missed: specks where it simplifies by its own choice, and small
   /// bodies and flat ones where it unites bodies.
   void drop_details(const ModelSurface& surface) {
@@ -213,42 +254,19 @@ class ModelCheck {
     if (!specks && !united()) {
       return;
     }
-    DisjointSets sets(surface.points.size());
-    for (const auto& [a, b, c] : surface.faces) {
-      sets.join(a, b);
-      sets.join(b, c);
-    }
-    struct Component {
-      Box3 box;
-      double area = 0.0;
-      Vec3 normal;  // sum of those of its faces
-    };
-    std::vector<Component> components(surface.points.size());
-    for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-      Component& c = components[sets.find(surface.faces[f][0])];
-      for (const Vec3 p : model_[f]) {
-        c.box.add(p);
-      }
-      c.normal += area_vector(model_[f]);
-      c.area += length(area_vector(model_[f]));
-    }
+    const std::vector<Index> component = components_of(surface);
+    const std::vector<Body> bodies = bodies_of(component, surface.points.size());
     const double extent = bounds_of(model_).largest_extent();
     const double scale = bounds_of(nets_).largest_extent() / extent;
-    const auto may_be_missing = [&](const Component& c) {
-      const double longest = scale * c.box.largest_extent();
-      if (specks && longest < speck_mm) {
-        return true;
-      }
-      const double area = scale * scale * c.area;
-      const bool is_strip = area <= 4.0 * detail_mm * (scale * c.box.diagonal() + detail_mm);
-      const bool is_flat = length(c.normal) >= flat_detail_cosine * c.area;
-      return united() && longest <= detail_length_share * scale * extent && (is_strip || is_flat);
+    const auto may_be_missing = [&](const Body& body) {
+      return (specks && scale * body.box.largest_extent() < speck_mm) ||
+             (united() && body.box.largest_extent() <= detail_length_share * extent &&
+              is_detail(body, scale));
     };
     double missing = 0.0;
     std::vector<Triangle3> kept;
     for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-      const Component& c = components[sets.find(surface.faces[f][0])];
-      if (may_be_missing(c)) {
+      if (may_be_missing(bodies[component[f]])) {
         missing += length(area_vector(model_[f]));
       } else {
         kept.push_back(model_[f]);

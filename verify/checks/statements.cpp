@@ -205,6 +205,15 @@ class EqualPieceCheck {
  private:
   void gather() {
     sheets_.resize(file_.pieces.size());
+    gather_edges();
+    gather_tabs();
+    for (Sheet& sheet : sheets_) {
+      put_in_order(sheet);
+    }
+  }
+
+  /// All cuts before all folds.
+  void gather_edges() {
     for (const bool cuts : {true, false}) {
       for (Index e = 0; e < file_.edges.size(); ++e) {
         const Edge& edge = file_.edges[e];
@@ -220,7 +229,11 @@ class EqualPieceCheck {
         sheet.cuts += cuts ? 1U : 0U;
       }
     }
-    std::vector<Index> across(file_.edges.size(), none);  // the piece that an edge is glued to
+  }
+
+  /// The piece that each edge is glued to, or none.
+  [[nodiscard]] std::vector<Index> pieces_across() const {
+    std::vector<Index> across(file_.edges.size(), none);
     for (const Join& join : file_.joins) {
       for (const std::size_t k : {0U, 1U}) {
         if (const auto sides = relations_.sides_of(join.edges[1 - k]); !sides.empty()) {
@@ -228,6 +241,11 @@ class EqualPieceCheck {
         }
       }
     }
+    return across;
+  }
+
+  void gather_tabs() {
+    const std::vector<Index> across = pieces_across();
     for (Index t = 0; t < file_.tabs.size(); ++t) {
       const std::vector<Vec2>& polygon = file_.tabs[t].polygon;
       if (relations_.sides_of(file_.tabs[t].edge).empty()) {
@@ -244,9 +262,6 @@ class EqualPieceCheck {
         const Index target = file_.face_piece[file_.faces.face(side)];
         sheets_[target].strokes.push_back({slit[0], slit[1], tab_angle, target == own ? none : own});
       }
-    }
-    for (Sheet& sheet : sheets_) {
-      put_in_order(sheet);
     }
   }
 

@@ -265,83 +265,112 @@ Rule faces(ListOf what, ListOf vertices) {
   return counting(what, list(in_order(Order::distinct, list(index_of(vertices), 3)), 1));
 }
 
+constexpr std::string_view own = "ridgecraft:";
+
+Rule model_form() {
+  using L = ListOf;
+  return object({{"frame_classes", words_with("foldedForm")},
+                 {"frame_attributes", words_with("3D")},
+                 {"frame_unit", one_of({"mm"})},
+                 {"frame_inherit", one_of({false}), Need::optional},
+                 {"vertices_coords", counting(L::model_vertices, list(point(3)))},
+                 {"faces_vertices", faces(L::model_faces, L::model_vertices)},
+                 {"ridgecraft:faces_part", list_as_long_as(L::model_faces, part())}},
+                own);
+}
+
+Rule page_form() {
+  const Rule positive = number(std::numeric_limits<double>::min(), max_coordinate_mm);
+  return object({{"origin", point(2)},
+                 {"size", or_null(list(positive, 2, 2))},
+                 {"margins", or_null(list(number(0.0, max_coordinate_mm), 4, 4)), Need::optional}});
+}
+
+Rule piece_form() {
+  return object(
+      {{"name", text()},
+       {"part", or_null(part())},
+       {"parts", list(part())},
+       {"page", index_of(ListOf::pages)},
+       {"holes", whole(0.0, 999'999'999.0), Need::optional},
+       {"reason", one_of({"part", "page", "overlap", "tabs", "faces", "time", "request", "component"})}});
+}
+
+Rule join_number() {
+  return whole(1.0, largest_exact);
+}
+
+Rule tab_form(double least_joins) {
+  using L = ListOf;
+  return object({{"edge", index_of(L::edges)},
+                 {"edges", in_order(Order::distinct, list(index_of(L::edges), 1)), Need::optional},
+                 {"polygon", polygon()},
+                 {"slit", list(point(2), 2, 2), Need::optional},
+                 {"foot", one_of({true, false}), Need::optional},
+                 {"joins", list(join_number(), least_joins)}});
+}
+
+/// Promise 5 asks why a join has no tab.
+Rule join_form() {
+  return object({{"number", join_number()},
+                 {"edges", list(index_of(ListOf::edges), 2, 2)},
+                 {"tab", or_null(index_of(ListOf::tabs))},
+                 {"why", {}, Need::optional}});
+}
+
+Rule glue_form() {
+  return object({{"piece", index_of(ListOf::pieces)},
+                 {"other", index_of(ListOf::pieces)},
+                 {"outlines", list(polygon(), 1)}});
+}
+
+Rule equal_piece_form() {
+  return object({{"piece", index_of(ListOf::pieces)},
+                 {"mirrored", one_of({true, false})},
+                 {"other_tabs", one_of({true, false}), Need::optional}});
+}
+
+Rule assembly_step_form() {
+  return object({{"pieces", in_order(Order::ascending, list(index_of(ListOf::pieces), 1))},
+                 {"joins", in_order(Order::ascending, list(join_number()))}});
+}
+
 /// Sections 1 to 3 of the contract, and what docs/reference/formats.md adds. Lists come before what points
 /// into them.
 Rule file_form() {
   using L = ListOf;
-  const std::string_view own = "ridgecraft:";
-  const Rule model = object({{"frame_classes", words_with("foldedForm")},
-                             {"frame_attributes", words_with("3D")},
-                             {"frame_unit", one_of({"mm"})},
-                             {"frame_inherit", one_of({false}), Need::optional},
-                             {"vertices_coords", counting(L::model_vertices, list(point(3)))},
-                             {"faces_vertices", faces(L::model_faces, L::model_vertices)},
-                             {"ridgecraft:faces_part", list_as_long_as(L::model_faces, part())}},
-                            own);
-  Rule frames = list(model, 1);
+  Rule frames = list(model_form(), 1);
   frames.entries.emplace_back();
-  const Rule page =
-      object({{"origin", point(2)},
-              {"size", or_null(list(number(std::numeric_limits<double>::min(), max_coordinate_mm), 2, 2))},
-              {"margins", or_null(list(number(0.0, max_coordinate_mm), 4, 4)), Need::optional}});
-  const Rule piece = object(
-      {{"name", text()},
-       {"part", or_null(part())},
-       {"parts", list(part())},
-       {"page", index_of(L::pages)},
-       {"holes", whole(0.0, 999'999'999.0), Need::optional},
-       {"reason", one_of({"part", "page", "overlap", "tabs", "faces", "time", "request", "component"})}});
-  const Rule join_number = whole(1.0, largest_exact);
-  const auto tab = [&](double least_joins) {
-    return object({{"edge", index_of(L::edges)},
-                   {"edges", in_order(Order::distinct, list(index_of(L::edges), 1)), Need::optional},
-                   {"polygon", polygon()},
-                   {"slit", list(point(2), 2, 2), Need::optional},
-                   {"foot", one_of({true, false}), Need::optional},
-                   {"joins", list(join_number, least_joins)}});
-  };
-  // Promise 5 asks why a join has no tab.
-  const Rule join = object({{"number", join_number},
-                            {"edges", list(index_of(L::edges), 2, 2)},
-                            {"tab", or_null(index_of(L::tabs))},
-                            {"why", {}, Need::optional}});
-  const Rule glue = object(
-      {{"piece", index_of(L::pieces)}, {"other", index_of(L::pieces)}, {"outlines", list(polygon(), 1)}});
-  const Rule equal = object({{"piece", index_of(L::pieces)},
-                             {"mirrored", one_of({true, false})},
-                             {"other_tabs", one_of({true, false}), Need::optional}});
-  const Rule step = object({{"pieces", in_order(Order::ascending, list(index_of(L::pieces), 1))},
-                            {"joins", in_order(Order::ascending, list(join_number))}});
-  return object(
-      {{"file_spec", one_of({1.2})},
-       {"file_creator", text()},
-       {"file_title", text()},
-       {"file_classes", words_with("multiModel")},
-       {"frame_classes", words_with("creasePattern")},
-       {"frame_attributes", words_with("2D")},
-       {"frame_unit", one_of({"mm"})},
-       {"file_frames", frames},
-       {"vertices_coords", counting(L::vertices, list(point(2)))},
-       {"faces_vertices", faces(L::faces, L::vertices)},
-       {"edges_vertices",
-        counting(L::edges, list(in_order(Order::distinct, list(index_of(L::vertices), 2, 2))))},
-       {"edges_assignment", list_as_long_as(L::edges, one_of({"B", "M", "V", "F"}))},
-       {"edges_foldAngle", list_as_long_as(L::edges, number(-180.0, 180.0))},
-       {"ridgecraft:pages", counting(L::pages, list(page))},
-       {"ridgecraft:pieces", counting(L::pieces, list(piece))},
-       {"ridgecraft:faces_model", list_as_long_as(L::faces, index_of(L::model_faces))},
-       {"ridgecraft:faces_piece", list_as_long_as(L::faces, index_of(L::pieces))},
-       {"ridgecraft:tabs", counting(L::tabs, list(tab(1)))},
-       {"ridgecraft:more_tabs", list(tab(0)), Need::optional},
-       {"ridgecraft:joins", list(join)},
-       {"ridgecraft:settings", object({})},
-       {"ridgecraft:model_digest", text(), Need::ours},
-       {"ridgecraft:up", one_of({"x", "y", "z"}), Need::optional},
-       {"ridgecraft:fold_order", list_as_long_as(L::pieces, list(list(index_of(L::edges), 1))), Need::ours},
-       {"ridgecraft:equal_pieces", list(list(equal, 2)), Need::optional},
-       {"ridgecraft:assembly", list(step), Need::optional},
-       {"ridgecraft:glue", list(glue), Need::optional}},
-      own);
+  const Rule ends = in_order(Order::distinct, list(index_of(L::vertices), 2, 2));
+  const Rule steps = list(list(index_of(L::edges), 1));
+  return object({{"file_spec", one_of({1.2})},
+                 {"file_creator", text()},
+                 {"file_title", text()},
+                 {"file_classes", words_with("multiModel")},
+                 {"frame_classes", words_with("creasePattern")},
+                 {"frame_attributes", words_with("2D")},
+                 {"frame_unit", one_of({"mm"})},
+                 {"file_frames", frames},
+                 {"vertices_coords", counting(L::vertices, list(point(2)))},
+                 {"faces_vertices", faces(L::faces, L::vertices)},
+                 {"edges_vertices", counting(L::edges, list(ends))},
+                 {"edges_assignment", list_as_long_as(L::edges, one_of({"B", "M", "V", "F"}))},
+                 {"edges_foldAngle", list_as_long_as(L::edges, number(-180.0, 180.0))},
+                 {"ridgecraft:pages", counting(L::pages, list(page_form()))},
+                 {"ridgecraft:pieces", counting(L::pieces, list(piece_form()))},
+                 {"ridgecraft:faces_model", list_as_long_as(L::faces, index_of(L::model_faces))},
+                 {"ridgecraft:faces_piece", list_as_long_as(L::faces, index_of(L::pieces))},
+                 {"ridgecraft:tabs", counting(L::tabs, list(tab_form(1)))},
+                 {"ridgecraft:more_tabs", list(tab_form(0)), Need::optional},
+                 {"ridgecraft:joins", list(join_form())},
+                 {"ridgecraft:settings", object({})},
+                 {"ridgecraft:model_digest", text(), Need::ours},
+                 {"ridgecraft:up", one_of({"x", "y", "z"}), Need::optional},
+                 {"ridgecraft:fold_order", list_as_long_as(L::pieces, steps), Need::ours},
+                 {"ridgecraft:equal_pieces", list(list(equal_piece_form(), 2)), Need::optional},
+                 {"ridgecraft:assembly", list(assembly_step_form()), Need::optional},
+                 {"ridgecraft:glue", list(glue_form()), Need::optional}},
+                own);
 }
 
 /// Goes through a value and its rule together, and remembers where it is.
