@@ -1,30 +1,24 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds Ridgecraft with its tests (installing what is missing with apt) and runs them.
-#   ./test.sh [--asan | --tsan | --units] [--update-golden] [ctest options]
-# Both by clang: --asan under the address and undefined-behaviour sanitizers, --tsan what works on several threads under
-# the thread sanitizer.
-# --units: the files of a folder are compiled as one unit, which takes less time from nothing, and more after a change.
+# Builds Ridgecraft with its tests (installing what is missing with apt) and runs those that are quick.
+#   ./test.sh [--all] [--asan | --tsan] [--update-golden] [ctest options]
+# --all: every test. Both by clang: --asan under the address and undefined-behaviour sanitizers, --tsan what works on
+# several threads under the thread sanitizer.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 preset=test
-units=-DRIDGECRAFT_UNITY=OFF
 target=all
-only=
+only="-LE slow"
 while [ $# -gt 0 ]; do
   case "$1" in
-    --asan)
-      preset=clang
-      units=
-      ;;
-    --units) units=-DRIDGECRAFT_UNITY=ON ;;
+    --all) only= ;;
+    --asan) preset=clang ;;
     --tsan)
       preset=tsan
-      units=
       target=thread_tests
       only="-L threads"
       ;;
-    # Golden files are written anew instead of compared; `git diff` is the review.
+    # Golden files are written instead of compared; `git diff` is the review.
     --update-golden) export RIDGECRAFT_UPDATE_GOLDEN=1 ;;
     *) break ;;
   esac
@@ -39,7 +33,7 @@ jobs=$(nproc)
 mkdir -p "$here/build"
 log="$here/build/$preset.log"
 . "$here/cmake/quietly.sh"
-quietly cmake -S "$here" --preset "$preset" ${units:+"$units"}
+quietly cmake -S "$here" --preset "$preset"
 echo "Building ($preset)" >&2
 quietly cmake --build "$here/build/$preset" -j "$jobs" --target "$target"
 
@@ -50,6 +44,9 @@ export ASAN_SYMBOLIZER_PATH=/usr/bin/llvm-symbolizer-22 TSAN_OPTIONS=external_sy
 cd "$here/build/$preset"
 # shellcheck disable=SC2086 # two words on purpose
 ctest --output-on-failure -j "$jobs" $only "$@" && outcome=0 || outcome=$?
-# What a test couldn't do here, which ctest keeps to itself.
+# Why tests were skipped, which ctest doesn't print.
 sed -n 's/^ *skipped: /skipped: /p' Testing/Temporary/LastTest.log 2>/dev/null | sort | uniq -c >&2 || true
+if [ "$only" = "-LE slow" ]; then
+  echo "left out: $(ctest -N -L slow | sed -n 's/^Total Tests: *//p') slow tests, on real models and in all browsers; ./test.sh --all runs them" >&2
+fi
 exit "$outcome"

@@ -4,7 +4,8 @@
 # build folders: the one of the preset clang, which makes a unit of a folder's files, and for the Python module one of the
 # preset test. Looked at is what reads a file that differs from COMMIT, by default the one in .ci/tidied, when all was
 # clean; where what all depends on has changed, or git doesn't have the commit (a clone may be shallow), all but the tests.
-# Precompiled headers are left out: so a folder that doesn't name what it uses is found, too.
+# Precompiled headers are left out: so a folder that doesn't name what it uses is found, too. What there is no time for is
+# printed; only findings fail.
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install-packages.sh tests/clang-packages.txt
@@ -77,6 +78,8 @@ for entry in entries:
                               entry["command"])
 # Once where several targets compile the same file. Those that CMake compiles for precompiled headers are nobody's.
 files = sorted({entry["file"] for entry in entries if "cmake_pch" not in entry["file"]})
+# The tests last: if time runs out, then for them.
+files.sort(key=lambda file: os.path.relpath(file).startswith("tests"))
 until = time.monotonic() + float(limit)
 
 
@@ -103,6 +106,6 @@ late = [file for file, said in told.items() if said is None]
 print(*bad, sep="\n", end="", file=sys.stderr)
 print(f"tidy: {len(files) - len(late)} of {len(files)} units looked at, {len(bad)} with something to mend", file=sys.stderr)
 if late:
-    print("tidy: no time left for " + " ".join(late), file=sys.stderr)
-sys.exit(1 if bad or late else 0)
+    print(f"skipped: tidy had no time left within {limit} s for " + " ".join(map(os.path.relpath, late)), file=sys.stderr)
+sys.exit(1 if bad else 0)
 END
