@@ -42,8 +42,8 @@ def repository_name(path):
 def entries_of(build):
     """What a build folder compiles: entries of compile_commands.json with the names of all files that each reads."""
     reads = {}
-    told = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout
-    for paragraph in told.split("\n\n"):
+    listed = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout
+    for paragraph in listed.split("\n\n"):
         lines = paragraph.strip().splitlines()
         if lines:
             reads[lines[0].split(":")[0]] = {repository_name(os.path.join(build, line.strip())) for line in lines[1:]}
@@ -84,7 +84,7 @@ until = time.monotonic() + float(limit)
 
 
 def look(file):
-    """What is to be mended in a file; None where there was no time left."""
+    """The findings in a file; None where there was no time left."""
     if time.monotonic() > until:
         return None
     run = subprocess.run(
@@ -100,11 +100,11 @@ def look(file):
 with tempfile.TemporaryDirectory() as folder:
     json.dump([{k: v for k, v in entry.items() if k not in ("reads", "test")} for entry in entries], open(f"{folder}/compile_commands.json", "w"))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        told = dict(zip(files, pool.map(look, files)))
-bad = [said for said in told.values() if said]
-late = [file for file, said in told.items() if said is None]
+        results = dict(zip(files, pool.map(look, files)))
+bad = [said for said in results.values() if said]
+late = [file for file, said in results.items() if said is None]
 print(*bad, sep="\n", end="", file=sys.stderr)
-print(f"tidy: {len(files) - len(late)} of {len(files)} units looked at, {len(bad)} with something to mend", file=sys.stderr)
+print(f"tidy: {len(files) - len(late)} of {len(files)} units looked at, {len(bad)} with findings", file=sys.stderr)
 if late:
     print(f"skipped: tidy had no time left within {limit} s for " + " ".join(map(os.path.relpath, late)), file=sys.stderr)
 sys.exit(1 if bad else 0)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds studio.html, and runs what is tested of it with the program that the stage gcc has built. Where Debian's sources of
-# the libraries can't be had, nothing is built, which is told.
+# the libraries can't be had, nothing is built, which is said.
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install-packages.sh wasm/packages.txt

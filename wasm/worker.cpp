@@ -26,10 +26,10 @@
 #include "export/export.hpp"
 #include "session/session.hpp"
 
-// Hands what happens on to whoever made the module: Module.told(kind, text, share).
+// Hands what happens on to whoever made the module: Module.report(kind, text, share).
 EM_JS(void, ridgecraft_tell, (const char* kind, const char* text, double share), {
-  if (Module["told"]) {
-    Module["told"](UTF8ToString(kind), UTF8ToString(text), share);
+  if (Module["report"]) {
+    Module["report"](UTF8ToString(kind), UTF8ToString(text), share);
   }
 });
 
@@ -141,17 +141,17 @@ session::Project& by_hand(Project& of) {
 }
 
 /// Takes over what came of an edit, and answers with the summary.
-void take(Project& into, session::Project changed, nlohmann::json told) {
+void take(Project& into, session::Project changed, nlohmann::json result) {
   files.reset();
   into.result.made = changed.now;
   into.edited = std::move(changed);
-  told["summary"] = nlohmann::json::parse(summary(into.job, into.result).json());
-  told["undo"] = into.edited->can_undo();
-  told["pinned"] = nlohmann::json::array();
+  result["summary"] = nlohmann::json::parse(summary(into.job, into.result).json());
+  result["undo"] = into.edited->can_undo();
+  result["pinned"] = nlohmann::json::array();
   for (const FaceId face : into.edited->state().pinned) {
-    told["pinned"].push_back(face.value());
+    result["pinned"].push_back(face.value());
   }
-  answer = told.dump();
+  answer = result.dump();
 }
 
 nlohmann::json refusal_json(const session::Refusal& refusal) {
@@ -185,15 +185,15 @@ void preview(const std::string& line) {
   Project& now = present();
   const std::vector<session::Edit> edits = one_step(line);
   const Context context = context_of(now.job);
-  nlohmann::json told = nlohmann::json::object();
+  nlohmann::json result = nlohmann::json::object();
   if (const auto refusal = session::why_not(by_hand(now), edits, context)) {
-    told = refusal_json(*refusal);
+    result = refusal_json(*refusal);
     const auto* const place = edits.size() == 1 ? std::get_if<session::Place>(&edits.front()) : nullptr;
     if (const auto nearby = place ? session::nearby_place(by_hand(now), *place, context) : std::nullopt) {
-      told["instead"] = {nearby->at.x, nearby->at.y};
+      result["instead"] = {nearby->at.x, nearby->at.y};
     }
   }
-  answer = told.dump();
+  answer = result.dump();
 }
 
 void undo() {
@@ -280,7 +280,7 @@ EMSCRIPTEN_KEEPALIVE int ridgecraft_write(int i) {
   });
 }
 
-/// What the page shows beside the nets (docs/design/viewer.md).
+/// What the page shows besides the nets (docs/design/viewer.md).
 EMSCRIPTEN_KEEPALIVE int ridgecraft_sheets() {
   return cli::guarded([&] { cli::answer = paper::write_sheets(cli::project.value().result.made.drawings); });
 }

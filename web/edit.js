@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done by hand: somebody chooses an edge or a piece, and beside it stands what can be done there, or why it can't.
+// Edits by hand: next to an edge or a piece that is chosen stands what can be done there, or why it can't.
 
 import {faceOfPiece, placeOfPiece} from "./drag.js";
 import {htmlElement} from "./guide.js";
@@ -64,8 +64,8 @@ function editsOfPiece(nets, index, pinned, seed) {
  * @param {Edit} edit
  * @returns {() => void} takes it back
  */
-export function foretell({nets, plan}, edit) {
-  const layer = svgElement("g", {class: `foretold ${edit.kind}`}, plan.svg);
+export function previewEdit({nets, plan}, edit) {
+  const layer = svgElement("g", {class: `expected ${edit.kind}`}, plan.svg);
   const ends = "edge" in edit ? edit.edge : [];
   nets.edges.forEach((_, e) => modelEnds(nets, e).every((v) => ends.includes(v)) && svgElement("path", {d: plan.lineOf(e)}, layer));
   return () => layer.remove();
@@ -136,7 +136,7 @@ export class Offer {
     this.#place(app, spot);
   }
 
-  /** Beside the pointer, or, for who has none, beside the edge, with the focus on it. @param {App} app @param {Spot} spot */
+  /** Next to the pointer, or, for who has none, next to the edge, with the focus on it. @param {App} app @param {Spot} spot */
   #place(app, spot) {
     const byPointer = performance.now() - this.pointer.time < 1000;
     const [x, y] = byPointer ? [this.pointer.x, this.pointer.y] : spot.edge >= 0 ? app.plan.clientOf(spot.edge) : app.plan.clientOfPiece(spot.piece);

@@ -125,7 +125,7 @@ export class Folding {
     this.places = nets.pieces.map((piece) => this.#placeOf(piece.index));
     this.onTable = nets.pieces.map((piece) => this.#tablePlace(piece.page));
     this.turns = nets.pieces.map((piece) => [quaternionOf(this.onTable[piece.index]), quaternionOf(this.places[piece.index])]);
-    /** Of corners beside the model's, when all is folded, mm. */
+    /** Between corners and the model's, when all is folded, mm. */
     this.refoldError = this.#error();
   }
 

@@ -228,7 +228,7 @@ export class Guide {
       .flatMap((join) => join.edges);
   }
 
-  /** Where the pieces of a step are folded: beside the model, on the side on which they are put on. */
+  /** Where the pieces of a step are folded: next to the model, on the side on which they are put on. */
   #benches() {
     const {folding, nets} = this;
     const [width, height, depth] = folding.modelSize;
@@ -317,7 +317,7 @@ export class Guide {
     this.host.changed();
   }
 
-  /** Writes the numbers of the seams that are closed now beside them. Call after the camera is set. */
+  /** Writes the numbers of the seams that are closed now next to them. Call after the camera is set. */
   label() {
     const {nets, scene} = this;
     const labels = [];

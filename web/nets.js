@@ -101,14 +101,14 @@ function pieceColour(part, within) {
 /** @param {any} fold @param {Piece[]} pieces @param {Edge[]} edges @param {Join[]} joins @returns {Step[]} */
 function readSteps(fold, pieces, edges, joins) {
   /** @type {{pieces: number[], joins: number[]}[]} */
-  const told = fold["ridgecraft:assembly"] ?? pieces.map((piece) => ({pieces: [piece.index], joins: []}));
-  told.forEach((step, k) => {
+  const assembly = fold["ridgecraft:assembly"] ?? pieces.map((piece) => ({pieces: [piece.index], joins: []}));
+  assembly.forEach((step, k) => {
     for (const piece of step.pieces) {
       pieces[piece].step = k;
     }
   });
   /** @type {Step[]} */
-  const steps = told.map((step) => ({pieces: step.pieces, joins: []}));
+  const steps = assembly.map((step) => ({pieces: step.pieces, joins: []}));
   joins.forEach((join, j) => {
     join.step = Math.max(...join.pieces.map((piece) => pieces[piece].step));
     steps[join.step].joins.push(j);
@@ -145,11 +145,11 @@ export function readNets(text) {
   /** @type {number[]} */
   const withinPart = [];
   /** @type {Piece[]} */
-  const pieces = fold["ridgecraft:pieces"].map((/** @type {any} */ told, /** @type {number} */ index) => {
-    const part = told.parts[0] ?? index;
+  const pieces = fold["ridgecraft:pieces"].map((/** @type {any} */ record, /** @type {number} */ index) => {
+    const part = record.parts[0] ?? index;
     const within = withinPart[part] ?? 0;
     withinPart[part] = within + 1;
-    return {index, name: told.name, part, page: told.page, faces: [], edges: [], joins: [], slits: [],
+    return {index, name: record.name, part, page: record.page, faces: [], edges: [], joins: [], slits: [],
       steps: fold["ridgecraft:fold_order"]?.[index] ?? [], folds: 0,
       box: [Infinity, Infinity, -Infinity, -Infinity], colour: pieceColour(part, within), step: 0};
   });
@@ -175,36 +175,36 @@ export function readNets(text) {
     }
   }
   /** @type {Join[]} */
-  const joins = fold["ridgecraft:joins"].map((/** @type {any} */ told, /** @type {number} */ j) => {
-    for (const e of told.edges) {
+  const joins = fold["ridgecraft:joins"].map((/** @type {any} */ record, /** @type {number} */ j) => {
+    for (const e of record.edges) {
       edges[e].join = j;
     }
-    const of = told.edges.map((/** @type {number} */ e) => edges[e].piece);
+    const of = record.edges.map((/** @type {number} */ e) => edges[e].piece);
     for (const piece of new Set(of)) {
       pieces[/** @type {number} */ (piece)].joins.push(j);
     }
-    return {number: told.number, edges: told.edges, pieces: of, tab: told.tab ?? -1, why: told.why ?? "", step: 0};
+    return {number: record.number, edges: record.edges, pieces: of, tab: record.tab ?? -1, why: record.why ?? "", step: 0};
   });
   /** @type {Tab[]} */
-  const tabs = [...fold["ridgecraft:tabs"], ...(fold["ridgecraft:more_tabs"] ?? [])].map((/** @type {any} */ told, /** @type {number} */ t) => {
-    const edge = edges[told.edge];
-    for (const e of told.edges ?? [told.edge]) {
+  const tabs = [...fold["ridgecraft:tabs"], ...(fold["ridgecraft:more_tabs"] ?? [])].map((/** @type {any} */ record, /** @type {number} */ t) => {
+    const edge = edges[record.edge];
+    for (const e of record.edges ?? [record.edge]) {
       edges[e].tab = edges[e].tab < 0 ? t : edges[e].tab;
       edges[e].tabs.push(t);
     }
-    if (told.slit) {
-      const beyond = joins[edge.join].edges.find((/** @type {number} */ e) => e !== told.edge) ?? told.edge;
-      pieces[edges[beyond].piece].slits.push(told.slit);
+    if (record.slit) {
+      const beyond = joins[edge.join].edges.find((/** @type {number} */ e) => e !== record.edge) ?? record.edge;
+      pieces[edges[beyond].piece].slits.push(record.slit);
     }
-    for (const [x, y] of told.polygon) {
+    for (const [x, y] of record.polygon) {
       widen(pieces[edge.piece].box, x, y);
     }
-    return {edge: told.edge, piece: edge.piece, face: edge.faces[0], join: edge.join, polygon: told.polygon,
-      slit: told.slit ?? null};
+    return {edge: record.edge, piece: edge.piece, face: edge.faces[0], join: edge.join, polygon: record.polygon,
+      slit: record.slit ?? null};
   });
   /** @type {Page[]} */
-  const pages = fold["ridgecraft:pages"].map((/** @type {any} */ told, /** @type {number} */ p) => ({
-    x: told.origin[0], y: told.origin[1], width: told.size?.[0] ?? 0, height: told.size?.[1] ?? 0,
+  const pages = fold["ridgecraft:pages"].map((/** @type {any} */ record, /** @type {number} */ p) => ({
+    x: record.origin[0], y: record.origin[1], width: record.size?.[0] ?? 0, height: record.size?.[1] ?? 0,
     pieces: pieces.filter((piece) => piece.page === p).map((piece) => piece.index)}));
   const modelFace = Int32Array.from(fold["ridgecraft:faces_model"]);
   const modelFaces = new Uint32Array(3 * count);

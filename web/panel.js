@@ -48,9 +48,9 @@ export function sayFacts(nets) {
 /** Whether the nets, folded here, are the model: a thousandth of a millimetre is. @param {number} error mm */
 export function sayCheck(error) {
   const line = byId("check");
-  const told = error < 1e-6 ? `< ${sayLength(1e-6, 6)}` : sayLength(error, 6);
-  line.textContent = say(error < 1e-3 ? "checked" : "unchecked", {error: told});
-  line.title = say("checked_title", {error: told});
+  const shown = error < 1e-6 ? `< ${sayLength(1e-6, 6)}` : sayLength(error, 6);
+  line.textContent = say(error < 1e-3 ? "checked" : "unchecked", {error: shown});
+  line.title = say("checked_title", {error: shown});
   line.classList.toggle("wrong", error >= 1e-3);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The studio: files come in, options are chosen, results are shown by the app, files go out. It holds the project's options and
-// what is told of the work; the result itself is the app's.
+// reports on the work; the result itself is the app's.
 
 import {App} from "./app.js";
 import {faceOfPiece, PieceDrag, piecesWith, placeOfPiece} from "./drag.js";
-import {foretell, Offer} from "./edit.js";
+import {previewEdit, Offer} from "./edit.js";
 import {htmlElement} from "./guide.js";
 import {byId, Menu, sayAll} from "./panel.js";
 import {optionTable} from "./options.js";
@@ -252,7 +252,7 @@ export class Studio {
     }
     this.editing = true;
     this.offer.hide();
-    const takeBack = edit && this.app ? foretell(this.app, edit) : () => {};
+    const takeBack = edit && this.app ? previewEdit(this.app, edit) : () => {};
     await this.run(work, this.options, this.app?.view() ?? null);
     takeBack();
     this.editing = false;

@@ -207,13 +207,13 @@ export const refusals = [
 
 /** A sentence of the program's about an edit, for the reader. @param {string} why */
 export function sayRefusal(why) {
-  let told = why;
+  let sentence = why;
   for (const [english, german] of reader.language === "de" ? refusals : []) {
     const gaps = [...english.matchAll(/\{(\w+)\}/g)].map(([, name]) => name);
     const found = new RegExp(`^${english.replace(/\{\w+\}/g, "(.+?)")}$`).exec(why);
     if (found) {
-      told = german.replace(/\{(\w+)\}/g, (_, name) => found[gaps.indexOf(name) + 1]);
+      sentence = german.replace(/\{(\w+)\}/g, (_, name) => found[gaps.indexOf(name) + 1]);
     }
   }
-  return `${told.charAt(0).toUpperCase()}${told.slice(1)}.`;
+  return `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`;
 }

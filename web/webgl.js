@@ -388,7 +388,7 @@ class WebglView {
   }
 }
 
-/** What draws on a canvas, and whom it tells that it began anew. @type {WeakMap<HTMLCanvasElement, {view: WebglView, renewed: (view: WebglView) => void}>} */
+/** What draws on a canvas, and what it calls when it has begun again. @type {WeakMap<HTMLCanvasElement, {view: WebglView, renewed: (view: WebglView) => void}>} */
 const views = new WeakMap();
 
 /**

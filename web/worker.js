@@ -23,7 +23,7 @@ async function startCore(module) {
       WebAssembly.instantiate(module, imports).then(done);
       return {};
     },
-    told: (/** @type {string} */ kind, /** @type {string} */ text, /** @type {number} */ share) =>
+    report: (/** @type {string} */ kind, /** @type {string} */ text, /** @type {number} */ share) =>
       worker.postMessage(kind === "progress" ? {stage: text, share} : {note: text}),
     print: () => {},
     printErr: () => {},
@@ -74,15 +74,15 @@ function makePaper(files, words, steps) {
   return steps.length > 0 ? changedPaper(textOf("ridgecraft_repeat", steps.join("\n"))) : shown({summary});
 }
 
-/** With what the page shows. @param {Record<string, any>} told */
-function shown(told) {
-  return {...told, fold: new TextDecoder().decode(writtenAs("result.fold")[0].bytes), sheets: textOf("ridgecraft_sheets")};
+/** With what the page shows. @param {Record<string, any>} result */
+function shown(result) {
+  return {...result, fold: new TextDecoder().decode(writtenAs("result.fold")[0].bytes), sheets: textOf("ridgecraft_sheets")};
 }
 
 /** @param {string} answer to an edit */
 function changedPaper(answer) {
-  const told = JSON.parse(answer);
-  return told.refused ? told : shown(told);
+  const result = JSON.parse(answer);
+  return result.refused ? result : shown(result);
 }
 
 worker.onmessage = async (/** @type {MessageEvent} */ {data}) => {

@@ -32,21 +32,21 @@ export class Cancelled extends Error {
 /**
  * @typedef {object} Project
  * @property {string} name of the model's file
- * @property {Record<string, Uint8Array>} files it, and those beside it
+ * @property {Record<string, Uint8Array>} files it, and those that belong to it
  * @property {Record<string, string | boolean>} options
  * @property {string[]} rest words of a command line that are no options of the panel
  * @property {string[]} steps what was done by hand, in the words of session/edit.hpp
  * @property {string[]} undone of these, the last one first to come back
  */
 
-/** What the program is told: names that could be options or verbs are paths. @param {string} name */
+/** The model in the program's words: names that could be options or verbs are paths. @param {string} name */
 const asModel = (name) => (/^[^-].*\./.test(name) ? name : `./${name}`);
 
 /** In the words of session/edit.hpp. @param {import("./backend.js").Edit[]} edits */
 const lineOf = (edits) => edits.map((edit) => {
-  const told = edit.kind === "place" ? [edit.face, edit.page, ...edit.at, edit.degrees] : edit.kind === "retry" ? [edit.face, edit.seed]
+  const values = edit.kind === "place" ? [edit.face, edit.page, ...edit.at, edit.degrees] : edit.kind === "retry" ? [edit.face, edit.seed]
     : edit.kind === "pack" ? edit.faces : "edge" in edit ? edit.edge : [edit.face];
-  return [edit.kind, ...told].join(" ");
+  return [edit.kind, ...values].join(" ");
 }).join("; ");
 
 /** No folders in the module's file system. @param {string} name */
@@ -113,8 +113,8 @@ export class WorkerBackend {
   open(name, bytes, sidecars = {}, options = {}, rest = []) {
     /** @type {Record<string, Uint8Array>} */
     const files = {};
-    for (const [beside, content] of Object.entries(sidecars)) {
-      files[bareName(beside)] = content;
+    for (const [sidecar, content] of Object.entries(sidecars)) {
+      files[bareName(sidecar)] = content;
     }
     files[bareName(name)] = bytes;
     return this.#make({name: bareName(name), files, options, rest, steps: [], undone: []});
@@ -196,38 +196,38 @@ export class WorkerBackend {
     this.cancel();
     this.notes = [];
     this.made = false;
-    const told = await this.#call({call: "make", files: project.files, words: [asModel(project.name), ...project.rest, ...wordsOf(project.options)],
+    const result = await this.#call({call: "make", files: project.files, words: [asModel(project.name), ...project.rest, ...wordsOf(project.options)],
       steps: project.steps});
     this.made = true;
     /** @type {number[]} */
-    const leftOut = told.left_out ?? [];
+    const leftOut = result.left_out ?? [];
     if (leftOut.length > 0) {
       this.notes.push({text: sayCount("edits_left_out", leftOut.length)});
     }
-    return this.#state({...project, steps: project.steps.filter((_, i) => !leftOut.includes(i))}, told);
+    return this.#state({...project, steps: project.steps.filter((_, i) => !leftOut.includes(i))}, result);
   }
 
   /**
    * @param {Record<string, unknown>} message
-   * @param {(project: Project) => {steps: string[], undone: string[]}} after how it is told when it is done
+   * @param {(project: Project) => {steps: string[], undone: string[]}} after the steps that it leaves
    * @returns {Promise<State>}
    */
   async #change(message, after) {
     await this.#remade();
-    const told = await this.#call(message);
-    if (told.refused) {
-      throw new Refusal(sayRefusal(told.refused.why), 3, told.refused.faces);
+    const result = await this.#call(message);
+    if (result.refused) {
+      throw new Refusal(sayRefusal(result.refused.why), 3, result.refused.faces);
     }
     const project = /** @type {Project} */ (this.project);
-    return this.#state({...project, ...after(project)}, told);
+    return this.#state({...project, ...after(project)}, result);
   }
 
-  /** @param {Project} project @param {any} told @returns {State} */
-  #state(project, told) {
+  /** @param {Project} project @param {any} result @returns {State} */
+  #state(project, result) {
     this.project = project;
     this.revision += 1;
-    return {revision: this.revision, options: project.options, fold: told.fold, sheets: told.sheets, notes: this.notes, figures: told.summary,
-      canUndo: project.steps.length > 0, canRedo: project.undone.length > 0, busy: false, pinned: told.pinned ?? []};
+    return {revision: this.revision, options: project.options, fold: result.fold, sheets: result.sheets, notes: this.notes, figures: result.summary,
+      canUndo: project.steps.length > 0, canRedo: project.undone.length > 0, busy: false, pinned: result.pinned ?? []};
   }
 
   /** @param {Record<string, unknown>} message @returns {Promise<any>} */

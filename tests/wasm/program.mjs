@@ -2,8 +2,8 @@
 // The program's module under node, used like the program:
 //   node program.mjs BUILD_FOLDER MODEL OUT_FOLDER SUFFIX[,SUFFIX...] [options]
 // writes OUT_FOLDER/NAME.SUFFIX (NAME-N.svg and so on where there are several pages; the suffix -guide.pdf means the
-// guide). Errors are told and exited with as the program does it. Where RIDGECRAFT_TIMES is set, the processor's seconds
-// of starting and of making paper are told.
+// guide). Errors are printed and exited with as the program does it. Where RIDGECRAFT_TIMES is set, the processor's seconds
+// of starting and of making paper are printed.
 import {mkdirSync, readdirSync, readFileSync, statSync, writeFileSync} from "node:fs";
 import {createRequire} from "node:module";
 import {basename, dirname, join, parse, resolve} from "node:path";
@@ -15,11 +15,11 @@ const notes = [];
 const seconds = () => process.cpuUsage().user / 1e6;
 const core = await start({
   wasmBinary: readFileSync(join(build, "ridgecraft.wasm")),
-  told: (kind, text) => kind === "note" && notes.push(text),
+  report: (kind, text) => kind === "note" && notes.push(text),
 });
 const started = seconds();
 
-/** The model with what lies beside it, as a page gets files that are dropped together. */
+/** The model with the files that belong to it, as a page gets files that are dropped together. */
 function put(file) {
   core.FS.mkdir("/project");
   core.FS.chdir("/project");

@@ -22,7 +22,7 @@ const modelsOf = (folder) => (existsSync(folder) ? readdirSync(folder).filter((n
 
 /** Its exit code, and what it says. */
 const run = (command, words) => new Promise((done) => {
-  execFile(command, words, {encoding: "utf8", maxBuffer: 2 ** 26}, (error, _, told) => done({code: error ? error.code : 0, told}));
+  execFile(command, words, {encoding: "utf8", maxBuffer: 2 ** 26}, (error, _, said) => done({code: error ? error.code : 0, said}));
 });
 
 const models = [...modelsOf(join(source, "samples")), ...modelsOf(join(shared, "models/makers"))]
@@ -45,9 +45,9 @@ async function compare(model, i) {
   const own = await run(program, [model, "--quiet", "--threads", "1", ...options, ...outputs]);
   const there = await run(process.execPath, [join(here, "program.mjs"), build, model, foreign, suffixes.join(","), ...options]);
   // The program names the file by its path, and the module by its name.
-  const lastOf = (told) => (told.trim().split("\n").pop() ?? "").replaceAll(dirname(model) + "/", "");
-  if (own.code !== there.code || (own.code !== 0 && lastOf(own.told) !== lastOf(there.told))) {
-    return `exit codes ${own.code} and ${there.code}: ${own.told} | ${there.told}`;
+  const lastOf = (said) => (said.trim().split("\n").pop() ?? "").replaceAll(dirname(model) + "/", "");
+  if (own.code !== there.code || (own.code !== 0 && lastOf(own.said) !== lastOf(there.said))) {
+    return `exit codes ${own.code} and ${there.code}: ${own.said} | ${there.said}`;
   }
   const [files, others] = [native, foreign].map((folder) => readdirSync(folder).sort());
   compared += files.length;

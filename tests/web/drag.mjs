@@ -24,7 +24,7 @@ const check = (holds, words) => holds || faults.push(words);
 function play(fold, sheets) {
   let pinned = [];
   self.onmessage = ({data}) => {
-    const told = {summary: {}, fold, sheets, pinned};
+    const result = {summary: {}, fold, sheets, pinned};
     if (data.line) {
       postMessage({note: `${data.call}: ${data.line}`});
     }
@@ -34,9 +34,9 @@ function play(fold, sheets) {
     const nearby = {refused: {edit: 0, why: "no room", faces: [0]}, instead: [Number(x), 20]};
     if (data.call === "apply" && /^(un)?pin /.test(data.line)) {
       pinned = data.line.startsWith("pin") ? [Number(data.line.split(" ")[1])] : [];
-      told.pinned = pinned;
+      result.pinned = pinned;
     }
-    postMessage(data.call === "start" ? {id: data.id} : above ? {id: data.id, ...nearby} : refused ? {id: data.id, refused} : data.call === "preview" ? {id: data.id} : {id: data.id, ...told});
+    postMessage(data.call === "start" ? {id: data.id} : above ? {id: data.id, ...nearby} : refused ? {id: data.id, refused} : data.call === "preview" ? {id: data.id} : {id: data.id, ...result});
   };
 }
 
@@ -148,7 +148,7 @@ async function byMouse() {
   const [a, b] = [numbers(first), numbers(second)];
   check(first.startsWith("place ") && a[0] === b[0] && a[1] === b[1] && Math.abs(b[2] - a[2] - 60 * inwards / scale) < 0.05 && Math.abs(b[3] - a[3]) < 0.05 && a[4] === b[4],
     `60 pixels further of ${scale} a mm: "${first}", "${second}"`);
-  check((await lines("preview")).some((line) => line.startsWith("place ")), "nobody asks for room while a piece is dragged");
+  check((await lines("preview")).some((line) => line.startsWith("place ")), "no room is asked for while a piece is dragged");
 
   // Without room it is red, goes back, and why is said in German.
   const refused = await drag(-700, 0, async () => page.waitForSelector(".no-room", {timeout: 5000}).catch(() => faults.push("what has no room isn't marked")));
@@ -156,15 +156,15 @@ async function byMouse() {
   check(await page.locator("[data-piece][transform]").count() === 0 && await page.locator(".no-room").count() === 0, "what is refused doesn't go back");
 
   // The sentence goes with the next press elsewhere, or by Escape, and not by a press on itself.
-  const told = page.locator("#refused");
-  await told.locator("p").click();
-  check(await told.isVisible(), "a press on a refusal takes it away");
+  const refusal = page.locator("#refused");
+  await refusal.locator("p").click();
+  check(await refusal.isVisible(), "a press on a refusal takes it away");
   await page.mouse.click(x, y);
-  check(await told.isHidden(), "a refusal lies on the sheets while somebody goes on there");
+  check(await refusal.isHidden(), "a refusal lies on the sheets while somebody goes on there");
   await page.keyboard.press("Escape");
   await drag(-700, 0);
   await page.keyboard.press("Escape");
-  check(await told.isHidden(), "Escape leaves a refusal");
+  check(await refusal.isHidden(), "Escape leaves a refusal");
 
   // Where it would find room nearby, that is shown, and it is laid there.
   await page.keyboard.press("Escape");
@@ -286,7 +286,7 @@ async function byFinger() {
 
 /**
  * A function that puts fingers down, moves the last one by each of the distances, and lifts them. Chromium is touched as by
- * its screen; other browsers can't be, so there the page is told of pointers.
+ * its screen; other browsers can't be, so there pointer events are sent to the page.
  */
 async function strokes(context, page) {
   const add = ([x, y], [dx, dy]) => [x + dx, y + dy];

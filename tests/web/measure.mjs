@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What studio.html takes: until it takes models, until the program is ready, until a model
 // that is dropped is shown, and from a click to the core's answer of an edit, and to the new picture. No test: seconds are
-// nobody's promise. Each is told by the clock and, behind it, by the processors of all the browser's processes, which counts
-// where other programs run beside it.
+// not promised. Each is taken by the clock and, behind it, by the processors of all the browser's processes, which counts
+// where other programs run at the same time.
 //   node measure.mjs --browser chromium --page FILE --tools FOLDER [--edits N] [--option KEY=VALUE]... MODEL...
 import {readdirSync, readFileSync} from "node:fs";
 import {basename} from "node:path";

@@ -107,13 +107,13 @@ async function graphics(given) {
   given.check(before > 1000, "nothing is seen of the lighthouse");
   await page.evaluate(async () => {
     const stage = document.getElementById("stage");
-    const told = (name) => new Promise((done) => stage.addEventListener(name, done, {once: true}));
+    const heardOf = (name) => new Promise((done) => stage.addEventListener(name, done, {once: true}));
     const extension = stage.getContext("webgl2").getExtension("WEBGL_lose_context");
-    const lost = told("webglcontextlost");
+    const lost = heardOf("webglcontextlost");
     extension.loseContext();
     await lost;
     await new Promise((done) => setTimeout(done));
-    const restored = told("webglcontextrestored");
+    const restored = heardOf("webglcontextrestored");
     extension.restoreContext();
     await restored;
   });
@@ -245,7 +245,7 @@ async function keyboard(given) {
   const {context, page, inspect, frame} = await open(given, given.files.whale);
   const {pieces} = await inspect();
   const heard = new Map();
-  // Not past the end: whoever leaves the page isn't told any more what has the focus.
+  // Not past the end: whoever leaves the page no longer learns what has the focus.
   for (let k = 0; k < 60 && heard.size < pieces; ++k) {
     await page.keyboard.press("Tab");
     const focus = await page.evaluate(() => ({piece: document.activeElement.getAttribute("data-piece"),

@@ -116,7 +116,7 @@ async function makesPaper() {
   const archive = await exported("svg");
   check(archive.subarray(0, 4).toString("latin1") === "PK\u0003\u0004" || archive.subarray(0, 5).toString() === "<?xml", "the SVG is neither a file nor an archive");
 
-  // What can't be is told, and the result before stays.
+  // What can't be is refused, and the result before stays.
   await drop([["broken.obj", Buffer.from("v 0 0 0\nf 1 2 3\n")]]);
   await page.waitForFunction(() => globalThis.ridgecraft.inspect().error !== "", null, {timeout: 60000});
   const refused = await idle();
@@ -238,7 +238,7 @@ async function editsByHand() {
   const seamOver = over.joins.find(({number}) => number === pair.number).edges[0];
   await offered(seamOver, "sheet");
   await takes(3);
-  check(/ohne Lasche/.test((await inspect()).foot), `a tab that is taken off is told as "${(await inspect()).foot}"`);
+  check(/ohne Lasche/.test((await inspect()).foot), `a tab that is taken off reads "${(await inspect()).foot}"`);
   await shot("edit-no-tab");
   writeFileSync(`${out}/edited.fold`, await exported("fold"));
   execFileSync(values.program, ["verify", `${out}/edited.fold`, "--quiet"], {stdio: ["ignore", "ignore", "inherit"]});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each text of the page stands in both languages, with the same gaps; each one that is asked for is there, and none is
-// there that nobody asks for; and each reason of the program's for which an edit is refused has its German sentence.
+// there that isn't asked for; and each reason of the program's for which an edit is refused has its German sentence.
 //   node words.mjs SOURCE     the folder of the sources
 import {readdirSync, readFileSync} from "node:fs";
 import {pathToFileURL} from "node:url";
@@ -51,7 +51,7 @@ for (const key of asked) {
 const beginnings = [...pages.matchAll(/`(\w+_)\$\{/g)].map(([, beginning]) => beginning);
 for (const key of Object.keys(texts)) {
   const said = asked.has(key) || pages.includes(`"${key}"`) || own.includes(`say("${key}"`) || beginnings.some((beginning) => key.startsWith(beginning));
-  check(said, `nobody asks for the text "${key}"`);
+  check(said, `the text "${key}" isn't asked for`);
 }
 const names = /^(|[a-z]{1,2}|A\d|letter|legal|tabloid|r\d+|plain)$/;
 for (const {key, choices} of optionTable) {
@@ -73,17 +73,17 @@ for (const name of ["session/draft.cpp", "session/places.cpp", "unfold/changed_f
 }
 const reasons = /sentence\(NoTab reason\) \{(.*?)\n\}/s.exec(readFileSync(`${source}/unfold/net/nets.cpp`, "utf8"))?.[1] ?? "";
 const said = [...reasons.matchAll(/return "([^"]+)"/g)].map(([, sentence]) => sentence);
-check(said.join("|") === noTabReasons.map(([sentence]) => sentence).join("|"), `why a join has no tab is told as ${JSON.stringify(said)} by the program`);
+check(said.join("|") === noTabReasons.map(([sentence]) => sentence).join("|"), `why a join has no tab reads ${JSON.stringify(said)} by the program`);
 
 reader.language = "de";
 for (const [sentence, german] of refusals) {
   const fill = (text) => text.replace(/\{(\w+)\}/g, (_, name) => ({a: "AB", b: "C", n: "2"})[name]);
-  const told = sayRefusal(fill(sentence));
+  const spoken = sayRefusal(fill(sentence));
   const wanted = fill(german);
-  check(told === `${wanted.charAt(0).toUpperCase()}${wanted.slice(1)}.`, `"${fill(sentence)}" is told as "${told}"`);
+  check(spoken === `${wanted.charAt(0).toUpperCase()}${wanted.slice(1)}.`, `"${fill(sentence)}" reads "${spoken}"`);
 }
 for (const [sentence, german] of noTabReasons) {
-  check(sayNoTab(sentence) === german, `"${sentence}" is told as "${sayNoTab(sentence)}"`);
+  check(sayNoTab(sentence) === german, `"${sentence}" reads "${sayNoTab(sentence)}"`);
 }
 
 console.log(faults.length === 0 ? `passed: ${Object.keys(texts).length} texts, ${refusals.length + noTabReasons.length} sentences` : `FAILED\n    ${faults.join("\n    ")}`);
