@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HACD, as Debian's libbullet-extras-dev has it, beside our segmentation: models of an unpacked Princeton
+// HACD, as Debian's libbullet-extras-dev has it, against our segmentation: models of an unpacked Princeton
 // Segmentation Benchmark, parts, seconds, volume ratio, and whether the hulls hold the model.
 //
 // HACD scales the diagonal of the model's bounding box to 2000; the paper's tolerance of 0.1 in a ball of

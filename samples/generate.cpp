@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// generate_samples FOLDER: writes every sample model. The files beside this source are what it writes.
+// generate_samples FOLDER: writes every sample model. The files next to this source are what it writes.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

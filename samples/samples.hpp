@@ -142,7 +142,7 @@ struct Sample {
 // Finished shapes as files: OBJ with its materials, binary STL, ASCII PLY and OFF with colours.
 
 /// Writes the shape in the format of the file's suffix (.obj, .stl, .ply, .off); an OBJ's materials go to a
-/// file beside it. The same bytes on every machine. Throws std::runtime_error where a file can't be written.
+/// file next to it. The same bytes on every machine. Throws std::runtime_error where a file can't be written.
 void write_model(const Shape& shape, const std::filesystem::path& file);
 
 }  // namespace ridgecraft::samples

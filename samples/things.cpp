@@ -84,7 +84,7 @@ Shape mug() {
   std::vector<Ring> handle;
   for (const double degrees : {70.0, 35.0, 0.0, -35.0, -70.0}) {
     const double angle = degrees * pi / 180.0;
-    // An ear beside the mug: an ellipse for its inner side and a larger one outside.
+    // An ear of the mug: an ellipse for its inner side and a larger one outside.
     const auto at = [angle](double across, double upright, double y) {
       return Vec3{41.0 + across * std::cos(angle), y, 43.0 + upright * std::sin(angle)};
     };

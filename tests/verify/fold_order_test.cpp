@@ -10,8 +10,7 @@
 
 #include "base/vector.hpp"
 #include "support/temporary_folder.hpp"
-#include "verify/cube_file.hpp"
-#include "verify/written_job.hpp"
+#include "verify/support.hpp"
 
 using namespace ridgecraft;
 using Json = nlohmann::json;
@@ -21,7 +20,7 @@ namespace {
 constexpr int order_promise = 7;
 constexpr const char* key = "ridgecraft:fold_order";
 
-/// Sheets bent along parallel lines, beside each other: a seam as cans have it, in which each edge is bent
+/// Sheets bent along parallel lines, next to each other: a seam as cans have it, in which each edge is bent
 /// back into the other, so that no crease is free; one that winds inwards, which has to be folded crease by
 /// crease from one of its ends; and one bent twice.
 std::string bent_sheets() {
@@ -170,7 +169,7 @@ TEST_CASE("pieces that don't fold together are no answer to the wish that all do
 }
 
 TEST_CASE("folds of one crease are made together", "[fold_order]") {
-  // Two flat faces beside two others, hinged along one line that has two edges.
+  // Two flat faces next to two others, hinged along one line that has two edges.
   Json json = test::cube_file();
   Json order = Json::array({Json::array()});
   for (std::size_t e = 0; e < json["edges_assignment"].size(); ++e) {

@@ -4,9 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "verify/cube_file.hpp"
 #include "verify/geometry/space.hpp"
-#include "verify/written_job.hpp"
+#include "verify/support.hpp"
 
 using namespace ridgecraft;
 
@@ -185,9 +184,11 @@ TEST_CASE("nets of bodies that became one skin", "[model]") {
     CHECK(report.sound());
     CHECK(report.model->deviation_mm < 0.001);
     // Without the setting what is hidden is missing.
-    std::string told = job.fold;
-    told.replace(told.find("\"bodies\": \"united\", "), std::string("\"bodies\": \"united\", ").size(), "");
-    CHECK(test::broken(test::verify_model(told, test::surface_of(model))) == std::vector<int>{model_promise});
+    std::string without = job.fold;
+    without.replace(without.find("\"bodies\": \"united\", "), std::string("\"bodies\": \"united\", ").size(),
+                    "");
+    CHECK(test::broken(test::verify_model(without, test::surface_of(model))) ==
+          std::vector<int>{model_promise});
   }
   // Kept as they are, all is there.
   const test::WrittenJob kept(model, {"--faces", "keep", "--keep-bodies"});

@@ -8,8 +8,7 @@
 #include "verify/pages/check_pages.hpp"
 #include "verify/pages/printed.hpp"
 #include "verify/pages/readers.hpp"
-#include "verify/replaced.hpp"
-#include "verify/written_job.hpp"
+#include "verify/support.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::verify;
@@ -114,7 +113,7 @@ TEST_CASE("an SVG file of several pages has each in a layer of its own", "[pages
             .find("transform") != std::string::npos);
 }
 
-TEST_CASE("lines that nobody sees are no lines", "[pages]") {
+TEST_CASE("invisible lines are no lines", "[pages]") {
   for (const char* look : {"stroke=\"none\"", "stroke=\"#ffffff\"", "stroke=\"white\"",
                            "stroke=\"#000000\" stroke-width=\"0\"", ""}) {
     const PrintedFile file =
@@ -133,7 +132,7 @@ TEST_CASE("lines that nobody sees are no lines", "[pages]") {
   CHECK(strokes_of("/clear gs /thick gs 0 0 m 1 1 l S").at(0).second.hidden);
 }
 
-TEST_CASE("what may move, hide or add a line in an SVG page is told", "[pages]") {
+TEST_CASE("what may move, hide or add a line in an SVG page is a defect", "[pages]") {
   const std::string path = "<path stroke=\"#000000\" d=\"M0,0 L1,1\"";
   CHECK(defect_of(svg_with(cut_layer(path + "/>"))).empty());
   CHECK(defect_of(svg_with(cut_layer(path + " transform=\"scale(2)\"/>"))).find("transform") !=
@@ -202,7 +201,7 @@ TEST_CASE("content that can't be checked is refused", "[pages]") {
   CHECK(strokes_of("0 0 10 10 re W n 1 1 m 2 2 l S").at(0).second.window->high == Vec2{10, 10});
 }
 
-TEST_CASE("damaged PDF and SVG files are told as such", "[pages]") {
+TEST_CASE("damaged PDF and SVG files have a defect", "[pages]") {
   const test::WrittenJob& job = test::whale();
   const std::string pdf = test::read_bytes(job.folder / "whale.pdf");
   const std::string svg = test::read_bytes(job.folder / "whale-1.svg");

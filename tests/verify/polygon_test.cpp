@@ -144,7 +144,7 @@ TEST_CASE("a turned round polygon is one part; a clockwise one is turned over", 
   CHECK(doubled_area(parts[0]) == 8.0);
 }
 
-TEST_CASE("simple polygons are told from those that cross or touch themselves", "[verify]") {
+TEST_CASE("simple polygons differ from those that cross or touch themselves", "[verify]") {
   Random random(11);
   for (int round = 0; round < 50; ++round) {
     CHECK(verify::is_simple(random_star(random, 4 + random.below(40)), {}));

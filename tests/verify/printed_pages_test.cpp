@@ -10,8 +10,7 @@
 
 #include "base/segment.hpp"
 #include "support/program.hpp"
-#include "verify/cube_file.hpp"
-#include "verify/written_job.hpp"
+#include "verify/support.hpp"
 
 using namespace ridgecraft;
 using Pages = std::vector<verify::PrintedFile>;
@@ -159,7 +158,7 @@ TEST_CASE("both formats have the same lines", "[pages]") {
   }
 }
 
-TEST_CASE("an outline that lies 0.05 mm beside its place is found", "[pages]") {
+TEST_CASE("an outline that is 0.05 mm off its place is found", "[pages]") {
   check_found("of cut lines where the nets have", [](PrintedPage& broken) {
     for (Vec2& p : line(broken, PrintedLayer::cut).points) {
       p += Vec2{0.03, 0.04};
@@ -226,9 +225,9 @@ TEST_CASE("a stretch of a line that is drawn once more is the same line", "[page
     const PrintedLine outline = line(drawn, PrintedLayer::cut);
     const Vec2 from = outline.points[0];
     const Vec2 way = 0.5 * (outline.points[1] - from);
-    const auto report_with = [&](Vec2 beside) {
+    const auto report_with = [&](Vec2 off) {
       Pages more = pages;
-      page(more, 1).lines.push_back({PrintedLayer::cut, Pattern::solid, {from, from + way + beside}});
+      page(more, 1).lines.push_back({PrintedLayer::cut, Pattern::solid, {from, from + way + off}});
       return test::verify_pages(test::whale().fold, more);
     };
     const Vec2 across = perpendicular(way) / length(way);
@@ -434,12 +433,12 @@ TEST_CASE("what is changed within a PDF is found", "[pages]") {
   cropped.replace(cropped.find("595.2756", box), 8, "495.2756");
   CHECK(test::first_fault(test::verify_pages(job.fold, {verify::read_pdf("plain.pdf", cropped)}))
             .find("crop box") != std::string::npos);
-  // A layer that lies 1 point beside the others, and white lines.
+  // A layer that is 1 point off the others, and white lines.
   const std::size_t cut = plain.find("0.566929 w");
   REQUIRE(cut != std::string::npos);
   const std::size_t matrix = plain.rfind(" cm", cut);
   const std::size_t line = plain.rfind("1 0 0 -1 0 ", matrix);
-  CHECK(fault_after("1 0 0 -1 0 ", "1 0 0 -1 1 ", line).find("beside a cut") != std::string::npos);
+  CHECK(fault_after("1 0 0 -1 0 ", "1 0 0 -1 1 ", line).find("from a cut") != std::string::npos);
   const std::size_t colour = plain.rfind("0 0 0 RG", cut);
   CHECK(fault_after("0 0 0 RG", "1 1 1 RG", colour).find("of the cut lines of piece") != std::string::npos);
 }

@@ -2,12 +2,17 @@
 // One thing broken at a time in a clean net of a cube: the promise that it breaks is named, and no other.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/random.hpp"
 #include "cli/telling/summary.hpp"
-#include "verify/cube_file.hpp"
+#include "verify/support.hpp"
 
 using namespace ridgecraft;
 using test::broken;
@@ -16,6 +21,7 @@ using test::loose_file;
 using test::verify_json;
 using Json = nlohmann::json;
 using Promises = std::vector<int>;
+using Polygon = std::vector<Vec2>;
 
 namespace {
 
@@ -316,4 +322,232 @@ TEST_CASE("promise 5: a tab hangs on 2 mm of paper", "[verify]") {
   CHECK(std::any_of(report.faults.begin(), report.faults.end(), hangs));
   const verify::Report sound = verify_json(cube_file());
   CHECK(std::none_of(sound.faults.begin(), sound.faults.end(), hangs));
+}
+
+// Slits that tabs are put through: what can't be cut or put together is found.
+
+namespace {
+
+const test::WrittenJob& slotted_house() {
+  static const test::WrittenJob job(test::sample("house.obj"), {"--tabs", "slots"});
+  return job;
+}
+
+/// The file with a change of the slits of all tabs: each becomes what is made of its two ends.
+Json with_slits(const std::function<std::vector<Vec2>(Vec2, Vec2)>& changed) {
+  Json json = Json::parse(slotted_house().fold);
+  for (const char* const list : {"ridgecraft:tabs", "ridgecraft:more_tabs"}) {
+    if (!json.contains(list)) {
+      continue;
+    }
+    for (Json& tab : json[list]) {
+      if (tab.contains("slit")) {
+        const auto end = [&](std::size_t k) {
+          return Vec2{tab["slit"][k][0].get<double>(), tab["slit"][k][1].get<double>()};
+        };
+        Json slit = Json::array();
+        for (const Vec2 p : changed(end(0), end(1))) {
+          slit.push_back({p.x, p.y});
+        }
+        tab["slit"] = slit;
+      }
+    }
+  }
+  return json;
+}
+
+bool tells(const Json& json, const std::string& words) {
+  const verify::Report report = test::verify_json(json);
+  INFO(test::first_fault(report));
+  return std::any_of(report.faults.begin(), report.faults.end(), [&](const verify::Fault& fault) {
+    return fault.message.find(words) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("slits that the program makes are sound, and printed", "[slits]") {
+  const Json json = with_slits([](Vec2 a, Vec2 b) { return std::vector<Vec2>{a, b}; });
+  CHECK(std::ranges::count_if(json["ridgecraft:tabs"], [](const Json& tab) { return tab.contains("slit"); }) >
+        5);
+  for (const bool of_pdf : {false, true}) {
+    const verify::Report report = test::verify_pages(slotted_house().fold, slotted_house().pages(of_pdf));
+    INFO(test::first_fault(report));
+    CHECK(report.sound());
+  }
+  // Without one of them the pages have a cut too many.
+  Json less = json;
+  for (Json& tab : less["ridgecraft:tabs"]) {
+    if (tab.contains("slit")) {
+      tab.erase("slit");
+      break;
+    }
+  }
+  CHECK_FALSE(test::verify_pages(less.dump(), slotted_house().pages(true)).sound());
+}
+
+TEST_CASE("slits that can't be cut or don't fit their tabs are faults", "[slits]") {
+  const auto along = [](Vec2 a, Vec2 b) { return (b - a) / length(b - a); };
+  using Ends = std::vector<Vec2>;
+  // To the edge, or away from it, whichever way the slit runs.
+  const auto moved = [&](double mm) {
+    return with_slits([&](Vec2 a, Vec2 b) {
+      return Ends{a + mm * perpendicular(along(a, b)), b + mm * perpendicular(along(a, b))};
+    });
+  };
+  CHECK((tells(moved(1.0), "from a cut or a fold") || tells(moved(-1.0), "from a cut or a fold")));
+  CHECK(tells(with_slits([](Vec2 a, Vec2 b) {
+                return Ends{0.7 * a + 0.3 * b, 0.3 * a + 0.7 * b};
+              }),
+              "doesn't let through"));
+  CHECK(tells(with_slits([&](Vec2 a, Vec2 b) {
+                return Ends{a - 4.0 * along(a, b), b + 4.0 * along(a, b)};
+              }),
+              "doesn't hold"));
+  CHECK(tells(with_slits([](Vec2 a, Vec2 b) {
+                const Vec2 middle = 0.5 * (a + b);
+                return Ends{middle + perpendicular(a - middle), middle + perpendicular(b - middle)};
+              }),
+              "isn't along its edge"));
+  CHECK(tells(with_slits([](Vec2 a, Vec2 b) {
+                return Ends{a + Vec2{500, 0}, b + Vec2{500, 0}};
+              }),
+              "outside its piece"));
+  CHECK(tells(with_slits([](Vec2 a, Vec2 /*b*/) { return Ends{a}; }), "slit has 1 entries, not 2"));
+  Json convex = Json::parse(slotted_house().fold);
+  for (Json& tab : convex["ridgecraft:tabs"]) {
+    tab.erase("slit");
+  }
+  CHECK(tells(convex, "isn't convex"));
+}
+
+// Pieces that hang together by a thread are counted, and no others.
+
+namespace {
+
+std::size_t thin_necks(const nlohmann::json& json) {
+  const verify::Report report = test::verify_json(json);
+  REQUIRE(report.figures.has_value());
+  return report.figures->thin_necks;
+}
+
+std::size_t thin_necks(Polygon polygon) {
+  return thin_necks(test::loose_file({std::move(polygon)}));
+}
+
+/// Two squares of this size, joined by a bar of this width and length at some height of theirs.
+Polygon dumbbell(double size, double width, double length, double height) {
+  return {{0, 0},
+          {size, 0},
+          {size, height},
+          {size + length, height},
+          {size + length, 0},
+          {2 * size + length, 0},
+          {2 * size + length, size},
+          {size + length, size},
+          {size + length, height + width},
+          {size, height + width},
+          {size, size},
+          {0, size}};
+}
+
+Polygon turned(Polygon polygon, double angle) {
+  for (Vec2& p : polygon) {
+    p = {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
+  }
+  return polygon;
+}
+
+/// Two squares of 10 mm, one above the other, with a fold between them that is so long.
+nlohmann::json folded_squares(double fold) {
+  const Polygon lower{{0, 0}, {10, 0}, {10, 10}, {10 - fold, 10}, {0, 10}};
+  const Polygon upper{{10 - fold, 10}, {10, 10}, {20, 10}, {20, 20}, {10 - fold, 20}};
+  nlohmann::json json = test::loose_file({lower, upper});
+  const std::vector<int> merged{0, 1, 2, 3, 4, 3, 2, 5, 6, 7};
+  const auto remaining = [](nlohmann::json& points) {
+    points.erase(5);
+    points.erase(5);
+    for (nlohmann::json& p : points) {
+      if (p.size() == 3) {
+        p[2] = 0.0;
+      }
+    }
+  };
+  remaining(json["vertices_coords"]);
+  remaining(json["file_frames"][0]["vertices_coords"]);
+  for (nlohmann::json* faces : {&json["faces_vertices"], &json["file_frames"][0]["faces_vertices"]}) {
+    for (nlohmann::json& face : *faces) {
+      for (nlohmann::json& v : face) {
+        v = merged[v.get<std::size_t>()];
+      }
+    }
+  }
+  for (nlohmann::json& edge : json["edges_vertices"]) {
+    for (nlohmann::json& v : edge) {
+      v = merged[v.get<std::size_t>()];
+    }
+  }
+  for (const char* key : {"edges_vertices", "edges_assignment", "edges_foldAngle"}) {
+    json[key].erase(5);
+  }
+  json["edges_assignment"][2] = "F";
+  json["ridgecraft:faces_piece"] = {0, 0};
+  json["ridgecraft:pieces"].erase(1);
+  return json;
+}
+
+}  // namespace
+
+TEST_CASE("a thread between two stretches of paper is found, however it lies", "[verify]") {
+  Random random(11);
+  for (int round = 0; round < 200; ++round) {
+    const double size = 5.5 + 20.0 * random.unit();
+    const double width = 0.02 + 1.96 * random.unit();
+    const double length = 0.1 + 30.0 * random.unit();
+    const double height = (size - width) * random.unit();
+    CAPTURE(size, width, length, height);
+    CHECK(thin_necks(turned(dumbbell(size, width, length, height), 6.3 * random.unit())) ==
+          (width < 1.0 ? 1U : 0U));
+  }
+}
+
+TEST_CASE("what holds little, or is a gap, is no thread", "[verify]") {
+  CHECK(thin_necks(test::cube_file()) == 0);
+  CHECK(thin_necks(dumbbell(4.9, 0.5, 2.0, 1.0)) == 0);
+  CHECK(thin_necks(dumbbell(5.1, 0.5, 2.0, 1.0)) == 1);
+  // A slit into a square, from its border and from a corner; a tip.
+  CHECK(thin_necks(Polygon{{0, 0}, {20, 0}, {20, 9.8}, {5, 10}, {20, 10.2}, {20, 20}, {0, 20}}) == 0);
+  CHECK(thin_necks(Polygon{{0, 0}, {20, 0}, {20, 9.8}, {0.5, 10}, {20, 10.2}, {20, 20}, {0, 20}}) == 1);
+  CHECK(thin_necks(Polygon{{0, 0}, {40, 0}, {0, 1.0}}) == 0);
+  // Flaps at the two ends of a needle, one on either side; side by side they share a wide fold line.
+  CHECK(thin_necks(Polygon{{0, 0},
+                           {0, -20},
+                           {10, -20},
+                           {10, 0},
+                           {75, 0},
+                           {86, 0},
+                           {86, 30},
+                           {75, 30},
+                           {75, 0.02},
+                           {0, 0.02}}) == 1);
+  CHECK(thin_necks(Polygon{{0, 0}, {0, -20}, {10, -20}, {10, 0}, {11, 0}, {11, 0.02}, {10, 30}, {0, 30}}) ==
+        0);
+}
+
+TEST_CASE("a short fold is a thread", "[verify]") {
+  for (const double fold : {0.3, 0.9, 1.1, 6.0}) {
+    CAPTURE(fold);
+    const nlohmann::json json = folded_squares(fold);
+    CHECK(test::broken(json).empty());
+    CHECK(thin_necks(json) == (fold < 1.0 ? 1U : 0U));
+  }
+}
+
+TEST_CASE("the net of a cube with one corner moved is broken and hangs by a thread", "[verify]") {
+  nlohmann::json json = test::cube_file();
+  CHECK(thin_necks(json) == 0);
+  // The corner that the cross's lower arm shares with its side comes near the arm's other side.
+  json["vertices_coords"][2] = json["vertices_coords"][3];
+  json["vertices_coords"][2][0] = json["vertices_coords"][2][0].get<double>() - 0.4;
+  CHECK(thin_necks(json) == 1);
 }

@@ -91,7 +91,7 @@ void check_plane(const Case& given, Index model_face, Findings& findings) {
   }
   if (worst > plane_tolerance_share * model.size) {
     findings.add(Promise::lengths, {{"model_face", model_face}}, [&] {
-      return fmt::format("model face {} is not plane: a corner is {:.4g} mm beside its plane", model_face,
+      return fmt::format("model face {} is not plane: a corner is {:.4g} mm off its plane", model_face,
                          worst);
     });
   }
@@ -341,7 +341,7 @@ void check_coverage(const Case& given, Findings& findings) {
   }
 }
 
-// Promise 4: everything lies on the printable area of its page, and pages lie beside each other.
+// Promise 4: everything lies on the printable area of its page, and pages don't overlap.
 
 namespace {
 

@@ -35,7 +35,7 @@ Motion fold_about(const File& file, Index side) {
   return {turn, fixed - turn(fixed)};
 }
 
-/// Faces that folds connect, each with the motion that brings it from the plane to its place beside the
+/// Faces that folds connect, each with the motion that brings it from the plane to its place next to the
 /// first.
 struct Folded {
   std::vector<Index> faces;
@@ -289,7 +289,7 @@ bool without_seam(const std::array<Vec2, 3>& t, double seam, std::array<Vec2, 3>
   return true;
 }
 
-/// Whether all corners of one triangle lie beside those of the other, seen along an axis.
+/// Whether all corners of one triangle lie on one side of those of the other, seen along an axis.
 bool apart(Vec3 axis, const Corners& f, const Corners& g) {
   const auto [f_low, f_high] = std::minmax({dot(axis, f[0]), dot(axis, f[1]), dot(axis, f[2])});
   const auto [g_low, g_high] = std::minmax({dot(axis, g[0]), dot(axis, g[1]), dot(axis, g[2])});

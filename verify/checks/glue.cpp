@@ -59,7 +59,7 @@ class GlueCheck {
       return;
     }
     lay_out_bodies();
-    std::set<std::pair<Index, Index>> told;
+    std::set<std::pair<Index, Index>> stated;
     for (Index i = 0; i < file_.glue.size(); ++i) {
       const GlueSpot& spot = file_.glue[i];
       if (body_of_piece_[spot.piece] == none || body_of_piece_[spot.other] == none ||
@@ -67,11 +67,11 @@ class GlueCheck {
         add(i, "names two pieces of one body");
         continue;
       }
-      told.insert(std::minmax(body_of_piece_[spot.piece], body_of_piece_[spot.other]));
+      stated.insert(std::minmax(body_of_piece_[spot.piece], body_of_piece_[spot.other]));
       check_spot(i);
     }
     if (file_.is_ours() && file_.settings.find("paper_mm") != nullptr) {
-      check_untold(told);
+      check_unstated(stated);
     }
   }
 
@@ -242,13 +242,13 @@ class GlueCheck {
   }
 
   /// A face of some size whose middle lies on a parallel face of another body.
-  void check_untold(const std::set<std::pair<Index, Index>>& told) {
+  void check_unstated(const std::set<std::pair<Index, Index>>& stated) {
     const FaceList& faces = file_.model.faces;
     if (trees_.size() < 2 || faces.faces() > most_pairs / trees_.size()) {
       return;
     }
     for (Index face = 0; face < faces.faces(); ++face) {
-      if (given_.relations.area[face] < least_untold_area) {
+      if (given_.relations.area[face] < least_unstated_area) {
         continue;
       }
       given_.context.check();
@@ -258,7 +258,8 @@ class GlueCheck {
         middle += file_.model.points[v] / static_cast<double>(faces.size(face));
       }
       for (const auto& [other, tree] : trees_) {
-        if (other == body || !is_near(boxes_.at(other), middle) || told.contains(std::minmax(body, other))) {
+        if (other == body || !is_near(boxes_.at(other), middle) ||
+            stated.contains(std::minmax(body, other))) {
           continue;
         }
         const SurfaceTree::Place at = tree.nearest(middle, 0.0, {tree.triangles().front()[0], 0});
@@ -267,7 +268,7 @@ class GlueCheck {
         const Vec3 own = given_.relations.normal[face];
         const bool parallel = std::abs(dot(normal, own)) > parallel_cosine * length(normal) * length(own);
         const Vec3 away = middle - at.point;
-        if (parallel && length(away) < surely_touching_mm && length(normal) > 2.0 * least_untold_area &&
+        if (parallel && length(away) < surely_touching_mm && length(normal) > 2.0 * least_unstated_area &&
             is_well_inside(t, at.point)) {
           findings_.add(Promise::statements, {{"face", face}}, [&] {
             return fmt::format("model face {} lies on a face of another body, and no glue spot says so",
@@ -299,7 +300,7 @@ class GlueCheck {
   }
 
   /// Much larger than what holds nothing; nearer and flatter than what counts as touching.
-  static constexpr double least_untold_area = 40.0;
+  static constexpr double least_unstated_area = 40.0;
   static constexpr double surely_touching_mm = 0.05;
   static constexpr double parallel_cosine = 0.9998;
   static constexpr double inside_mm = 2.0;

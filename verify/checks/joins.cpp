@@ -325,13 +325,13 @@ void check_edges(const Case& given, Findings& findings) {
 void check_vertices(const Case& given, const std::vector<Index>& fan, Findings& findings) {
   const File& file = given.file;
   std::vector<Index> first_fan(file.points.size(), none);
-  std::vector<bool> told(file.points.size(), false);
+  std::vector<bool> listed(file.points.size(), false);
   for (Index s = 0; s < file.faces.sides(); ++s) {
     const Index v = file.faces.tail(s);
     if (first_fan[v] == none) {
       first_fan[v] = fan[s];
-    } else if (first_fan[v] != fan[s] && !told[v]) {
-      told[v] = true;
+    } else if (first_fan[v] != fan[s] && !listed[v]) {
+      listed[v] = true;
       findings.add(Promise::joins, {{"vertex", v}, {"face", file.faces.face(s)}}, [&] {
         return fmt::format(
             "vertex {} belongs to {} and to faces that no chain of folds around it joins with that one", v,

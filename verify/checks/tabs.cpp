@@ -305,7 +305,7 @@ class SlitCheck {
     const Vec2 middle = 0.5 * (own.a + own.b);
     if (std::ranges::none_of(faces_[piece],
                              [&](Index face) { return inside(std::array{file_.polygon(face)}, middle); })) {
-      add(tab, "has a slit beside its piece");
+      add(tab, "has a slit outside its piece");
       return;
     }
     if (std::ranges::any_of(lines_[piece],

@@ -95,7 +95,7 @@ struct Options {
   bool folding = false;           ///< move every piece through its fold order: takes as long as all the rest
 };
 
-/// The surface that the nets are said to be of, in its own unit, as whoever read it hands it over.
+/// The surface that the nets are said to be of, in its own unit.
 struct ModelSurface {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices into points

@@ -13,8 +13,8 @@ namespace ridgecraft::verify {
 /// Lengths of nets and model (promise 1): absolute part in mm, and the share of the length.
 constexpr double length_tolerance_mm = 1e-5;
 constexpr double length_tolerance_share = 1e-6;
-/// Corners of a model polygon beside its plane, as a share of the model's size: 1e-4 mm per 100 mm (promise
-/// 1).
+/// Distance of a model polygon's corners from its plane, as a share of the model's size: 1e-4 mm per 100 mm
+/// (promise 1).
 constexpr double plane_tolerance_share = 1e-6;
 /// Penetration that still counts as touching, in mm (promise 2).
 constexpr double overlap_tolerance_mm = 1e-3;
@@ -27,10 +27,10 @@ constexpr double flat_fold_deg = 1e-4;
 /// Slender faces have badly defined normals: points known to this share of the model's size turn them
 /// (promise 5).
 constexpr double slender_share = 1e-9;
-/// A tab's base beside its edge, in mm (promise 5).
+/// Distance of a tab's base from its edge, in mm (promise 5).
 constexpr double tab_base_tolerance_mm = 1e-3;
-/// The edges under one tab beside its base, and those of one straight seam beside its line, in mm (promises 5
-/// and 8).
+/// Distance of the edges under one tab from its base, and of those of one straight seam from its line, in mm
+/// (promises 5 and 8).
 constexpr double seam_tolerance_mm = 1e-2;
 /// What a slit keeps from cuts and folds of its piece, in mm (promise 5), 0.01 less than nets keep; and from
 /// other slits.
@@ -47,8 +47,8 @@ constexpr double least_piece_mm = 1.0;
 /// mm2.
 constexpr double least_neck_mm = 1.0;
 constexpr double held_by_neck_mm2 = 25.0;
-/// Folded corners beside the model's vertices, as a share of the model's size: 1e-3 mm per 100 mm (promise
-/// 6).
+/// Distance of folded corners from the model's vertices, as a share of the model's size: 1e-3 mm per 100 mm
+/// (promise 6).
 constexpr double position_tolerance_share = 1e-5;
 
 /// Folds of less don't move anything that one could see and needn't be in the fold order, in degrees: 2e-6
@@ -73,7 +73,7 @@ constexpr double flat_region_fold_deg = 0.2 + angle_tolerance_deg;
 constexpr double setting_tolerance_share = 1e-6;
 /// By how much the gap between pieces may be less than the settings say, in mm.
 constexpr double gap_tolerance_mm = 1e-4;
-/// How far a surface that wasn't simplified may be beside the model, as a share of its size: flat regions are
+/// How far a surface that wasn't simplified may be from the model, as a share of its size: flat regions are
 /// made quite flat.
 constexpr double same_surface_share = 5e-5;
 /// How far one that was simplified by the program's own choice may be, as a share of its largest extent: a
@@ -83,7 +83,7 @@ constexpr double simplified_share = 0.05;
 /// How far what is glued on may be from its outline, in mm, and how exactly the place of an outline is known.
 constexpr double glue_mm = 0.2;
 constexpr double glue_place_mm = 0.03;
-/// Distances below this aren't told apart, in mm.
+/// Points nearer than this are one, in mm.
 constexpr double same_point_mm = 1e-7;
 
 /// Bodies that may be missing where others became one skin: strips of this width, in mm, ...
@@ -118,7 +118,7 @@ constexpr double touch_share = 1e-12;
 /// up to it.
 constexpr double dent_tolerance_mm = 1e-9;
 
-/// Lines of pieces that are said to be equal lie within this distance of each other, mm: nobody cuts more
+/// Lines of pieces that are said to be equal lie within this distance of each other, mm: no knife is led more
 /// exactly.
 constexpr double equal_pieces_tolerance_mm = 0.05;
 /// Their folds differ by no more than this, degrees, and slighter ones than the second needn't be on both.
@@ -146,13 +146,13 @@ constexpr double rounding_mm = 0.0013;
 /// Two lines nearer than this are one line on paper (docs/design/pages.md), mm: a corner may be drawn where
 /// its neighbour is.
 constexpr double one_line_mm = 0.0105;
-/// How far a printed line may be beside the line of the nets, mm: its ends may each be drawn at a neighbour,
-/// and a line may bend to a corner beside it or leave the bends of a nearly straight chain out, which adds
+/// How far a printed line may be from the line of the nets, mm: its ends may each be drawn at a neighbour,
+/// and a line may bend to a corner nearby or leave the bends of a nearly straight chain out, which adds
 /// once more. A quarter of a hair; a knife is led ten times less exactly.
 constexpr double line_tolerance_mm = 2.0 * one_line_mm + rounding_mm;
 /// Sheets and bars have nothing to be bent to, mm.
 constexpr double measure_tolerance_mm = 0.01;
-/// How far from a line it is still told by how much it is beside its place, mm: farther away it is another
+/// Up to this distance from a line a fault names the distance, mm: farther away it is another
 /// line.
 constexpr double beside_mm = 1.0;
 

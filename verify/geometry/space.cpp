@@ -22,7 +22,7 @@ Vec3 centre(std::span<const Vec3> points) {
   return points[0] + sum / static_cast<double>(points.size());
 }
 
-/// Makes one entry beside the diagonal zero by a turn of rows and columns p and q; `vectors` collects the
+/// Makes one entry off the diagonal zero by a turn of rows and columns p and q; `vectors` collects the
 /// turns.
 void rotate(Matrix4& m, Matrix4& vectors, std::size_t p, std::size_t q) {
   const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);

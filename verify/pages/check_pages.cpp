@@ -219,7 +219,7 @@ std::string place(Vec2 p) {
   return fmt::format("({:.2f}, {:.2f})", p.x, p.y);
 }
 
-/// Stretches of one sort that are told as one fault.
+/// Stretches of one sort that make one fault.
 struct Sum {
   double length = 0.0;
   std::size_t lines = 0;
@@ -394,7 +394,7 @@ class PageCheck {
     if (*nearest <= line_tolerance_mm) {
       return fmt::format(", where a {} belongs", kind_names[nearest_kind]);
     }
-    return fmt::format(", {:.3f} mm beside a {}", *nearest, kind_names[nearest_kind]);
+    return fmt::format(", {:.3f} mm from a {}", *nearest, kind_names[nearest_kind]);
   }
 
   /// Every line that the nets want is printed. A fold that lies on another line isn't drawn again, so any

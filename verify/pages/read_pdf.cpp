@@ -67,7 +67,7 @@ class PageReader {
     const std::vector<double> box = numbers_of(page_.getMediaBox());
     const std::vector<double> cropped = numbers_of(page_.getCropBox());
     if (box.size() != 4 || !(box[2] > box[0] && box[3] > box[1])) {
-      cannot_check("its size isn't told");
+      cannot_check("its size is missing");
     }
     if (cropped != box) {
       cannot_check("its crop box isn't the whole sheet");

@@ -53,8 +53,8 @@ void undo_calibration(std::string_view settings, PrintedFile& file);
 /// Fills number and count from words that end in "page 2 of 3".
 void read_page_words(std::string_view words, PrintedPage& page);
 
-// The operators of a PDF page's content as lines (ISO 32000-1, sections 7.8 and 8). Knows bytes only; whoever
-// calls it knows the file around them.
+// The operators of a PDF page's content as lines (ISO 32000-1, sections 7.8 and 8). Knows bytes only; the
+// caller knows the file around them.
 
 /// (x, y) goes to (a x + c y + e, b x + d y + f).
 struct Matrix {

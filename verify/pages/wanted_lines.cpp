@@ -67,7 +67,7 @@ Stretch near_point(Vec2 start, Vec2 along, Vec2 p, double radius) {
 }
 
 /// Where it is within the radius of a segment. What is that near to a segment is convex, so it is one
-/// stretch: that in the band beside the segment and those in the discs around its ends, together.
+/// stretch: that in the band along the segment and those in the discs around its ends, together.
 Stretch near_segment(Vec2 start, Vec2 along, const Segment& s, double radius) {
   Stretch result = near_point(start, along, s.a, radius);
   result.unite(near_point(start, along, s.b, radius));
