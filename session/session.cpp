@@ -4,37 +4,25 @@
 #include <optional>
 #include <utility>
 
-#include "job/old_nets.hpp"
 #include "session/draft.hpp"
 #include "session/places.hpp"
-#include "verify/file/file.hpp"
 
 namespace ridgecraft::session {
 namespace {
 
-/// All steps that were done, one a line, those first that the paper came with.
+/// All steps, one a line, those first that the paper came with.
 std::string text_of_steps(const Project& project) {
   std::string text = project.start->edits;
-  for (std::size_t i = 0; i < project.done; ++i) {
-    text += (text.empty() ? "" : "\n") + text_of(project.steps[i].edits);
+  for (const Step& step : project.steps) {
+    text += (text.empty() ? "" : "\n") + text_of(step.edits);
   }
   return text;
 }
 
-/// Whether two files tell of one job but for edits: the same model and the same settings give the same nets.
-bool of_one_job(const verify::File& a, const verify::File& b) {
-  const auto but_for_edits = [](const verify::File& file) {
-    auto settings = file.settings.all;
-    std::erase_if(settings, [](const auto& setting) { return setting.first == "edits"; });
-    return settings;
-  };
-  return a.digest == b.digest && but_for_edits(a) == but_for_edits(b);
-}
-
-/// The same steps with the paper that follows from those that are done; pictures that its paper has are used
+/// The same steps with the paper that follows from them; pictures that its paper has are used
 /// again.
 Project with_paper(Project project, Context context) {
-  if (project.done == 0) {
+  if (project.steps.empty()) {
     project.now = *project.start;
     return project;
   }
@@ -61,15 +49,13 @@ std::optional<Refusal> add_step(Project& project, std::span<const Edit> edits, c
   if (auto* const refused = std::get_if<Refusal>(&after)) {
     return std::move(*refused);
   }
-  project.steps.resize(project.done);
   project.steps.push_back({{edits.begin(), edits.end()}, std::get<State>(std::move(after))});
-  ++project.done;
   return std::nullopt;
 }
 
 /// Its steps without the paper, which is made anew, but for pictures.
 Project steps_alone(const Project& project) {
-  Project alone{project.start, project.first, project.steps, project.done, {}};
+  Project alone{project.start, project.first, project.steps, {}};
   alone.now.drawn.pictures = project.now.drawn.pictures;
   return alone;
 }
@@ -130,33 +116,8 @@ Project undo(const Project& project, const Context& context) {
     return project;
   }
   Project back = steps_alone(project);
-  --back.done;
+  back.steps.pop_back();
   return with_paper(std::move(back), context);
-}
-
-Project redo(const Project& project, const Context& context) {
-  if (!project.can_redo()) {
-    return project;
-  }
-  Project forth = steps_alone(project);
-  ++forth.done;
-  return with_paper(std::move(forth), context);
-}
-
-Answer reopen(job::Paper made, const std::string& fold_file, const Context& context) {
-  const verify::File saved = job::read_fold_file({"the saved project", fold_file});
-  if (!of_one_job(saved, job::read_fold_file({"the job", made.fold}))) {
-    return Refusal{0, "the file was saved from another model, or made with other options", {}};
-  }
-  const verify::Setting* const setting = saved.settings.find("edits");
-  const auto* const text = setting == nullptr ? nullptr : std::get_if<std::string>(setting);
-  Project project = open(std::move(made));
-  for (const std::vector<Edit>& step : text == nullptr ? std::vector<std::vector<Edit>>{} : steps_of(*text)) {
-    if (std::optional<Refusal> refusal = add_step(project, step, context)) {
-      return std::move(*refusal);
-    }
-  }
-  return with_paper(std::move(project), context);
 }
 
 Repeated repeat(job::Paper made, std::span<const std::vector<Edit>> steps, const Context& context) {

@@ -2,8 +2,8 @@
 // A project in memory: a finished job, and what a person did to its nets by hand since. Read this header
 // first. No files, no pages in a browser: whoever shows a project calls these.
 //
-//   Paper --open--> Project --apply--> Project or Refusal      Project --undo, redo--> Project
-//   Project::now.fold is how a project is saved; Paper + these bytes --reopen--> Project or Refusal
+//   Paper --open--> Project --apply--> Project or Refusal      Project --undo--> Project
+//   Project::now.fold is how a project is saved; Paper + its edits --repeat--> Project
 //
 // A project is a value and each function gives a new one, so what is refused or throws leaves nothing behind.
 // Every state has passed the check of its FOLD file (verify/), as every job has. Equal jobs and equal edits
@@ -36,14 +36,12 @@ struct Step {
 struct Project {
   std::shared_ptr<const job::Paper> start;  ///< never null; before the first edit
   State first;                              ///< the same
-  std::vector<Step> steps;                  ///< those that were done, then those that were undone
-  std::size_t done = 0;                     ///< how many of the steps
-  job::Paper now;                           ///< with all that was done
+  std::vector<Step> steps;
+  job::Paper now;  ///< after all steps
 
-  [[nodiscard]] bool can_undo() const { return done > 0; }
-  [[nodiscard]] bool can_redo() const { return done < steps.size(); }
+  [[nodiscard]] bool can_undo() const { return !steps.empty(); }
   /// Of `now`.
-  [[nodiscard]] const State& state() const { return done == 0 ? first : steps[done - 1].after; }
+  [[nodiscard]] const State& state() const { return steps.empty() ? first : steps.back().after; }
 };
 
 using Answer = std::variant<Project, Refusal>;
@@ -57,7 +55,7 @@ struct Repeated {
 /// A project without edits.
 [[nodiscard]] Project open(job::Paper made);
 
-/// Does all of the edits or none, as one step; what had been undone is forgotten. Pieces that it doesn't
+/// Does all of the edits or none, as one step. Pieces that it doesn't
 /// change stay where they lie; the others stay, too, where there is room, or are placed around them. Throws
 /// Error(interrupted), and Error(internal) where the result fails its check. The context's deadline isn't
 /// heeded, here and below. Takes the time of unfold/changed_folds.hpp for each edit, and once that of tabs,
@@ -77,18 +75,13 @@ struct Repeated {
 /// As far as anybody would take for what they meant.
 inline constexpr double nearby_mm = 15.0;
 
-/// The project one step back or forth, with the bytes that it had there; as it is where there is no such
-/// step. Takes the time of drawing; there is nothing to draw where undo comes back to the start.
+/// The project without its last step, with the bytes that it had then; as it is where there is none. Takes
+/// the time of drawing; there is nothing to draw where it comes back to the start.
 [[nodiscard]] Project undo(const Project& project, const Context& context);
-[[nodiscard]] Project redo(const Project& project, const Context& context);
 
-/// The same job again with the edits that its saved FOLD file tells (setting `edits`), each step a step
-/// again. Refused where the file tells of another model or other settings than the job. Throws
-/// Error(unreadable_input) where the bytes are no such file or tell edits that aren't in form.
-[[nodiscard]] Answer reopen(job::Paper made, const std::string& fold_file, const Context& context);
-
-/// Another job with such steps, one after the other: perhaps the same model with other options. Steps that
-/// would be refused are left out. Throws as apply(), and takes its time but for drawing, which is done once.
+/// Another job with such steps, one after the other: the same job, whose saved FOLD file has the steps in its
+/// setting `edits`, or the same model with other options. Steps that would be refused are left out. Throws as
+/// apply(), and takes its time but for drawing, which is done once.
 [[nodiscard]] Repeated repeat(job::Paper made, std::span<const std::vector<Edit>> steps,
                               const Context& context);
 

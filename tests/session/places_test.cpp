@@ -36,6 +36,7 @@ using session_test::edges_used;
 using session_test::name_of;
 using session_test::refused;
 using session_test::sample;
+using session_test::saved;
 using session_test::surface_of;
 
 namespace {
@@ -143,12 +144,8 @@ TEST_CASE("a piece is laid elsewhere and turned, and comes back", "[session]") {
   CHECK(faces_elsewhere(start, laid) == faces_of(start, small));
   CHECK(verify::verify(laid.now.fold, {}, {}).sound());
   CHECK(laid.now.figures.overlaps == 0);
-  const Project back = session::undo(laid, {});
-  CHECK(bytes_of(back.now) == bytes_of(start.now));
-  CHECK(bytes_of(session::redo(back, {}).now) == bytes_of(laid.now));
-  const session::Answer again = session::reopen(*start.start, laid.now.fold, {});
-  REQUIRE(std::holds_alternative<Project>(again));
-  CHECK(bytes_of(std::get<Project>(again).now) == bytes_of(laid.now));
+  CHECK(bytes_of(session::undo(laid, {}).now) == bytes_of(start.now));
+  CHECK(bytes_of(saved(laid).now) == bytes_of(laid.now));
 }
 
 TEST_CASE("a page that is left empty goes", "[session]") {
@@ -248,9 +245,7 @@ TEST_CASE("a pinned piece stays as it is", "[session]") {
   CHECK(refused(loose, {Unpin{face}}).why == "piece " + start.now.nets.pieces[large].name + " isn't pinned");
   CHECK_FALSE(
       session::why_not(loose, std::vector<Edit>{Cut{edges_used(loose, unfold::EdgeUse::fold).front()}}, {}));
-  const session::Answer again = session::reopen(*start.start, pinned.now.fold, {});
-  REQUIRE(std::holds_alternative<Project>(again));
-  CHECK(std::get<Project>(again).state().pinned == pinned.state().pinned);
+  CHECK(saved(pinned).state().pinned == pinned.state().pinned);
 }
 
 TEST_CASE("a piece gets another net, and the others stay", "[session][slow]") {
@@ -299,11 +294,9 @@ TEST_CASE("edits don't heed a deadline", "[session][slow]") {
   const session::Answer answer = session::apply(start, cut, late);
   REQUIRE(std::holds_alternative<Project>(answer));
   CHECK(bytes_of(std::get<Project>(answer).now) == bytes_of(in_time.now));
-  const Project back = session::undo(in_time, late);
-  CHECK(bytes_of(session::redo(back, late).now) == bytes_of(in_time.now));
-  const session::Answer again = session::reopen(*start.start, in_time.now.fold, late);
-  REQUIRE(std::holds_alternative<Project>(again));
-  CHECK(bytes_of(std::get<Project>(again).now) == bytes_of(in_time.now));
+  CHECK(bytes_of(session::undo(in_time, late).now) == bytes_of(start.now));
+  CHECK(bytes_of(session::repeat(*start.start, std::vector<std::vector<Edit>>{cut}, late).project.now) ==
+        bytes_of(in_time.now));
 }
 
 TEST_CASE("edges that were to be kept are counted after each edit", "[session]") {
@@ -441,16 +434,10 @@ TEST_CASE("places, pins and nets at random leave sound pages, and every state co
     bytes.push_back(bytes_of(project.now));
   }
   CHECK(kinds.size() >= 5);
-  const session::Answer again = session::reopen(*project.start, project.now.fold, {});
-  REQUIRE(std::holds_alternative<Project>(again));
-  project = std::get<Project>(again);
+  project = saved(project);
   for (std::size_t i = bytes.size(); i-- > 1;) {
     CHECK(bytes_of(project.now) == bytes[i]);
     project = session::undo(project, {});
   }
   CHECK(bytes_of(project.now) == bytes[0]);
-  for (std::size_t i = 1; i < bytes.size(); ++i) {
-    project = session::redo(project, {});
-    CHECK(bytes_of(project.now) == bytes[i]);
-  }
 }

@@ -5,14 +5,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "export/export.hpp"
+#include "job/old_nets.hpp"
 #include "mesh/mesh.hpp"
 #include "session/session.hpp"
+#include "verify/file/file.hpp"
 
 namespace ridgecraft::session_test {
 
@@ -70,6 +73,20 @@ inline session::Project done(const session::Project& project, const std::vector<
     FAIL("refused: " << refusal->why);
   }
   return std::get<session::Project>(std::move(answer));
+}
+
+/// What the steps in its FOLD file make of this paper.
+inline session::Project saved(const session::Project& project, job::Paper start) {
+  const verify::File file = job::read_fold_file({"the saved project", project.now.fold});
+  const verify::Setting* const edits = file.settings.find("edits");
+  REQUIRE(edits != nullptr);
+  session::Repeated repeated =
+      session::repeat(std::move(start), session::steps_of(std::get<std::string>(*edits)), {});
+  CHECK(repeated.left_out.empty());
+  return std::move(repeated.project);
+}
+inline session::Project saved(const session::Project& project) {
+  return saved(project, *project.start);
 }
 
 inline session::Refusal refused(const session::Project& project, const std::vector<session::Edit>& edits) {
