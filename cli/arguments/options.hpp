@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "cli/files/edge_arguments.hpp"
+#include "cli/files/request_files.hpp"
 #include "export/export.hpp"
 #include "job/options.hpp"
 #include "segment/segment.hpp"

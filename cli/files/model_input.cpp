@@ -14,7 +14,6 @@
 
 #include "base/error.hpp"
 #include "cli/files/formats.hpp"
-#include "cli/files/importer.hpp"
 #include "mesh/reading/read_file.hpp"
 
 namespace ridgecraft::cli {
@@ -96,6 +95,22 @@ void refuse_nets(const std::string& file, const Error& error) {
 }
 
 }  // namespace
+
+std::filesystem::path importer_program() {
+  std::error_code ignored;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  if (self.empty()) {
+    return {};
+  }
+  const std::filesystem::path folder = self.parent_path();
+  for (const std::filesystem::path& program : std::array{
+           folder / "ridgecraft-import", folder.parent_path() / "libexec/ridgecraft/ridgecraft-import"}) {
+    if (::access(program.c_str(), X_OK) == 0) {
+      return program;
+    }
+  }
+  return {};
+}
 
 std::string shown_name(const std::string& model) {
   return model == dash ? standard_input : model;

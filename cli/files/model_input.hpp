@@ -2,11 +2,16 @@
 // The MODEL of a command line: a file, or "-" for what comes through standard input.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "mesh/mesh.hpp"
 
 namespace ridgecraft::cli {
+
+/// ridgecraft-import beside the running program, or in ../libexec/ridgecraft from there; empty where it isn't
+/// installed.
+[[nodiscard]] std::filesystem::path importer_program();
 
 /// What sentences call it: "whale.obj", "standard input".
 [[nodiscard]] std::string shown_name(const std::string& model);

@@ -2,7 +2,22 @@
 #include "cli/files/part_files.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/sentence.hpp"
+#include "base/version.hpp"
+#include "cli/files/value.hpp"
+#include "export/export.hpp"
+#include "mesh/reading/read_file.hpp"
+#include "segment/surface/segmentation.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -40,6 +55,76 @@ std::string with_comment(std::string mesh_file, const std::string& comment) {
   }
   mesh_file.insert(at, (ply ? "comment " : "# ") + comment + "\n");
   return mesh_file;
+}
+
+std::string label_text(const Labels& labels) {
+  std::string text;
+  text.reserve(4 * labels.size());
+  for (const std::uint32_t label : labels) {
+    text += label == segment::no_part ? "-1" : std::to_string(label);
+    text += '\n';
+  }
+  return text;
+}
+
+Labels read_labels(const std::string& file, std::size_t polygons) {
+  const std::string bytes = mesh::read_file(file);
+  constexpr std::string_view space = " \t\r\n";
+  Labels labels;
+  std::string_view rest = bytes;
+  for (std::size_t begin = rest.find_first_not_of(space); begin != std::string_view::npos;
+       begin = rest.find_first_not_of(space)) {
+    rest.remove_prefix(begin);
+    const std::string_view word = rest.substr(0, rest.find_first_of(space));
+    long long value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || value < -1 || value >= segment::no_part) {
+      throw Error(ErrorKind::unreadable_input,
+                  fmt::format("{}: label {} is no part number (0, 1, 2 ... or -1)", file, labels.size() + 1),
+                  file);
+    }
+    labels.push_back(value < 0 ? segment::no_part : static_cast<std::uint32_t>(value));
+    if (labels.size() > polygons) {
+      break;
+    }
+    rest.remove_prefix(word.size());
+  }
+  if (labels.size() != polygons) {
+    throw Error(ErrorKind::unreadable_input,
+                fmt::format("{} has {}, but the model has {}", file,
+                            labels.size() > polygons ? fmt::format("more than {}", counted(polygons, "label"))
+                                                     : counted(labels.size(), "label"),
+                            counted(polygons, "polygon")),
+                file);
+  }
+  return labels;
+}
+
+std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& hierarchy) {
+  Value concavity(Value::List{});
+  for (std::size_t i = 0; i < hierarchy.leaves; ++i) {
+    concavity.add(hierarchy.nodes[i].concavity);
+  }
+  Value joinings(Value::List{});
+  for (std::size_t i = 0; i < hierarchy.joinings.size(); ++i) {
+    const segment::Joining& joining = hierarchy.joinings[i];
+    joinings.add(Value::Object{{"node", hierarchy.leaves + i},
+                               {"of", Value::List{joining.first, joining.second}},
+                               {"concavity", joining.concavity}});
+  }
+  Value leaves(Value::List{});
+  for (const std::uint32_t label : segment::polygon_labels(model, hierarchy.parts(hierarchy.leaves))) {
+    leaves.add(label == segment::no_part ? Value(-1) : Value(label));
+  }
+  Value text;
+  text.set("by", program_and_version());
+  text.set("model", model.name);
+  text.set(std::string(paper::mark_key), model.digest);
+  text.set("leaves", hierarchy.leaves);
+  text.set("leaf_concavity", std::move(concavity));
+  text.set("joinings", std::move(joinings));
+  text.set("leaf_of_polygon", std::move(leaves));
+  return json_line(text) + "\n";
 }
 
 }  // namespace ridgecraft::cli

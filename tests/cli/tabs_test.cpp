@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "cli/arguments/parse.hpp"
-#include "cli/files/tab_file.hpp"
+#include "cli/files/request_files.hpp"
 #include "cli/program_checks.hpp"
 #include "support/temporary_folder.hpp"
 

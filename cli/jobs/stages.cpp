@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/jobs/find_parts.hpp"
+#include "cli/jobs/stages.hpp"
 
 #include <fmt/format.h>
 

@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that name edges to be cut or kept: pairs of points, or nets made before.
+// Files by which a user asks for edges and tabs: pairs of points, nets made before, and tabs.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "cli/files/edge_arguments.hpp"
 #include "cli/files/targets.hpp"
 #include "job/options.hpp"
 #include "mesh/model/model.hpp"
+#include "unfold/net/tab_choice.hpp"
 
 namespace ridgecraft::cli {
+
+/// Files that name edges to be cut or kept; empty: none.
+struct EdgeArguments {
+  std::string cuts;  ///< pairs of points
+  std::string keep;
+  std::string from;  ///< nets made before
+
+  [[nodiscard]] bool any() const { return !cuts.empty() || !keep.empty() || !from.empty(); }
+};
 
 /// A file that was asked for, read whole: it may be a pipe, and its digest is a setting.
 struct EdgeFile {
@@ -31,5 +41,10 @@ struct EdgeFiles {
 /// counted as the format of the model's file does; empty lines and what follows a # say nothing. Throws
 /// Error(unreadable_input) for a line that names no two points.
 [[nodiscard]] job::EdgeRequests requests_of(const EdgeFiles& files, const mesh::Model& model);
+
+/// One edge a line: its number, then in any order "none", "both", "height=7mm", "angle=60" and the name of
+/// the piece that the tab has to grow from. Empty lines and what follows a # say nothing. `name` is the
+/// file's, for messages. Throws Error(unreadable_input), which tells the line.
+[[nodiscard]] std::vector<unfold::EdgeTab> read_tab_file(const std::string& name, std::string_view bytes);
 
 }  // namespace ridgecraft::cli
