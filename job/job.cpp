@@ -228,10 +228,7 @@ void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare
     report.faces_before = ready.faces_before;
     report.deviation_mm += mm_per_unit * ready.deviation_mm;
     report.evened_mm = std::max(report.evened_mm, mm_per_unit * ready.evened_mm);
-    report.specks_dropped += ready.specks_dropped;
     report.features_removed += ready.features_removed;
-    report.teeth_removed += ready.teeth_removed;
-    report.turned += ready.turned;
     report.rulings_removed += ready.rulings_removed;
     report.bevels_removed += ready.bevels_removed;
   }
@@ -240,7 +237,6 @@ void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare
 /// Lengths on paper that were told at another size.
 void rescale(prepare::ReadyReport& ready, double factor) {
   ready.plain.moved_mm *= factor;
-  ready.teeth.moved_mm *= factor;
   ready.sheets.thickness_mm *= factor;
 }
 

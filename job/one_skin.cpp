@@ -22,7 +22,7 @@ bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
 
 bool OneSkin::changed() const {
   return skin.united > 0 || skin.unseen > 0 || ready.left_out.count() > 0 || ready.plain.count > 0 ||
-         ready.teeth.count > 0 || ready.sheets.walls > 0 || ready.simplified.faces_before > 0;
+         ready.sheets.walls > 0 || ready.simplified.faces_before > 0;
 }
 
 OneSkin one_skin(mesh::Model model, const prepare::SizeOptions& size,

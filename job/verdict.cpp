@@ -12,8 +12,8 @@
 namespace ridgecraft::job {
 
 bool larger_size_is_sure(const prepare::ReadyReport& ready, const prepare::SkinReport& skin) {
-  return ready.left_out.count() == 0 && ready.plain.count == 0 && ready.teeth.count == 0 &&
-         ready.sheets.walls == 0 && skin.gaps_closed == 0;
+  return ready.left_out.count() == 0 && ready.plain.count == 0 && ready.sheets.walls == 0 &&
+         skin.gaps_closed == 0;
 }
 
 std::string verdict(const prepare::Prepared& prepared, const prepare::SimplifyOptions& simplify,

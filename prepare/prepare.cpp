@@ -120,19 +120,6 @@ class SizeSearch {
     });
     return best;
   }
-  /// At the same size with fewer triangles than its walls may keep, if it is good enough so.
-  [[nodiscard]] std::optional<Prepared> of_fewer_triangles(const Prepared& usual, const SizeOptions& size,
-                                                           bool (*good)(const Prepared&)) const {
-    if (!usual.simplified.walls_keep_more) {
-      return std::nullopt;
-    }
-    return in_time([&] {
-      SimplifyOptions fewer = simplify_;
-      fewer.most_flat_faces = 0;
-      std::optional<Prepared> found = prepare_at_size(model_, size, fewer, room_, context_);
-      return good(*found) ? std::move(found) : std::nullopt;
-    });
-  }
   /// At the same size, but as coarse as it would be at a smaller one, if it is good enough so: most models
   /// lose details together, and fold badly where some of them stay.
   [[nodiscard]] std::optional<Prepared> coarser(const SizeOptions& size,
@@ -142,7 +129,6 @@ class SizeSearch {
     }
     return in_time([&] {
       SimplifyOptions coarse = simplify_;
-      coarse.most_flat_faces = 0;
       for (double factor = coarser_step; factor <= most_coarser; factor *= coarser_step) {
         context_.check();
         coarse.short_edge_mm = factor * simplify_.short_edge_mm;
@@ -218,23 +204,19 @@ class SizeSearch {
   Context context_;
 };
 
-/// Coarser, where it can't be folded or lacks room as it is, and has room so. Walls crumple where they get
-/// coarser, and are worth a larger size.
+/// Coarser, where it can't be folded or lacks room as it is, and has room so.
 std::optional<Prepared> roomy_if_coarser(const Prepared& usual, const SizeOptions& size,
                                          const SizeSearch& search) {
-  if (usual.simplified.walls_keep_more || (can_be_folded(usual) && !is_cramped(usual))) {
+  if (can_be_folded(usual) && !is_cramped(usual)) {
     return std::nullopt;
   }
   return search.coarser(size, is_roomy);
 }
 
-/// With fewer triangles of its walls, or coarser, where it doesn't suit as it is.
+/// Coarser, where it doesn't suit as it is.
 Prepared foldable_at_its_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
   if (suits(usual)) {
     return usual;
-  }
-  if (std::optional<Prepared> fewer = search.of_fewer_triangles(usual, size, suits)) {
-    return std::move(*fewer);
   }
   if (!can_be_folded(usual)) {
     if (std::optional<Prepared> coarser = search.coarser(size, can_be_folded)) {

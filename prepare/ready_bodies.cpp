@@ -4,7 +4,6 @@
 #include "mesh/model/measured_distance.hpp"
 #include "prepare/details/details.hpp"
 #include "prepare/details/plain_bodies.hpp"
-#include "prepare/features/trim_teeth.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/sheets/double_skins.hpp"
 #include "prepare/simplify/many_faces.hpp"
@@ -35,26 +34,6 @@ double judged_mm_per_unit(const mesh::Model& model, const SizeOptions& size) {
   return size.judged_at_mm  ? *size.judged_at_mm / largest
          : size.mm_per_unit ? *size.mm_per_unit * model.file_scale
                             : size.largest_extent_mm / largest;
-}
-
-/// The teeth of bodies of a model in its own unit.
-Teeth leave_out_teeth(mesh::Model& model, const SimplifyOptions& in_units, double height,
-                      const Context& context) {
-  const mesh::Surface before = model.surface;
-  mesh::Model trimmed = model;
-  remesh_panels(trimmed, context);
-  Teeth teeth;
-  if (trimmed.surface.face_count() <= most_triangles(trimmed.surface, in_units)) {
-    return teeth;
-  }
-  teeth.count = trim_teeth(trimmed, in_units, height, context);
-  if (teeth.count > 0) {
-    const double spacing = sample_spacing * before.bounds().largest_extent();
-    teeth.moved_mm = measured_distance(mesh::SurfaceTree(trimmed.surface, spacing),
-                                       mesh::SurfaceTree(before, spacing), context);
-    model = std::move(trimmed);
-  }
-  return teeth;
 }
 
 }  // namespace
@@ -102,11 +81,6 @@ ReadyReport ready_bodies(mesh::Model& model, const SizeOptions& size, const Simp
          too_many ? busy_among_many : busy_body, simplify.hidden_fold_angle},
         context);
     report.plain.moved_mm *= mm;
-  }
-  if (too_many && model.surface.face_count() <= very_many_faces) {
-    const double height = std::min(in_units.tiny_edge_mm, simplify.largest_deviation * extent);
-    report.teeth = leave_out_teeth(model, in_units, height, context);
-    report.teeth.moved_mm *= mm;
   }
   if (model.surface.face_count() <= fine_faces || model.surface.component_count() < 2) {
     return report;

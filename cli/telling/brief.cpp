@@ -107,9 +107,6 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
   if (made.ready.plain.count > 0) {
     clauses.push_back(plain_text(made.ready.plain) + " (--keep-bodies keeps them)");
   }
-  if (const prepare::Teeth teeth = all_teeth(made); teeth.count > 0) {
-    clauses.push_back(teeth_text(teeth));
-  }
   if (skin.united > 0) {
     clauses.push_back(counted_bodies(skin.united) + " made one skin where they meet" +
                       (skin.faces_hidden > 0
@@ -139,9 +136,6 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
   }
   if (made.options.selection.any()) {
     clauses.emplace_back("a part of it, by its names");
-  }
-  if (report.specks_dropped > 0) {
-    clauses.push_back(counted_bodies(report.specks_dropped) + " too small to be held left out");
   }
   if (made.options.style.ink == paper::Ink::lines && has_colours(made.prepared.model)) {
     clauses.emplace_back("its colours aren't printed");
@@ -345,18 +339,6 @@ std::string plain_text(const prepare::PlainBodies& plain) {
              : fmt::format(
                    "{} small bodies with many short edges made plain blocks, up to {:.1f} mm away from them",
                    plain.count, plain.moved_mm);
-}
-
-prepare::Teeth all_teeth(const job::Paper& made) {
-  prepare::Teeth teeth = made.ready.teeth;
-  teeth.count += made.prepared.simplified.teeth_removed;
-  return teeth;
-}
-
-std::string teeth_text(const prepare::Teeth& teeth) {
-  return fmt::format("{} such as battlements cut off{} (a larger --size may keep them)",
-                     teeth.count == 1 ? "1 tooth" : fmt::format("{} teeth", teeth.count),
-                     teeth.moved_mm > 0.0 ? fmt::format(", by up to {:.1f} mm", teeth.moved_mm) : "");
 }
 
 std::string size_words(const job::Paper& made, const std::string& asked) {

@@ -34,11 +34,6 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
 /// "12 small bodies with many short edges made plain blocks, up to 4.2 mm away from them".
 [[nodiscard]] std::string plain_text(const prepare::PlainBodies& plain);
 
-/// All teeth that were cut off, of bodies and of the model as one; how far is known of those of bodies.
-[[nodiscard]] prepare::Teeth all_teeth(const job::Paper& made);
-/// "54 teeth such as battlements cut off, by up to 2.4 mm (a larger --size may keep them)".
-[[nodiscard]] std::string teeth_text(const prepare::Teeth& teeth);
-
 /// "17 small bodies and 4 flat bodies that lie on others".
 [[nodiscard]] std::string details_text(const prepare::Details& details);
 

@@ -52,13 +52,10 @@ void add_skin(Summary& summary, const job::Paper& made) {
                                       {"left_crossing", skin.left_crossing},
                                       {"standing", made.prepared.standing}});
   const prepare::Details& details = made.ready.left_out;
-  summary.add("left_out", Value::Object{{"small", details.small},
-                                        {"flat", details.flat},
-                                        {"low", details.low}});
+  summary.add("left_out",
+              Value::Object{{"small", details.small}, {"flat", details.flat}, {"low", details.low}});
   const prepare::PlainBodies& plain = made.ready.plain;
   summary.add("plain", Value::Object{{"count", plain.count}, {"moved_mm", rounded(plain.moved_mm)}});
-  const prepare::Teeth teeth = all_teeth(made);
-  summary.add("teeth", Value::Object{{"count", teeth.count}, {"moved_mm", rounded(teeth.moved_mm)}});
   const prepare::SheetsReport& sheets = made.ready.sheets;
   summary.add("thin_walls",
               Value::Object{{"count", sheets.walls}, {"thickness_mm", rounded(sheets.thickness_mm)}});
@@ -70,9 +67,6 @@ void add_skin(Summary& summary, const job::Paper& made) {
   }
   if (plain.count > 0) {
     summary.say(Line::skin, "plain", plain_text(plain) + " (--keep-bodies keeps them)");
-  }
-  if (teeth.count > 0) {
-    summary.say(Line::skin, "teeth", teeth_text(teeth));
   }
   if (skin.united > 0) {
     summary.say(
@@ -108,9 +102,7 @@ Value simplified_value(const prepare::SimplifyReport& report) {
                        {"faces_after", report.faces_after},
                        {"deviation_mm", rounded(report.deviation_mm)},
                        {"evened_mm", rounded(report.evened_mm)},
-                       {"specks_dropped", report.specks_dropped},
                        {"features_removed", report.features_removed},
-                       {"turned", report.turned},
                        {"rulings_removed", report.rulings_removed},
                        {"bevels_removed", report.bevels_removed},
                        {"short_edges_before", rounded(report.short_edges_before)},
@@ -140,14 +132,6 @@ void say_simplified(Summary& summary, const job::Paper& made) {
   if (report.evened_mm >= seen_mm) {
     summary.say(Line::simplified, "symmetric",
                 fmt::format("both sides are equal now; they differed by up to {:.2f} mm", report.evened_mm));
-  }
-  if (report.specks_dropped > 0) {
-    summary.say(Line::simplified, "left out", bodies_text(report.specks_dropped) + " too small to be held");
-  }
-  if (report.turned > 0) {
-    summary.say(Line::simplified, "turned",
-                fmt::format("{} {} fewer sides now, evenly around", bodies_text(report.turned),
-                            report.turned == 1 ? "has" : "have"));
   }
   if (report.rulings_removed > 0) {
     summary.say(Line::simplified, "wider",

@@ -53,11 +53,8 @@ struct SimplifyOptions {
   /// automatic: where faces are narrower than this, edges beside them are turned if that makes them go. 0:
   /// none.
   double splinter_mm = 1.0;
-  /// automatic: nobody builds a model of more triangles, ...
+  /// automatic: nobody builds a model of more triangles.
   std::size_t most_faces = 1000;
-  /// ... unless it has three in each flat face and more: then up to a third more, as so many flat faces would
-  /// have. 0: of no model.
-  std::size_t most_flat_faces = 450;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;
   /// Walls are thin below tiny_edge_mm: their rims are lower than can be folded.

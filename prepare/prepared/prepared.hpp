@@ -19,10 +19,7 @@ namespace ridgecraft::prepare {
 struct SimplifyReport {
   std::size_t faces_before = 0;
   std::size_t faces_after = 0;
-  std::size_t specks_dropped = 0;    ///< automatic: components too small to be held, left out
   std::size_t features_removed = 0;  ///< automatic: small holes closed and small knobs cut off flat walls
-  std::size_t teeth_removed = 0;     ///< automatic: of the model as one body; see also ReadyReport::teeth
-  std::size_t turned = 0;  ///< automatic: bodies that were turned, and have fewer sides now, evenly around
   /// automatic: lines between narrow faces side by side that went, of arches, columns and rounded corners
   std::size_t rulings_removed = 0;
   std::size_t bevels_removed = 0;  ///< automatic: narrow faces along edges of walls that went
@@ -37,8 +34,6 @@ struct SimplifyReport {
   /// Share of the length of all edges between panels that edges below short_edge_mm have: there a tab holds
   /// badly and a number finds no room, whatever made them short.
   double cramped_share = 0.0;
-  /// It has more triangles than SimplifyOptions::most_faces, for they are parts of few walls.
-  bool walls_keep_more = false;
   bool at_its_size = false;     ///< some faces went at the model's size, not just before bodies were united
   bool still_too_fine = false;  ///< nobody could fold it: tiny_edges_after is above short_edge_share
 };

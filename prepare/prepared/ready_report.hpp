@@ -10,9 +10,9 @@ namespace ridgecraft::prepare {
 
 /// Components that were left out.
 struct Details {
-  std::size_t small = 0;    ///< too small or too narrow to be folded and held
-  std::size_t flat = 0;     ///< flat, and lying on another one
-  std::size_t low = 0;      ///< bodies that hardly stand out of another one
+  std::size_t small = 0;  ///< too small or too narrow to be folded and held
+  std::size_t flat = 0;   ///< flat, and lying on another one
+  std::size_t low = 0;    ///< bodies that hardly stand out of another one
 
   [[nodiscard]] std::size_t count() const { return small + flat + low; }
   Details& operator+=(const Details& other) {
@@ -30,13 +30,6 @@ struct PlainBodies {
   double moved_mm = 0.0;
 };
 
-/// Teeth that were cut off: battlements, cogs.
-struct Teeth {
-  std::size_t count = 0;
-  /// How far the surface moved by it at most; on paper as far as the size is known.
-  double moved_mm = 0.0;
-};
-
 /// Thin walls that became sheets.
 struct SheetsReport {
   std::size_t walls = 0;      ///< components
@@ -48,7 +41,6 @@ struct ReadyReport {
   SheetsReport sheets;
   Details left_out;
   PlainBodies plain;
-  Teeth teeth;
   /// Of bodies that were simplified one by one, lengths in units of the surface that was given; else without
   /// any faces.
   SimplifyReport simplified;

@@ -18,11 +18,6 @@ inline constexpr std::size_t quick = 4;
 /// They may move the surface by this share of what it may move.
 inline constexpr double quick_share = 0.1;
 
-/// How many triangles a model may have before it gets fewer: SimplifyOptions::most_faces; what is made of
-/// walls, of several triangles each, as many as SimplifyOptions::most_flat_faces such walls have, up to a
-/// third more. It would be crumpled to save faces that nobody has to fold. O(n log n).
-[[nodiscard]] std::size_t most_triangles(const mesh::Surface& surface, const SimplifyOptions& options);
-
 /// Down to so many faces of a surface in mm no care is needed: three times those that edges as long as the
 /// short one would give. Linear.
 [[nodiscard]] std::size_t careless_faces(const mesh::Surface& surface, double short_edge_mm);

@@ -15,8 +15,6 @@
 #include "prepare/features/sharpen_bevels.hpp"
 #include "prepare/features/thin_rulings.hpp"
 #include "prepare/features/trim_reliefs.hpp"
-#include "prepare/features/trim_teeth.hpp"
-#include "prepare/features/turned.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/shares/share_bodies.hpp"
@@ -33,9 +31,6 @@
 namespace ridgecraft::prepare {
 namespace {
 
-/// A component that is smaller than this share of the short edge in every direction vanishes when the model
-/// is too fine: it could neither be cut nor held.
-constexpr double speck = 0.5;
 /// Where a model has too many faces, bodies with so few keep theirs.
 constexpr std::size_t few_faces = 24;
 /// What is tried there, one after the other: walls are what would be ones if the short edge were so many
@@ -55,28 +50,6 @@ constexpr std::array<double, 4> fewer_walls{1.0, 2.0, 4.0, 0.0};
 constexpr double symmetric_within = 0.004;
 /// Below this, as a share of the extent, sides are equal but for a file's digits.
 constexpr double equal_sides = 1e-5;
-
-/// Drops components that are specks unless all are; returns how many.
-std::size_t drop_specks(mesh::Model& model, double smallest_mm) {
-  const mesh::Surface& surface = model.surface;
-  std::vector<Box3> boxes(surface.component_count());
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    for (const VertexId v : surface.vertices(f)) {
-      boxes[surface.component(f).value()].add(surface.point(v));
-    }
-  }
-  const auto is_speck = [&](const Box3& box) { return box.largest_extent() < smallest_mm; };
-  const auto specks = static_cast<std::size_t>(std::count_if(boxes.begin(), boxes.end(), is_speck));
-  if (specks == 0 || specks == boxes.size()) {
-    return 0;
-  }
-  std::vector<bool> kept;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    kept.push_back(!is_speck(boxes[surface.component(f).value()]));
-  }
-  mesh::keep_faces(model, kept);
-  return specks;
-}
 
 void take_over(mesh::Model& model, mesh::Model&& simplified) {
   model.surface = std::move(simplified.surface);
@@ -154,14 +127,13 @@ Allowed simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& b
 /// What is done to whole bodies and walls before edges collapse.
 struct Beforehand {
   bool features = true;
-  bool turned = true;
   bool slats = true;
 
   bool operator==(const Beforehand&) const = default;
 };
 
 /// What is too shallow to be folded; and where there are too many faces, what is busy and no higher than a
-/// fold should be long, and teeth. Returns how many busy ones there are.
+/// fold should be long. Returns how many busy ones there are.
 std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                             SimplifyReport& report, const Context& context) {
   report.features_removed +=
@@ -172,9 +144,6 @@ std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, 
   const double height_mm = std::min(coarser.back().deviation * largest_mm, options.short_edge_mm);
   const std::size_t busy_ones = trim_reliefs(model, options, {height_mm, true}, context);
   report.features_removed += busy_ones;
-  if (model.surface.face_count() > options.most_faces) {
-    report.teeth_removed += trim_teeth(model, options, std::min(largest_mm, options.tiny_edge_mm), context);
-  }
   return busy_ones;
 }
 
@@ -186,14 +155,12 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   const double extent = before.bounds().largest_extent();
   const double largest_mm = options.largest_deviation * extent;
   report.deviation_mm = report.evened_mm = 0.0;
-  report.teeth_removed = 0;
   report.features_removed = beforehand.features ? remove_features(model, options, largest_mm) : 0;
   if (report.features_removed > 0) {
     remesh_panels(model, context);
   }
   const std::size_t busy_ones =
       beforehand.features ? flatten_reliefs(model, options, largest_mm, report, context) : 0;
-  report.turned = beforehand.turned ? simplify_turned(model, options, largest_mm, context) : 0;
   report.rulings_removed = beforehand.slats ? thin_rulings(model, options, largest_mm, context) : 0;
   report.bevels_removed = beforehand.slats ? sharpen_bevels(model, options, largest_mm, context) : 0;
   const mesh::LooseFaces all = mesh::take_apart(model);
@@ -210,9 +177,7 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   }
   SymmetricShare share = joined(bodies);
   report.edges_turned = remove_splinters(share, options.splinter_mm);
-  const bool changed_before = report.features_removed + report.teeth_removed + report.turned +
-                                  report.rulings_removed + report.bevels_removed >
-                              0;
+  const bool changed_before = report.features_removed + report.rulings_removed + report.bevels_removed > 0;
   if (!allowed.changed && !changed_before && !thinned && report.edges_turned == 0) {
     return allowed.largest_mm;
   }
@@ -226,30 +191,25 @@ double simplify_components(mesh::Model& model, const mesh::Surface& before, cons
   return allowed.largest_mm;
 }
 
-/// `dense`: what it was before it was thinned out, if it was; `first`: what is tried first. How far the
-/// surface was allowed to move.
-double simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, const SimplifyOptions& options,
-                        Beforehand first, SimplifyReport& report, const Context& context) {
-  report.specks_dropped += drop_specks(model, speck * options.short_edge_mm);
+/// `dense`: what it was before it was thinned out, if it was.
+void simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, const SimplifyOptions& options,
+                      SimplifyReport& report, const Context& context) {
   const mesh::Model kept = model;
-  const mesh::Surface& before = dense ? dense->before.surface : kept.surface;
-  const double largest_mm = simplify_components(model, before, options, first, report, context);
-  // What was simplified after the features and the turned bodies may have moved the surface as far again:
-  // then what did so stays as it was.
-  const bool features = report.features_removed + report.teeth_removed > 0;
-  const bool turned = report.turned > 0;
+  const mesh::Surface& before = dense ? dense->before : kept.surface;
+  const double largest_mm = simplify_components(model, before, options, {}, report, context);
+  // What was simplified after the features may have moved the surface as far again: then what did so stays as
+  // it was.
+  const bool features = report.features_removed > 0;
   const bool slats = report.rulings_removed + report.bevels_removed > 0;
-  std::vector<Beforehand> tried{{features, turned, slats}};
-  for (const Beforehand fewer : {Beforehand{true, false, true}, Beforehand{false, true, true},
-                                 Beforehand{false, false, true}, Beforehand{false, false, false}}) {
-    const Beforehand next{features && fewer.features, turned && fewer.turned, slats && fewer.slats};
+  std::vector<Beforehand> tried{{features, slats}};
+  for (const Beforehand fewer : {Beforehand{false, true}, Beforehand{false, false}}) {
+    const Beforehand next{features && fewer.features, slats && fewer.slats};
     if (report.deviation_mm > largest_mm && std::find(tried.begin(), tried.end(), next) == tried.end()) {
       tried.push_back(next);
       model = kept;
       simplify_components(model, before, options, next, report, context);
     }
   }
-  return largest_mm;
 }
 
 void collapse_to_count(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
@@ -294,7 +254,7 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   automatic.most_faces = options.faces;
   mesh::Model other = kept;
   SimplifyReport of_other = report;
-  simplify_to_fold(other, {}, automatic, {}, of_other, context);
+  simplify_to_fold(other, {}, automatic, of_other, context);
   if (other.surface.face_count() > options.faces) {
     collapse_to_count(other, options, of_other, context);
     const double spacing = sample_spacing * kept.surface.bounds().largest_extent();
@@ -309,40 +269,27 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
 
 }  // namespace
 
-SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& wished, const Context& context) {
-  SimplifyOptions options = wished;
+SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, const Context& context) {
   SimplifyReport report;
   report.faces_before = model.surface.face_count();
   std::optional<Dense> dense;
   if (options.mode == Simplification::automatic && is_dense(model.surface, options)) {
-    report.specks_dropped = drop_specks(model, speck * options.short_edge_mm);
     dense = thin_out(model, symmetric_within, options, context);
   }
   remesh_panels(model, context);
-  options.most_faces = most_triangles(model.surface, wished);
   report.short_edges_before =
       dense ? dense->short_edges_share : fold_figures(model.surface, options).brief_share();
   if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_share ||
                                                     model.surface.face_count() > options.most_faces)) {
-    const double largest_mm = simplify_to_fold(model, dense, options, {}, report, context);
-    if (dense && dense->turned > 0 && report.deviation_mm > largest_mm) {
-      // All that could be left out since is; now what was turned is, too.
-      model = std::move(dense->before);
-      dense.reset();
-      remesh_panels(model, context);
-      simplify_to_fold(model, dense, options, {true, false, true}, report, context);
-    }
+    simplify_to_fold(model, dense, options, report, context);
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
     simplify_to_count(model, options, report, context);
   }
   if (dense) {
-    report.turned += dense->turned;
     report.evened_mm = std::max(report.evened_mm, evened(dense->unevenness_mm, model));
   }
   report.faces_after = model.surface.face_count();
-  report.walls_keep_more = options.mode == Simplification::automatic &&
-                           options.most_faces > wished.most_faces && report.faces_after > wished.most_faces;
   report.short_edges_after = fold_figures(model.surface, options).brief_share();
   return report;
 }

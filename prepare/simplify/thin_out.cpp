@@ -8,8 +8,6 @@
 
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/collapses/quick_collapses.hpp"
-#include "prepare/features/turned.hpp"
-#include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/shares/symmetric_share.hpp"
 #include "prepare/shares/whole.hpp"
@@ -64,19 +62,6 @@ std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within, const
     }
     context.check();
     dense.short_edges_share = fold_figures(model.surface, panels, walls, options).brief_share();
-    Turning turning = turn_bodies(model, options, largest_mm, context);
-    if (turning.found > 0) {
-      if (turning.changed == 0) {
-        return std::nullopt;
-      }
-      dense.turned = turning.changed;
-      mesh::Surface surface = std::move(model.surface);
-      dense.before = model;
-      dense.before.surface = std::move(surface);
-      mesh::put_together(model, std::move(turning.faces));
-      remesh_panels(model, context);
-      return dense;
-    }
     const mesh::LooseFaces all = mesh::take_apart(model);
     const SymmetricShare share = symmetric_share(model, symmetric_within, context);
     dense.unevenness_mm = share.deviation;
@@ -85,7 +70,7 @@ std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within, const
                                                    quick_share * largest_mm, context)),
                   all);
   }
-  dense.before.surface = std::move(model.surface);
+  dense.before = std::move(model.surface);
   mesh::put_together(model, std::move(faces));
   return dense;
 }

@@ -12,9 +12,8 @@ namespace ridgecraft::prepare {
 
 /// What a model was before its faces became fewer, and what was done to it.
 struct Dense {
-  mesh::Model before;              ///< all of it where bodies were turned, else its surface alone
+  mesh::Surface before;
   double short_edges_share = 0.0;  ///< of its folds, those that are short (fold_figures.hpp)
-  std::size_t turned = 0;          ///< bodies that have fewer sides, evenly around
   double unevenness_mm = 0.0;      ///< how far its sides were from being mirror images, which they are now
 };
 
@@ -22,8 +21,7 @@ struct Dense {
 /// may go without care. Linear.
 [[nodiscard]] bool is_dense(const mesh::Surface& surface, const SimplifyOptions& options);
 
-/// Where a dense model has walls, which later steps have to find, nothing is done. Where it has turned
-/// bodies, these get fewer sides (features/turned.hpp), and nothing else is done. Else quick collapses take
+/// Where a dense model has walls, which later steps have to find, nothing is done. Else quick collapses take
 /// most of its faces: what is left is still much finer than anything that can be folded. Large flat regions,
 /// borders and mirror planes stay. None where nothing was done. O(n log n).
 [[nodiscard]] std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within,

@@ -134,24 +134,6 @@ TEST_CASE("a sequence can be stopped anywhere", "[simplify]") {
   }
 }
 
-TEST_CASE("specks vanish from a model that is too fine, large components don't", "[simplify]") {
-  mesh::Soup s = test::soup_of(test::sphere(120, 60));
-  const mesh::Soup speck = test::soup_of(test::sphere(6, 4));
-  const auto first = static_cast<std::uint32_t>(s.points.size());
-  for (const Vec3 p : speck.points) {
-    s.points.push_back(Vec3{0, 0, 1.2} + 0.01 * p);
-  }
-  for (const std::uint32_t c : speck.corner_point) {
-    s.corner_point.push_back(first + c);
-    if (s.corner_point.size() % 3 == 0) {
-      s.first_corner.push_back(static_cast<std::uint32_t>(s.corner_point.size()));
-    }
-  }
-  const Prepared p = prepare::prepare(test::repaired(s), {}, {}, page, {});
-  CHECK(p.simplified.specks_dropped == 1);
-  CHECK(p.model.surface.component_count() == 1);
-}
-
 TEST_CASE("short folds are counted at the size that was asked for", "[simplify]") {
   // The sphere loses its outermost points and is scaled anew: folds grow with it.
   const prepare::SimplifyOptions options;
