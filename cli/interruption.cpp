@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "cli/telling/exit_code.hpp"
+#include "cli/report/messages.hpp"
 
 namespace ridgecraft::cli {
 namespace {

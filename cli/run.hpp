@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/telling/exit_code.hpp"
+#include "cli/report/messages.hpp"
 
 namespace ridgecraft::cli {
 

@@ -142,7 +142,7 @@ const std::vector<Folder>& folders() {
        {{"files", {}},
         {"arguments", {"files"}},
         {"jobs", {"files", "arguments"}},
-        {"telling", {"files", "arguments", "jobs"}}},
+        {"report", {"files", "arguments", "jobs"}}},
        {}},
       {"import", {"mesh"}, {}, {}},
   };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of figures that summaries and JSON are made of.
-#include "cli/telling/figures.hpp"
+#include "cli/report/figures.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/telling/brief.hpp"
-#include "cli/telling/net_figures.hpp"
-#include "cli/telling/summary.hpp"
+#include "cli/report/brief.hpp"
+#include "cli/report/net_figures.hpp"
+#include "cli/report/summary.hpp"
 
 using namespace ridgecraft;
 using cli::Line;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/telling/summary.hpp"
+#include "cli/report/summary.hpp"
 
 using namespace ridgecraft::cli;
 

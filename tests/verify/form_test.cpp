@@ -13,7 +13,7 @@
 
 #include "base/context.hpp"
 #include "base/random.hpp"
-#include "cli/telling/summary.hpp"
+#include "cli/report/summary.hpp"
 #include "support/temporary_folder.hpp"
 #include "verify/support.hpp"
 

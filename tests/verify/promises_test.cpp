@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
-#include "cli/telling/summary.hpp"
+#include "cli/report/summary.hpp"
 #include "verify/support.hpp"
 
 using namespace ridgecraft;

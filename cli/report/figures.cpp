@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/telling/figures.hpp"
+#include "cli/report/figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,11 @@
 
 namespace ridgecraft::cli {
 namespace {
+
+/// "6.67", "1500".
+std::string three_digits(double ratio) {
+  return ratio < 999.5 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
+}
 
 double micro(double seconds) {
   return std::round(seconds * 1e6) / 1e6;
@@ -84,6 +89,22 @@ std::string written_in_brief(const std::vector<std::string>& files) {
 }
 
 }  // namespace
+
+std::string metres(double mm) {
+  return mm < 1000.0 ? fmt::format("{:.0f} mm", mm) : fmt::format("{:.2f} m", mm / 1000.0);
+}
+
+std::string scale_text(const prepare::Prepared& prepared) {
+  const mesh::FileFrame& frame = prepared.model.frame;
+  if (!frame.mm_per_unit) {
+    return {};
+  }
+  const double scale = prepared.mm_per_unit / *frame.mm_per_unit;
+  return fmt::format("; the file counts in {}{}: this is {} of its size",
+                     mesh::unit_names(*frame.mm_per_unit),
+                     frame.up ? fmt::format(", {} up", mesh::axis_name(*frame.up)) : "",
+                     scale >= 1.0 ? three_digits(scale) + ":1" : "1:" + three_digits(1.0 / scale));
+}
 
 void Summary::add(std::string_view key, Value value, std::string_view unit) {
   add(key, std::move(value), Line::nets, {}, {}, unit);

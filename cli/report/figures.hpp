@@ -10,8 +10,15 @@
 #include "cli/files/value.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/model/repair_report.hpp"
+#include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::cli {
+
+/// "640 mm", "2.07 m"
+[[nodiscard]] std::string metres(double mm);
+
+/// "; the file counts in metres, y up: this is 1:13.3 of its size"; empty where the file tells no unit.
+[[nodiscard]] std::string scale_text(const prepare::Prepared& prepared);
 
 /// The lines of a summary in the order in which a person reads them.
 enum class Line {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each job tells of its work.
+// What each job reports of its work.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 #include "cli/jobs/paper_job.hpp"
 #include "cli/jobs/segment_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
-#include "cli/telling/exit_code.hpp"
-#include "cli/telling/figures.hpp"
+#include "cli/report/figures.hpp"
+#include "cli/report/messages.hpp"
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "verify/verify.hpp"

@@ -10,10 +10,10 @@
 
 #include "base/sentence.hpp"
 #include "cli/files/model_input.hpp"
-#include "cli/telling/brief.hpp"
-#include "cli/telling/lengths.hpp"
-#include "cli/telling/net_figures.hpp"
-#include "cli/telling/summary.hpp"
+#include "cli/report/brief.hpp"
+#include "cli/report/figures.hpp"
+#include "cli/report/net_figures.hpp"
+#include "cli/report/summary.hpp"
 #include "job/verdict.hpp"
 #include "prepare/prepare.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/telling/figures.hpp"
+#include "cli/report/figures.hpp"
 #include "export/sheet/pages.hpp"
 #include "job/job.hpp"
 #include "mesh/model/model.hpp"

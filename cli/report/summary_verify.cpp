@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/sentence.hpp"
-#include "cli/telling/lengths.hpp"
-#include "cli/telling/summary.hpp"
+#include "cli/report/figures.hpp"
+#include "cli/report/summary.hpp"
 
 namespace ridgecraft::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/telling/brief.hpp"
+#include "cli/report/brief.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "base/sentence.hpp"
-#include "cli/telling/lengths.hpp"
-#include "cli/telling/net_figures.hpp"
+#include "cli/report/figures.hpp"
+#include "cli/report/net_figures.hpp"
 #include "export/view/stance.hpp"
 #include "job/verdict.hpp"
 #include "prepare/prepared/seen_move.hpp"

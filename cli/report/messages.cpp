@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/telling/remarks.hpp"
+#include "cli/report/messages.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "base/elementary.hpp"
 
 namespace ridgecraft::cli {
 namespace {
+
+bool capable_terminal() {
+  const char* term = std::getenv("TERM");
+  return ::isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
+}
 
 /// What nearly every printer reaches, mm from the sheet's edge.
 constexpr double printer_margin_mm = 3.0;
@@ -74,6 +82,61 @@ std::optional<std::string> refusal_of(const job::ShortFolds& /*folds*/, std::uin
 }
 
 }  // namespace
+
+ExitCode exit_code(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::internal:
+      return ExitCode::internal;
+    case ErrorKind::usage:
+      return ExitCode::usage;
+    case ErrorKind::unreadable_input:
+      return ExitCode::unreadable_input;
+    case ErrorKind::unusable_mesh:
+      return ExitCode::unusable_mesh;
+    case ErrorKind::no_nets:
+      return ExitCode::no_nets;
+    case ErrorKind::unbuildable:
+      return ExitCode::unbuildable;
+    case ErrorKind::cant_write:
+      return ExitCode::cant_write;
+    case ErrorKind::interrupted:
+    case ErrorKind::out_of_time:
+      return ExitCode::interrupted;
+  }
+  return ExitCode::internal;
+}
+
+Progress::Progress(bool wanted) : visible_(wanted && capable_terminal()) {}
+
+void Progress::show(std::string_view stage, double share) {
+  if (!visible_) {
+    return;
+  }
+  const std::lock_guard lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  if (stage == stage_ && now - last_ < std::chrono::milliseconds(50)) {
+    return;
+  }
+  stage_ = stage;
+  last_ = now;
+  constexpr int width = 30;
+  const int filled = static_cast<int>(width * std::clamp(share, 0.0, 1.0));
+  std::string bar(static_cast<std::size_t>(filled), '#');
+  bar.resize(width, '.');
+  std::fprintf(stderr, "\r\033[K%-14s [%s] %3d %%", stage_.c_str(), bar.c_str(),
+               static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0)));
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+void Progress::clear() {
+  const std::lock_guard lock(mutex_);
+  if (drawn_) {
+    std::fputs("\r\033[K", stderr);
+    std::fflush(stderr);
+    drawn_ = false;
+  }
+}
 
 std::string sentence(const job::Remark& remark) {
   return std::visit([](const auto& told) { return text_of(told); }, remark);

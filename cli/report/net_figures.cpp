@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/telling/net_figures.hpp"
+#include "cli/report/net_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "base/vector.hpp"
 #include "cli/arguments/options.hpp"
 #include "cli/jobs/paper_job.hpp"
-#include "cli/telling/figures.hpp"
+#include "cli/report/figures.hpp"
 
 namespace ridgecraft::cli {
 
