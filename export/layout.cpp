@@ -10,22 +10,12 @@
 #include "export/export.hpp"
 #include "export/packing/clearance.hpp"
 #include "export/packing/packing.hpp"
-#include "export/packing/packing_tighter.hpp"
-#include "export/packing/rows.hpp"
 #include "export/piece_shapes.hpp"
 
 namespace ridgecraft::paper {
 namespace {
 
 using unfold::Nets;
-
-/// What a search for a page less may cost. A second of one thread is some 40 million sides with pieces of few
-/// corners, 200 million with those of many.
-std::uint64_t work_of(PackingEffort effort) {
-  constexpr std::uint64_t good = 500'000'000;
-  constexpr std::uint64_t best = 3'000'000'000;
-  return effort == PackingEffort::fast ? 0 : effort == PackingEffort::good ? good : best;
-}
 
 /// The packer keeps its promise by construction; should it ever not, the offending piece gets a page of its
 /// own.
@@ -115,9 +105,8 @@ Pages layout(const Nets& nets, const Paper& paper, const Context& context,
   for (const std::vector<std::uint32_t>& shapes : sorts_of(sort, task.shapes.size())) {
     const std::size_t first_page = pages.count;
     const PackingTask part = part_of(task, shapes);
-    std::vector<Packed> packed =
+    const std::vector<Packed> packed =
         heeds_grain ? pack(part, context) : pack_in_rows(part, part_of(alike, shapes), context);
-    pack_tighter(part, work_of(paper.packing), context, packed);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       Placement& placement = pages.placements[PieceId(shapes[i])];
       placement.page = PageId(first_page + packed[i].page);

@@ -13,7 +13,7 @@
 #include "export/packing/clearance.hpp"
 #include "export/packing/packing.hpp"
 #include "export/packing/packing_page.hpp"
-#include "export/packing/packing_raster.hpp"
+#include "export/packing/packing_page.hpp"
 #include "export/piece_shapes.hpp"
 
 namespace ridgecraft::paper {

@@ -11,7 +11,7 @@
 #include "base/boxes.hpp"
 #include "base/elementary.hpp"
 #include "export/packing/clearance.hpp"
-#include "export/packing/packing_task.hpp"
+#include "export/packing/packing_shape.hpp"
 #include "export/piece_shapes.hpp"
 #include "export/sheet/paper.hpp"
 

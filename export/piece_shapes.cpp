@@ -74,6 +74,7 @@ PackingTask packing_task(const Nets& nets, const Paper& paper,
   task.shapes = shapes_of(nets);
   task.area = piece_area(paper);
   task.gap = paper.gap;
+  task.search_work = paper.packing == PackingEffort::good ? long_search_work : usual_search_work;
   for (const unfold::Piece& piece : nets.pieces) {
     task.group.push_back(piece.parts.empty() ? 0 : piece.parts.front().value());
   }
@@ -90,6 +91,7 @@ PackingTask part_of(const PackingTask& task, const std::vector<std::uint32_t>& s
   PackingTask part;
   part.area = task.area;
   part.gap = task.gap;
+  part.search_work = task.search_work;
   for (const std::uint32_t shape : shapes) {
     part.shapes.push_back(task.shapes[shape]);
     part.group.push_back(task.group[shape]);

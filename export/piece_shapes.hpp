@@ -8,7 +8,7 @@
 #include "base/id.hpp"
 #include "base/motion.hpp"
 #include "base/vector.hpp"
-#include "export/packing/packing_task.hpp"
+#include "export/packing/packing_shape.hpp"
 #include "export/sheet/paper.hpp"
 #include "unfold/net/nets.hpp"
 

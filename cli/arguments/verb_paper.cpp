@@ -80,10 +80,8 @@ struct PaperTexts {
         "Paper", "--page-by", page_by, "material|object",
         "Only pieces of one material, or of one object, on a page, for paper in several colours: cuts "
         "run along the borders between them (any).");
-    verb.option(
-        "Paper", "--pack", pack, "fast|good|best",
-        "How long places are looked for that save a sheet: hundredths of a second, about ten seconds, "
-        "or a minute for each sheet that might be saved (fast).");
+    verb.option("Paper", "--pack", pack, "fast|good",
+                "How long a search for fewer sheets takes: hundredths of a second, or tenths (fast).");
     verb.option(
         "Paper", "--grain", grain, "any|long|short",
         "Lay pieces so that most of their folds run along the sheet's long or short side, as the paper's "
@@ -188,7 +186,7 @@ struct PaperTexts {
     sheet.packing = choice_or_refuse<paper::PackingEffort>("--pack", pack,
                                                            {{"fast", paper::PackingEffort::fast},
                                                             {"good", paper::PackingEffort::good},
-                                                            {"best", paper::PackingEffort::best}});
+                                                            {"best", paper::PackingEffort::good}});
     sheet.grain = choice_or_refuse<paper::Grain>(
         "--grain", grain,
         {{"any", paper::Grain::any}, {"long", paper::Grain::long_side}, {"short", paper::Grain::short_side}});

@@ -124,7 +124,7 @@ void check_side(std::string_view text, double side) {
 }  // namespace
 
 std::string_view word(PackingEffort effort) {
-  return effort == PackingEffort::fast ? "fast" : effort == PackingEffort::good ? "good" : "best";
+  return effort == PackingEffort::fast ? "fast" : "good";
 }
 
 std::string_view word(Grain grain) {

@@ -16,11 +16,10 @@ namespace ridgecraft::paper {
 /// reaches into it.
 inline constexpr double furniture_height = 12.0;
 
-/// How long places are looked for that save a sheet, once bitmaps have been filled in many ways.
+/// How long a search for fewer sheets takes.
 enum class PackingEffort {
-  fast,  ///< no longer: some hundredths of a second
-  good,  ///< for each sheet that might be saved, some ten seconds
-  best,  ///< a minute
+  fast,  ///< some hundredths of a second
+  good,  ///< some tenths
 };
 [[nodiscard]] std::string_view word(PackingEffort effort);
 

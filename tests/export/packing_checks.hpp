@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "export/packing/packing_task.hpp"
+#include "export/packing/packing_shape.hpp"
 
 namespace ridgecraft::test {
 

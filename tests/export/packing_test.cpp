@@ -41,6 +41,14 @@ PackingTask bars(std::uint64_t seed, std::uint32_t count) {
   return task;
 }
 
+std::uint32_t page_count(const std::vector<Packed>& packed) {
+  std::uint32_t pages = 0;
+  for (const Packed& place : packed) {
+    pages = std::max(pages, place.page + 1);
+  }
+  return pages;
+}
+
 std::size_t faults(const PackingTask& task, const std::vector<Packed>& packed, std::uint32_t pages) {
   return test::packing_faults(
       task, pages, [&](std::uint32_t i) { return packed[i].page; },
@@ -51,18 +59,34 @@ std::size_t faults(const PackingTask& task, const std::vector<Packed>& packed, s
 
 TEST_CASE("the search goes on where it comes from three pages to two", "[packing]") {
   std::size_t two = 0;
-  // With seed 89 the search empties two pages of three, keeps the two that are left and walks over orders.
   for (std::uint64_t seed = 85; seed < 100; ++seed) {
     CAPTURE(seed);
     const PackingTask task = bars(seed, 4 + static_cast<std::uint32_t>(seed % 9));
     const std::vector<Packed> packed = pack(task, Context{});
     REQUIRE(packed.size() == task.shapes.size());
-    std::uint32_t pages = 0;
-    for (const Packed& place : packed) {
-      pages = std::max(pages, place.page + 1);
-    }
+    const std::uint32_t pages = page_count(packed);
     two += pages == 2 ? 1U : 0U;
     CHECK(faults(task, packed, pages) == 0);
   }
   CHECK(two > 0);
+}
+
+TEST_CASE("a longer search needs no more pages, fewer at times, and is the same each time", "[packing]") {
+  bool fewer = false;
+  for (std::uint64_t seed = 1; seed < 20; ++seed) {
+    CAPTURE(seed);
+    PackingTask task = bars(seed, 12);
+    task.search_work = 1;
+    const std::uint32_t pages = page_count(pack(task, Context{}));
+    task.search_work = long_search_work;
+    const std::vector<Packed> packed = pack(task, Context{});
+    CHECK(page_count(packed) <= pages);
+    CHECK(faults(task, packed, page_count(packed)) == 0);
+    const std::vector<Packed> again = pack(task, Context{});
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+      CHECK((packed[i].page == again[i].page && packed[i].shift == again[i].shift));
+    }
+    fewer = fewer || page_count(packed) < pages;
+  }
+  CHECK(fewer);
 }
