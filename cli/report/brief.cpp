@@ -195,10 +195,10 @@ std::string hard_line(const PaperJob& job, const PaperResult& result, const Glue
     clauses.push_back(std::move(why));
   }
   if (made.slivers > 0) {
-    clauses.push_back(fmt::format("{} narrower than {:g} mm, on {}: take {} for one",
+    clauses.push_back(fmt::format("{} narrower than {:g} mm, on {}: fold {} as a single crease",
                                   counted(made.slivers, "face"), job::sliver_mm,
                                   pieces_text(made.nets, pieces_with_slivers(made)),
-                                  made.slivers == 1 ? "its two lines" : "the two lines of each"));
+                                  made.slivers == 1 ? "it" : "each"));
   }
   add_glue(glue, clauses);
   const std::vector<PieceId> bent = pieces_with_care(made.nets);
@@ -223,7 +223,7 @@ std::string hard_line(const PaperJob& job, const PaperResult& result, const Glue
     clauses.push_back(counted_bodies(made.skin.left_crossing) + " run into each other");
   }
   if (const std::size_t apart = paper::bodies_apart(made.drawn.bodies); apart > 1) {
-    clauses.push_back(fmt::format("it comes in {} bodies that nothing joins{}", apart,
+    clauses.push_back(fmt::format("the model has {} separate bodies{}", apart,
                                   made.guide.pages.empty() ? "" : ": the guide shows where each belongs"));
   }
   return joined(clauses, "nothing in particular");
