@@ -8,7 +8,6 @@
 #include <map>
 #include <utility>
 
-#include "export/assembly/nesting.hpp"
 #include "export/assembly/seam_graph.hpp"
 
 namespace ridgecraft::paper {

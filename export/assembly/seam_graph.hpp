@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is glued to what: pieces and the lengths of the seams between them.
+// What is glued to what, and which bodies lie inside others, that can't be put there once the outer one is
+// closed.
 #pragma once
 
 #include <cstdint>
@@ -36,5 +37,12 @@ struct SeamGraph {
 
 /// O(faces + joins log joins).
 [[nodiscard]] SeamGraph seam_graph(const mesh::Surface& surface, const unfold::Nets& nets);
+
+/// The groups of the graph in an order in which each comes after those that lie inside it, and else
+/// the larger first, by its area. A group with a border encloses nothing; inside another lies what doesn't
+/// stand out of it anywhere and is a millimetre off its faces somewhere (surface in mm). O(groups log groups
+/// + pairs of boxes that meet + faces of groups whose boxes hold others).
+[[nodiscard]] std::vector<std::size_t> inner_groups_first(const mesh::Surface& surface,
+                                                          const unfold::Nets& nets, const SeamGraph& graph);
 
 }  // namespace ridgecraft::paper

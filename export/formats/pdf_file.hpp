@@ -15,6 +15,10 @@
 
 namespace ridgecraft::paper {
 
+/// The packet: title, program and keywords as in the document's information, and the settings as one JSON
+/// text under a name of our own. Its dates are fixed, so that two runs give the same bytes.
+[[nodiscard]] std::string xmp_packet(const Mark& mark);
+
 inline constexpr double points_per_mm = 72.0 / 25.4;
 
 /// A PDF of pages of these sizes, each painted by `paint`; one unit of the context is a point, y down.

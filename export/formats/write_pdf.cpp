@@ -3,7 +3,9 @@
 // content, so that a viewer can switch layers and a machine can pick one, and says that the pages are not to
 // be scaled.
 #include <algorithm>
+#include <cmath>
 #include <list>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -19,7 +21,9 @@
 #include "export/formats/cairo_page.hpp"
 #include "export/formats/layer_order.hpp"
 #include "export/formats/pdf_file.hpp"
+#include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
+#include "export/machine/operations.hpp"
 
 namespace ridgecraft::paper {
 namespace {
@@ -241,6 +245,61 @@ std::string write_pdf(std::span<const Drawing> pages, const Mark& mark) {
   } catch (const std::exception& failure) {  // qpdf throws several kinds
     throw Error(ErrorKind::internal, std::string("putting the PDF together failed: ") + failure.what());
   }
+}
+
+std::string write_guide_pdf(std::span<const Drawing> pages, const Mark& mark) {
+  try {
+    const std::string painted = cairo_pdf(pages, [](cairo_t* cairo, const Drawing& page) {
+      paint_layer(cairo, page, Layer::paint, points_per_mm);
+      paint_layer(cairo, page, Layer::picture, points_per_mm);
+      for (const Layer layer : layer_order) {
+        if (layer != Layer::paint) {
+          paint_layer(cairo, page, layer, points_per_mm);
+        }
+      }
+    });
+    QPDF pdf;
+    pdf.processMemoryFile("guide", painted.data(), painted.size());
+    add_viewer_preferences(pdf);
+    Mark own = mark;
+    own.title += ": how to build it";
+    add_information(pdf, own);
+    // Whoever checks pages of nets knows by this that there are none here.
+    pdf.getTrailer().getKey("/Info").replaceKey("/Subject", QPDFObjectHandle::newString("guide"));
+    return pdf_bytes(pdf);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& failure) {  // qpdf throws several kinds
+    throw Error(ErrorKind::internal, std::string("putting the guide together failed: ") + failure.what());
+  }
+}
+
+std::string write_eps(const Drawing& page, const Mark& mark, const Preset& preset) {
+  std::string out = "%!PS-Adobe-3.0 EPSF-3.0\n";
+  const Vec2 size = points_per_mm * page.size;
+  append(out, "%%Creator: {}\n%%Title: page {} of {}\n%%Keywords: {}\n", printable_utf8(mark.producer),
+         page.page, page.page_count, mark_word(mark));
+  append(out, "%%BoundingBox: 0 0 {:.0f} {:.0f}\n%%HiResBoundingBox: 0 0 {} {}\n", std::ceil(size.x),
+         std::ceil(size.y), decimals(size.x), decimals(size.y));
+  out += "%%LanguageLevel: 2\n%%Pages: 1\n%%EndComments\n%%Page: 1 1\ngsave\n";
+  // Points are written in mm: numbers stay those of the other formats.
+  append(out, "{0:.9f} {0:.9f} scale\n{1} setlinewidth\n", points_per_mm, decimals(preset.width));
+  std::optional<Operation> operation;
+  for (const Path& path : machine_paths(page, preset.paths)) {
+    if (operation != path.operation) {
+      operation = path.operation;
+      const Color c = preset.colors[static_cast<std::size_t>(path.operation)];
+      append(out, "% {}\n{} {} {} setrgbcolor\n", word(path.operation), decimals(c.red / 255.0),
+             decimals(c.green / 255.0), decimals(c.blue / 255.0));
+    }
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      append(out, "{} {} {}\n", decimals(path.points[i].x), decimals(path.points[i].y),
+             i == 0 ? "moveto" : "lineto");
+    }
+    out += path.closed ? "closepath stroke\n" : "stroke\n";
+  }
+  out += "grestore\nshowpage\n%%EOF\n";
+  return out;
 }
 
 }  // namespace ridgecraft::paper

@@ -5,10 +5,9 @@
 
 #include "base/utf8.hpp"
 #include "export/guide/cover.hpp"
-#include "export/guide/cover_side.hpp"
 #include "export/guide/guide_model.hpp"
-#include "export/guide/hues.hpp"
 #include "export/guide/overview.hpp"
+#include "export/guide/picture.hpp"
 #include "export/guide/step_pages.hpp"
 
 namespace ridgecraft::paper {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every page of the guide is drawn from.
+// What every page of the guide is drawn from and on: the model with its pieces, and the sheet.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,13 +11,37 @@
 
 #include "export/assembly/assembly.hpp"
 #include "export/guide/effort.hpp"
-#include "export/guide/guide_page.hpp"
 #include "export/guide/picture.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/bodies.hpp"
+#include "export/sheet/drawing.hpp"
 #include "export/sheet/pages.hpp"
+#include "export/sheet/paper.hpp"
 
 namespace ridgecraft::paper {
+
+/// Upright, in millimetres: A4, or letter where the nets are on a size of paper made of inches. The guide is
+/// read, not cut, so it needn't have the size of the nets.
+struct GuideSheet {
+  Vec2 size{210.0, 297.0};
+  double margin = 14.0;
+  double foot = 10.0;  ///< of the printable height, for the page's number
+
+  /// What the pages' contents have.
+  [[nodiscard]] Box2 room() const { return {{margin, margin + foot}, {size.x - margin, size.y - margin}}; }
+};
+[[nodiscard]] GuideSheet guide_sheet(const Paper& nets);
+
+inline constexpr Color guide_grey{0x70, 0x70, 0x70};
+
+/// A line over the page's width or a part of it.
+[[nodiscard]] Line guide_rule(Vec2 from, Vec2 to);
+/// Texts in grey.
+[[nodiscard]] Text in_grey(Text text);
+
+/// The foot of a page: the model's name, and which page it is.
+[[nodiscard]] Group guide_foot(const GuideSheet& sheet, const std::string& title, std::size_t page,
+                               std::size_t count);
 
 /// Not copied: all that it points to must outlive it.
 struct GuideModel {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "export/guide/hues.hpp"
 #include "export/guide/picture.hpp"
 #include "unfold/net/outline.hpp"
 

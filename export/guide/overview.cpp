@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "base/sentence.hpp"
-#include "export/guide/callouts.hpp"
 #include "export/guide/words.hpp"
 #include "export/style/stroke_font.hpp"
 #include "export/view/coarse_view.hpp"

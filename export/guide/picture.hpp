@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A view of the model as a picture on a page.
+// A view of the model as a picture on a page: where it is, the colours of pieces, the model's own colours.
 #pragma once
 
 #include <functional>
@@ -7,14 +7,54 @@
 #include <vector>
 
 #include "base/context.hpp"
-#include "export/guide/fit.hpp"
+#include "base/vector.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/view/camera.hpp"
 #include "export/view/scene.hpp"
+#include "export/view/view.hpp"
+#include "mesh/model/surface.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
 namespace ridgecraft::paper {
+
+/// From the scene, as the eye has it, to the page.
+struct Fit {
+  double scale = 1.0;
+  Vec2 shift;
+  [[nodiscard]] Vec2 operator()(Vec2 p) const { return scale * p + shift; }
+};
+
+/// Twelve hues; pieces that are glued to each other have different ones while there are fewer than twelve of
+/// them, and each hue is used about as often as the others. O(joins + 12 pieces).
+[[nodiscard]] IdVector<PieceId, Color> piece_hues(const mesh::Surface& surface, const unfold::Nets& nets);
+
+/// The light on a face with this normal: it comes over the left shoulder of whoever looks.
+class FaceLight {
+ public:
+  /// `depth` is how much darker the darkest face is, 0 to 1.
+  FaceLight(Vec3 normal, const Camera& camera, double depth);
+
+  /// What is left of a hue.
+  [[nodiscard]] Color on(Color hue) const;
+
+ private:
+  double share_;    ///< of the hue that is left
+  double lighter_;  ///< how much of it becomes white
+};
+
+/// A hue in the light on one face.
+[[nodiscard]] Color shaded(Color hue, Vec3 normal, const Camera& camera, double depth);
+
+/// Between two colours, all of b at share 1.
+[[nodiscard]] Color mixed(Color a, Color b, double share);
+
+/// Adds the areas that are seen, in the colours of model.look, which must be there: areas where faces have
+/// one colour each, and below them one picture, of dots, of all faces that have pictures on them, so that
+/// nothing hidden is in the drawing. O(areas x faces of their region + dots x log n). Throws
+/// Error(interrupted).
+void add_coloured_areas(const prepare::Prepared& model, const Scene& scene, const View& view,
+                        const Camera& camera, const Fit& fit, Group& group, const Context& context);
 
 /// How the faces and edges of a piece are drawn.
 struct PieceLook {

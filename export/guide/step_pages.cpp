@@ -10,11 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/parallel.hpp"
 #include "base/sentence.hpp"
-#include "export/guide/callouts.hpp"
 #include "export/guide/net_picture.hpp"
 #include "export/guide/step_words.hpp"
 #include "export/guide/words.hpp"
@@ -70,8 +67,6 @@ constexpr std::size_t most_nets = 3;  ///< of a step that are shown
 constexpr double net_gap = 2.0;       ///< between them and the step's picture
 /// A step's picture stands below its net, not beside it, where it is so many times as large there.
 constexpr double much_larger = 1.2;
-/// Of two pieces one is on the left where they are farther apart than this share of the model.
-constexpr double least_apart_share = 0.03;
 
 /// What a step's picture shows, and from where.
 struct StepScene {
@@ -299,7 +294,8 @@ class StepPages {
     std::vector<std::string> sentences =
         step_sentences(guide_.surface(), *guide_.nets, *guide_.assembly, index, guide_.bodies);
     for (const MirrorPair& pair : mirror_pairs(*guide_.nets, steps_[index])) {
-      if (std::string words = words_of_sides(pair, step.camera); !words.empty()) {
+      if (std::string words = words_of_sides(guide_.surface(), *guide_.nets, pair, step.camera);
+          !words.empty()) {
         sentences.insert(sentences.begin(), std::move(words));
       }
     }
@@ -331,28 +327,6 @@ class StepPages {
       group.texts.push_back(words_from(row, {box.low.x, y + 0.4 * height}, height));
     }
     return top;
-  }
-
-  /// Which of two mirror images comes where: "Of the mirror images C and G, C is on the left here." Nothing
-  /// where one lies before the other.
-  [[nodiscard]] std::string words_of_sides(const MirrorPair& pair, const Camera& camera) const {
-    const auto middle = [&](PieceId piece) {
-      Box2 box;
-      for (const FaceId face : guide_.nets->pieces[piece].faces) {
-        for (const VertexId v : guide_.surface().vertices(face)) {
-          box.add(camera(guide_.surface().point(v)));
-        }
-      }
-      return 0.5 * (box.low.x + box.high.x);
-    };
-    const double apart = middle(pair.image) - middle(pair.piece);
-    if (std::abs(apart) < least_apart_share * guide_.surface().bounds().largest_extent()) {
-      return {};
-    }
-    const std::string& name = guide_.nets->pieces[pair.piece].name;
-    const std::string& other = guide_.nets->pieces[pair.image].name;
-    return fmt::format("Of the mirror images {} and {}, {} is on the {} here.", std::min(name, other),
-                       std::max(name, other), name, apart > 0.0 ? "left" : "right");
   }
 
   /// Those of a step whose nets are shown: one of those that are equal, both of mirror images.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -201,6 +202,9 @@ void add_hard_edges(const mesh::Surface& surface, const unfold::Nets& nets, cons
   }
 }
 
+/// Of two pieces one is on the left where they are farther apart than this share of the model.
+constexpr double least_apart_share = 0.03;
+
 }  // namespace
 
 std::string step_title(const unfold::Nets& nets, const AssemblyStep& step) {
@@ -272,6 +276,27 @@ std::vector<MirrorPair> mirror_pairs(const unfold::Nets& nets, const AssemblySte
   std::sort(pairs.begin(), pairs.end(),
             [](const MirrorPair& p, const MirrorPair& q) { return p.piece < q.piece; });
   return pairs;
+}
+
+std::string words_of_sides(const mesh::Surface& surface, const unfold::Nets& nets, const MirrorPair& pair,
+                           const Camera& camera) {
+  const auto middle = [&](PieceId piece) {
+    Box2 box;
+    for (const FaceId face : nets.pieces[piece].faces) {
+      for (const VertexId v : surface.vertices(face)) {
+        box.add(camera(surface.point(v)));
+      }
+    }
+    return 0.5 * (box.low.x + box.high.x);
+  };
+  const double apart = middle(pair.image) - middle(pair.piece);
+  if (std::abs(apart) < least_apart_share * surface.bounds().largest_extent()) {
+    return {};
+  }
+  const std::string& name = nets.pieces[pair.piece].name;
+  const std::string& other = nets.pieces[pair.image].name;
+  return fmt::format("Of the mirror images {} and {}, {} is on the {} here.", std::min(name, other),
+                     std::max(name, other), name, apart > 0.0 ? "left" : "right");
 }
 
 }  // namespace ridgecraft::paper

@@ -8,6 +8,7 @@
 
 #include "export/assembly/assembly.hpp"
 #include "export/sheet/bodies.hpp"
+#include "export/view/camera.hpp"
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
@@ -33,5 +34,10 @@ struct MirrorPair {
 /// The pairs that a step's pieces belong to; the other piece may come in another step. In the order of the
 /// step's pieces, none twice.
 [[nodiscard]] std::vector<MirrorPair> mirror_pairs(const unfold::Nets& nets, const AssemblyStep& step);
+
+/// Which of two mirror images is where: "Of the mirror images C and G, C is on the left here." Empty where
+/// one lies before the other.
+[[nodiscard]] std::string words_of_sides(const mesh::Surface& surface, const unfold::Nets& nets,
+                                         const MirrorPair& pair, const Camera& camera);
 
 }  // namespace ridgecraft::paper

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of the guide at their places.
+// Texts of the guide at their places, and names beside a picture, each with a line to what it names.
 #pragma once
 
 #include <string>
@@ -22,5 +22,23 @@ enum class Weight { plain, bold };
 
 /// As many of the letters as have room, with "…" at the end where some haven't.
 [[nodiscard]] std::string shortened(std::string_view words, double width, double height);
+
+struct Callout {
+  std::string words;
+  Vec2 anchor;  ///< on the page
+};
+
+/// Where names may stand: two columns, left and right of a picture.
+struct CalloutColumns {
+  Box2 box;                 ///< outer ends of the columns, mm
+  double left_edge = 0.0;   ///< the left column's words end here ...
+  double right_edge = 0.0;  ///< ... and those of the right one begin here
+  double height = 2.2;      ///< of the words, mm
+};
+
+/// Adds as many as have room, the first ones first: each in the nearer column, or in the other one where that
+/// is full, as near to the height of its anchor as others leave room; lines of one column don't cross.
+/// Returns how many have found room.
+std::size_t add_callouts(const std::vector<Callout>& callouts, const CalloutColumns& columns, Group& group);
 
 }  // namespace ridgecraft::paper

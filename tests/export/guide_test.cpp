@@ -12,10 +12,10 @@
 
 #include "base/random.hpp"
 #include "export/export.hpp"
-#include "export/guide/callouts.hpp"
-#include "export/guide/cover_side.hpp"
+#include "export/guide/words.hpp"
+#include "export/guide/cover.hpp"
 #include "export/guide/effort.hpp"
-#include "export/guide/hues.hpp"
+#include "export/guide/picture.hpp"
 #include "export/guide/step_words.hpp"
 #include "export/page/obstacles.hpp"
 #include "export/style/stroke_font.hpp"
