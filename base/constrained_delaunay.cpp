@@ -10,13 +10,14 @@
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include "base/no_index.hpp"
+
 namespace ridgecraft {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-constexpr std::uint32_t no_point = 0xffffffffU;
 struct PointNumber {
-  std::uint32_t value = no_point;
+  std::uint32_t value = no_index;
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointNumber, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
@@ -64,7 +65,7 @@ bool insert(Delaunay& delaunay, std::span<const Vec2> points, std::span<const Se
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (used[i]) {
       vertices[i] = delaunay.insert(Kernel::Point_2(points[i].x, points[i].y), near);
-      if (vertices[i]->info().value != no_point) {
+      if (vertices[i]->info().value != no_index) {
         return false;
       }
       vertices[i]->info().value = static_cast<std::uint32_t>(i);

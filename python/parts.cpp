@@ -12,6 +12,7 @@
 #include <pybind11/stl.h>
 
 #include "base/error.hpp"
+#include "base/no_index.hpp"
 #include "python/background.hpp"
 #include "python/polygons.hpp"
 #include "segment/hierarchy.hpp"
@@ -82,7 +83,7 @@ segment::Segmentation find_parts(const mesh::Model& model, const PartsAsked& ask
 
 py::array_t<std::int32_t> labels_of(const std::vector<std::uint32_t>& labels) {
   return filled<std::int32_t>(std::array{labels.size()}, [&](std::size_t row, std::size_t /*column*/) {
-    return labels[row] == segment::no_part ? std::int64_t{-1} : std::int64_t{labels[row]};
+    return labels[row] == no_index ? std::int64_t{-1} : std::int64_t{labels[row]};
   });
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "segment/concavity/graph.hpp"
 #include "segment/concavity/measure.hpp"
 #include "segment/cutting/cut.hpp"
@@ -86,7 +87,7 @@ class Joiner {
     for (std::uint32_t f = 0; f < scaled_.facet_count(); ++f) {
       for (unsigned k = 0; k < 3; ++k) {
         const std::uint32_t g = scaled_.neighbors[f][k];
-        if (g == none || g < f) {
+        if (g == no_index || g < f) {
           continue;
         }
         const std::uint32_t p = finest.part[FaceId(f)].value();

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,6 +14,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/no_index.hpp"
 #include "solid/hulls.hpp"
 
 namespace ridgecraft::solid {
@@ -110,8 +110,6 @@ using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Index = std::uint32_t;
 using Triangle = std::array<Index, 3>;
 
-constexpr Index nothing = std::numeric_limits<Index>::max();
-
 Point at(const Body& body, Index i) {
   const Vec3 p = body.points[i];
   return {p.x, p.y, p.z};
@@ -166,7 +164,7 @@ std::vector<std::vector<Index>> loops_of(const Body& hull, const std::vector<boo
     }
   }
   std::vector<std::vector<Index>> loops;
-  Index done = nothing;
+  Index done = no_index;
   for (const auto& entry : next) {
     const auto [s, start] = entry.first;
     if (s == done) {
@@ -215,7 +213,7 @@ Body canonical_hull(const Body& hull) {
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
   });
   Body result;
-  std::vector<Index> number(hull.points.size(), nothing);
+  std::vector<Index> number(hull.points.size(), no_index);
   for (const Index v : corners) {
     number[v] = static_cast<Index>(result.points.size());
     result.points.push_back(hull.points[v]);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/no_index.hpp"
 #include "base/sentence.hpp"
 #include "base/version.hpp"
 #include "cli/files/value.hpp"
@@ -61,7 +62,7 @@ std::string label_text(const Labels& labels) {
   std::string text;
   text.reserve(4 * labels.size());
   for (const std::uint32_t label : labels) {
-    text += label == segment::no_part ? "-1" : std::to_string(label);
+    text += label == no_index ? "-1" : std::to_string(label);
     text += '\n';
   }
   return text;
@@ -78,12 +79,12 @@ Labels read_labels(const std::string& file, std::size_t polygons) {
     const std::string_view word = rest.substr(0, rest.find_first_of(space));
     long long value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || value < -1 || value >= segment::no_part) {
+    if (error != std::errc() || end != word.data() + word.size() || value < -1 || value >= no_index) {
       throw Error(ErrorKind::unreadable_input,
                   fmt::format("{}: label {} is no part number (0, 1, 2 ... or -1)", file, labels.size() + 1),
                   file);
     }
-    labels.push_back(value < 0 ? segment::no_part : static_cast<std::uint32_t>(value));
+    labels.push_back(value < 0 ? no_index : static_cast<std::uint32_t>(value));
     if (labels.size() > polygons) {
       break;
     }
@@ -114,7 +115,7 @@ std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& h
   }
   Value leaves(Value::List{});
   for (const std::uint32_t label : segment::polygon_labels(model, hierarchy.parts(hierarchy.leaves))) {
-    leaves.add(label == segment::no_part ? Value(-1) : Value(label));
+    leaves.add(label == no_index ? Value(-1) : Value(label));
   }
   Value text;
   text.set("by", program_and_version());

@@ -14,6 +14,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/no_index.hpp"
 #include "mesh/model/surface.hpp"
 
 namespace ridgecraft::mesh {
@@ -100,11 +101,10 @@ void check_fans(std::size_t point_count, Faces faces, const std::vector<Side>& s
       fans.join(3 * side.face + side.corner, 3 * twin->face + (twin->corner + 1) % 3);
     }
   }
-  constexpr std::uint32_t none = ~std::uint32_t{0};
-  std::vector<std::uint32_t> fan_at(point_count, none);
+  std::vector<std::uint32_t> fan_at(point_count, no_index);
   for (const Side& side : sides) {
     const std::uint32_t fan = fans.find(3 * side.face + side.corner);
-    if (fan_at[side.from] != none && fan_at[side.from] != fan) {
+    if (fan_at[side.from] != no_index && fan_at[side.from] != fan) {
       refuse("the faces at vertex {} are several fans that only touch there", side.from);
     }
     fan_at[side.from] = fan;

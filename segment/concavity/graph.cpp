@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 #include "base/segment.hpp"
 
 namespace ridgecraft::segment {
@@ -59,7 +60,7 @@ void for_edges(const ScaledSurface& s, const Visit& visit) {
   for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = s.neighbors[f][k];
-      if (g == none || g >= f) {
+      if (g == no_index || g >= f) {
         visit(f, k, g);
       }
     }
@@ -101,7 +102,7 @@ VertexGraph build_vertex_graph(const ScaledSurface& s, double sagitta) {
   for_edges(s, [&](std::uint32_t f, unsigned k, std::uint32_t g) {
     ++places.along[s.corners[f][k]];
     ++places.along[s.corners[f][(k + 1) % 3]];
-    if (g == none) {
+    if (g == no_index) {
       return;
     }
     lines.push_back(line_across(s, f, k, g, sagitta));
@@ -123,7 +124,7 @@ VertexGraph build_vertex_graph(const ScaledSurface& s, double sagitta) {
     };
     add(places.along[a]++, b, size);
     add(places.along[b]++, a, size);
-    if (g == none) {
+    if (g == no_index) {
       return;
     }
     const Candidate& c = lines[line++];
@@ -156,7 +157,7 @@ PartGraph::PartGraph(const ScaledSurface& surface, const VertexGraph& graph, boo
       vertex_mark_(surface.vertex_count(), 0),
       partial_(surface.vertex_count(), 0),
       loop_mark_(surface.vertex_count(), 0),
-      loop_(surface.vertex_count(), none) {}
+      loop_(surface.vertex_count(), no_index) {}
 
 void PartGraph::select(std::span<const std::uint32_t> facets) {
   ++current_;
@@ -182,7 +183,7 @@ void PartGraph::find_cut_edges() {
   for (const std::uint32_t f : facets_) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = surface_->neighbors[f][k];
-      if (g == none || member_[g] == current_) {
+      if (g == no_index || member_[g] == current_) {
         continue;
       }
       const std::uint32_t a = surface_->corners[f][k];
@@ -246,9 +247,9 @@ bool PartGraph::arc_exists(std::uint32_t v, std::uint32_t i) const {
 }
 
 std::uint32_t PartGraph::find_arc(std::uint32_t from, std::uint32_t to) const {
-  std::uint32_t best = none;
+  std::uint32_t best = no_index;
   for_arcs(from, [&](std::uint32_t i, const Arc& a) {
-    if (a.target == to && (best == none || a.length < graph_->arcs[best].length)) {
+    if (a.target == to && (best == no_index || a.length < graph_->arcs[best].length)) {
       best = i;
     }
   });
@@ -263,7 +264,7 @@ bool PartGraph::starts_inside(std::uint32_t p, std::uint32_t q, double distance)
 
 bool PartGraph::jump_exists(std::uint32_t p, std::uint32_t q) const {
   const std::uint32_t at = loop_at(p);
-  if (at == none || loop_at(q) != at || p == q) {
+  if (at == no_index || loop_at(q) != at || p == q) {
     return false;
   }
   return starts_inside(p, q, length(surface_->points[q] - surface_->points[p]));

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {
@@ -57,7 +58,9 @@ class PartGraph {
 
   /// Another number for each part that was shown.
   [[nodiscard]] std::uint32_t selection() const { return current_; }
-  [[nodiscard]] bool has(std::uint32_t facet) const { return facet != none && member_[facet] == current_; }
+  [[nodiscard]] bool has(std::uint32_t facet) const {
+    return facet != no_index && member_[facet] == current_;
+  }
   [[nodiscard]] std::span<const std::uint32_t> facets() const { return facets_; }
   /// In order of first appearance.
   [[nodiscard]] std::span<const std::uint32_t> vertices() const { return vertices_; }
@@ -92,7 +95,7 @@ class PartGraph {
 
   /// The cut loop at a vertex, or none; its vertices, ascending.
   [[nodiscard]] std::uint32_t loop_at(std::uint32_t v) const {
-    return loop_mark_[v] == current_ ? loop_[v] : none;
+    return loop_mark_[v] == current_ ? loop_[v] : no_index;
   }
   [[nodiscard]] std::span<const std::uint32_t> loop(std::uint32_t index) const {
     return {loop_vertices_.data() + loop_first_[index], loop_first_[index + 1] - loop_first_[index]};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/convex_hull.hpp"
+#include "base/no_index.hpp"
 
 namespace ridgecraft::segment {
 namespace {
@@ -157,7 +158,7 @@ bool derive_bridge(std::uint32_t index, const Hull& hull, std::span<const Vec3> 
                    std::span<Bridge> bridges) {
   Bridge& bridge = bridges[index];
   std::array<std::uint32_t, 2> triangles = hull.edge_triangles[index];
-  if (triangles[0] == none) {
+  if (triangles[0] == no_index) {
     return false;  // the hull is flat
   }
   const auto apex = [&](std::uint32_t t) { return apex_of(hull.triangles[t], bridge); };
@@ -220,7 +221,7 @@ void Measurer::measure(std::span<const std::uint32_t> facets, std::span<const st
   if (options.stop_at_first && !options.from_scratch && fails_in_shadow(hull_points)) {
     out.hull.clear();
     out.bridges.clear();
-    out.deepest = none;
+    out.deepest = no_index;
     out.stopped = true;
     return;
   }
@@ -240,7 +241,7 @@ void Measurer::measure_selected(const MeasureOptions& options, Measurement& out)
   depth_.select(out.hull);
   out.bridges.assign(out.hull.edges.size(), Bridge{});
   out.concavity = 0.0;
-  out.deepest = none;
+  out.deepest = no_index;
   out.stopped = false;
   const auto& points = surface_->points;
   for (std::size_t i = 0; i < out.bridges.size(); ++i) {
@@ -340,7 +341,7 @@ bool Measurer::fails_in_shadow(std::span<const std::uint32_t> hull_points) {
 /// Whether an arc or a jump leads from one end to the other.
 bool Measurer::join_ends(Bridge& bridge) const {
   const std::uint32_t arc = part_.find_arc(bridge.a, bridge.b);
-  if (arc != none) {
+  if (arc != no_index) {
     bridge.length = static_cast<double>(part_.arc(arc).length);
   } else if (!part_.jump_exists(bridge.a, bridge.b)) {
     return false;
@@ -388,7 +389,7 @@ void Measurer::search(std::uint32_t index, const MeasureOptions& options, Measur
   if (bridge.high && !options.stop_at_first && valley.steps.size() > 2) {
     found.reach = valleys_.sub_valleys(valley, capped_, tolerance_);
   }
-  if (out.deepest == none || found.concavity > greatest_concavity(out.bridges[out.deepest])) {
+  if (out.deepest == no_index || found.concavity > greatest_concavity(out.bridges[out.deepest])) {
     out.deepest = index;
   }
   bridge.known = found;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/no_index.hpp"
 #include "base/vector.hpp"
 #include "segment/concavity/graph.hpp"
 #include "segment/concavity/valleys.hpp"
@@ -66,14 +67,14 @@ struct Searched {
 struct Derived {
   double least = 0.0;
   double most = 0.0;
-  std::uint32_t from = none;  ///< searched bridge at the beginning of the chain of neighbours
-  bool crossed = false;       ///< a is nearer to that one's b
+  std::uint32_t from = no_index;  ///< searched bridge at the beginning of the chain of neighbours
+  bool crossed = false;           ///< a is nearer to that one's b
 };
 
 /// Bridge number i is edge number i of the hull.
 struct Bridge {
-  std::uint32_t a = none;  ///< smaller end
-  std::uint32_t b = none;
+  std::uint32_t a = no_index;  ///< smaller end
+  std::uint32_t b = no_index;
   double length = 0.0;  ///< of its valley, estimated when derived; straight as long as nothing is known
   bool high = false;    ///< more concave than the tolerance
   std::variant<std::monostate, Joined, Searched, Derived> known;
@@ -111,9 +112,9 @@ inline constexpr double flat_face_lift = 1e-5;
 struct Measurement {
   Hull hull;
   std::vector<Bridge> bridges;
-  double concavity = 0.0;        ///< greatest over the bridges (upper estimate where they were derived)
-  std::uint32_t deepest = none;  ///< searched bridge of greatest concavity
-  bool stopped = false;          ///< at the first high bridge, as asked for
+  double concavity = 0.0;            ///< greatest over the bridges (upper estimate where they were derived)
+  std::uint32_t deepest = no_index;  ///< searched bridge of greatest concavity
+  bool stopped = false;              ///< at the first high bridge, as asked for
 };
 
 /// What is asked for; by default all bridges, with what cutting needs.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/no_index.hpp"
+
 namespace ridgecraft::segment {
 
 void BucketQueue::start(float base, float width) {
@@ -65,7 +67,7 @@ float ValleySearch::estimate(std::uint32_t v, const Node& node) const {
 /// Whether all jumps were taken that shorten a way; false when some lead beyond `bound`.
 bool ValleySearch::relax_jumps(std::uint32_t v, std::uint32_t to, float bound) {
   const std::uint32_t loop = graph_->loop_at(v);
-  if (loop == none) {
+  if (loop == no_index) {
     return true;
   }
   bool finished = true;
@@ -108,7 +110,7 @@ void ValleySearch::begin(std::uint32_t from) {
   selection_ = graph_->selection();
   unfinished_.clear();
   const auto ahead = static_cast<float>(length(goal_point_ - graph_->surface().points[from]));
-  nodes_[from] = {0.0, ahead, search_, none, none, goal_};
+  nodes_[from] = {0.0, ahead, search_, no_index, no_index, goal_};
   queue_.start(ahead, bucket_width_);
   queue_.push(ahead, from);
 }
@@ -147,7 +149,7 @@ void ValleySearch::expand(std::uint32_t v, std::uint32_t to, float& bound) {
     Node& node = nodes_[arc.target];
     if (node.search == search_ && reached >= node.key) {
       // Of two ways of one length, the one over the vertex that Dijkstra's queue would have taken first.
-      if (reached == node.key && arc.length > 0.0F && node.from != none && comes_first(v, node.from)) {
+      if (reached == node.key && arc.length > 0.0F && node.from != no_index && comes_first(v, node.from)) {
         node.from = v;
         node.arc = i;
       }
@@ -203,7 +205,7 @@ double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step
   if (goal.search != search_) {
     return infinite;
   }
-  for (std::uint32_t v = to; v != none; v = nodes_[v].from) {
+  for (std::uint32_t v = to; v != no_index; v = nodes_[v].from) {
     path.push_back({v, nodes_[v].arc});
   }
   std::reverse(path.begin(), path.end());
@@ -212,7 +214,7 @@ double ValleySearch::find(std::uint32_t from, std::uint32_t to, std::vector<Step
 
 void ValleySearch::flood(std::span<const Start> starts, double limit, std::vector<std::uint32_t>& reached) {
   ++search_;
-  source_ = none;
+  source_ = no_index;
   queue_.start(0.0F, bucket_width_);
   reached.clear();
   double least = 0.0;
@@ -223,7 +225,7 @@ void ValleySearch::flood(std::span<const Start> starts, double limit, std::vecto
   for (const Start& s : starts) {
     Node& node = nodes_[s.vertex];
     if (s.key < limit && (node.search != search_ || s.key < node.key)) {
-      node = {s.key, 0.0F, search_, none, none, none};
+      node = {s.key, 0.0F, search_, no_index, no_index, no_index};
       queue_.push(static_cast<float>(s.key - least), s.vertex);
     }
   }
@@ -248,7 +250,7 @@ void ValleySearch::flood(std::span<const Start> starts, double limit, std::vecto
       node.key = next;
       if (fresh) {
         node.search = search_;
-        node.from = none;
+        node.from = no_index;
       }
       queue_.push(static_cast<float>(next - least), arc.target);
     });

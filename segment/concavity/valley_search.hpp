@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "segment/concavity/graph.hpp"
 
 namespace ridgecraft::segment {
@@ -110,9 +111,9 @@ class ValleySearch {
     double key = 0.0;  ///< length of the path so far
     float estimate = 0.0F;
     std::uint32_t search = 0;
-    std::uint32_t from = none;
-    std::uint32_t arc = none;
-    std::uint32_t goal = none;  ///< number of the goal that the estimate is for
+    std::uint32_t from = no_index;
+    std::uint32_t arc = no_index;
+    std::uint32_t goal = no_index;  ///< number of the goal that the estimate is for
   };
 
   [[nodiscard]] bool comes_first(std::uint32_t v, std::uint32_t other) const;
@@ -129,8 +130,8 @@ class ValleySearch {
   std::uint32_t search_ = 0;
   std::uint32_t goal_ = 0;  ///< number of the goal, not a vertex
   Vec3 goal_point_;
-  std::uint32_t source_ = none;  ///< of the last find(); none after a flood
-  std::uint32_t selection_ = 0;  ///< part that it was on
+  std::uint32_t source_ = no_index;  ///< of the last find(); none after a flood
+  std::uint32_t selection_ = 0;      ///< part that it was on
   /// Vertices that the last find() reached, but from which it didn't take all arcs.
   std::vector<BucketQueue::Entry> left_;
   std::vector<std::uint32_t> unfinished_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/no_index.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
@@ -62,7 +64,7 @@ EdgeWeights::EdgeWeights(const ScaledSurface& s, const Rules& rules, std::span<c
   for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t g = s.neighbors[f][k];
-      if (g == none || g < f) {
+      if (g == no_index || g < f) {
         continue;
       }
       const std::uint32_t to = s.corners[f][(k + 1) % 3];
@@ -115,7 +117,7 @@ Cutter::Cutter(const ScaledSurface& surface, const EdgeWeights& weights, std::si
       weights_(&weights),
       coarse_from_(coarse_from),
       regions_(surface),
-      label_(surface.facet_count(), none),
+      label_(surface.facet_count(), no_index),
       node_(surface.facet_count(), 0),
       node_mark_(surface.facet_count(), 0) {}
 
@@ -142,7 +144,7 @@ std::vector<Facets> Cutter::components(std::span<const std::uint32_t> facets,
       for (std::size_t i = 0; i < nodes_.size(); ++i) {
         node_[nodes_[i]] = number;
         for (const std::uint32_t g : surface_->neighbors[nodes_[i]]) {
-          if (g != none && node_mark_[g] == open && label[g] == label[start]) {
+          if (g != no_index && node_mark_[g] == open && label[g] == label[start]) {
             node_mark_[g] = mark_;
             nodes_.push_back(g);
           }
@@ -185,7 +187,7 @@ std::vector<Facets> Cutter::cut(Measurer& measurer, const Measurement& measureme
   const std::vector<Ridge> ridges = find_ridges(measurement, surface_->points);
   regions_.assign(measurer, ridges);
   for (const std::uint32_t f : part.facets()) {
-    label_[f] = none;
+    label_[f] = no_index;
   }
   const std::vector<std::uint32_t> order = cut_order(ridges);
   cut_off_.assign(ridges.size(), false);
@@ -232,7 +234,7 @@ void Cutter::flood_fuzzy(const PartGraph& part, std::uint32_t ridge) {
   nodes_.clear();
   const auto visit = [&](std::uint32_t f) {
     for (const std::uint32_t g : surface_->neighbors[f]) {
-      if (part.has(g) && node_mark_[g] != mark_ && regions_.owner(g) == fuzzy && label_[g] == none) {
+      if (part.has(g) && node_mark_[g] != mark_ && regions_.owner(g) == fuzzy && label_[g] == no_index) {
         node_mark_[g] = mark_;
         node_[g] = static_cast<std::uint32_t>(nodes_.size());
         nodes_.push_back(g);
@@ -363,9 +365,9 @@ std::vector<Facets> Cutter::split(Measurer& measurer, const Measurement& measure
   std::array<std::vector<double>, 2> distance;
   std::vector<std::uint32_t> reached;
   for (std::size_t end = 0; end < 2; ++end) {
-    const Start start{deepest == none ? part.vertices()[0]
-                      : end == 0      ? measurement.bridges[deepest].a
-                                      : measurement.bridges[deepest].b,
+    const Start start{deepest == no_index ? part.vertices()[0]
+                      : end == 0          ? measurement.bridges[deepest].a
+                                          : measurement.bridges[deepest].b,
                       0.0};
     measurer.search().flood({&start, 1}, INFINITY, reached);
     for (const std::uint32_t f : facets) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/no_index.hpp"
 
 namespace ridgecraft::segment {
 namespace {
@@ -38,7 +39,7 @@ void MaximumFlow::pair_slots() {
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
     for (std::uint8_t k = 0; k < 3; ++k) {
       const std::uint32_t j = nodes_[i].other[k];
-      if (j == no_node || nodes_[i].back[k] != unpaired) {
+      if (j == no_index || nodes_[i].back[k] != unpaired) {
         continue;
       }
       for (std::uint8_t l = 0; l < 3; ++l) {
@@ -80,16 +81,16 @@ void MaximumFlow::start_trees() {
 std::int64_t MaximumFlow::run() {
   pair_slots();
   start_trees();
-  std::uint32_t current = no_node;
+  std::uint32_t current = no_index;
   for (;;) {
-    if (current == no_node || nodes_[current].tree == Tree::free) {
-      current = no_node;
-      while (queue_head_ < queue_.size() && current == no_node) {
+    if (current == no_index || nodes_[current].tree == Tree::free) {
+      current = no_index;
+      while (queue_head_ < queue_.size() && current == no_index) {
         const std::uint32_t candidate = queue_[queue_head_++];
         nodes_[candidate].active = false;
-        current = nodes_[candidate].tree == Tree::free ? no_node : candidate;
+        current = nodes_[candidate].tree == Tree::free ? no_index : candidate;
       }
-      if (current == no_node) {
+      if (current == no_index) {
         return flow_;
       }
     }
@@ -98,7 +99,7 @@ std::int64_t MaximumFlow::run() {
       augment();
       adopt_orphans();
     } else {
-      current = no_node;
+      current = no_index;
     }
   }
 }
@@ -112,7 +113,7 @@ bool MaximumFlow::grow(std::uint32_t i) {
   Node& node = nodes_[i];
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t j = node.other[k];
-    if (j == no_node) {
+    if (j == no_index) {
       continue;
     }
     Node& next = nodes_[j];
@@ -236,7 +237,7 @@ void MaximumFlow::adopt(std::uint32_t i) {
   std::uint8_t parent = no_parent;
   for (std::uint8_t k = 0; k < 3; ++k) {
     const std::uint32_t j = node.other[k];
-    if (j == no_node || nodes_[j].tree != node.tree || nodes_[j].parent == no_parent ||
+    if (j == no_index || nodes_[j].tree != node.tree || nodes_[j].parent == no_parent ||
         towards(i, k, node.tree) <= 0) {
       continue;
     }
@@ -254,7 +255,7 @@ void MaximumFlow::adopt(std::uint32_t i) {
   }
   for (std::uint8_t k = 0; k < 3; ++k) {
     const std::uint32_t j = node.other[k];
-    if (j == no_node || nodes_[j].tree != node.tree) {
+    if (j == no_index || nodes_[j].tree != node.tree) {
       continue;
     }
     if (towards(i, k, node.tree) > 0) {
@@ -327,8 +328,7 @@ bool CoarseCut::widen(std::span<const std::uint32_t> nodes, std::vector<CutSide>
 /// Grows clusters breadth first, one after the other. A cluster begins where the one before met its limit, so
 /// that few crumbs are left between them.
 void CoarseCut::join_nodes(const CutGraph& graph) {
-  constexpr std::uint32_t nobody = MaximumFlow::no_node;
-  cluster_.assign(graph.size(), nobody);
+  cluster_.assign(graph.size(), no_index);
   clusters_ = 0;
   std::vector<std::uint32_t> starts;
   std::vector<CutGraph::Node> members;  // as in queue_
@@ -340,7 +340,7 @@ void CoarseCut::join_nodes(const CutGraph& graph) {
   for (std::uint32_t start = 0; start < cluster_.size(); ++start) {
     starts.assign(1, start);
     for (std::size_t s = 0; s < starts.size(); ++s) {
-      if (cluster_[starts[s]] != nobody) {
+      if (cluster_[starts[s]] != no_index) {
         continue;
       }
       queue_.clear();
@@ -352,14 +352,14 @@ void CoarseCut::join_nodes(const CutGraph& graph) {
         for (; closed < queue_.size(); ++closed) {
           const std::array<CutGraph::Side, 3> sides = members[closed].sides;
           for (const CutGraph::Side& side : sides) {
-            if (side.capacity >= MaximumFlow::infinite_capacity && cluster_[side.other] == nobody) {
+            if (side.capacity >= MaximumFlow::infinite_capacity && cluster_[side.other] == no_index) {
               take(side.other);
             }
           }
         }
         const std::array<CutGraph::Side, 3> sides = members[i].sides;
         for (const CutGraph::Side& side : sides) {
-          if (side.other == nobody || cluster_[side.other] != nobody) {
+          if (side.other == no_index || cluster_[side.other] != no_index) {
             continue;
           }
           if (side.crease || queue_.size() >= cluster_size) {
@@ -384,7 +384,7 @@ void CoarseCut::find_borders(const CutGraph& graph) {
     source_[c] = saturated_sum(source_[c], node.source);
     sink_[c] = saturated_sum(sink_[c], node.sink);
     for (const CutGraph::Side& side : node.sides) {
-      if (side.other != MaximumFlow::no_node && cluster_[side.other] > c) {
+      if (side.other != no_index && cluster_[side.other] > c) {
         borders_.push_back({std::uint64_t{c} << 32U | cluster_[side.other], side.capacity});
       }
     }

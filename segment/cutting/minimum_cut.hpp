@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
+
 namespace ridgecraft::segment {
 
 // Maximum flow and smallest minimum cut on graphs whose nodes have at most three arcs, as facets have.
@@ -18,7 +20,6 @@ namespace ridgecraft::segment {
 /// augmentations. Why not Boost's: docs/design/segmentation.md, "What is written by hand, and why".
 class MaximumFlow {
  public:
-  static constexpr std::uint32_t no_node = 0xffffffffU;
   /// More than any sum of real capacities; residuals of it stay below 2^63.
   static constexpr std::int64_t infinite_capacity = std::int64_t{1} << 61U;
 
@@ -42,7 +43,7 @@ class MaximumFlow {
   struct Node {
     std::array<std::int64_t, 3> residual{};  ///< of the arc that leaves at this slot
     std::int64_t terminal_residual = 0;      ///< above 0 from the source, below 0 to the sink
-    std::array<std::uint32_t, 3> other{no_node, no_node, no_node};
+    std::array<std::uint32_t, 3> other{no_index, no_index, no_index};
     std::uint32_t distance = 0;  ///< to the terminal, as known at `time`
     std::uint32_t time = 0;
     std::array<std::uint8_t, 3> back{};  ///< slot of the same arc at its other end
@@ -72,7 +73,7 @@ class MaximumFlow {
   std::uint32_t time_ = 0;
   std::int64_t flow_ = 0;
   std::uint32_t meeting_node_ =
-      no_node;  ///< of the source tree, whose arc meeting_slot_ leads into the sink tree
+      no_index;  ///< of the source tree, whose arc meeting_slot_ leads into the sink tree
   unsigned meeting_slot_ = 0;
 };
 
@@ -85,7 +86,7 @@ class CutGraph {
  public:
   struct Side {
     std::int64_t capacity = 0;
-    std::uint32_t other = MaximumFlow::no_node;
+    std::uint32_t other = no_index;
     bool crease = false;  ///< a likely place for the cut
   };
   struct Node {

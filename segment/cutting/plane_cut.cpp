@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/elementary.hpp"
+#include "base/no_index.hpp"
 
 namespace ridgecraft::segment {
 namespace {
@@ -43,7 +44,7 @@ PlaneCutter::PlaneCutter(const ScaledSurface& surface, const EdgeWeights& weight
       weights_(&weights),
       hulls_(surface.points),
       mark_(surface.vertex_count(), 0),
-      node_(surface.facet_count(), none),
+      node_(surface.facet_count(), no_index),
       side_(surface.facet_count(), 0) {}
 
 double PlaneCutter::closed_volume(std::span<const std::uint32_t> facets) const {
@@ -56,7 +57,7 @@ double PlaneCutter::closed_volume(std::span<const std::uint32_t> facets) const {
   const auto& points = surface_->points;
   const auto open_side = [&](std::uint32_t f, unsigned k) {
     const std::uint32_t g = surface_->neighbors[f][k];
-    return g == none || !member[g];
+    return g == no_index || !member[g];
   };
   for (const std::uint32_t f : facets) {
     for (unsigned k = 0; k < 3; ++k) {
@@ -243,12 +244,12 @@ void PlaneCutter::label(const CutPlane& plane, double reach, std::uint32_t bit) 
   for (std::uint32_t i = 0; i < band.size(); ++i) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = surface_->neighbors[band[i]][k];
-      if (g == none || side_[g] == none) {
+      if (g == no_index || side_[g] == no_index) {
         continue;
       }
       const std::int64_t capacity = surface_->same_group(band[i], g) ? MaximumFlow::infinite_capacity
                                                                      : weights_->capacity(3 * band[i] + k);
-      if (node_[g] != none) {
+      if (node_[g] != no_index) {
         flow_.set_arc(i, k, node_[g], capacity);
       } else if ((side_[g] & bit) != 0) {
         flow_.add_source(i, capacity);
@@ -262,7 +263,7 @@ void PlaneCutter::label(const CutPlane& plane, double reach, std::uint32_t bit) 
     side_[band[i]] = (side_[band[i]] & ~bit) | (flow_.on_source_side(i) ? bit : 0U);
   }
   for (const std::uint32_t f : band) {
-    node_[f] = none;
+    node_[f] = no_index;
   }
 }
 
@@ -287,7 +288,7 @@ std::vector<Facets> PlaneCutter::cut(Cutter& cutter, std::span<const std::uint32
   if (best == nullptr) {
     return {Facets(facets.begin(), facets.end())};
   }
-  std::fill(side_.begin(), side_.end(), none);
+  std::fill(side_.begin(), side_.end(), no_index);
   for (const std::uint32_t f : facets_) {
     side_[f] = 0;
   }

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/no_index.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
@@ -76,11 +78,11 @@ std::vector<Ridge> find_ridges(const Measurement& m, std::span<const Vec3> point
     sets.join(local(m.bridges[i].a), local(m.bridges[i].b));
   }
   // Hull vertices ascend, so ridges are numbered by their smallest one.
-  std::vector<std::uint32_t> number(hull.size(), none);
+  std::vector<std::uint32_t> number(hull.size(), no_index);
   std::vector<Ridge> all;
   for (std::uint32_t v = 0; v < hull.size(); ++v) {
     std::uint32_t& n = number[sets.root(v)];
-    if (n == none) {
+    if (n == no_index) {
       n = static_cast<std::uint32_t>(all.size());
       all.emplace_back();
     }

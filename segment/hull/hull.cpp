@@ -6,6 +6,7 @@
 
 #include "base/convex_hull.hpp"
 #include "base/error.hpp"
+#include "base/no_index.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
 namespace ridgecraft::segment {
@@ -78,8 +79,8 @@ void HullBuilder::take_points(std::span<const std::uint32_t> ids, double lift) {
 void HullBuilder::build(std::span<const std::uint32_t> ids, Hull& out, double lift) {
   out.clear();
   take_points(ids, lift);
-  next_.assign(ids.size(), none);
-  slot_.assign(ids.size(), none);
+  next_.assign(ids.size(), no_index);
+  slot_.assign(ids.size(), no_index);
   facets_.clear();
   // 2 n facets at the end and hardly more before: doubling would take three times the memory for a while.
   facets_.reserve(2 * ids.size() + spare_facets);
@@ -94,7 +95,7 @@ void HullBuilder::build(std::span<const std::uint32_t> ids, Hull& out, double li
   while (!pending_.empty()) {
     const std::uint32_t f = pending_.back();
     pending_.pop_back();
-    if (facets_[f].alive && facets_[f].outside != none) {
+    if (facets_[f].alive && facets_[f].outside != no_index) {
       add_top_of(f);
     }
   }
@@ -133,8 +134,8 @@ std::uint32_t HullBuilder::new_facet(std::uint32_t a, std::uint32_t b, std::uint
   f.at = points_[a];
   f.n = cross(u, v);
   f.bound = sign_bound * greatest_coordinate(u) * greatest_coordinate(v);
-  f.outside = none;
-  f.top = none;
+  f.outside = no_index;
+  f.top = no_index;
   f.height = -INFINITY;
   f.alive = true;
   f.mark = 0;
@@ -143,7 +144,7 @@ std::uint32_t HullBuilder::new_facet(std::uint32_t a, std::uint32_t b, std::uint
 
 void HullBuilder::give_point(std::uint32_t facet, std::uint32_t p, double height) {
   Facet& f = facets_[facet];
-  if (f.outside == none) {
+  if (f.outside == no_index) {
     pending_.push_back(facet);
   }
   next_[p] = f.outside;
@@ -188,7 +189,7 @@ double HullBuilder::find_extent() {
 /// The first of the points whose distance is greatest and above a limit, or none.
 template <class Distance>
 std::uint32_t HullBuilder::farthest(double limit, const Distance& distance) const {
-  std::uint32_t best = none;
+  std::uint32_t best = no_index;
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
     const double d = distance(points_[i]);
     if (d > limit) {
@@ -202,7 +203,7 @@ std::uint32_t HullBuilder::farthest(double limit, const Distance& distance) cons
 /// Four points that aren't in a plane, the last one below the first three. False where there are none; the
 /// first three, or two, are filled as far as there are such.
 bool HullBuilder::find_simplex() {
-  simplex_[2] = simplex_[3] = none;
+  simplex_[2] = simplex_[3] = no_index;
   const double extent = find_extent();
   if (!(extent > 0.0)) {
     return false;
@@ -210,12 +211,12 @@ bool HullBuilder::find_simplex() {
   const Vec3 a = points_[simplex_[0]];
   const Vec3 along = (points_[simplex_[1]] - a) / extent;
   simplex_[2] = farthest(line_share * extent, [&](Vec3 p) { return length(cross(along, p - a)); });
-  if (simplex_[2] == none) {
+  if (simplex_[2] == no_index) {
     return false;
   }
   const Vec3 normal = normalized(cross(along, points_[simplex_[2]] - a));
   simplex_[3] = farthest(flat_share * extent, [&](Vec3 p) { return std::abs(dot(normal, p - a)); });
-  if (simplex_[3] == none) {
+  if (simplex_[3] == no_index) {
     return false;
   }
   const int side = exact_orientation(a, points_[simplex_[1]], points_[simplex_[2]], points_[simplex_[3]]);
@@ -301,7 +302,7 @@ void HullBuilder::add_top_of(std::uint32_t facet) {
   }
   for (const std::uint32_t f : visible_) {
     std::uint32_t q = facets_[f].outside;
-    while (q != none) {
+    while (q != no_index) {
       const std::uint32_t following = next_[q];
       if (q != p) {
         for (const std::uint32_t g : fresh_) {
@@ -314,7 +315,7 @@ void HullBuilder::add_top_of(std::uint32_t facet) {
       }
       q = following;
     }
-    facets_[f].outside = none;
+    facets_[f].outside = no_index;
   }
   free_.insert(free_.end(), visible_.begin(), visible_.end());
 }
@@ -366,12 +367,12 @@ void HullBuilder::emit() {
   if (flats.empty()) {
     return;
   }
-  std::vector<std::uint32_t> number(facets_.size(), none);
+  std::vector<std::uint32_t> number(facets_.size(), no_index);
   std::uint32_t faces = 0;
   for (std::uint32_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].alive && count[faces_.find(f)] > 1) {
       std::uint32_t& n = number[faces_.find(f)];
-      n = n == none ? faces++ : n;
+      n = n == no_index ? faces++ : n;
       flats[n].push_back(f);
     }
   }
@@ -382,7 +383,7 @@ void HullBuilder::emit() {
 
 void HullBuilder::emit_face(const std::vector<std::uint32_t>& members) {
   // The border of the face is one cycle: its facets form a disc.
-  std::uint32_t start = none;
+  std::uint32_t start = no_index;
   const std::uint32_t face = faces_.find(members[0]);
   for (const std::uint32_t f : members) {
     for (unsigned k = 0; k < 3; ++k) {
@@ -419,11 +420,11 @@ void HullBuilder::emit_face(const std::vector<std::uint32_t>& members) {
 /// but for the sorting of the vertices.
 void HullBuilder::connect(Hull& out) {
   // slot_ holds the rank of each local point among the hull vertices from here on.
-  std::fill(slot_.begin(), slot_.end(), none);
+  std::fill(slot_.begin(), slot_.end(), no_index);
   vertex_order_.clear();
   for (const auto& t : local_triangles_) {
     for (const std::uint32_t v : t) {
-      if (slot_[v] == none) {
+      if (slot_[v] == no_index) {
         slot_[v] = 0;
         vertex_order_.push_back({ids_[v], v});
       }
@@ -508,7 +509,7 @@ void HullBuilder::build_flat(Hull& out) const {
   if (points_.empty()) {
     return;
   }
-  if (simplex_[2] == none) {
+  if (simplex_[2] == no_index) {
     // A point or a line: no bridges, and the two ends as its hull.
     build_line(out);
     return;
@@ -537,7 +538,7 @@ void HullBuilder::build_flat(Hull& out) const {
   }
   std::sort(out.vertices.begin(), out.vertices.end());
   std::sort(out.edges.begin(), out.edges.end());
-  out.edge_triangles.assign(out.edges.size(), {none, none});
+  out.edge_triangles.assign(out.edges.size(), {no_index, no_index});
 }
 
 }  // namespace ridgecraft::segment

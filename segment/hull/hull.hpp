@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 #include "base/vector.hpp"
 #include "segment/surface/scaled_surface.hpp"
 
@@ -46,13 +47,13 @@ class HullBuilder {
 
  private:
   struct Facet {
-    std::array<std::uint32_t, 3> v;   ///< local point numbers, counterclockwise from outside
-    std::array<std::uint32_t, 3> nb;  ///< across the side from corner k to k + 1
-    Vec3 at;                          ///< a point of the plane
-    Vec3 n;                           ///< not normalised
-    double bound = 0.0;               ///< rounding of n . (p - at) for any p in the unit ball
-    std::uint32_t outside = none;     ///< first of the points above it, linked through next_
-    std::uint32_t top = none;         ///< the highest of them
+    std::array<std::uint32_t, 3> v;    ///< local point numbers, counterclockwise from outside
+    std::array<std::uint32_t, 3> nb;   ///< across the side from corner k to k + 1
+    Vec3 at;                           ///< a point of the plane
+    Vec3 n;                            ///< not normalised
+    double bound = 0.0;                ///< rounding of n . (p - at) for any p in the unit ball
+    std::uint32_t outside = no_index;  ///< first of the points above it, linked through next_
+    std::uint32_t top = no_index;      ///< the highest of them
     double height = 0.0;
     bool alive = true;
     std::uint32_t mark = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/no_index.hpp"
 #include "base/random.hpp"
 
 namespace ridgecraft::segment {
@@ -239,7 +240,7 @@ PocketTest::PocketTest(const ScaledSurface& surface, double tolerance)
 
 bool PocketTest::encloses(const ScaledSurface& surface) {
   return std::all_of(surface.neighbors.begin(), surface.neighbors.end(), [](const auto& beside_facet) {
-    return std::find(beside_facet.begin(), beside_facet.end(), none) == beside_facet.end();
+    return std::find(beside_facet.begin(), beside_facet.end(), no_index) == beside_facet.end();
   });
 }
 

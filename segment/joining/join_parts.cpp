@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "segment/concavity/measure.hpp"
 #include "segment/cutting/cut.hpp"
 #include "segment/joining/partition.hpp"
@@ -26,7 +27,7 @@ class Crumbs {
       : surface_(&surface),
         components_(std::move(components)),
         facets_of_(std::move(parts)),
-        part_of_(surface.facet_count(), none),
+        part_of_(surface.facet_count(), no_index),
         unite_(&unite),
         size_of_(surface.facet_count(), 0),
         taken_in_(surface.facet_count(), false) {
@@ -144,7 +145,7 @@ struct MergePart {
 /// Borders between parts of which one at least is open.
 BorderGraph<Border> borders_of(const std::vector<MergePart>& parts, const ScaledSurface& s,
                                const EdgeWeights& weights) {
-  std::vector<std::uint32_t> part_of(s.facet_count(), none);
+  std::vector<std::uint32_t> part_of(s.facet_count(), no_index);
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
     for (const std::uint32_t f : parts[p].facets) {
       part_of[f] = p;
@@ -154,8 +155,8 @@ BorderGraph<Border> borders_of(const std::vector<MergePart>& parts, const Scaled
   for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = s.neighbors[f][k];
-      if (g == none || g < f || part_of[f] == part_of[g] || part_of[f] == none || part_of[g] == none ||
-          !(parts[part_of[f]].open || parts[part_of[g]].open)) {
+      if (g == no_index || g < f || part_of[f] == part_of[g] || part_of[f] == no_index ||
+          part_of[g] == no_index || !(parts[part_of[f]].open || parts[part_of[g]].open)) {
         continue;
       }
       borders.between(part_of[f], part_of[g]).add_side(s, weights, std::size_t{3} * f + k);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "base/random.hpp"
 
 namespace ridgecraft::segment {
@@ -149,7 +150,7 @@ Partition::Partition(PieceSets& sets, const EdgeWeights& weights, const Partitio
 
 void Partition::find_borders() {
   const ScaledSurface& s = sets_->surface();
-  std::vector<std::uint32_t> piece_of(s.facet_count(), none);
+  std::vector<std::uint32_t> piece_of(s.facet_count(), no_index);
   for (std::uint32_t p = 0; p < sets_->piece_count(); ++p) {
     for (const std::uint32_t f : sets_->piece(p)) {
       piece_of[f] = p;
@@ -159,7 +160,7 @@ void Partition::find_borders() {
   for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = s.neighbors[f][k];
-      if (g != none && piece_of[f] != none && piece_of[g] != none && piece_of[f] != piece_of[g]) {
+      if (g != no_index && piece_of[f] != no_index && piece_of[g] != no_index && piece_of[f] != piece_of[g]) {
         beside_[piece_of[f]][piece_of[g]].add_side(s, *weights_, std::size_t{3} * f + k);
       }
     }
@@ -169,7 +170,7 @@ void Partition::find_borders() {
 double Partition::cost_of(const Groups& groups) const {
   double sum = 0.0;
   for (const Group& g : groups) {
-    if (g.set == none) {
+    if (g.set == no_index) {
       continue;
     }
     sum += 1.0;
@@ -193,7 +194,7 @@ double Partition::gain_of(const Groups& groups, const Pair& pair, std::uint32_t 
 
 Partition::Groups Partition::groups_of(const std::vector<std::uint32_t>& sets) const {
   Groups groups(sets.size());
-  std::vector<std::uint32_t> group_of(sets_->piece_count(), none);
+  std::vector<std::uint32_t> group_of(sets_->piece_count(), no_index);
   for (std::uint32_t g = 0; g < sets.size(); ++g) {
     groups[g].set = sets[g];
     for (const std::uint32_t p : (*sets_)[sets[g]].pieces) {
@@ -217,7 +218,7 @@ void Partition::unite(Groups& groups, const Pair& pair, std::uint32_t united) {
   const auto [g, h] = pair;
   hulls_.unite(g, h, (*sets_)[united].rays);
   groups[g].set = united;
-  groups[h].set = none;
+  groups[h].set = no_index;
   groups[g].beside.erase(h);
   for (const auto& [other, border] : std::exchange(groups[h].beside, {})) {
     if (other != g) {
@@ -301,7 +302,7 @@ std::vector<std::uint32_t> Partition::torn(const std::vector<std::uint32_t>& par
 std::vector<std::uint32_t> Partition::sets_of(const Groups& groups) {
   std::vector<std::uint32_t> sets;
   for (const Group& g : groups) {
-    if (g.set != none) {
+    if (g.set != no_index) {
       sets.push_back(g.set);
     }
   }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/no_index.hpp"
 #include "base/random.hpp"
 #include "segment/concavity/measure.hpp"
 #include "segment/cutting/cut.hpp"
@@ -236,7 +237,7 @@ class Partition {
  private:
   /// Pieces that are joined; without a set when it went into another one.
   struct Group {
-    std::uint32_t set = none;
+    std::uint32_t set = no_index;
     std::map<std::uint32_t, Border> beside;  ///< by group
   };
   using Groups = std::vector<Group>;

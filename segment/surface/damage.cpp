@@ -13,6 +13,7 @@
 #include "base/delaunay_edges.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/elementary.hpp"
+#include "base/no_index.hpp"
 
 namespace ridgecraft::segment {
 namespace {
@@ -38,10 +39,10 @@ struct HoleEdge {
 /// Repair gives each fan of facets a vertex of its own; here they are one again.
 void join_border_vertices(ScaledSurface& s) {
   std::map<std::tuple<double, double, double>, std::uint32_t> at;
-  std::vector<std::uint32_t> becomes(s.vertex_count(), none);
+  std::vector<std::uint32_t> becomes(s.vertex_count(), no_index);
   for (std::size_t f = 0; f < s.facet_count(); ++f) {
     for (unsigned k = 0; k < 3; ++k) {
-      if (s.neighbors[f][k] != none) {
+      if (s.neighbors[f][k] != no_index) {
         continue;
       }
       for (const std::uint32_t v : {s.corners[f][k], s.corners[f][(k + 1) % 3]}) {
@@ -52,7 +53,7 @@ void join_border_vertices(ScaledSurface& s) {
   }
   for (auto& corners : s.corners) {
     for (std::uint32_t& v : corners) {
-      v = becomes[v] == none ? v : becomes[v];
+      v = becomes[v] == no_index ? v : becomes[v];
     }
   }
 }
@@ -71,7 +72,7 @@ class CrumbTies {
     for (std::uint32_t f = 0; f < s_->facet_count(); ++f) {
       ++size_[pieces_.find(s_->corners[f][0])];
       for (unsigned k = 0; k < 3; ++k) {
-        if (s_->neighbors[f][k] == none) {
+        if (s_->neighbors[f][k] == no_index) {
           border_.push_back(s_->corners[f][k]);
         }
       }
@@ -107,23 +108,23 @@ class CrumbTies {
         reach = std::max(reach, longest_tie * length(points[c[(k + 1) % 3]] - points[c[k]]));
       }
     }
-    HoleEdge best{none, none, 0};
+    HoleEdge best{no_index, no_index, 0};
     double least = 2.0 * reach;
     for (const std::uint32_t f : members) {
       for (unsigned k = 0; k < 3; ++k) {
-        if (s_->neighbors[f][k] == none) {
-          find_nearest(piece, {none, f, k}, best, least);
+        if (s_->neighbors[f][k] == no_index) {
+          find_nearest(piece, {no_index, f, k}, best, least);
         }
       }
     }
-    if (best.vertex == none) {
+    if (best.vertex == no_index) {
       return;
     }
     const auto& c = s_->corners[best.facet];
     const std::array<std::uint32_t, 3> corners{c[(best.side + 1) % 3], c[best.side], best.vertex};
     s_->neighbors[best.facet][best.side] = static_cast<std::uint32_t>(s_->facet_count());
     s_->corners.push_back(corners);
-    s_->neighbors.push_back({best.facet, none, none});
+    s_->neighbors.push_back({best.facet, no_index, no_index});
   }
 
   /// The border vertex of another, larger piece with the least sum of distances from the ends of a side.
@@ -154,7 +155,7 @@ class Closer {
   explicit Closer(ScaledSurface& surface) : s_(&surface) {
     for (std::uint32_t f = 0; f < s_->facet_count(); ++f) {
       for (unsigned k = 0; k < 3; ++k) {
-        if (s_->neighbors[f][k] == none) {
+        if (s_->neighbors[f][k] == no_index) {
           arriving_[s_->corners[f][(k + 1) % 3]].push_back({f, k, false});
         }
       }
@@ -286,7 +287,7 @@ class Closer {
       }
       const auto f = static_cast<std::uint32_t>(s_->facet_count());
       s_->corners.push_back({before.vertex, corner.vertex, after.vertex});
-      s_->neighbors.push_back({none, none, none});
+      s_->neighbors.push_back({no_index, no_index, no_index});
       connect({0, f, 0}, before);
       connect({0, f, 1}, corner);
       before.facet = f;
@@ -346,7 +347,7 @@ double squared_distance(Vec3 p, Vec3 q) {
 
 /// A side of a facet, seen from one of its ends.
 struct Side {
-  std::uint32_t facet = none;
+  std::uint32_t facet = no_index;
   std::uint32_t k = 0;
 };
 
@@ -356,7 +357,7 @@ class Tying {
       : s_(&surface), real_facets_(surface.facet_count()), components_(surface.facet_count()) {
     for (std::uint32_t f = 0; f < s_->facet_count(); ++f) {
       for (const std::uint32_t g : s_->neighbors[f]) {
-        if (g != none) {
+        if (g != no_index) {
           components_.join(f, g);
         }
       }
@@ -411,9 +412,9 @@ class Tying {
           continue;
         }
         const std::uint32_t g = s_->neighbors[f][k];
-        const int rank = g == none ? 1 : s_->same_group(f, g) ? 3 : g >= real_facets_ ? 2 : 0;
+        const int rank = g == no_index ? 1 : s_->same_group(f, g) ? 3 : g >= real_facets_ ? 2 : 0;
         const std::pair<int, double> cost{rank, squared_distance(s_->points[from == v ? to : from], target)};
-        if (best.facet == none || cost < least) {
+        if (best.facet == no_index || cost < least) {
           best = {f, k};
           least = cost;
         }
@@ -425,13 +426,13 @@ class Tying {
   /// The same side as its neighbour has it; none at a border.
   [[nodiscard]] Side beyond(Side side) const {
     const std::uint32_t g = s_->neighbors[side.facet][side.k];
-    if (g == none) {
+    if (g == no_index) {
       return {};
     }
     const std::uint32_t to = s_->corners[side.facet][(side.k + 1) % 3];
     Side twin;
     for (std::uint32_t j = 0; j < 3; ++j) {
-      if (s_->neighbors[g][j] == side.facet && (twin.facet == none || s_->corners[g][j] == to)) {
+      if (s_->neighbors[g][j] == side.facet && (twin.facet == no_index || s_->corners[g][j] == to)) {
         twin = {g, j};
       }
     }
@@ -439,17 +440,17 @@ class Tying {
   }
 
   void connect(Side a, Side b) {
-    if (a.facet != none) {
+    if (a.facet != no_index) {
       s_->neighbors[a.facet][a.k] = b.facet;
     }
-    if (b.facet != none) {
+    if (b.facet != no_index) {
       s_->neighbors[b.facet][b.k] = a.facet;
     }
   }
 
   std::uint32_t add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     s_->corners.push_back({a, b, c});
-    s_->neighbors.push_back({none, none, none});
+    s_->neighbors.push_back({no_index, no_index, no_index});
     return static_cast<std::uint32_t>(s_->corners.size() - 1);
   }
 
@@ -462,7 +463,7 @@ class Tying {
       return std::pair{c[side.k], c[(side.k + 1) % 3]};
     };
     const auto [a, b] = ends(one);
-    if (const Side other = beyond(two); other.facet != none) {
+    if (const Side other = beyond(two); other.facet != no_index) {
       // The ribbon runs from a to d and from b to c: of the two facets there the one that doesn't twist it.
       const auto [c, d] = ends(two);
       if (length(points[a] - points[c]) + length(points[b] - points[d]) <
@@ -478,7 +479,7 @@ class Tying {
     connect({first, 0}, one);
     connect({first, 2}, {second, 0});
     connect({second, 1}, two);
-    if (back_one.facet == none && back_two.facet == none) {
+    if (back_one.facet == no_index && back_two.facet == no_index) {
       return;
     }
     const std::uint32_t third = add(a, b, c);

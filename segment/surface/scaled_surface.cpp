@@ -11,6 +11,7 @@
 #include "base/curve_order.hpp"
 #include "base/elementary.hpp"
 #include "base/error.hpp"
+#include "base/no_index.hpp"
 
 namespace ridgecraft::segment {
 namespace {
@@ -203,7 +204,7 @@ void renumber_connections(const mesh::Surface& surface, ScaledSurface& out) {
       const CornerId c = mesh::corner(FaceId(out.face_of[f]), k);
       const FaceId beyond = surface.neighbor(c);
       out.corners[f][k] = vertex[surface.vertex(c).value()];
-      out.neighbors[f][k] = beyond.valid() ? facet[beyond.value()] : none;
+      out.neighbors[f][k] = beyond.valid() ? facet[beyond.value()] : no_index;
     }
   }
 }
@@ -265,11 +266,11 @@ void find_groups(std::span<const std::uint32_t> polygon, ScaledSurface& s) {
   if (polygon.empty()) {
     return;
   }
-  s.group.assign(s.facet_count(), none);
+  s.group.assign(s.facet_count(), no_index);
   std::vector<std::uint32_t> stack;
   std::uint32_t count = 0;
   for (std::uint32_t start = 0; start < s.facet_count(); ++start) {
-    if (s.group[start] != none) {
+    if (s.group[start] != no_index) {
       continue;
     }
     s.group_first.push_back(static_cast<std::uint32_t>(s.group_facets.size()));
@@ -281,7 +282,7 @@ void find_groups(std::span<const std::uint32_t> polygon, ScaledSurface& s) {
       s.group_facets.push_back(f);
       for (const std::uint32_t g : s.neighbors[f]) {
         // A face that repair made belongs to no polygon (none): it is its own.
-        if (g != none && s.group[g] == none && polygon[g] == polygon[f] && polygon[f] != none) {
+        if (g != no_index && s.group[g] == no_index && polygon[g] == polygon[f] && polygon[f] != no_index) {
           s.group[g] = count;
           stack.push_back(g);
         }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/int128.hpp"
+#include "base/no_index.hpp"
 #include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
 
@@ -88,9 +89,6 @@ struct Ball {
 
 // The surface as the segmentation sees it: in the scale of its enclosing ball, on an exact grid, in flat
 // arrays.
-
-/// "No facet", "no vertex" and so on in the flat arrays of this folder.
-inline constexpr std::uint32_t none = 0xffffffffU;
 
 /// Facets of a part, ascending.
 using Facets = std::vector<std::uint32_t>;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/no_index.hpp"
+
 namespace ridgecraft::segment {
 namespace {
 
@@ -38,7 +40,7 @@ double Segmentation::max_concavity() const {
 }
 
 std::vector<std::uint32_t> polygon_labels(const mesh::Model& model, const Segmentation& segmentation) {
-  std::vector<std::uint32_t> labels(model.polygon_count, no_part);
+  std::vector<std::uint32_t> labels(model.polygon_count, no_index);
   for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
     if (model.polygon[f] < labels.size()) {
       labels[model.polygon[f]] = segmentation.part[f].value();

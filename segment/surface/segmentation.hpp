@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "base/id.hpp"
+#include "base/no_index.hpp"
 #include "mesh/model/model.hpp"
 
 namespace ridgecraft::segment {
@@ -98,11 +98,8 @@ struct Segmentation {
 
 // A segmentation as numbers of the polygons that a model was made from.
 
-/// Of a polygon that has no face: repair dropped it.
-inline constexpr std::uint32_t no_part = std::numeric_limits<std::uint32_t>::max();
-
 /// The part of each polygon of the file, or of the points and polygons that were repaired, in its order; or
-/// no_part. `segmentation`: of the model's surface, with each polygon in one part. O(n).
+/// no_index. `segmentation`: of the model's surface, with each polygon in one part. O(n).
 [[nodiscard]] std::vector<std::uint32_t> polygon_labels(const mesh::Model& model,
                                                         const Segmentation& segmentation);
 

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/no_index.hpp"
 #include "base/random.hpp"
 #include "segment/cutting/division.hpp"
 #include "segment/cutting/regions.hpp"
@@ -85,7 +86,7 @@ double border_cost(const Measured& m, const std::vector<Facets>& children) {
   for (std::uint32_t f = 0; f < m.all.size(); ++f) {
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t g = m.scaled.neighbors[f][k];
-      if (g != segment::none && child_of[f] < child_of[g]) {
+      if (g != no_index && child_of[f] < child_of[g]) {
         sum += static_cast<double>(m.weights.capacity(3 * f + k));
       }
     }

@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/no_index.hpp"
 #include "base/random.hpp"
 #include "segment/segment.hpp"
 #include "support/concave_shapes.hpp"
@@ -59,7 +60,7 @@ std::size_t components_of(const segment::ScaledSurface& s) {
       const std::uint32_t f = stack.back();
       stack.pop_back();
       for (const std::uint32_t g : s.neighbors[f]) {
-        if (g != segment::none && open.erase(g) == 1) {
+        if (g != no_index && open.erase(g) == 1) {
           stack.push_back(g);
         }
       }
@@ -71,7 +72,7 @@ std::size_t components_of(const segment::ScaledSurface& s) {
 std::size_t borders_of(const segment::ScaledSurface& s) {
   std::size_t count = 0;
   for (const auto& neighbors : s.neighbors) {
-    count += static_cast<std::size_t>(std::count(neighbors.begin(), neighbors.end(), segment::none));
+    count += static_cast<std::size_t>(std::count(neighbors.begin(), neighbors.end(), no_index));
   }
   return count;
 }
@@ -81,7 +82,7 @@ void check_neighbors(const segment::ScaledSurface& s) {
   for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t g = s.neighbors[f][k];
-      if (g == segment::none) {
+      if (g == no_index) {
         continue;
       }
       bool mutual = false;
@@ -233,7 +234,7 @@ TEST_CASE("Few holes don't divide a part, and large openings stay open") {
   segment::close_holes(closed);
   for (const auto& beside : closed.neighbors) {
     for (const std::uint32_t g : beside) {
-      CHECK(g != segment::none);
+      CHECK(g != no_index);
     }
   }
   // A hemisphere's rim is longer than a hole: nothing is added.
@@ -287,7 +288,7 @@ TEST_CASE("Neighbours agree after holes are closed, also where fans meet in a ve
     for (std::uint32_t f = 0; f < s.facet_count(); ++f) {
       for (unsigned k = 0; k < 3; ++k) {
         const std::uint32_t g = s.neighbors[f][k];
-        if (g == segment::none) {
+        if (g == no_index) {
           continue;
         }
         REQUIRE(g != f);

@@ -16,6 +16,7 @@
 
 #include "base/context.hpp"
 #include "base/error.hpp"
+#include "base/no_index.hpp"
 #include "segment/evaluate.hpp"
 #include "segment/segment.hpp"
 #include "segment/surface/scaled_surface.hpp"
@@ -313,9 +314,9 @@ TEST_CASE("Numbered along a curve, a surface is the same one in another order") 
       for (unsigned k = 0; k < 3; ++k) {
         CHECK(curve.vertex_of[curve.corners[f][k]] == kept.corners[curve.face_of[f]][k]);
         const std::uint32_t g = curve.neighbors[f][k];
-        CHECK((g == segment::none ? g : curve.face_of[g]) == kept.neighbors[curve.face_of[f]][k]);
-        CHECK(curve.same_group(f, g == segment::none ? f : g) ==
-              kept.same_group(curve.face_of[f], g == segment::none ? curve.face_of[f] : curve.face_of[g]));
+        CHECK((g == no_index ? g : curve.face_of[g]) == kept.neighbors[curve.face_of[f]][k]);
+        CHECK(curve.same_group(f, g == no_index ? f : g) ==
+              kept.same_group(curve.face_of[f], g == no_index ? curve.face_of[f] : curve.face_of[g]));
       }
     }
   }

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "base/no_index.hpp"
 #include "base/random.hpp"
 
 namespace ridgecraft {
@@ -24,7 +25,7 @@ struct Graph {
 
 /// Random graph of nodes with at most three arcs; several arcs between two nodes allowed.
 Graph random_graph(Random& random, std::uint32_t n, std::uint32_t greatest) {
-  constexpr auto no = segment::MaximumFlow::no_node;
+  constexpr auto no = no_index;
   Graph g;
   g.n = n;
   g.other.assign(n, {no, no, no});
@@ -54,7 +55,7 @@ std::int64_t run(const Graph& g, segment::MaximumFlow& flow) {
   std::int64_t through = 0;
   for (std::uint32_t v = 0; v < g.n; ++v) {
     for (unsigned k = 0; k < 3; ++k) {
-      if (g.other[v][k] != segment::MaximumFlow::no_node) {
+      if (g.other[v][k] != no_index) {
         flow.set_arc(v, k, g.other[v][k], g.capacity[v][k]);
       }
     }
@@ -71,7 +72,7 @@ std::int64_t cut_value(const Graph& g, const std::vector<bool>& on_source_side) 
     value += on_source_side[v] ? g.sink[v] : g.source[v];
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t w = g.other[v][k];
-      if (w != segment::MaximumFlow::no_node && on_source_side[v] && !on_source_side[w]) {
+      if (w != no_index && on_source_side[v] && !on_source_side[w]) {
         value += g.capacity[v][k];
       }
     }
@@ -197,7 +198,7 @@ std::vector<bool> cut(const ListedGraph& graph, const std::vector<CutSide>& side
   for (std::uint32_t i = 0; i < n; ++i) {
     for (unsigned k = 0; k < 3; ++k) {
       const CutGraph::Side& arc = graph.nodes[i].sides[k];
-      if (arc.other != MaximumFlow::no_node) {
+      if (arc.other != no_index) {
         flow.set_arc(i, k, arc.other, arc.capacity);
       }
     }
@@ -217,7 +218,7 @@ std::int64_t price_of(const ListedGraph& graph, const std::vector<bool>& on_sour
   for (std::size_t i = 0; i < on_source.size(); ++i) {
     sum += on_source[i] ? graph.nodes[i].sink : graph.nodes[i].source;
     for (const CutGraph::Side& arc : graph.nodes[i].sides) {
-      sum += on_source[i] && arc.other != MaximumFlow::no_node && !on_source[arc.other] ? arc.capacity : 0;
+      sum += on_source[i] && arc.other != no_index && !on_source[arc.other] ? arc.capacity : 0;
     }
   }
   return sum;
@@ -229,7 +230,7 @@ std::vector<std::uint32_t> touched_holds(const ListedGraph& graph, const std::ve
   std::vector<std::uint32_t> touched;
   for (std::uint32_t i = 0; i < side.size(); ++i) {
     for (const CutGraph::Side& arc : graph.nodes[i].sides) {
-      if (arc.other != MaximumFlow::no_node && side[i] != CutSide::open && side[arc.other] == CutSide::open &&
+      if (arc.other != no_index && side[i] != CutSide::open && side[arc.other] == CutSide::open &&
           on_source[i] != on_source[arc.other]) {
         touched.push_back(i);
         break;
