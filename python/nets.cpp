@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/nets.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "base/error.hpp"
+#include "base/option_table.hpp"
 #include "export/export.hpp"
 #include "job/job.hpp"
+#include "job/option_fields.hpp"
 #include "python/background.hpp"
 #include "python/polygons.hpp"
 
@@ -148,104 +152,106 @@ py::dict figures(const Nets& made) {
   return figures;
 }
 
-using Simplify = std::variant<std::size_t, std::string>;
+/// The option of this keyword, or null.
+const Option* option_of(const std::string& keyword) {
+  const auto& table = option_table();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const Option& row) { return row.keyword == keyword; });
+  return found == table.end() || keyword.empty() ? nullptr : &*found;
+}
 
-prepare::SimplifyOptions simplify_of(const Simplify& asked) {
-  prepare::SimplifyOptions options;
-  if (const std::size_t* const count = std::get_if<std::size_t>(&asked)) {
-    constexpr std::size_t fewest_faces = 4;
-    if (*count < fewest_faces) {
-      throw Error(ErrorKind::usage, fmt::format("simplify takes at least 4 faces, not {}", *count));
+/// A number, a word or a length: what a command line would say.
+std::string text_of(const Option& row, const py::handle& value) {
+  if (!py::isinstance<py::bool_>(value)) {
+    return py::str(value);
+  }
+  // tabs=True, tabs=False
+  return value.cast<bool>() ? std::string(row.usual) : "none";
+}
+
+/// Takes the options out of keyword arguments, as a command line would name them; None is as if not given.
+job::AskedOptions asked_of(const py::dict& keywords) {
+  job::AskedOptions asked(job::Naming::keywords);
+  for (const auto& [key, value] : keywords) {
+    const Option* const row = option_of(key.cast<std::string>());
+    if (row == nullptr) {
+      throw py::type_error("there is no option '" + key.cast<std::string>() + "'");
     }
-    options.mode = prepare::Simplification::count;
-    options.faces = *count;
-  } else if (const std::string& word = std::get<std::string>(asked); word == "keep") {
-    options.mode = prepare::Simplification::keep;
-  } else if (word != "auto") {
-    throw Error(ErrorKind::usage, "simplify is 'auto', 'keep' or a number of faces, not '" + word + "'");
-  }
-  return options;
-}
-
-prepare::SizeOptions size_of(std::optional<double> size, std::optional<double> scale, bool adapts) {
-  if (size && scale) {
-    throw Error(ErrorKind::usage, "size and scale exclude each other");
-  }
-  prepare::SizeOptions options;
-  options.adapts = adapts && !size && !scale;
-  const auto in_range = [](std::optional<double> value, double low, double high) {
-    return !value || (*value >= low && *value <= high);
-  };
-  if (!in_range(size, 1.0, 100000.0)) {
-    throw Error(ErrorKind::usage, fmt::format("size is 1 to 100000 mm, not {}", *size));
-  }
-  if (!in_range(scale, 1e-12, 1e12)) {
-    throw Error(ErrorKind::usage, fmt::format("scale is a number above 0, not {}", *scale));
-  }
-  options.largest_extent_mm = size.value_or(options.largest_extent_mm);
-  options.mm_per_unit = scale;
-  return options;
-}
-
-unfold::PieceRules rules_of(const std::string& pieces) {
-  for (const auto mode : {unfold::PieceMode::few, unfold::PieceMode::parts, unfold::PieceMode::small}) {
-    if (pieces == unfold::name(mode)) {
-      return unfold::rules_of(mode);
+    if (value.is_none()) {
+      continue;
+    }
+    job::AskedOptions::Typed& typed = asked.typed(row->name);
+    if (row->kind == OptionKind::flag) {
+      typed.flag = value.cast<bool>();
+    } else if (row->kind == OptionKind::list) {
+      typed.texts = value.cast<std::vector<std::string>>();
+    } else {
+      typed.text = text_of(*row, value);
     }
   }
-  throw Error(ErrorKind::usage, "pieces is 'few', 'parts' or 'small', not '" + pieces + "'");
+  return asked;
 }
 
-std::optional<paper::Paper> paper_of(const std::optional<std::string>& name, double margin) {
-  if (!name) {
-    return std::nullopt;
-  }
-  paper::Paper paper = paper::parse_paper(*name);
-  paper.margin = margin;
-  paper::check_paper(paper);
-  return paper;
-}
+/// What the arguments mean that are no options of the table.
+struct Making {
+  bool pages = true;
+  bool whole = false;  ///< each component is one part
+  std::string title;
+};
 
-py::object make(const py::object& vertices, const py::object& faces, std::optional<double> size,
-                std::optional<double> scale, const std::optional<std::string>& sheet, double margin,
-                const Simplify& simplify, double concavity, bool whole, const std::string& pieces, bool tabs,
-                double tab_height, bool all_tabs, bool unite, bool fold_linear, bool strict,
-                const std::string& title, unsigned threads, std::uint64_t seed,
-                std::optional<double> time_limit, const py::object& progress) {
-  job::Options options;
-  options.paper = paper_of(sheet, margin);
-  options.size = size_of(size, scale, sheet.has_value());
-  options.simplify = simplify_of(simplify);
-  options.bodies = unite ? prepare::Bodies::unite : prepare::Bodies::keep;
-  options.concavity = concavity;
-  if (sheet) {
-    options.pieces = rules_of(pieces);
+job::Options options_of(const py::dict& keywords, const Making& making) {
+  const job::AskedOptions asked = asked_of(keywords);
+  job::Options usual;
+  usual.size.adapts = making.pages;
+  if (!making.pages) {
+    usual.paper = std::nullopt;
+    usual.simplify.mode = prepare::Simplification::keep;
+    usual.bodies = prepare::Bodies::keep;
+    usual.tabs.wanted = false;
   }
-  if (whole) {
+  job::Options options = job::options_of(asked, std::move(usual));
+  if (options.paper) {
+    paper::check_paper(*options.paper);
+  }
+  options.tabs.wanted = options.tabs.wanted || options.tabs.split_pieces;
+  if (making.whole) {
     options.parts = job::PartsFrom::components;
     options.panel_cuts = unfold::PanelCuts::before_pieces;
   }
-  options.pieces.fold_linear = fold_linear;
-  options.tabs.wanted = tabs || all_tabs;
-  options.tabs.height_mm = tab_height;
-  options.tabs.split_pieces = all_tabs;
-  options.strict = strict;
-  if (!(tab_height > 0.0) || tab_height > 1000.0) {
-    throw Error(ErrorKind::usage,
-                fmt::format("tab_height is above 0 and at most 1000 mm, not {}", tab_height));
-  }
+  return options;
+}
+
+py::object make(const py::object& vertices, const py::object& faces, const py::dict& keywords,
+                const Making& making, const RunSettings& settings) {
+  const job::Options options = options_of(keywords, making);
   const auto mesh = std::make_shared<const Mesh>(mesh_of(vertices, faces));
   auto made = result_in_background(
-      [mesh, options, title](const Context& context) {
+      [mesh, options, title = making.title](const Context& context) {
         mesh::Model model = model_of(*mesh, {}, context);
         model.name = title;
         return std::make_shared<const job::Paper>(job::paper(std::move(model), options, context));
       },
-      {threads, seed, time_limit, progress});
-  if (sheet) {
+      settings);
+  if (making.pages) {
     return py::cast(Paper{{std::move(made)}});
   }
   return py::cast(Nets{std::move(made)});
+}
+
+/// python/ridgecraft/_paper.py has the signature that users see.
+template <bool pages>
+void add_making(py::module_& module, const char* name) {
+  using namespace py::literals;
+  module.def(
+      name,
+      [](const py::object& vertices, const py::object& faces, const py::dict& options,
+         const std::tuple<bool, std::string>& making,
+         const std::tuple<unsigned, std::uint64_t, std::optional<double>, py::object>& run) {
+        const auto& [whole, title] = making;
+        const auto& [threads, seed, time_limit, progress] = run;
+        return make(vertices, faces, options, {pages, whole, title}, {threads, seed, time_limit, progress});
+      },
+      "vertices"_a, "faces"_a, "options"_a, "making"_a, "run"_a);
 }
 
 /// Bytes or text that takes a while to be written, without the interpreter's lock.
@@ -328,10 +334,8 @@ void add_nets(py::module_& module) {
             return written([&] { return paper::write_dxf(drawing, p.mark()); });
           },
           "page"_a, "One page, counted from 0, as a DXF for machines.");
-  module.def("make", &make, "vertices"_a, "faces"_a, py::kw_only(), "size"_a, "scale"_a, "sheet"_a,
-             "margin"_a, "simplify"_a, "concavity"_a, "whole"_a, "pieces"_a, "tabs"_a, "tab_height"_a,
-             "all_tabs"_a, "unite"_a, "fold_linear"_a, "strict"_a, "title"_a, "threads"_a, "seed"_a,
-             "time_limit"_a, "progress"_a);
+  add_making<false>(module, "unfold");
+  add_making<true>(module, "paper");
 }
 
 }  // namespace ridgecraft::python

@@ -11,7 +11,7 @@ import {optionTable} from "./options.js";
 import {say} from "./words.js";
 import {Cancelled, Refusal} from "./worker_backend.js";
 
-/** @typedef {import("./options.js").Option} Option */
+/** @typedef {import("./option_words.js").Option} Option */
 /** @typedef {import("./backend.js").State} State */
 /** @typedef {import("./worker_backend.js").WorkerBackend} WorkerBackend */
 
@@ -360,13 +360,14 @@ export class Studio {
     const box = byId("refused");
     box.hidden = sentence === "";
     /** @type {HTMLElement} */ (box.querySelector("p")).textContent = sentence;
-    const proposed = /(--[a-z-]+) ([\w.:%]*\w)/.exec(sentence);
-    const option = proposed && optionTable.find(({word, kind}) => word === proposed[1] && kind !== "flag");
+    const proposed = [...sentence.matchAll(/(--[a-z-]+) ([\w.:%]*\w)/g)].map(([, word, value]) => ({value, option: optionTable.find((one) =>
+      one.word === word && (one.choices?.includes(value) ?? (one.kind !== "flag" && /\d|^(auto|keep|any)$/.test(value))))}));
+    const {option, value} = proposed.find((one) => one.option) ?? {};
     const button = byId("try-it");
     button.hidden = !option || !this.backend.project;
-    if (option && proposed) {
-      button.textContent = `${say(`option_${option.key}`)}: ${proposed[2]}`;
-      button.onclick = () => this.setOptions({[option.key]: proposed[2]});
+    if (option && value) {
+      button.textContent = `${say(`option_${option.key}`)}: ${value}`;
+      button.onclick = () => this.setOptions({[option.key]: value});
     }
   }
 
@@ -450,7 +451,7 @@ export class Studio {
       return htmlElement("label", {}, [words, select]);
     }
     const usual = say(`option_${option.key}_usual`);
-    const input = htmlElement("input", {type: "text", id, inputmode: option.kind === "text" ? "text" : "decimal",
+    const input = htmlElement("input", {type: "text", id, inputmode: option.kind === "text" || option.kind === "list" ? "text" : "decimal",
       placeholder: usual === `option_${option.key}_usual` ? String(option.usual) : usual});
     const unit = option.kind === "length" ? "mm" : option.unit ?? "";
     const box = unit ? htmlElement("span", {class: "length"}, [input, htmlElement("small", {}, [unit])]) : input;

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/nearest_word.hpp"
+#include "base/option_values.hpp"
 #include "base/sentence.hpp"
 #include "base/version.hpp"
-#include "cli/arguments/option_values.hpp"
 #include "cli/arguments/verbs.hpp"
 
 namespace ridgecraft::cli {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments/part_options.hpp"
 
-#include "cli/arguments/option_values.hpp"
+#include "base/option_values.hpp"
 
 namespace ridgecraft::cli {
 
@@ -42,7 +42,9 @@ void PartTexts::add_to(Verb& verb) {
 PartArguments PartTexts::checked() const {
   PartArguments out;
   out.options = options;
-  out.options.concavity = concavity_or_refuse(concavity);
+  if (!concavity.empty()) {
+    out.options.concavity = job::number_of(option_row("concavity"), "--concavity", concavity);
+  }
   using segment::Options;
   out.options.effort = choice_or_refuse<int>("--effort", effort, {{"1", 1}, {"2", 2}, {"3", 3}});
   out.options.holes = choice_or_refuse<Options::Holes>("--holes", holes,

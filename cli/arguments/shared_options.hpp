@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options that several verbs have: as typed, and what they mean.
+// Options that several verbs have: how they are added, and what they mean.
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "cli/arguments/options.hpp"
 #include "cli/arguments/verb.hpp"
-#include "prepare/selection/selection.hpp"
+#include "job/asked_options.hpp"
 
 namespace ridgecraft::cli {
 
@@ -16,32 +18,28 @@ enum class TimeUp {
   ends_searches,  ///< what was found so far is finished
 };
 
+/// Refuses an argument that wasn't given: `what` to do, and whose --help tells more.
+void require(const std::string& value, const std::string& what, const std::string& verb);
+
 /// "OBJ, STL, PLY, OFF, GLB, glTF, 3MF or PDO"
 [[nodiscard]] std::string model_formats();
 
 /// The argument of the verbs that read one model.
 void add_model(Verb& verb, std::string& model);
 
-/// --only and --without.
-void add_selection(Verb& verb, prepare::Selection& selection);
+/// Adds rows of the table.
+void add_options(Verb& verb, job::AskedOptions& asked, std::initializer_list<std::string_view> names);
 
 /// What every verb takes.
-struct CommonTexts {
-  CommonOptions values;
-  std::string time_limit, seed, threads;
+void add_common(Verb& verb, job::AskedOptions& asked, TimeUp time_up = TimeUp::stops_program);
+[[nodiscard]] CommonOptions common_of(const job::AskedOptions& asked);
 
-  void add_to(Verb& verb, TimeUp time_up = TimeUp::stops_program);
-  [[nodiscard]] CommonOptions checked() const;
-};
+/// How the size was asked for.
+[[nodiscard]] AskedSize size_of(const job::AskedOptions& asked);
 
-/// How a model is brought to paper size.
-struct SizeTexts {
-  std::string size, width, depth, height, up, scale, unit, faces;
-  bool adapts = false;  ///< without --size and --scale the model decides
-
-  void add_to(Verb& verb, const std::string& default_faces);
-  /// Sets the size and how the model is simplified. Throws Error(usage).
-  void check_into(job::Options& options, AskedSize& asked) const;
-};
+/// --cuts, --keep and --from. Throws Error(usage) where edges are named of a model that is to be simplified
+/// to a number of faces: it would have others.
+[[nodiscard]] EdgeArguments edges_of(const job::AskedOptions& asked,
+                                     const prepare::SimplifyOptions& simplify);
 
 }  // namespace ridgecraft::cli

@@ -8,10 +8,11 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "base/length_text.hpp"
 #include "base/nearest_word.hpp"
-#include "cli/arguments/option_values.hpp"
+#include "base/option_values.hpp"
 
 namespace ridgecraft::cli {
 
@@ -64,6 +65,23 @@ Verb& Verb::list(const std::string& group, const std::string& names, std::vector
 Verb& Verb::flag(const std::string& group, const std::string& names, bool& value, const std::string& text) {
   parser_->app.add_flag(names, value, text)->group(group);
   return *this;
+}
+
+Verb& Verb::add(const Option& row, job::AskedOptions& asked, const std::string& group,
+                const std::string& help) {
+  const std::string& heading = group.empty() ? std::string(row.group) : group;
+  const std::string& text = help.empty() ? std::string(row.help) : help;
+  const std::string names =
+      (row.letter.empty() ? "" : fmt::format("-{},", row.letter)) + fmt::format("--{}", row.name);
+  job::AskedOptions::Typed& typed = asked.typed(row.name);
+  switch (row.kind) {
+    case OptionKind::flag:
+      return flag(heading, names, typed.flag, text);
+    case OptionKind::list:
+      return list(heading, names, typed.texts, value_name(row), text);
+    default:
+      return option(heading, names, typed.text, value_name(row), text);
+  }
 }
 
 Job Verb::finish(const Arguments* arguments, Manual* manual, const std::function<Job()>& checked) {

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "cli/arguments/manual.hpp"
 #include "cli/arguments/options.hpp"
+#include "job/asked_options.hpp"
 
 namespace ridgecraft::cli {
 
@@ -48,6 +49,10 @@ class Verb {
   Verb& list(const std::string& group, const std::string& names, std::vector<std::string>& values,
              const std::string& type, const std::string& text);
   Verb& flag(const std::string& group, const std::string& names, bool& value, const std::string& text);
+
+  /// An option of the table; `group` and `help` go before the row's where they aren't empty.
+  Verb& add(const Option& row, job::AskedOptions& asked, const std::string& group = "",
+            const std::string& help = "");
 
   /// With arguments: parses them and returns what `checked` makes of them, or the help if they ask for it.
   /// Without: fills in the manual.

@@ -14,10 +14,10 @@ Job build_formats(const Arguments* arguments, Manual* manual) {
   FormatsJob job;
   verb.flag("Output", "--presets", job.presets,
             "The table of presets alone: what each machine's files are like.");
-  CommonTexts common;
-  common.add_to(verb);
+  job::AskedOptions asked;
+  add_common(verb, asked);
   return verb.finish(arguments, manual, [&]() -> Job {
-    job.common = common.checked();
+    job.common = common_of(asked);
     return job;
   });
 }

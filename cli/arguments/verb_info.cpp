@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft info
-#include "cli/arguments/option_values.hpp"
 #include "cli/arguments/shared_options.hpp"
 #include "cli/arguments/verbs.hpp"
 
@@ -11,12 +10,12 @@ Job build_info(const Arguments* arguments, Manual* manual) {
   verb.usage("ridgecraft info MODEL [--json]");
   verb.example("ridgecraft info gem.stl", "Faces, components, borders, size, repairs.");
   InfoJob job;
-  CommonTexts common;
+  job::AskedOptions asked;
   add_model(verb, job.model);
-  common.add_to(verb);
+  add_common(verb, asked);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.model, "name the model to look at", "ridgecraft info");
-    job.common = common.checked();
+    job.common = common_of(asked);
     return job;
   });
 }

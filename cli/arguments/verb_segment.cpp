@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft segment
-#include "cli/arguments/option_values.hpp"
 #include "cli/arguments/part_options.hpp"
 #include "cli/arguments/shared_options.hpp"
 #include "cli/arguments/verbs.hpp"
@@ -15,7 +14,7 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
   verb.example("ridgecraft segment dinosaur.obj --labels dinosaur.seg --json",
                "One part number per polygon of the input.");
   SegmentJob job;
-  CommonTexts common;
+  job::AskedOptions asked;
   PartTexts parts;
   add_model(verb, job.model);
   verb.list("Output", "-o,--output", job.outputs, "FILE",
@@ -34,10 +33,10 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
       "several times.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace existing files.");
   parts.add_to(verb);
-  common.add_to(verb);
+  add_common(verb, asked);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.model, "name the model to segment", "ridgecraft segment");
-    job.common = common.checked();
+    job.common = common_of(asked);
     job.parts = parts.checked();
     return job;
   });

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/arguments/option_values.hpp"
+#include "base/option_values.hpp"
 #include "cli/arguments/shared_options.hpp"
 #include "cli/arguments/verbs.hpp"
 

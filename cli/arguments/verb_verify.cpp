@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft verify
-#include "cli/arguments/option_values.hpp"
 #include "cli/arguments/shared_options.hpp"
 #include "cli/arguments/verbs.hpp"
 
@@ -15,7 +14,7 @@ Job build_verify(const Arguments* arguments, Manual* manual) {
   verb.example("ridgecraft verify whale.fold --model whale.obj --pages whale.pdf",
                "Also whether the nets are the model's, and what is printed the nets.");
   VerifyJob job;
-  CommonTexts common;
+  job::AskedOptions asked;
   verb.option(
       "Input", "FILE", job.file, "FILE",
       "A .fold file of ours or of another program in the same form. What isn't JSON can't be checked: exit "
@@ -28,10 +27,10 @@ Job build_verify(const Arguments* arguments, Manual* manual) {
       "Input", "--pages", job.pages, "FILE",
       "What is printed, as PDF or SVG, one file or several: does it show the outlines, folds and bases of "
       "tabs of the nets, and no other, in true size?");
-  common.add_to(verb);
+  add_common(verb, asked);
   return verb.finish(arguments, manual, [&]() -> Job {
     require(job.file, "name the .fold file to check", "ridgecraft verify");
-    job.common = common.checked();
+    job.common = common_of(asked);
     return job;
   });
 }

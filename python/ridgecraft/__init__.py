@@ -14,7 +14,7 @@ What can't be done is raised as `Error` or one of the classes below it, each wit
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -32,6 +32,7 @@ from ._core import (
     __version__,
 )
 from . import _core
+from ._paper import Progress, paper, unfold
 
 __all__ = [
     "Error",
@@ -54,7 +55,6 @@ __all__ = [
     "unfold",
 ]
 
-Progress = Callable[[str, float], Any]
 Hull = Tuple["npt.NDArray[np.float64]", "npt.NDArray[np.int32]"]
 
 
@@ -185,88 +185,3 @@ def run_coacd(
 
 def set_log_level(level: str) -> None:
     """Does nothing, for this module prints nothing: there for scripts that call coacd.set_log_level."""
-
-
-def unfold(
-    vertices: npt.ArrayLike,
-    faces: Any,
-    *,
-    size: Optional[float] = None,
-    scale: Optional[float] = None,
-    whole: bool = False,
-    concavity: float = 0.1,
-    tabs: bool = False,
-    tab_height: float = 5.0,
-    all_tabs: bool = False,
-    simplify: Union[int, str] = "keep",
-    fold_linear: bool = False,
-    title: str = "model",
-    threads: int = 0,
-    seed: int = 1,
-    time_limit: Optional[float] = None,
-    progress: Optional[Progress] = None,
-) -> Nets:
-    """Unfolds a model into nets without overlap, without pages: pieces may be as large as they like.
-
-    size: the model's largest extent, mm (150). scale: millimetres for one unit of the vertices, instead.
-    whole: don't cut the model into parts first, and cut a flat region before a piece is added.
-    concavity: of the parts, as segment() has it.
-    tabs: search nets whose cut edges have room for glue tabs `tab_height` mm high, and make these; all_tabs splits
-        pieces until every edge with a face wide enough behind it has one.
-    simplify: 'keep', a number of faces, or 'auto': so that a person could fold it.
-    fold_linear: every piece folds up with all creases together.
-    time_limit: seconds after which searches end with the best they have. Raises OutOfTime where there is
-        nothing yet.
-
-    The result has passed its check: lengths, overlaps, coverage, joins and refolding.
-    """
-    return _core.make(
-        vertices, faces, size=size, scale=scale, sheet=None, margin=0.0, simplify=simplify,
-        concavity=concavity, whole=whole, pieces="parts", tabs=tabs, tab_height=tab_height, all_tabs=all_tabs,
-        unite=False, fold_linear=fold_linear, strict=False, title=title, threads=threads, seed=seed,
-        time_limit=time_limit, progress=progress,
-    )
-
-
-def paper(
-    vertices: npt.ArrayLike,
-    faces: Any,
-    *,
-    size: Optional[float] = None,
-    scale: Optional[float] = None,
-    sheet: str = "A4",
-    margin: float = 10.0,
-    simplify: Union[int, str] = "auto",
-    concavity: float = 0.1,
-    whole: bool = False,
-    pieces: str = "parts",
-    tabs: bool = True,
-    tab_height: float = 5.0,
-    all_tabs: bool = False,
-    unite: bool = True,
-    fold_linear: bool = False,
-    strict: bool = False,
-    title: str = "model",
-    threads: int = 0,
-    seed: int = 1,
-    time_limit: Optional[float] = None,
-    progress: Optional[Progress] = None,
-) -> Paper:
-    """Turns a model into pages of paper, as the program does.
-
-    size: the model's largest extent, mm; without it 150, or as large as its folds need. scale: millimetres for
-        one unit of the vertices, instead.
-    sheet: 'A4', 'letter-landscape', '300x200mm', ...; margin: mm on all sides.
-    pieces: 'few', 'parts' or 'small'.
-    unite: bodies that touch or run into each other become one skin.
-    strict: raise Unbuildable where nobody could fold it at this size.
-    title: what pages and files call the model.
-
-    The other arguments are those of unfold(). The result has passed its check.
-    """
-    return _core.make(
-        vertices, faces, size=size, scale=scale, sheet=sheet, margin=margin, simplify=simplify,
-        concavity=concavity, whole=whole, pieces=pieces, tabs=tabs, tab_height=tab_height, all_tabs=all_tabs,
-        unite=unite, fold_linear=fold_linear, strict=strict, title=title, threads=threads, seed=seed,
-        time_limit=time_limit, progress=progress,
-    )

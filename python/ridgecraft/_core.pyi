@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union, overload
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -89,53 +89,17 @@ def hulls(
     seed: int,
     progress: Optional[Callable[[str, float], Any]],
 ) -> List[Tuple[npt.NDArray[np.float64], npt.NDArray[np.int32]]]: ...
-@overload
-def make(
+def unfold(
     vertices: npt.ArrayLike,
     faces: Any,
-    *,
-    size: Optional[float],
-    scale: Optional[float],
-    sheet: None,
-    margin: float,
-    simplify: Union[int, str],
-    concavity: float,
-    whole: bool,
-    pieces: str,
-    tabs: bool,
-    tab_height: float,
-    all_tabs: bool,
-    unite: bool,
-    fold_linear: bool,
-    strict: bool,
-    title: str,
-    threads: int,
-    seed: int,
-    time_limit: Optional[float],
-    progress: Optional[Callable[[str, float], Any]],
+    options: Dict[str, Any],
+    making: Tuple[bool, str],
+    run: Tuple[int, int, Optional[float], Optional[Callable[[str, float], Any]]],
 ) -> Nets: ...
-@overload
-def make(
+def paper(
     vertices: npt.ArrayLike,
     faces: Any,
-    *,
-    size: Optional[float],
-    scale: Optional[float],
-    sheet: str,
-    margin: float,
-    simplify: Union[int, str],
-    concavity: float,
-    whole: bool,
-    pieces: str,
-    tabs: bool,
-    tab_height: float,
-    all_tabs: bool,
-    unite: bool,
-    fold_linear: bool,
-    strict: bool,
-    title: str,
-    threads: int,
-    seed: int,
-    time_limit: Optional[float],
-    progress: Optional[Callable[[str, float], Any]],
+    options: Dict[str, Any],
+    making: Tuple[bool, str],
+    run: Tuple[int, int, Optional[float], Optional[Callable[[str, float], Any]]],
 ) -> Paper: ...

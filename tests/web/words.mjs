@@ -34,7 +34,7 @@ for (const pair of [...refusals, ...noTabReasons]) {
 // Asked for: by say(), by attributes of the page, by the table of options, or as a word that a text goes by.
 const files = readdirSync(`${source}/web`).filter((name) => /\.(js|html)$/.test(name) && !name.endsWith("words.js"));
 const pages = files.map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
-const own = ["words.js", "studio_words.js"].map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
+const own = ["words.js", "studio_words.js", "option_words.js"].map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
 const asked = new Set();
 for (const [, key] of pages.matchAll(/\b(?:say\(|data-(?:say|label)=)"([^"]+)"/g)) {
   asked.add(key);
@@ -53,7 +53,7 @@ for (const key of Object.keys(texts)) {
   const said = asked.has(key) || pages.includes(`"${key}"`) || own.includes(`say("${key}"`) || beginnings.some((beginning) => key.startsWith(beginning));
   check(said, `the text "${key}" isn't asked for`);
 }
-const names = /^(|[a-z]{1,2}|A\d|letter|legal|tabloid|r\d+|plain)$/;
+const names = /^(|[a-z]{1,2}|A\d|letter|legal|tabloid|r\d+|plain|\d+)$/;
 for (const {key, choices} of optionTable) {
   for (const choice of choices ?? []) {
     check(names.test(choice) || `option_${key}_${choice}` in texts, `there is no text for the choice "${choice}" of "${key}"`);

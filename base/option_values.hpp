@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values of options: from the text that was typed to a number that makes sense, or a refusal in one sentence.
+// Functions named ..._or_refuse throw Error(usage).
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-namespace ridgecraft::cli {
+namespace ridgecraft {
 
 /// Throws Error(usage).
 [[noreturn]] void refuse(const std::string& sentence);
 
-/// Refuses an argument that wasn't given: `what` to do, and whose --help tells more.
-void require(const std::string& value, const std::string& what, const std::string& verb);
+/// Millimetres of "150mm", "15cm", "0.15m", "6in", "6\"", "2ft"; a number alone is mm. Nothing when the text
+/// isn't a finite length above zero.
+[[nodiscard]] std::optional<double> parse_length_mm(std::string_view text);
 
-/// Millimetres; above zero unless zero is allowed.
-[[nodiscard]] double length_or_refuse(const std::string& option, const std::string& text,
-                                      bool zero_allowed = false);
+/// The factor of "1:50", "2:1", "0.5", "30%"; nothing when it isn't finite and above zero.
+[[nodiscard]] std::optional<double> parse_scale(std::string_view text);
+
+/// Millimetres from low to high.
+[[nodiscard]] double length_or_refuse(const std::string& option, const std::string& text, double low,
+                                      double high);
 
 /// Millimetres in one unit; text that is empty means mm.
 [[nodiscard]] double unit_or_refuse(const std::string& option, const std::string& text);
@@ -30,16 +38,13 @@ void require(const std::string& value, const std::string& what, const std::strin
 [[nodiscard]] double percent_or_refuse(const std::string& option, const std::string& text, double low,
                                        double high);
 
-/// Refuses a length in mm that was read already and is out of range; the sentence shows it as typed.
-void require_range(const std::string& option, const std::string& text, double value, double low, double high,
-                   const std::string& range);
+[[nodiscard]] std::uint64_t whole_number_or_refuse(
+    const std::string& option, const std::string& text, std::uint64_t least,
+    std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
-[[nodiscard]] std::uint64_t whole_number_or_refuse(const std::string& option, const std::string& text,
-                                                   std::uint64_t least);
-
-/// Refuses a word that is none of those an option takes.
-[[noreturn]] void refuse_choice(const std::string& option, const std::vector<std::string>& words,
-                                const std::string& text);
+/// Which of these words the text is.
+[[nodiscard]] std::size_t word_or_refuse(const std::string& option, const std::string& text,
+                                         const std::vector<std::string>& words);
 
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
@@ -50,18 +55,9 @@ template <class Value>
                                      const Choices<Value>& choices) {
   std::vector<std::string> words;
   for (const auto& [word, value] : choices) {
-    if (text == word) {
-      return value;
-    }
     words.push_back(word);
   }
-  if (!text.empty()) {
-    refuse_choice(option, words, text);
-  }
-  return choices.front().second;
+  return choices[text.empty() ? 0 : word_or_refuse(option, text, words)].second;
 }
 
-/// --concavity; the default where it wasn't given.
-[[nodiscard]] double concavity_or_refuse(const std::string& text);
-
-}  // namespace ridgecraft::cli
+}  // namespace ridgecraft
