@@ -13,7 +13,7 @@ namespace ridgecraft {
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size = 0) { reset(size); }
-  /// Begins anew with each of 0 .. size-1 alone.
+  /// Starts over with each of 0 .. size-1 alone.
   void reset(std::size_t size) {
     parent_.resize(size);
     for (std::size_t i = 0; i < size; ++i) {

@@ -18,7 +18,7 @@ enum class ErrorKind {
   unreadable_input,  ///< the file is missing, can't be opened, is cut off or isn't in the format it claims
   unusable_mesh,     ///< the file was read, but what it holds can't be made into a surface
   no_nets,           ///< no net of this model can be cut from the paper that was asked for
-  unbuildable,       ///< nobody could fold it at this size, and --strict was asked for
+  unbuildable,       ///< too fine to fold at this size, and --strict was asked for
   cant_write,        ///< a result can't be written
   interrupted,       ///< the user stopped the work
   out_of_time,       ///< the time given passed while there was no result yet

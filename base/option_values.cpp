@@ -9,8 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/length_text.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft {
 namespace {

@@ -23,7 +23,6 @@
 #include <fmt/format.h>
 
 #include "mesh/mesh.hpp"
-#include "mesh/write.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/expected_pages.hpp"
 #include "prepare/prepared/narrow_faces.hpp"

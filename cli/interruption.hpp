@@ -6,7 +6,7 @@
 #include <atomic>
 #include <csignal>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 
 namespace ridgecraft::cli {
 

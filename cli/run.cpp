@@ -14,7 +14,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "base/printable.hpp"
+#include "base/text.hpp"
 #include "cli/arguments/options.hpp"
 #include "cli/arguments/parse.hpp"
 #include "cli/files/formats.hpp"
@@ -29,7 +29,7 @@
 #include "cli/report/messages.hpp"
 #include "cli/report/summary.hpp"
 #include "job/old_nets.hpp"
-#include "mesh/reading/read_file.hpp"
+#include "mesh/reading/files.hpp"
 
 namespace ridgecraft::cli {
 namespace {

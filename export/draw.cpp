@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/printable.hpp"
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 #include "export/export.hpp"
 #include "export/page/back_of_page.hpp"
 #include "export/page/furniture.hpp"

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "base/convex_hull.hpp"
 #include "base/elementary.hpp"
 #include "base/error.hpp"
+#include "base/geometry.hpp"
 #include "export/sheet/fold_directions.hpp"
 #include "mesh/model/surface.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/geometry.hpp"
 #include "base/id.hpp"
-#include "base/motion.hpp"
 #include "base/vector.hpp"
 #include "export/packing/packing_shape.hpp"
 #include "export/sheet/paper.hpp"

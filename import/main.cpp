@@ -21,7 +21,6 @@
 #include <unistd.h>
 
 #include "import/scene_soup.hpp"
-#include "import/stream_writer.hpp"
 #include "mesh/reading/imported/stream.hpp"
 
 namespace {

@@ -13,7 +13,6 @@
 
 #include <assimp/scene.h>
 
-#include "import/stream_writer.hpp"
 #include "mesh/reading/imported/stream.hpp"
 
 namespace ridgecraft::import {

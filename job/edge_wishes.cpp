@@ -10,7 +10,7 @@
 #include "job/model_of_nets.hpp"
 #include "job/old_nets.hpp"
 #include "job/same_place.hpp"
-#include "mesh/reading/pdo/read_seams.hpp"
+#include "mesh/reading/pdo/read_pdo.hpp"
 #include "verify/file/file.hpp"
 
 namespace ridgecraft::job {

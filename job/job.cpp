@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "base/encodings.hpp"
 #include "base/error.hpp"
-#include "base/json_text.hpp"
 #include "base/version.hpp"
 #include "export/sheet/fold_directions.hpp"
 #include "export/view/stance.hpp"

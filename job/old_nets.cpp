@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "mesh/reading/pdo/read_seams.hpp"
+#include "mesh/reading/pdo/read_pdo.hpp"
 
 namespace ridgecraft::job {
 namespace {

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "base/json_text.hpp"
+#include "base/encodings.hpp"
 #include "base/option_values.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::job {
 namespace {

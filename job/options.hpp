@@ -26,11 +26,11 @@ namespace ridgecraft::job {
 struct EdgeList {
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::string
-      digest;  ///< of the text that they were read from (base/digest.hpp); kept as a setting of the nets
+      digest;  ///< of the text that they were read from (base/encodings.hpp); kept as a setting of the nets
 };
 
 /// Nets made before: the bytes of their FOLD file, or of a model's file that holds nets
-/// (mesh/reading/pdo/read_seams.hpp).
+/// (mesh/reading/pdo/read_pdo.hpp).
 struct OldNets {
   std::string name;  ///< for messages: the file's name
   std::string bytes;

@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/digest.hpp"
-#include "base/json_text.hpp"
+#include "base/encodings.hpp"
 #include "base/option_table.hpp"
 #include "job/option_fields.hpp"
 #include "mesh/model/model.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
 

@@ -15,8 +15,9 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/id.hpp"
 #include "mesh/model/model.hpp"
-#include "mesh/model/read_options.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::mesh {
 
@@ -40,7 +41,7 @@ struct ModelFile {
 
 /// The same for points and polygons in memory, whoever made them: they needn't fit together. A polygon names
 /// points by their indices from 0, counterclockwise seen from outside, and may have any number of corners;
-/// Model::polygon tells the one that each face is part of. Model::name is empty, Model::digest that of the
+/// Model::polygon names the one that each face is part of. Model::name is empty, Model::digest that of the
 /// numbers. Cost O(n log n). Throws unusable_mesh where a coordinate isn't finite, an index is out of range,
 /// or nothing with an area is left.
 [[nodiscard]] Model repair(std::span<const Vec3> points, std::span<const std::vector<std::uint32_t>> polygons,
@@ -48,5 +49,25 @@ struct ModelFile {
 [[nodiscard]] Model repair(std::span<const Vec3> points,
                            std::span<const std::array<std::uint32_t, 3>> triangles,
                            const ReadOptions& options, const Context& context);
+
+/// Red, green, blue.
+using ByteColour = std::array<std::uint8_t, 3>;
+/// A colour for each face of a surface, or empty for none.
+using FaceColours = IdVector<FaceId, ByteColour>;
+
+enum class PlyKind { ascii, binary };
+
+// Points keep their numbers and every bit of their coordinates; faces keep theirs and start at the same
+// corner. Linear.
+
+/// PLY; binary is little-endian. Coordinates are of type double, colours are properties red, green, blue of
+/// faces.
+[[nodiscard]] std::string write_ply(const Surface& surface, const FaceColours& colours, PlyKind kind);
+
+/// OFF; colours stand after the corners of a face as numbers 0 to 255.
+[[nodiscard]] std::string write_off(const Surface& surface, const FaceColours& colours);
+
+/// OBJ, without colours: they would take a second file.
+[[nodiscard]] std::string write_obj(const Surface& surface);
 
 }  // namespace ridgecraft::mesh

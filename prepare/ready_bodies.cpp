@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prepare/ready_bodies.hpp"
 
-#include "mesh/model/measured_distance.hpp"
+#include "mesh/model/surface_distance.hpp"
 #include "prepare/details/details.hpp"
 #include "prepare/details/plain_bodies.hpp"
 #include "prepare/panels/remesh_panels.hpp"

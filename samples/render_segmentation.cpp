@@ -81,7 +81,7 @@ class FirstCut {
       : surface_(segment::scale_surface(surface, {})),
         weights_(segment::weigh_edges(surface_, {})),
         graph_(segment::build_vertex_graph(surface_, segment::arc_sagitta_share * tolerance)),
-        measurer_(surface_, graph_, tolerance, context_),
+        measurer_(surface_, graph_, {tolerance}, context_),
         regions_(surface_) {
     segment::Cutter cutter(surface_, weights_);
     segment::Facets all(surface_.facet_count());

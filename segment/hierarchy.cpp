@@ -46,7 +46,7 @@ class Joiner {
       : scaled_(scale_surface(surface, polygon)),
         weights_(weigh_edges(scaled_)),
         graph_(build_vertex_graph(scaled_, arc_sagitta_share * tolerance)),
-        measurer_(scaled_, graph_, tolerance, context, {}, opening_scale),
+        measurer_(scaled_, graph_, {tolerance, {}, opening_scale}, context),
         context_(&context) {}
 
   Hierarchy run(const Segmentation& finest) {

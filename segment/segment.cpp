@@ -248,12 +248,12 @@ void require_possible(const Options& options) {
 }
 
 std::vector<Part> parts_of(const Ground& ground, const Options& options, const Context& context) {
-  PartWorkers workers(ground.scaled, ground.graph, ground.weights, options.concavity, context, ground.rules);
+  PartWorkers workers(ground.scaled, ground.graph, ground.weights, {options.concavity, ground.rules},
+                      context);
   PartWorker& worker = workers.first();
   std::optional<Assembly> assembly;
   if (options.effort > 1 || volume_weight(options) > 0.0 || options.planes || options.pockets) {
-    assembly.emplace(ground.scaled, ground.weights, ground.graph, worker.measurer, worker.cutter,
-                     assembly_settings(options));
+    assembly.emplace(ground.scaled, ground.weights, ground.graph, worker, assembly_settings(options));
   }
   std::vector<Part> parts = find_parts(ground, workers, assembly ? &*assembly : nullptr, context);
   if (ground.closed) {

@@ -17,9 +17,9 @@ namespace ridgecraft::segment {
 
 /// Segments each component of a surface by itself (or tied, all as one) until every part's concavity is at
 /// most the tolerance. `polygon` gives each face the polygon that it belongs to (faces of one polygon stay in
-/// one part); empty when every face is its own. `label` tells what each face belongs to by the will of
+/// one part); empty when every face is its own. `label` says what each face belongs to by the will of
 /// whoever made the model, an object or a material; empty for none: cuts along borders between labels cost
-/// less, so they are made there rather than beside them, but nothing is cut because of them. The result
+/// less, so they are made there rather than next to them, but nothing is cut because of them. The result
 /// doesn't depend on the number of threads. It depends on the seed with effort 2 and 3 alone, whose trials
 /// are random. Throws Error(usage), Error(unusable_mesh) where pockets are asked for, and Error(interrupted).
 [[nodiscard]] Segmentation segment(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person does to nets and pages by hand, as values and as text.
+// What a person does to nets and pages by hand, as values and as text; and where a project stands after it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,8 +14,41 @@
 
 #include "base/id.hpp"
 #include "base/vector.hpp"
+#include "export/sheet/pages.hpp"
+#include "unfold/net/nets.hpp"
+#include "unfold/net/tab_choice.hpp"
 
 namespace ridgecraft::session {
+
+// Where a project stands after some edits: what it takes to draw it, and to go on.
+
+/// Nets, places and what was asked of them by hand. Copies share nets and pages.
+struct State {
+  std::shared_ptr<const unfold::Nets> nets;   ///< never null; finished, with joins and tabs
+  std::shared_ptr<const paper::Pages> pages;  ///< null where the program lays out by itself: without paper,
+                                              ///< and board
+  std::vector<unfold::TabAt> tabs;            ///< that were asked for by hand, in order
+  std::set<FaceId> pinned;                    ///< a face of each piece that is pinned
+
+  /// A face of the piece that is pinned; none where it isn't.
+  [[nodiscard]] bool is_pinned(PieceId piece) const {
+    for (const FaceId face : pinned) {
+      if (nets->piece[face] == piece) {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+/// Why something isn't done.
+struct Refusal {
+  std::size_t edit = 0;       ///< which of those that were to be done together, from 0
+  std::string why;            ///< a sentence for people, without its full stop
+  std::vector<FaceId> faces;  ///< of the prepared surface, where to look; none where the edge isn't there
+};
+
+// What a person does to nets and pages by hand, as values and as text.
 
 /// An edge of the prepared surface by its two ends, in any order: names that survive every edit. They are
 /// those of the vertices in the second frame of the FOLD file.
@@ -29,7 +65,7 @@ struct Cut {
   friend bool operator==(const Cut&, const Cut&) = default;
 };
 
-/// The cut at this edge becomes a fold: the two pieces beside it become one.
+/// The cut at this edge becomes a fold: the two pieces at it become one.
 struct Join {
   Edge edge;
 
@@ -83,7 +119,7 @@ struct Retry {
   friend bool operator==(const Retry&, const Retry&) = default;
 };
 
-/// The pieces with these faces, or all where none are named, are placed anew, but for those that are pinned.
+/// The pieces with these faces, or all where none are named, are placed again, but for those that are pinned.
 struct Pack {
   std::vector<FaceId> faces;
 

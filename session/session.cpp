@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "session/draft.hpp"
-#include "session/places.hpp"
 
 namespace ridgecraft::session {
 namespace {

@@ -13,8 +13,8 @@
 #include <fmt/format.h>
 
 #include "base/elementary.hpp"
+#include "base/encodings.hpp"
 #include "base/error.hpp"
-#include "base/xml_text.hpp"
 #include "solid/solid.hpp"
 
 namespace ridgecraft::solid {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "solid/solid.hpp"
 
 namespace ridgecraft::solid {

@@ -6,9 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "base/convex_hull.hpp"
 #include "base/disjoint_sets.hpp"
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "unfold/net/area_of_faces.hpp"
 #include "unfold/net/edge_wishes.hpp"
 #include "unfold/net/tolerance.hpp"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -5,9 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/convex_hull.hpp"
 #include "base/error.hpp"
-#include "base/rectangle.hpp"
+#include "base/geometry.hpp"
 #include "unfold/folded_flat.hpp"
 #include "unfold/net/tolerance.hpp"
 #include "unfold/panel_parts.hpp"

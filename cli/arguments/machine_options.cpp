@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/option_values.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "cli/files/formats.hpp"
 
 namespace ridgecraft::cli {

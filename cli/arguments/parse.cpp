@@ -6,9 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/nearest_word.hpp"
 #include "base/option_values.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/arguments/verbs.hpp"
 

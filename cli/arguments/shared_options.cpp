@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "base/length_text.hpp"
 #include "base/option_values.hpp"
-#include "base/sentence.hpp"
-#include "mesh/model/file_format.hpp"
+#include "base/text.hpp"
+#include "mesh/model/soup.hpp"
 
 namespace ridgecraft::cli {
 

@@ -10,9 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/length_text.hpp"
-#include "base/nearest_word.hpp"
 #include "base/option_values.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::cli {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::cli {
 namespace {

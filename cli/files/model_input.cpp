@@ -14,7 +14,7 @@
 
 #include "base/error.hpp"
 #include "cli/files/formats.hpp"
-#include "mesh/reading/read_file.hpp"
+#include "mesh/reading/files.hpp"
 
 namespace ridgecraft::cli {
 namespace {

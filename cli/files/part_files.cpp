@@ -13,11 +13,11 @@
 
 #include "base/error.hpp"
 #include "base/no_index.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/files/value.hpp"
 #include "export/export.hpp"
-#include "mesh/reading/read_file.hpp"
+#include "mesh/reading/files.hpp"
 #include "segment/surface/segmentation.hpp"
 
 namespace ridgecraft::cli {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "mesh/mesh.hpp"
 #include "mesh/model/model.hpp"
-#include "mesh/write.hpp"
 #include "segment/hierarchy.hpp"
 #include "segment/segment.hpp"
 

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::cli {
 namespace {

@@ -13,11 +13,11 @@
 
 #include <fmt/format.h>
 
-#include "base/digest.hpp"
+#include "base/encodings.hpp"
 #include "base/error.hpp"
-#include "base/length_text.hpp"
-#include "mesh/model/file_format.hpp"
-#include "mesh/reading/read_file.hpp"
+#include "base/text.hpp"
+#include "mesh/model/soup.hpp"
+#include "mesh/reading/files.hpp"
 
 namespace ridgecraft::cli {
 namespace {

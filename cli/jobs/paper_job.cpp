@@ -10,16 +10,16 @@
 
 #include <fmt/format.h>
 
-#include "base/digest.hpp"
+#include "base/encodings.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "cli/files/model_input.hpp"
 #include "cli/files/request_files.hpp"
 #include "cli/files/targets.hpp"
 #include "cli/jobs/stages.hpp"
 #include "export/sheet/calibration.hpp"
-#include "mesh/reading/read_file.hpp"
+#include "mesh/reading/files.hpp"
 
 namespace ridgecraft::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/files/formats.hpp"
 #include "cli/files/model_input.hpp"
@@ -20,9 +20,9 @@
 #include "cli/files/targets.hpp"
 #include "cli/jobs/stages.hpp"
 #include "export/export.hpp"
-#include "mesh/model/file_numbers.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/model/model.hpp"
 #include "mesh/reading/read_soup.hpp"
-#include "mesh/write.hpp"
 #include "solid/solid.hpp"
 
 namespace ridgecraft::cli {

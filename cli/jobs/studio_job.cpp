@@ -14,11 +14,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/base64.hpp"
+#include "base/encodings.hpp"
 #include "base/error.hpp"
-#include "base/json_text.hpp"
 #include "cli/files/formats.hpp"
-#include "mesh/reading/read_file.hpp"
+#include "mesh/reading/files.hpp"
 
 namespace ridgecraft::cli {
 namespace {

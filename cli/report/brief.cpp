@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "cli/report/figures.hpp"
 #include "cli/report/net_figures.hpp"
 #include "export/view/stance.hpp"

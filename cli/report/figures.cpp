@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::cli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "cli/files/value.hpp"
 #include "job/stage_clock.hpp"
-#include "mesh/model/repair_report.hpp"
+#include "mesh/model/soup.hpp"
 #include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::cli {

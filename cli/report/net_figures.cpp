@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "export/page/neighbours.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 

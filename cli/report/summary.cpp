@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "cli/files/formats.hpp"
 #include "cli/files/model_input.hpp"
 #include "prepare/selection/selection.hpp"

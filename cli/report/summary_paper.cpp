@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "cli/files/model_input.hpp"
 #include "cli/report/brief.hpp"
 #include "cli/report/figures.hpp"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "cli/report/figures.hpp"
 #include "cli/report/summary.hpp"
 

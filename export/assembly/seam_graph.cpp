@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/near_boxes.hpp"
-#include "base/solid_angle.hpp"
+#include "base/boxes.hpp"
+#include "base/geometry.hpp"
 #include "mesh/model/surface_distance.hpp"
 
 namespace ridgecraft::paper {

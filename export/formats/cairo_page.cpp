@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 #include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
 #include "mesh/look/picture.hpp"

@@ -8,8 +8,8 @@
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDFWriter.hh>
 
-#include "base/utf8.hpp"
-#include "base/xml_text.hpp"
+#include "base/encodings.hpp"
+#include "base/text.hpp"
 #include "export/formats/cairo_page.hpp"
 
 namespace ridgecraft::paper {

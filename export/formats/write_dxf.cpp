@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
 #include "export/machine/operations.hpp"

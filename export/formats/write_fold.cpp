@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "base/encodings.hpp"
 #include "base/error.hpp"
-#include "base/json_text.hpp"
 #include "export/assembly/assembly.hpp"
 #include "export/formats/net_frame.hpp"
 #include "export/formats/write.hpp"

@@ -9,11 +9,9 @@
 
 #include <zlib.h>
 
-#include "base/base64.hpp"
+#include "base/encodings.hpp"
 #include "base/error.hpp"
-#include "base/json_text.hpp"
-#include "base/utf8.hpp"
-#include "base/xml_text.hpp"
+#include "base/text.hpp"
 #include "export/formats/page_template.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "base/utf8.hpp"
-#include "base/xml_text.hpp"
+#include "base/encodings.hpp"
+#include "base/text.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
 #include "export/machine/operations.hpp"

@@ -17,7 +17,7 @@
 #include <qpdf/QPDFPageObjectHelper.hh>
 
 #include "base/error.hpp"
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 #include "export/formats/cairo_page.hpp"
 #include "export/formats/layer_order.hpp"
 #include "export/formats/pdf_file.hpp"

@@ -9,7 +9,7 @@
 
 #include <zlib.h>
 
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 #include "export/formats/cairo_page.hpp"
 #include "export/formats/layer_order.hpp"
 #include "export/formats/write.hpp"

@@ -15,11 +15,10 @@
 
 #include <fmt/format.h>
 
-#include "base/base64.hpp"
 #include "base/elementary.hpp"
+#include "base/encodings.hpp"
 #include "base/error.hpp"
-#include "base/utf8.hpp"
-#include "base/xml_text.hpp"
+#include "base/text.hpp"
 #include "export/formats/layer_order.hpp"
 #include "export/formats/net_frame.hpp"
 #include "export/formats/text_file.hpp"

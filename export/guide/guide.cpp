@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 #include "export/guide/cover.hpp"
 #include "export/guide/guide_model.hpp"
 #include "export/guide/overview.hpp"

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "export/guide/words.hpp"
 #include "export/style/stroke_font.hpp"
 #include "export/view/coarse_view.hpp"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "export/page/clip_to_box.hpp"
 #include "export/page/neighbours.hpp"
 #include "export/paint/cells.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "export/guide/net_picture.hpp"
 #include "export/guide/step_words.hpp"
 #include "export/guide/words.hpp"

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "export/page/neighbours.hpp"
 
 namespace ridgecraft::paper {

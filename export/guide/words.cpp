@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/elementary.hpp"
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base/polygon.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::paper {
 namespace {

@@ -12,9 +12,7 @@
 #include <boost/polygon/voronoi.hpp>
 
 #include "base/boxes.hpp"
-#include "base/near_boxes.hpp"
-#include "base/polygon.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "export/machine/path_limits.hpp"
 
 namespace ridgecraft::paper {

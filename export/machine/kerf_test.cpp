@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::paper {
 namespace {

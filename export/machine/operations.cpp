@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "export/machine/fold_ends.hpp"
 #include "export/machine/kerf.hpp"
 #include "export/machine/path_limits.hpp"

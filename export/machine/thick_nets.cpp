@@ -17,7 +17,7 @@
 #include "base/boxes.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/elementary.hpp"
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "mesh/model/surface.hpp"
 
 namespace ridgecraft::paper {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/boxes.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::paper {
 namespace {

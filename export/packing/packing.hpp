@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/context.hpp"
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "export/packing/packing_shape.hpp"
 
 namespace ridgecraft::paper {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::paper {
 namespace {

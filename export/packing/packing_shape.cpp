@@ -5,10 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/convex_hull.hpp"
 #include "base/elementary.hpp"
 #include "base/error.hpp"
-#include "base/rectangle.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::paper {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::paper {
@@ -38,7 +38,7 @@ struct PackingShape {
 /// A turn in which the hull fits the rectangle, the one with most room to spare among those where that can
 /// change; none if there is no such turn. Exact: all turns where the extents pass an extreme or a limit are
 /// tried, between which they run along sine curves (rotating calipers, Shamos 1978). O(h^2) for h hull
-/// corners in the worst case. (Whether there is any such turn is angle_to_fit() of base/rectangle.hpp; the
+/// corners in the worst case. (Whether there is any such turn is angle_to_fit() of base/geometry.hpp; the
 /// packer wants the roomiest.)
 [[nodiscard]] std::vector<Turn> fitting_turns(std::span<const Vec2> hull, Vec2 area);
 

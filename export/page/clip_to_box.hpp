@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "base/vector.hpp"
 #include "export/page/segment2.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "export/page/segment2.hpp"
 
 namespace ridgecraft::paper {

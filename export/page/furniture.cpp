@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::paper {

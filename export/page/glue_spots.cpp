@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/boxes.hpp"
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "export/page/fold_lines.hpp"
 #include "export/page/leader.hpp"
 

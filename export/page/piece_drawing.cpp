@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "export/page/crumbs.hpp"
 #include "export/page/fold_lines.hpp"
 #include "unfold/net/outline.hpp"

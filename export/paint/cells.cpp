@@ -11,8 +11,7 @@
 
 #include "base/boxes.hpp"
 #include "base/elementary.hpp"
-#include "base/polygon.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "export/page/segment2.hpp"
 
 namespace ridgecraft::paper {

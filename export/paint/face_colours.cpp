@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/geometry.hpp"
 #include "base/parallel.hpp"
-#include "base/polygon.hpp"
 #include "export/paint/cells.hpp"
 
 namespace ridgecraft::paper {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "export/paint/dot_raster.hpp"
 
 namespace ridgecraft::paper {

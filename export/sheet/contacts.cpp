@@ -10,8 +10,8 @@
 
 #include <boost/polygon/polygon.hpp>
 
-#include "base/near_boxes.hpp"
-#include "base/polygon.hpp"
+#include "base/boxes.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::paper {
 namespace {

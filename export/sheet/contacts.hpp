@@ -6,7 +6,6 @@
 
 #include "base/id.hpp"
 #include "base/vector.hpp"
-#include "mesh/model/openings.hpp"
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 

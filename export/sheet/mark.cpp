@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/json_text.hpp"
+#include "base/encodings.hpp"
 
 namespace ridgecraft::paper {
 namespace {

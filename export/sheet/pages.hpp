@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/geometry.hpp"
 #include "base/id.hpp"
-#include "base/motion.hpp"
 #include "base/vector.hpp"
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/contacts.hpp"

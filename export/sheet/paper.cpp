@@ -10,8 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/length_text.hpp"
-#include "base/nearest_word.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::paper {
 namespace {

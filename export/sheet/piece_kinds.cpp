@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::paper {
 namespace {

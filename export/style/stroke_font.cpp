@@ -10,7 +10,7 @@
 #include <string>
 
 #include "base/elementary.hpp"
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 #include "export/style/glyph_table.hpp"
 
 namespace ridgecraft::paper {

@@ -7,7 +7,7 @@
 
 #include <boost/polygon/polygon.hpp>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::paper {
 namespace planar = boost::polygon;

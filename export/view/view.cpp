@@ -11,9 +11,8 @@
 
 #include <boost/polygon/polygon.hpp>
 
-#include "base/box_tree.hpp"
 #include "base/boxes.hpp"
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::paper {
 namespace {

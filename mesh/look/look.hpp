@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "base/box_tree.hpp"
+#include "base/boxes.hpp"
 #include "base/context.hpp"
 #include "base/vector.hpp"
 #include "mesh/look/picture.hpp"
@@ -150,7 +150,7 @@ class Look {
 };
 
 /// Nothing where the model has no colours: its faces are all white, or all of one grey, which programs write
-/// where nobody chose a colour. Pictures that can't be unpacked are told by `faults`, and faces that bear
+/// where no colour was chosen. Pictures that can't be unpacked are named in `faults`, and faces that bear
 /// them have the material's colour. O(n + pixels). Throws Error(interrupted).
 [[nodiscard]] std::optional<LookParts> look_of(const Model& model, const Context& context,
                                                std::vector<std::string>& faults);

@@ -37,7 +37,7 @@ class Picture {
   /// The colours at places spread evenly from one to another, both among them unless it is one: those of
   /// at(), but for a thousandth of a pixel. Quicker than one by one.
   void along(Vec2 from, Vec2 to, unsigned level, std::span<Rgb> colours) const;
-  /// The coarsest level that shows every dot, where so many pixels lie beside each other on one.
+  /// The coarsest level that shows every dot, where so many pixels lie next to each other on one.
   [[nodiscard]] unsigned level_for(double pixels_per_dot) const;
 
  private:

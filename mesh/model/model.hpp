@@ -4,12 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/id.hpp"
-#include "mesh/model/repair_report.hpp"
+#include "base/vector.hpp"
 #include "mesh/model/soup.hpp"
 #include "mesh/model/surface.hpp"
 
@@ -23,7 +24,7 @@ struct CornerColours {
   std::vector<std::uint32_t> colour;        ///< as Soup::corner_colour
 };
 
-/// A model as it was read and repaired: its surface, and what its file says besides.
+/// A model as it was read and repaired: its surface, and what else its file says.
 struct Model {
   std::string name;    ///< the file's name without folder and suffix, valid UTF-8
   std::string digest;  ///< 16 hexadecimal digits, hash of the file's bytes; marks what is made from it
@@ -69,5 +70,24 @@ struct Model {
     return object.empty() || object[f] == Soup::none ? std::string() : objects[object[f]];
   }
 };
+
+/// What repair does where the jobs differ.
+struct ReadOptions {
+  /// Collapse faces without area. Paper can't hold them; segmentation keeps them, since dropping them opens
+  /// closed surfaces.
+  bool collapse_flat_faces = true;
+  bool keep_points = false;  ///< fill Model::file_points
+  /// The program that reads formats by Assimp (import/); empty: they are refused.
+  std::filesystem::path importer = {};
+};
+
+// From a model's frame back to the numbers of its file, for whoever writes meshes.
+
+/// Points in the frame of a model's surface become points of its file: repair divides extreme coordinates by
+/// `file_scale` (Model::file_scale). Exact, since that is a power of two.
+void to_file_numbers(std::vector<Vec3>& points, double file_scale);
+
+/// The model's surface as its file has it.
+[[nodiscard]] Surface surface_in_file_numbers(const Model& model);
 
 }  // namespace ridgecraft::mesh

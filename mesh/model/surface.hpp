@@ -82,7 +82,7 @@ class Surface {
   [[nodiscard]] Vec3 normal(FaceId f) const { return normals_[f.value()]; }
   /// How far the surface is folded along an edge, radians, in [-pi, pi]: 0 where it goes on flat and at
   /// borders, negative on convex edges (mountain folds), positive on concave ones (valley folds); 180 degrees
-  /// minus the dihedral angle. 0 beside a face without area.
+  /// minus the dihedral angle. 0 next to a face without area.
   [[nodiscard]] double fold_angle(EdgeId e) const { return fold_angles_[e.value()]; }
   [[nodiscard]] ComponentId component(FaceId f) const { return components_[f.value()]; }
   [[nodiscard]] const Box3& bounds() const { return bounds_; }
@@ -112,5 +112,30 @@ class Surface {
 
 /// Linear.
 [[nodiscard]] double total_area(const Surface& surface);
+
+/// In the order given, with the points that they use and no others. O(n log n).
+[[nodiscard]] Surface faces_alone(const Surface& surface, const std::vector<FaceId>& faces);
+
+/// What is no farther apart than this touches: paper is about as thick.
+inline constexpr double touching_mm = 0.2;
+
+/// A closed border that lies in a plane.
+struct Opening {
+  std::vector<CornerId> sides;  ///< as they follow each other, each with the face at it
+  Vec3 middle;                  ///< of the sides' ends
+  Vec3 normal;                  ///< of a face that would close it; it looks out of the surface
+};
+
+/// Openings whose ends of sides are no farther from their common plane than `flat_mm`, in the order of their
+/// first sides. O(n) for n corners.
+[[nodiscard]] std::vector<Opening> flat_openings(const Surface& surface, double flat_mm);
+
+/// Whether the face at a side of an opening rises from its plane by 30 degrees and more: what has such
+/// sides stands on what lies below; the others are those of a hole in a flat face, or of a sheet.
+[[nodiscard]] bool rises_at(const Surface& surface, const Opening& opening, CornerId side);
+
+/// Triangles that close an opening: from its middle to each side, in their order, where the middle sees all
+/// of it, else any. None where its border crosses itself. O(n log n) for n sides.
+[[nodiscard]] std::vector<std::array<Vec3, 3>> triangles_of(const Surface& surface, const Opening& opening);
 
 }  // namespace ridgecraft::mesh

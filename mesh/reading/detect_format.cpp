@@ -8,14 +8,281 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "base/sentence.hpp"
-#include "mesh/reading/foreign_content.hpp"
-#include "mesh/reading/stl_layout.hpp"
+#include "base/text.hpp"
 #include "mesh/reading/text_scanner.hpp"
 #include "mesh/reading/zip_archive.hpp"
 
 namespace ridgecraft::mesh {
+namespace {
+
+// The files that people take for meshes, or that were given a mesh's name, known by their first bytes.
+
+using namespace std::string_view_literals;
+
+/// How somebody who has such a file gets one that is read.
+enum class Way { none, blender, cad, sketchup, pepakura, source, by_suffix };
+
+struct Signature {
+  std::string_view start;
+  std::string_view what;
+  Way way = Way::none;  ///< by_suffix: many things are packed so, and the suffix may tell which
+  std::optional<FileFormat> imported = std::nullopt;  ///< what a program beside this one reads
+};
+
+constexpr std::array signatures{
+    Signature{"\x1f\x8b"sv, "a gzip-compressed file; unpack it first", Way::by_suffix},
+    Signature{"BZh"sv, "a bzip2-compressed file; unpack it first", Way::by_suffix},
+    Signature{"\xfd"
+              "7zXZ\0"sv,
+              "an xz-compressed file; unpack it first", Way::by_suffix},
+    Signature{"\x28\xb5\x2f\xfd"sv, "a zstd-compressed file; unpack it first", Way::by_suffix},
+    Signature{"7z\xbc\xaf\x27\x1c"sv, "a 7-Zip archive; unpack it first"},
+    Signature{"Rar!\x1a\x07"sv, "a RAR archive; unpack it first"},
+    Signature{"\x89PNG\r\n\x1a\n"sv, "a PNG picture"},
+    Signature{"\xff\xd8\xff"sv, "a JPEG picture"},
+    Signature{"GIF87a"sv, "a GIF picture"},
+    Signature{"GIF89a"sv, "a GIF picture"},
+    Signature{"II*\0"sv, "a TIFF picture"},
+    Signature{"MM\0*"sv, "a TIFF picture"},
+    Signature{"8BPS"sv, "a Photoshop picture"},
+    Signature{"%PDF-"sv, "a PDF document"},
+    Signature{"%!PS"sv, "a PostScript document"},
+    Signature{"Kaydara FBX Binary"sv, "an FBX model", Way::blender, FileFormat::fbx},
+    Signature{"; FBX"sv, "an FBX model", Way::blender, FileFormat::fbx},
+    Signature{"BLENDER"sv, "a Blender file", Way::blender, FileFormat::blend},
+    Signature{"ISO-10303-21"sv, "a STEP model", Way::cad},
+    Signature{"PXR-USDC"sv, "a USD model", Way::blender},
+    Signature{"#usda"sv, "a USD model", Way::blender},
+    Signature{"#VRML"sv, "a VRML model", Way::blender},
+    Signature{"#Inventor"sv, "an Open Inventor model", Way::blender},
+    Signature{"# vtk DataFile"sv, "a VTK file"},
+    Signature{"DRACO"sv, "a Draco-compressed model", Way::blender},
+    Signature{"xof 0"sv, "a DirectX model", Way::blender},
+    Signature{"3D Geometry File Format"sv, "a Rhino model", Way::cad},
+    Signature{"AutoCAD Binary DXF"sv, "a DXF drawing", Way::cad},
+    Signature{"AC10"sv, "an AutoCAD drawing", Way::cad},
+    Signature{"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"sv, "a document of an office or CAD program", Way::by_suffix},
+    Signature{"version https://git-lfs"sv,
+              "a Git LFS pointer, not the file it stands for; fetch the file first"},
+    Signature{"\x7f"
+              "ELF"sv,
+              "a program"},
+    Signature{"SQLite format 3"sv, "a database"},
+    Signature{"\xff\xfe\xff\x0eS\0k\0e\0t\0c\0h\0U\0p\0"sv, "a SketchUp model", Way::sketchup},
+    Signature{"**ABCDEFGHIJKLMNOPQRSTUVWXYZ"sv, "a Parasolid model", Way::cad},
+    Signature{"\xff\xfe\0\0"sv, "text in UTF-32; save it as UTF-8 or ASCII"},
+    Signature{"\0\0\xfe\xff"sv, "text in UTF-32; save it as UTF-8 or ASCII"},
+    Signature{"\xff\xfe"sv, "text in UTF-16; save it as UTF-8 or ASCII", Way::by_suffix},
+    Signature{"\xfe\xff"sv, "text in UTF-16; save it as UTF-8 or ASCII", Way::by_suffix},
+};
+
+/// Words by which files of markup are known, looked for near their start, more telling ones first.
+constexpr std::array markup{
+    Signature{"<collada", "a COLLADA model", Way::blender, FileFormat::dae},
+    Signature{"<x3d", "an X3D model", Way::blender},
+    Signature{"<amf", "an AMF model", Way::blender},
+    Signature{"<svg", "an SVG picture"},
+    Signature{"<!doctype html", "an HTML page"},
+    Signature{"<html", "an HTML page"},
+    Signature{"<head", "an HTML page"},
+    Signature{"<vtkfile", "a VTK file"},
+    Signature{"<error", "an error message from a server (XML)"},
+    Signature{"<?xml", "an XML file", Way::by_suffix},
+};
+
+/// What files are called whose content says less.
+constexpr std::array suffixes{
+    Signature{"skp", "a SketchUp model", Way::sketchup},
+    Signature{"step", "a STEP model", Way::cad},
+    Signature{"stp", "a STEP model", Way::cad},
+    Signature{"igs", "an IGES model", Way::cad},
+    Signature{"iges", "an IGES model", Way::cad},
+    Signature{"dxf", "a DXF drawing", Way::cad},
+    Signature{"dwg", "an AutoCAD drawing", Way::cad},
+    Signature{"3dm", "a Rhino model", Way::cad},
+    Signature{"sldprt", "a SolidWorks model", Way::cad},
+    Signature{"sldasm", "a SolidWorks model", Way::cad},
+    Signature{"ipt", "an Inventor model", Way::cad},
+    Signature{"iam", "an Inventor model", Way::cad},
+    Signature{"f3d", "a Fusion model", Way::cad},
+    Signature{"fcstd", "a FreeCAD model", Way::cad},
+    Signature{"catpart", "a CATIA model", Way::cad},
+    Signature{"x_t", "a Parasolid model", Way::cad},
+    Signature{"x_b", "a Parasolid model", Way::cad},
+    Signature{"sat", "an ACIS model", Way::cad},
+    Signature{"ifc", "a building model (IFC)", Way::cad},
+    Signature{"scad", "an OpenSCAD program", Way::cad},
+    Signature{"fbx", "an FBX model", Way::blender, FileFormat::fbx},
+    Signature{"blend", "a Blender file", Way::blender, FileFormat::blend},
+    Signature{"dae", "a COLLADA model", Way::blender, FileFormat::dae},
+    Signature{"3ds", "a 3DS model", Way::blender, FileFormat::max3ds},
+    Signature{"usdz", "a USD model", Way::blender},
+    Signature{"usd", "a USD model", Way::blender},
+    Signature{"x3d", "an X3D model", Way::blender},
+    Signature{"wrl", "a VRML model", Way::blender},
+    Signature{"amf", "an AMF model", Way::blender},
+    Signature{"lwo", "a LightWave model", Way::blender},
+    Signature{"max", "a scene of 3ds Max", Way::source},
+    Signature{"ma", "a scene of Maya", Way::source},
+    Signature{"mb", "a scene of Maya", Way::source},
+    Signature{"c4d", "a scene of Cinema 4D", Way::source},
+    Signature{"pdo", "a Pepakura file of another version", Way::pepakura},
+    Signature{"gcode", "a print that was sliced already", Way::source},
+};
+
+std::string_view words(Way way) {
+  switch (way) {
+    case Way::blender:
+      return "open it in Blender and export it as glTF (.glb) or OBJ";
+    case Way::cad:
+      return "open it in FreeCAD, or in the program that it was made with, and export it as OBJ, STL or 3MF";
+    case Way::sketchup:
+      return "export it from SketchUp as glTF (.glb), OBJ or STL";
+    case Way::pepakura:
+      return "export it from Pepakura Designer as OBJ";
+    case Way::source:
+      return "export it from the program that it was made with as glTF (.glb), OBJ or STL";
+    default:
+      return {};
+  }
+}
+
+/// As far as we look for telling words.
+constexpr std::size_t searched_bytes = 4096;
+
+std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) {
+    value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  }
+  return value;
+}
+
+bool contains_ignoring_case(std::string_view text, std::string_view word) {
+  for (std::size_t i = 0; i + word.size() <= text.size(); ++i) {
+    if (equal_ignoring_case(text.substr(i, word.size()), word)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::optional<Signature> archive(std::string_view bytes) {
+  if (!bytes.starts_with("PK\x03\x04"sv) && !bytes.starts_with("PK\x05\x06"sv)) {
+    return std::nullopt;
+  }
+  return Signature{{}, "a ZIP archive; unpack it first", Way::by_suffix};
+}
+
+/// Formats whose signature is too short to be trusted without their length.
+std::optional<Signature> known_by_length(std::string_view bytes) {
+  if (bytes.starts_with("BM") && bytes.size() > 26 && little_endian(bytes, 2) == bytes.size()) {
+    return Signature{{}, "a BMP picture"};
+  }
+  if (bytes.starts_with("MM") && bytes.size() > 6 && little_endian(bytes, 2) == bytes.size()) {
+    return Signature{{}, "a 3DS model", Way::blender, FileFormat::max3ds};
+  }
+  if (bytes.starts_with("RIFF") && bytes.size() > 12) {
+    return Signature{{}, bytes.substr(8, 4) == "WEBP" ? "a WebP picture" : "a media file"};
+  }
+  if (bytes.starts_with("FORM") && bytes.size() > 12 && bytes.substr(8, 3) == "LWO") {
+    return Signature{{}, "a LightWave model", Way::blender};
+  }
+  if (bytes.size() > 12 && bytes.substr(4, 4) == "ftyp") {
+    return Signature{{}, "a media file"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Signature> markup_or_json(std::string_view bytes) {
+  TextScanner text(bytes);
+  text.skip_space('\0');
+  const std::string_view start = text.rest().substr(0, searched_bytes);
+  if (start.starts_with('<')) {
+    for (const Signature& known : markup) {
+      if (contains_ignoring_case(start, known.start)) {
+        return known;
+      }
+    }
+  }
+  if (start.starts_with('{')) {
+    return Signature{{}, "a JSON file"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Signature> by_content(std::string_view bytes) {
+  for (const Signature& known : signatures) {
+    if (bytes.starts_with(known.start)) {
+      return known;
+    }
+  }
+  if (bytes.find_first_not_of('\0') == bytes.npos) {
+    return Signature{{}, "a file of zero bytes only, perhaps from a failed copy"};
+  }
+  if (const auto found = archive(bytes)) {
+    return found;
+  }
+  if (const auto found = known_by_length(bytes)) {
+    return found;
+  }
+  return markup_or_json(bytes);
+}
+
+std::optional<Signature> by_suffix(std::string_view suffix) {
+  for (const Signature& known : suffixes) {
+    if (equal_ignoring_case(suffix, known.start)) {
+      return known;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string sentence_of(const Signature& known) {
+  const std::string_view way = words(known.way);
+  if (known.imported) {
+    return fmt::format(
+        "is {}, and ridgecraft-import, which reads those, is missing beside this program: it is built where "
+        "libassimp-dev is installed; without it {}",
+        known.what, way);
+  }
+  return way.empty() ? "is no mesh but " + std::string(known.what)
+                     : fmt::format("is {}, which isn't read: {}", known.what, way);
+}
+
+}  // namespace
+
+std::string_view way_by_blender() {
+  return words(Way::blender);
+}
+
+std::optional<std::string> foreign_suffix(std::string_view suffix) {
+  const auto found = by_suffix(suffix);
+  return found ? std::optional(sentence_of(*found)) : std::nullopt;
+}
+
+std::optional<std::string> foreign_content(std::string_view bytes, std::string_view suffix) {
+  const auto found = by_content(bytes);
+  if (!found) {
+    return std::nullopt;
+  }
+  const auto told = found->way == Way::by_suffix ? foreign_suffix(suffix) : std::nullopt;
+  return told ? told : sentence_of(*found);
+}
+
+std::optional<FileFormat> imported_format(std::string_view bytes, std::string_view suffix) {
+  const auto found = by_content(bytes);
+  if (!found) {
+    return std::nullopt;
+  }
+  return found->way == Way::by_suffix ? imported_format(suffix) : found->imported;
+}
+
+std::optional<FileFormat> imported_format(std::string_view suffix) {
+  const auto found = by_suffix(suffix);
+  return found ? found->imported : std::nullopt;
+}
+
 namespace {
 
 /// As far as bytes are looked at to tell text from binary data.

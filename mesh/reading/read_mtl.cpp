@@ -10,10 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "mesh/reading/find_beside.hpp"
-#include "mesh/reading/find_picture.hpp"
-#include "mesh/reading/read_file.hpp"
+#include "base/text.hpp"
+#include "mesh/reading/files.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {

@@ -11,10 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "mesh/reading/corner_colours.hpp"
+#include "base/text.hpp"
 #include "mesh/reading/read_mtl.hpp"
-#include "mesh/reading/readers.hpp"
+#include "mesh/reading/source.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {

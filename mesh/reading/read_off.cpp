@@ -6,11 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "mesh/reading/corner_colours.hpp"
+#include "base/text.hpp"
 #include "mesh/reading/detect_format.hpp"
-#include "mesh/reading/face_paint.hpp"
-#include "mesh/reading/readers.hpp"
+#include "mesh/reading/files.hpp"
+#include "mesh/reading/source.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {

@@ -9,14 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "mesh/reading/corner_colours.hpp"
-#include "mesh/reading/face_paint.hpp"
-#include "mesh/reading/find_picture.hpp"
-#include "mesh/reading/ply_header.hpp"
-#include "mesh/reading/ply_roles.hpp"
-#include "mesh/reading/ply_values.hpp"
-#include "mesh/reading/readers.hpp"
+#include "base/text.hpp"
+#include "mesh/reading/files.hpp"
+#include "mesh/reading/ply_elements.hpp"
+#include "mesh/reading/source.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
+#include "base/text.hpp"
 #include "mesh/reading/detect_format.hpp"
-#include "mesh/reading/read_file.hpp"
-#include "mesh/reading/readers.hpp"
+#include "mesh/reading/files.hpp"
 #include "mesh/reading/source.hpp"
 
 namespace ridgecraft::mesh {

@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "base/text_between.hpp"
-#include "mesh/reading/readers.hpp"
-#include "mesh/reading/stl_layout.hpp"
+#include "base/text.hpp"
+#include "mesh/reading/detect_format.hpp"
+#include "mesh/reading/source.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {

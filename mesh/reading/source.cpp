@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/reading/source.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace ridgecraft::mesh {
@@ -48,6 +51,80 @@ std::string_view without_trailing_zeros(std::string_view text, RepairReport& rem
     remarks.add(RepairKind::trailing_data_ignored, text.size() - length);
   }
   return text.substr(0, length);
+}
+
+void check_repetitions(const Source& source, std::uint64_t held, std::uint64_t points,
+                       std::uint64_t corners) {
+  // A strip of n points makes n - 2 triangles: three corners for one byte is the most that a file can hold
+  // itself.
+  const std::uint64_t most = std::max(3 * largest_repeated_count, 3 * held);
+  if (points > most || corners > most) {
+    source.refuse(ErrorKind::unusable_mesh,
+                  fmt::format("repeats its objects until they have more than {} triangles", most / 3));
+  }
+  if (corners > largest_corner_count) {
+    source.refuse(ErrorKind::unreadable_input,
+                  fmt::format("is too large: its faces have more than {} corners", largest_corner_count));
+  }
+}
+
+void add_triangle(Soup& soup, std::array<std::uint32_t, 3> points,
+                  const std::optional<std::array<std::uint32_t, 3>>& texture) {
+  if (texture) {
+    soup.corner_texture.resize(soup.corner_point.size(), Soup::none);
+    soup.corner_texture.insert(soup.corner_texture.end(), texture->begin(), texture->end());
+  }
+  soup.corner_point.insert(soup.corner_point.end(), points.begin(), points.end());
+  soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corner_point.size()));
+}
+
+void finish_triangles(Soup& soup) {
+  if (!soup.corner_texture.empty()) {
+    soup.corner_texture.resize(soup.corner_point.size(), Soup::none);
+  }
+  if (std::all_of(soup.objects.begin(), soup.objects.end(),
+                  [](const auto& object) { return object.second.empty(); })) {
+    soup.objects.clear();
+  }
+}
+
+std::uint32_t packed_colour(const Colour& colour) {
+  std::uint32_t packed = 0;
+  for (const double channel : colour) {
+    const double share = std::isnan(channel) ? 1.0 : std::clamp(channel, 0.0, 1.0);
+    packed = packed << 8U | static_cast<std::uint32_t>(std::lround(255.0 * share));
+  }
+  return packed;
+}
+
+void colour_corners(Soup& soup, const std::vector<std::uint32_t>& of_point) {
+  if (of_point.empty()) {
+    return;
+  }
+  soup.corner_colour.reserve(soup.corner_point.size());
+  for (const std::uint32_t p : soup.corner_point) {
+    soup.corner_colour.push_back(of_point[p]);
+  }
+}
+
+void colour_last_triangle(Soup& soup, const std::array<std::uint32_t, 3>& colours) {
+  soup.corner_colour.resize(soup.corner_point.size() - colours.size(), Soup::none);
+  soup.corner_colour.insert(soup.corner_colour.end(), colours.begin(), colours.end());
+}
+
+void finish_corner_colours(Soup& soup) {
+  if (!soup.corner_colour.empty()) {
+    soup.corner_colour.resize(soup.corner_point.size(), Soup::none);
+  }
+}
+
+void MaterialTable::finish(Material& material, std::optional<ColourBytes> own, std::uint32_t number) {
+  if (own) {
+    material.colour = colour_of(*own);
+  }
+  if (material.name.empty()) {
+    material.name = fmt::format("paint {}", number + 1);
+  }
 }
 
 }  // namespace ridgecraft::mesh

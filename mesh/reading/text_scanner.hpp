@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 
-#include "base/text_between.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::mesh {
 
@@ -72,5 +74,14 @@ class TextScanner {
   const char* end_;
   bool joins_lines_;
 };
+
+// Bytes that are written as text: base64, and the percent signs of addresses.
+
+/// The bytes of a base64 text (RFC 4648), also of its variant for addresses; with or without the equals signs
+/// at its end. Nothing where it is no such text.
+[[nodiscard]] std::optional<std::string> from_base64(std::string_view text);
+
+/// "%20" becomes a blank and so on; a percent sign without two hexadecimal digits stays as it is.
+[[nodiscard]] std::string from_percent(std::string_view text);
 
 }  // namespace ridgecraft::mesh

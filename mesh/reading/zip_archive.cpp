@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include "base/printable.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

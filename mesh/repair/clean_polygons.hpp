@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/context.hpp"
-#include "mesh/model/repair_report.hpp"
+#include "mesh/model/soup.hpp"
 #include "mesh/repair/polygon_list.hpp"
 
 namespace ridgecraft::mesh {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mesh/repair/orient.hpp"
+#include "mesh/repair/polygon_list.hpp"
 
 namespace ridgecraft::mesh {
 
@@ -62,25 +63,7 @@ void make_surface(LooseFaces& loose, const Context& context) {
 }
 
 void put_together(Model& model, LooseFaces loose) {
-  std::vector<std::uint32_t> number(loose.points.size(), Soup::none);
-  for (const auto& face : loose.faces) {
-    for (const std::uint32_t p : face) {
-      number[p] = 0;
-    }
-  }
-  std::vector<Vec3> points;
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    if (number[i] == 0) {
-      number[i] = static_cast<std::uint32_t>(points.size());
-      points.push_back(loose.points[i]);
-    }
-  }
-  std::vector<std::array<VertexId, 3>> faces;
-  faces.reserve(loose.faces.size());
-  for (const auto& [a, b, c] : loose.faces) {
-    faces.push_back({VertexId(number[a]), VertexId(number[b]), VertexId(number[c])});
-  }
-  model.surface = Surface(std::move(points), std::move(faces));
+  model.surface = surface_of(loose.points, loose.faces);
   model.polygon = IdVector<FaceId, std::uint32_t>(std::move(loose.polygon));
   model.material = IdVector<FaceId, std::uint32_t>(std::move(loose.material));
   model.object = IdVector<FaceId, std::uint32_t>(std::move(loose.object));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/context.hpp"
-#include "mesh/model/repair_report.hpp"
+#include "mesh/model/soup.hpp"
 #include "mesh/repair/polygon_list.hpp"
 
 namespace ridgecraft::mesh {
@@ -17,12 +17,5 @@ void make_manifold(TriangleList& list, std::vector<EdgeUse>& uses, RepairReport&
 
 /// Are the invariants of Surface true (points without triangles apart)? O(n log n).
 [[nodiscard]] bool is_manifold(const TriangleList& list);
-
-/// Turns each component of a manifold list outwards: closed ones by their signed volume, unless they are the
-/// cavity of another; open ones stay as most of their area was in the file (`turned[t]`: triangle t was
-/// turned around against it), and where copies of both directions were dropped the outside is where the
-/// surface bulges to. `uses`: those of the list's edges, before.
-void turn_outwards(TriangleList& list, const std::vector<EdgeUse>& uses, RepairReport& report,
-                   const Context& context);
 
 }  // namespace ridgecraft::mesh

@@ -9,8 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/context.hpp"
 #include "base/vector.hpp"
 #include "mesh/model/soup.hpp"
+#include "mesh/model/surface.hpp"
 
 namespace ridgecraft::mesh {
 
@@ -22,7 +24,7 @@ struct PolygonList {
   std::vector<std::uint32_t> corners;   ///< index into points
   std::vector<std::uint32_t> textures;  ///< as Soup::corner_texture, same length as corners
   std::vector<std::uint32_t> origin;    ///< number in the file
-  std::vector<std::uint8_t> two_sided;  ///< 1: a reversed copy was dropped, so its direction tells nothing
+  std::vector<std::uint8_t> two_sided;  ///< 1: a reversed copy was dropped, so its direction means nothing
 
   [[nodiscard]] std::size_t size() const { return first.size() - 1; }
   [[nodiscard]] std::span<const std::uint32_t> polygon(std::size_t i) const {
@@ -73,5 +75,18 @@ void for_each_edge(const std::vector<EdgeUse>& uses, Visit visit) {
     i = j;
   }
 }
+
+// Polygons become triangles. Private to mesh/.
+
+/// Splits every polygon along diagonals that lie inside it: quads along the one that bends them least (flat
+/// ones along the one that gives the better triangles), larger ones by constrained Delaunay in their mean
+/// plane. What crosses itself is left out and remarked; what is bent is split and remarked. `flat` is the
+/// distance from its mean plane that a corner may have. O(n log n).
+[[nodiscard]] TriangleList triangulate(PolygonList list, double flat, RepairReport& report,
+                                       const Context& context);
+
+/// The surface of these faces, without points that none uses; the others keep their order. O(n log n).
+[[nodiscard]] Surface surface_of(const std::vector<Vec3>& points,
+                                 const std::vector<std::array<std::uint32_t, 3>>& faces);
 
 }  // namespace ridgecraft::mesh

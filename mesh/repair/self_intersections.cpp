@@ -7,8 +7,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "base/near_boxes.hpp"
-#include "base/same_place.hpp"
+#include "base/boxes.hpp"
+#include "base/order.hpp"
 
 namespace ridgecraft::mesh {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "base/float_order.hpp"
+#include "base/order.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

@@ -9,10 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/box_tree.hpp"
 #include "base/boxes.hpp"
 #include "base/elementary.hpp"
-#include "mesh/model/faces_alone.hpp"
+#include "mesh/model/surface.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/details/reliefs.hpp"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "base/box_tree.hpp"
+#include "base/boxes.hpp"
 #include "mesh/model/surface.hpp"
 
 namespace ridgecraft::prepare {

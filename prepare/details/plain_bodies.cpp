@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/model/faces_alone.hpp"
+#include "mesh/model/surface.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/details/plain_prism.hpp"

@@ -6,8 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/convex_hull.hpp"
-#include "base/plane_frame.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

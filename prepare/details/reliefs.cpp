@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mesh/model/faces_alone.hpp"
+#include "mesh/model/surface.hpp"
 #include "mesh/model/surface_distance.hpp"
 
 namespace ridgecraft::prepare {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/plane_frame.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/plane_frame.hpp"
+#include "base/geometry.hpp"
 #include "prepare/panels/flat_outline.hpp"
 
 namespace ridgecraft::prepare {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/constrained_delaunay.hpp"
-#include "base/plane_frame.hpp"
+#include "base/delaunay.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::prepare {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "base/constrained_delaunay.hpp"
-#include "base/plane_frame.hpp"
+#include "base/delaunay.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/plane_frame.hpp"
+#include "base/geometry.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/page_cuts.hpp"
 #include "prepare/panels/remesh_panels.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/constrained_delaunay.hpp"
+#include "base/delaunay.hpp"
 
 namespace ridgecraft::prepare {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/plane_frame.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::prepare {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

@@ -7,8 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "base/convex_hull.hpp"
-#include "base/rectangle.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/plane_frame.hpp"
+#include "base/geometry.hpp"
 #include "mesh/model/soup.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/flat_outline.hpp"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "base/rectangle.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::prepare {
 

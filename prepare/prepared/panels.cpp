@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/elementary.hpp"
-#include "base/float_order.hpp"
+#include "base/order.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/sentence.hpp"
+#include "base/text.hpp"
 #include "prepare/symmetry/mirrors.hpp"
 
 namespace ridgecraft::prepare {

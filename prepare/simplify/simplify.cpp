@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/model/measured_distance.hpp"
+#include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/features/features.hpp"
 #include "prepare/features/sharpen_bevels.hpp"

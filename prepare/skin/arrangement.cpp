@@ -18,12 +18,10 @@
 #include <CGAL/boost_mp.h>
 #endif
 
-#include "base/box_tree.hpp"
+#include "base/boxes.hpp"
 #include "base/disjoint_sets.hpp"
-#include "base/edge_order.hpp"
-#include "base/near_boxes.hpp"
+#include "base/order.hpp"
 #include "base/random.hpp"
-#include "base/same_place.hpp"
 
 namespace ridgecraft::prepare {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/box_tree.hpp"
+#include "base/boxes.hpp"
 #include "mesh/model/surface_distance.hpp"
 
 namespace ridgecraft::prepare {

@@ -10,10 +10,9 @@
 #include <span>
 
 #include "base/disjoint_sets.hpp"
-#include "base/edge_order.hpp"
 #include "base/elementary.hpp"
-#include "base/same_place.hpp"
-#include "base/solid_angle.hpp"
+#include "base/geometry.hpp"
+#include "base/order.hpp"
 #include "prepare/skin/sight.hpp"
 
 namespace ridgecraft::prepare {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/box_tree.hpp"
+#include "base/boxes.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::prepare {

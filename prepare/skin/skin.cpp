@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/boxes.hpp"
 #include "base/disjoint_sets.hpp"
-#include "base/near_boxes.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/skin/gaps.hpp"
 #include "prepare/skin/meeting.hpp"

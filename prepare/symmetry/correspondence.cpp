@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/same_place.hpp"
+#include "base/order.hpp"
 #include "prepare/symmetry/nearby_points.hpp"
 
 namespace ridgecraft::prepare {

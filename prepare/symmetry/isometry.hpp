@@ -2,7 +2,7 @@
 // Motions of space that keep lengths, mirrored ones among them.
 #pragma once
 
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::prepare {

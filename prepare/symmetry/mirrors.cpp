@@ -10,7 +10,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "base/same_place.hpp"
+#include "base/order.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/symmetry/area_frame.hpp"
 #include "prepare/symmetry/nearby_points.hpp"

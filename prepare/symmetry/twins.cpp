@@ -14,7 +14,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "base/same_place.hpp"
+#include "base/order.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/symmetry/correspondence.hpp"
 #include "prepare/symmetry/mirrors.hpp"

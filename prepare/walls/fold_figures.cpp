@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/model/faces_alone.hpp"
+#include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/walls/walls.hpp"
 

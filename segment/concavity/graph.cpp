@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/geometry.hpp"
 #include "base/no_index.hpp"
-#include "base/segment.hpp"
 
 namespace ridgecraft::segment {
 namespace {

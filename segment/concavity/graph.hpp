@@ -112,7 +112,7 @@ class PartGraph {
   [[nodiscard]] double mean_arc_length() const { return graph_->mean_length; }
 
  private:
-  /// The facets beside the edge of arc number i.
+  /// The facets at the edge of arc number i.
   [[nodiscard]] bool has_one_beside(std::uint32_t i) const {
     const std::uint32_t side = graph_->side[i];
     return has(side / 3) || has(surface_->neighbors[side / 3][side % 3]);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "base/no_index.hpp"
 
 namespace ridgecraft::segment {
@@ -101,8 +101,8 @@ std::uint32_t origin_of(const Bridge& bridge, std::uint32_t index) {
 }
 
 /// Whether the bounds of bridge number `source`, one end of which is `moved` away, decide about a bridge.
-bool derive_from(Bridge& bridge, std::uint32_t source, double moved, std::span<const Vec3> points,
-                 double tolerance, std::span<const Bridge> bridges) {
+bool derive_from(Bridge& bridge, std::uint32_t source, double moved, double tolerance,
+                 std::span<const Bridge> bridges) {
   const std::optional<ConcavityBounds> bounds = concavity_bounds(bridges[source]);
   if (!bounds) {
     return false;
@@ -114,14 +114,17 @@ bool derive_from(Bridge& bridge, std::uint32_t source, double moved, std::span<c
     return false;
   }
   derived.from = origin_of(bridges[source], source);
-  const Bridge& origin = bridges[derived.from];
-  const auto apart = [&](std::uint32_t v, std::uint32_t w) { return length(points[v] - points[w]); };
-  derived.crossed = apart(bridge.a, origin.a) + apart(bridge.b, origin.b) >
-                    apart(bridge.a, origin.b) + apart(bridge.b, origin.a);
   bridge.high = derived.least > tolerance;
   bridge.length = bridges[source].length + moved;
   bridge.known = derived;
   return true;
+}
+
+/// Whether a bridge runs from near the second end of another to near its first.
+bool runs_crossed(const Bridge& bridge, const Bridge& other, std::span<const Vec3> points) {
+  const auto apart = [&](std::uint32_t v, std::uint32_t w) { return length(points[v] - points[w]); };
+  return apart(bridge.a, other.a) + apart(bridge.b, other.b) >
+         apart(bridge.a, other.b) + apart(bridge.b, other.a);
 }
 
 }  // namespace
@@ -174,7 +177,9 @@ bool derive_bridge(std::uint32_t index, const Hull& hull, std::span<const Vec3> 
       }
       for (const std::uint32_t e : hull.triangle_edges[t]) {
         const bool shares_end = bridges[e].a == kept || bridges[e].b == kept;
-        if (e != index && shares_end && derive_from(bridge, e, moved, points, tolerance, bridges)) {
+        if (e != index && shares_end && derive_from(bridge, e, moved, tolerance, bridges)) {
+          auto& derived = std::get<Derived>(bridge.known);
+          derived.crossed = runs_crossed(bridge, bridges[derived.from], points);
           return true;
         }
       }
@@ -199,16 +204,16 @@ constexpr std::size_t check_interval = 64;
 
 }  // namespace
 
-Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, double tolerance,
-                   const Context& context, const Rules& rules, std::optional<double> opening_scale)
+Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, const MeasureRules& by,
+                   const Context& context)
     : surface_(&surface),
       context_(&context),
-      tolerance_(tolerance),
-      rules_(rules),
-      part_(surface, graph, rules.jumps),
+      tolerance_(by.tolerance),
+      rules_(by.rules),
+      part_(surface, graph, by.rules.jumps),
       valleys_(part_),
       hulls_(surface.points),
-      depth_(surface, tolerance, opening_scale.value_or(tolerance), context) {}
+      depth_(surface, by.tolerance, by.opening_scale.value_or(by.tolerance), context) {}
 
 void Measurer::select(std::span<const std::uint32_t> facets) {
   part_.select(facets);

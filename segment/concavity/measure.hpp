@@ -127,13 +127,20 @@ struct MeasureOptions {
   bool from_scratch = false;
 };
 
+/// What counts as concave. Lengths are in the scale of the surface.
+struct MeasureRules {
+  double tolerance = 0.0;
+  Rules rules = {};
+  /// How far openings may be (hull_depth.hpp), where that isn't the tolerance.
+  std::optional<double> opening_scale = std::nullopt;
+};
+
 /// Measures one part at a time.
 class Measurer {
  public:
-  /// All must outlive this. `opening_scale`: how far openings may be (hull_depth.hpp), where that isn't the
-  /// tolerance.
-  Measurer(const ScaledSurface& surface, const VertexGraph& graph, double tolerance, const Context& context,
-           const Rules& rules = {}, std::optional<double> opening_scale = {});
+  /// All must outlive this, but for the rules.
+  Measurer(const ScaledSurface& surface, const VertexGraph& graph, const MeasureRules& by,
+           const Context& context);
   Measurer(const Measurer&) = delete;
   Measurer& operator=(const Measurer&) = delete;
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
-#include "base/segment.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -252,11 +252,10 @@ void Cutter::flood_fuzzy(const PartGraph& part, std::uint32_t ridge) {
 /// Calls inner(side, other node, capacity) for each side of a node beyond which another one lies; gives what
 /// goes to the regions that are source and sink.
 template <class Inner>
-void Cutter::for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t node, Inner inner,
-                       std::int64_t& source, std::int64_t& sink) const {
+Cutter::Ends Cutter::for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t node,
+                               Inner inner) const {
   const std::uint32_t f = nodes_[node];
-  source = 0;
-  sink = 0;
+  Ends ends;
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t g = surface_->neighbors[f][k];
     if (!part.has(g)) {
@@ -270,11 +269,12 @@ void Cutter::for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t
         inner(k, node_[g], capacity);
       }
     } else if (owner == ridge) {
-      source += capacity;
+      ends.source += capacity;
     } else if (!cut_off_[owner]) {
-      sink += capacity;
+      ends.sink += capacity;
     }
   }
+  return ends;
 }
 
 /// What build_flow() makes a flow of, with all nodes open.
@@ -289,7 +289,9 @@ class Cutter::FuzzyGraph final : public CutGraph {
     const auto inner = [&](unsigned k, std::uint32_t other, std::int64_t capacity) {
       result.sides[k] = {capacity, other, cutter_.weights_->smoothness(3 * cutter_.nodes_[i] + k) < 1.0};
     };
-    cutter_.for_sides(part_, ridge_, i, inner, result.source, result.sink);
+    const Ends ends = cutter_.for_sides(part_, ridge_, i, inner);
+    result.source = ends.source;
+    result.sink = ends.sink;
     return result;
   }
 
@@ -350,11 +352,9 @@ void Cutter::build_flow(const PartGraph& part, std::uint32_t ridge) {
           break;
       }
     };
-    std::int64_t source = 0;
-    std::int64_t sink = 0;
-    for_sides(part, ridge, i, inner, source, sink);
-    flow_.add_source(node, source);
-    flow_.add_sink(node, sink);
+    const Ends ends = for_sides(part, ridge, i, inner);
+    flow_.add_source(node, ends.source);
+    flow_.add_sink(node, ends.sink);
   }
 }
 

@@ -95,9 +95,14 @@ class Cutter {
   [[nodiscard]] std::vector<std::uint32_t> cut_order(std::span<const Ridge> ridges);
   void cut_off(const PartGraph& part, std::uint32_t ridge);
   void flood_fuzzy(const PartGraph& part, std::uint32_t ridge);
+  /// Capacities from a node to the regions that are source and sink.
+  struct Ends {
+    std::int64_t source = 0;
+    std::int64_t sink = 0;
+  };
   template <class Inner>
-  void for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t node, Inner inner,
-                 std::int64_t& source, std::int64_t& sink) const;
+  [[nodiscard]] Ends for_sides(const PartGraph& part, std::uint32_t ridge, std::uint32_t node,
+                               Inner inner) const;
   class FuzzyGraph;
   void narrow_down(const PartGraph& part, std::uint32_t ridge);
   void build_flow(const PartGraph& part, std::uint32_t ridge);

@@ -36,20 +36,15 @@ void divide(PartWorker& worker, int depth, TaskOutcome& outcome) {
 }  // namespace
 
 PartWorkers::PartWorkers(const ScaledSurface& surface, const VertexGraph& graph, const EdgeWeights& weights,
-                         double tolerance, const Context& context, const Rules& rules)
-    : surface_(&surface),
-      graph_(&graph),
-      weights_(&weights),
-      tolerance_(tolerance),
-      context_(&context),
-      rules_(rules) {
+                         const MeasureRules& by, const Context& context)
+    : surface_(&surface), graph_(&graph), weights_(&weights), context_(&context), rules_(by) {
   workers_.push_back(make_worker());
   idle_.push_back(workers_.front().get());
 }
 
 std::unique_ptr<PartWorker> PartWorkers::make_worker() const {
-  return std::unique_ptr<PartWorker>(new PartWorker{
-      Measurer(*surface_, *graph_, tolerance_, *context_, rules_), Cutter(*surface_, *weights_), {}});
+  return std::unique_ptr<PartWorker>(
+      new PartWorker{Measurer(*surface_, *graph_, rules_, *context_), Cutter(*surface_, *weights_), {}});
 }
 
 unsigned PartWorkers::threads_for(std::span<const PartTask> tasks) const {

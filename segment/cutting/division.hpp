@@ -48,9 +48,9 @@ struct PartWorker {
 /// round and each sixteenth of the surface.
 class PartWorkers {
  public:
-  /// All must outlive this.
+  /// All must outlive this, but for the rules.
   PartWorkers(const ScaledSurface& surface, const VertexGraph& graph, const EdgeWeights& weights,
-              double tolerance, const Context& context, const Rules& rules);
+              const MeasureRules& by, const Context& context);
 
   /// The one for work that isn't divided; not while run() is running.
   [[nodiscard]] PartWorker& first() { return *workers_.front(); }
@@ -78,9 +78,8 @@ class PartWorkers {
   const ScaledSurface* surface_;
   const VertexGraph* graph_;
   const EdgeWeights* weights_;
-  double tolerance_;
   const Context* context_;
-  Rules rules_;
+  MeasureRules rules_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<PartWorker>> workers_;
   std::vector<PartWorker*> idle_;

@@ -25,7 +25,7 @@ class MaximumFlow {
 
   /// Starts a graph of n nodes without arcs.
   void reset(std::uint32_t n);
-  /// Arc at slot k (0..2) of a node; the other end must be told the same at one of its slots.
+  /// Arc at slot k (0..2) of a node; the other end must get the same at one of its slots.
   void set_arc(std::uint32_t node, unsigned k, std::uint32_t other, std::int64_t capacity);
   void add_source(std::uint32_t node, std::int64_t capacity);
   void add_sink(std::uint32_t node, std::int64_t capacity);
@@ -141,7 +141,7 @@ class CoarseCut {
   std::vector<std::uint32_t> queue_;
   std::vector<Border> borders_;
   std::vector<std::uint32_t> first_;      ///< of each cluster, in neighbors_ and capacities_
-  std::vector<std::uint32_t> neighbors_;  ///< clusters beside each cluster
+  std::vector<std::uint32_t> neighbors_;  ///< clusters next to each cluster
   std::vector<std::int64_t> capacities_;
   std::vector<std::int64_t> source_;
   std::vector<std::int64_t> sink_;

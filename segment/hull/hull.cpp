@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/convex_hull.hpp"
 #include "base/error.hpp"
+#include "base/geometry.hpp"
 #include "base/no_index.hpp"
 #include "segment/surface/scaled_surface.hpp"
 

@@ -93,7 +93,7 @@ class PlaneDirections {
   std::vector<std::uint32_t> first_;  ///< scratch: where each cell begins
 };
 
-// How deep a point lies under a hull: along its normal or beside an opening (docs/design/segmentation.md,
+// How deep a point lies under a hull: along its normal or at an opening (docs/design/segmentation.md,
 // "Cap on depth").
 
 /// Depths under one hull at a time, each computed when first asked for.
@@ -115,7 +115,7 @@ class HullDepth {
   ///
   /// Where that is above the tolerance, there may be a shorter way out through an opening, as from the inner
   /// side of a vessel's rim, whose normal leads across the whole vessel. A facet of the hull closes an
-  /// opening beside v if all three hold: its plane is nearer to v than the scale of openings; it isn't behind
+  /// opening at v if all three hold: its plane is nearer to v than the scale of openings; it isn't behind
   /// the surface at v (its normal doesn't point against that of v); and the hull is many times thicker behind
   /// it than that scale, so that the facet lies over a hollow body and isn't the flat side of a thin thing,
   /// in which the gap between two arms stays deep. The depth is then at most the distance to that plane.
@@ -143,7 +143,7 @@ class HullDepth {
   double tolerance_;
   double opening_scale_;
   HullIs is_ = HullIs::whole;
-  bool has_planes_ = false;           ///< for this hull: not while nobody asked
+  bool has_planes_ = false;           ///< for this hull: not before they are asked for
   PlaneDirections planes_;            ///< of the hull's triangles that aren't slivers
   std::vector<Thickness> thickness_;  ///< of each triangle
   std::vector<HullPlane> found_;      ///< scratch

@@ -110,7 +110,7 @@ struct DeepestPoint {
 /// Tests hulls against the solid that a closed surface encloses. A pocket is a point outside the solid that
 /// lies deeper than a tolerance under every face of the hull. What lies so deep is a convex body, the hull
 /// with its faces moved inward; it holds air exactly when its deepest point is air or a face of the surface
-/// with air beside it reaches into it. So the answer is exact, not sampled.
+/// with air at it reaches into it. So the answer is exact, not sampled.
 class PocketTest {
  public:
   PocketTest(const ScaledSurface& surface, double tolerance);
@@ -133,7 +133,7 @@ class PocketTest {
   double tolerance_;
   std::vector<HullPlane> hull_planes_;
   std::vector<HalfSpace> planes_;  ///< the same, moved inward by the tolerance
-  std::vector<std::int8_t> air_;   ///< per facet: whether air is beside it, -1 not known yet
+  std::vector<std::int8_t> air_;   ///< per facet: whether air is at it, -1 not known yet
 };
 
 }  // namespace ridgecraft::segment

@@ -64,12 +64,12 @@ AssemblySettings assembly_settings(const Options& options) {
 }
 
 Assembly::Assembly(const ScaledSurface& surface, const EdgeWeights& weights, const VertexGraph& graph,
-                   Measurer& measurer, Cutter& cutter, const AssemblySettings& settings)
+                   PartWorker& worker, const AssemblySettings& settings)
     : surface_(&surface),
       weights_(&weights),
       graph_(&graph),
-      measurer_(&measurer),
-      cutter_(&cutter),
+      measurer_(&worker.measurer),
+      cutter_(&worker.cutter),
       settings_(settings),
       planes_(surface, weights),
       unit_volume_(enclosed(surface)) {
@@ -78,7 +78,7 @@ Assembly::Assembly(const ScaledSurface& surface, const EdgeWeights& weights, con
       throw Error(ErrorKind::unusable_mesh,
                   "pockets can't be found: the surface has border edges and encloses no solid");
     }
-    pockets_.emplace(surface, measurer.tolerance());
+    pockets_.emplace(surface, measurer_->tolerance());
   }
 }
 
@@ -228,7 +228,7 @@ void Assembly::cut_further(std::vector<Piece> open, const Attempt& attempt, std:
 std::vector<Facets> Assembly::cut_finely(std::vector<Piece> pieces, double fineness) {
   std::optional<Measurer> fine;
   if (fineness < 1.0) {
-    fine.emplace(*surface_, *graph_, fineness * measurer_->tolerance(), measurer_->context());
+    fine.emplace(*surface_, *graph_, MeasureRules{fineness * measurer_->tolerance()}, measurer_->context());
   }
   std::vector<Facets> done;
   for (Piece& piece : pieces) {

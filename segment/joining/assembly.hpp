@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// More effort: parts are cut into smaller pieces, by planes too, and the pieces put together anew.
+// More effort: parts are cut into smaller pieces, by planes too, and the pieces put together again.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include "segment/concavity/graph.hpp"
 #include "segment/concavity/measure.hpp"
 #include "segment/cutting/cut.hpp"
+#include "segment/cutting/division.hpp"
 #include "segment/cutting/plane_cut.hpp"
 #include "segment/hull/pockets.hpp"
 #include "segment/joining/partition.hpp"
@@ -20,7 +21,7 @@ namespace ridgecraft::segment {
 struct Attempt {
   /// Pieces are cut until they are within this share of the tolerance; 1 leaves the parts as they are.
   double fineness = 1.0;
-  unsigned rounds = 0;       ///< of tearing some parts up and joining their pieces anew
+  unsigned rounds = 0;       ///< of tearing some parts up and joining their pieces again
   bool planes = false;       ///< cut by planes where that saves more volume than the pieces are worth
   double plane_price = 1.0;  ///< times the price of volume while planes cut: more pieces to choose from
   bool at_any_cost = false;  ///< all joins that are possible: the merge pass
@@ -46,7 +47,7 @@ class Assembly {
   /// All must outlive this. Throws Error(unusable_mesh) when pockets are to be avoided and the surface has
   /// border edges: it encloses no solid.
   Assembly(const ScaledSurface& surface, const EdgeWeights& weights, const VertexGraph& graph,
-           Measurer& measurer, Cutter& cutter, const AssemblySettings& settings);
+           PartWorker& worker, const AssemblySettings& settings);
 
   /// Cuts parts into pieces and joins them. Parts ascend by smallest facet.
   [[nodiscard]] std::vector<AssembledPart> assemble(const std::vector<Facets>& parts);

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/delaunay_edges.hpp"
+#include "base/delaunay.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/elementary.hpp"
 #include "base/no_index.hpp"

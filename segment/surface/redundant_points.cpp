@@ -11,7 +11,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/elementary.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::segment {
 namespace {

@@ -8,10 +8,10 @@
 #include <numeric>
 #include <optional>
 
-#include "base/curve_order.hpp"
 #include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "base/no_index.hpp"
+#include "base/order.hpp"
 
 namespace ridgecraft::segment {
 namespace {

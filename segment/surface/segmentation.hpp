@@ -28,7 +28,7 @@ struct Options {
   /// Largest concavity of a part, as a length in the scale where the model's smallest enclosing ball has
   /// radius 1. Finite and above 0, else Error(usage).
   double concavity = 0.1;
-  /// 1: one pass. 2: also parts cut into smaller pieces that are put together anew, and the cheapest of both
+  /// 1: one pass. 2: also parts cut into smaller pieces that are put together again, and the cheapest of both
   /// in number of parts, volume and borders; about four times as long. 3: still smaller pieces and more
   /// trials, too; about 25 times as long.
   int effort = 1;
@@ -110,7 +110,7 @@ struct Segmentation {
 struct Rules {
   bool jumps = true;            ///< a valley may run straight across the opening that a cut left
   bool cap = true;              ///< a vertex is no deeper than the hull is far along its normal
-  bool derivation = true;       ///< what one bridge measured serves those beside it
+  bool derivation = true;       ///< what one bridge measured serves its neighbours
   bool folds_by_length = true;  ///< the price of a fold grows with its length; nearly flat ones are none
   bool merging = true;          ///< neighbours whose union is within the tolerance are joined
 };

@@ -11,9 +11,8 @@
 
 #include "base/context.hpp"
 #include "base/disjoint_sets.hpp"
-#include "base/length_text.hpp"
 #include "base/random.hpp"
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 
 using namespace ridgecraft;
 
@@ -98,4 +97,13 @@ TEST_CASE("disjoint sets agree with labels, whatever the order of joining", "[ba
       CHECK(sets.find(i) == label[i]);
     }
   }
+}
+
+TEST_CASE("words are listed as people do", "[sentence]") {
+  CHECK(listed({}, "and").empty());
+  CHECK(listed({"a"}, "and") == "a");
+  CHECK(listed({"a", "b"}, "or") == "a or b");
+  CHECK(listed({"a", "b", "c"}, "and") == "a, b and c");
+  CHECK(counted(1, "page") == "1 page");
+  CHECK(counted(0, "page") == "0 pages");
 }

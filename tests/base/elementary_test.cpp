@@ -11,7 +11,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/digest.hpp"
+#include "base/encodings.hpp"
 #include "base/random.hpp"
 
 using namespace ridgecraft;

@@ -9,7 +9,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/portable_int128.hpp"
 #include "base/random.hpp"
 
 using namespace ridgecraft;

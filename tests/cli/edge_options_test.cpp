@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program_checks.hpp"
-#include "mesh/pdo_writer.hpp"
+#include "mesh/file_writers.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft::test;

@@ -11,7 +11,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "base/json_text.hpp"
+#include "base/encodings.hpp"
 #include "base/option_table.hpp"
 #include "export/machine/presets.hpp"
 #include "job/option_fields.hpp"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program_checks.hpp"
-#include "mesh/write.hpp"
+#include "mesh/mesh.hpp"
 #include "support/shapes.hpp"
 #include "support/temporary_folder.hpp"
 

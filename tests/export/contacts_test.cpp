@@ -10,7 +10,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "export/export.hpp"
 #include "export/guide/step_words.hpp"
 #include "sample_pages.hpp"

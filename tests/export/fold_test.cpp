@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "base/json_text.hpp"
+#include "base/encodings.hpp"
 #include "base/random.hpp"
 #include "export/export.hpp"
 #include "support/check_nets.hpp"

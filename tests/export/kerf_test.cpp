@@ -12,7 +12,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
 #include "export/machine/kerf_test.hpp"
 #include "export/machine/operations.hpp"

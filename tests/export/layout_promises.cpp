@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "export/packing/packing_shape.hpp"
 
 namespace ridgecraft::test {

@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
-#include "base/rectangle.hpp"
 #include "export/export.hpp"
 #include "export/sheet/fold_directions.hpp"
 #include "layout_promises.hpp"

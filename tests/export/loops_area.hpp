@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::test {
 

@@ -16,8 +16,7 @@
 #include <catch2/catch.hpp>
 #include <pugixml.hpp>
 
-#include "base/polygon.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "export/formats/write.hpp"
 #include "export/machine/hatching.hpp"
 #include "export/machine/registration.hpp"

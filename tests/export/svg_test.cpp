@@ -15,7 +15,7 @@
 #include <pugixml.hpp>
 #include <unistd.h>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 #include "verify/pages/printed.hpp"

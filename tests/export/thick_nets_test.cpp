@@ -13,7 +13,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "export/machine/operations.hpp"
 #include "loops_area.hpp"
 #include "sample_pages.hpp"

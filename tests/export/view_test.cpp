@@ -12,7 +12,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
 #include "export/view/coarse_view.hpp"
 #include "prepare/prepared/panels.hpp"

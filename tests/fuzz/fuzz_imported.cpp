@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as what ridgecraft-import says of a file.
 #include "fuzz_reader.hpp"
-#include "mesh/reading/imported/read_stream.hpp"
+#include "mesh/reading/imported/read_imported.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ridgecraft;

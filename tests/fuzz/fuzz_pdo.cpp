@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a file with the suffix .pdo, for its model and for its nets.
 #include "fuzz_reader.hpp"
-#include "mesh/reading/pdo/read_seams.hpp"
+#include "mesh/reading/pdo/read_pdo.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ridgecraft;

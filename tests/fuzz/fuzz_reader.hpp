@@ -12,9 +12,9 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "base/printable.hpp"
-#include "mesh/reading/instances.hpp"
+#include "base/text.hpp"
 #include "mesh/reading/read_soup.hpp"
+#include "mesh/reading/source.hpp"
 
 namespace ridgecraft::test {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "base/printable.hpp"
+#include "base/text.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/repair/repair.hpp"
 #include "prepare/prepare.hpp"

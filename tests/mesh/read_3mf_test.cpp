@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/random.hpp"
-#include "format_seeds.hpp"
-#include "package_writer.hpp"
+#include "mesh/file_writers.hpp"
+#include "mesh/seeds.hpp"
 #include "reading.hpp"
 
 using namespace ridgecraft;

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "base/random.hpp"
-#include "format_seeds.hpp"
+#include "mesh/file_writers.hpp"
 #include "mesh/mesh.hpp"
-#include "package_writer.hpp"
+#include "mesh/seeds.hpp"
 #include "reading.hpp"
 #include "support/temporary_folder.hpp"
 

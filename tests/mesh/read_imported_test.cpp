@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Formats that a program beside ours reads: what comes through the pipe, and what happens where it breaks
 // down.
+#include "mesh/reading/imported/read_imported.hpp"
+
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -13,11 +15,10 @@
 #include <unistd.h>
 
 #include "base/random.hpp"
-#include "imported_seeds.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/reading/imported/read_stream.hpp"
+#include "mesh/reading/files.hpp"
 #include "mesh/reading/imported/stream.hpp"
-#include "mesh/reading/read_file.hpp"
+#include "mesh/seeds.hpp"
 #include "reading.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/reading/pdo/read_pdo.hpp"
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -10,10 +12,8 @@
 #include <zlib.h>
 
 #include "base/random.hpp"
+#include "mesh/file_writers.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/reading/pdo/read_seams.hpp"
-#include "package_writer.hpp"
-#include "pdo_writer.hpp"
 #include "reading.hpp"
 
 using namespace ridgecraft;

@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/digest.hpp"
-#include "base/printable.hpp"
+#include "base/encodings.hpp"
+#include "base/text.hpp"
 #include "reading.hpp"
 
 using namespace ridgecraft;

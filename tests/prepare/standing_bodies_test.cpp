@@ -10,7 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "mesh/mesh.hpp"
-#include "mesh/model/openings.hpp"
+#include "mesh/model/surface.hpp"
 #include "prepare/layers.hpp"
 #include "prepare/size.hpp"
 #include "support/shapes.hpp"

@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "base/constrained_delaunay.hpp"
+#include "base/delaunay.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"

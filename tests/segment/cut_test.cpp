@@ -28,7 +28,7 @@ struct Measured {
       : scaled(segment::scale_surface(surface, polygon)),
         weights(segment::weigh_edges(scaled)),
         graph(segment::build_vertex_graph(scaled, 0.25 * tolerance)),
-        measurer(scaled, graph, tolerance, context),
+        measurer(scaled, graph, {tolerance}, context),
         cutter(scaled, weights, coarse_from),
         all(scaled.facet_count()) {
     std::iota(all.begin(), all.end(), 0U);
@@ -48,7 +48,7 @@ struct Measured {
 /// How the parts of a surface are divided, before any are joined.
 segment::Division divided(const mesh::Surface& surface, double tolerance) {
   Measured m(surface, {}, tolerance);
-  segment::PartWorkers workers(m.scaled, m.graph, m.weights, tolerance, m.context, {});
+  segment::PartWorkers workers(m.scaled, m.graph, m.weights, {tolerance}, m.context);
   std::vector<segment::PartTask> tasks;
   for (Facets& component : m.cutter.components(m.all)) {
     tasks.push_back({std::move(component)});

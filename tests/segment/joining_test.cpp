@@ -140,7 +140,7 @@ struct Clouds {
 };
 
 /// Length of the union of some groups' stretches, ray by ray.
-double length_of(const std::vector<std::vector<RaySpan>>& groups) {
+double span_length(const std::vector<std::vector<RaySpan>>& groups) {
   std::map<std::uint32_t, std::vector<RaySpan>> by_ray;
   for (const auto& group : groups) {
     for (const RaySpan& span : group) {
@@ -165,7 +165,7 @@ TEST_CASE("Hulls that are joined one by one cover what all of them cover") {
     rays.push_back(clouds.rays(g));
     hulls.add(g, rays.back());
   }
-  CHECK(hulls.length() == Approx(length_of(rays)).epsilon(1e-12));
+  CHECK(hulls.length() == Approx(span_length(rays)).epsilon(1e-12));
   for (std::uint32_t h = 1; h < clouds.ids.size(); ++h) {
     auto& into = clouds.ids[0];
     into.insert(into.end(), clouds.ids[h].begin(), clouds.ids[h].end());
@@ -177,7 +177,7 @@ TEST_CASE("Hulls that are joined one by one cover what all of them cover") {
     rays[0] = united;
     rays[h].clear();
     CHECK(hulls.length() == Approx(before + added).epsilon(1e-12));
-    CHECK(hulls.length() == Approx(length_of(rays)).epsilon(1e-12));
+    CHECK(hulls.length() == Approx(span_length(rays)).epsilon(1e-12));
   }
 }
 
@@ -227,7 +227,7 @@ struct ThreeParts {
   segment::ScaledSurface scaled = segment::scale_surface(post(), {});
   segment::EdgeWeights weights = segment::weigh_edges(scaled);
   segment::VertexGraph graph = segment::build_vertex_graph(scaled, 0.025);
-  segment::Measurer measurer{scaled, graph, 0.1, context};
+  segment::Measurer measurer{scaled, graph, {0.1}, context};
   segment::ValleyCache valleys;
   segment::JoiningTools tools{&measurer, &weights, nullptr, &valleys};
   std::vector<segment::MeasuredPart> parts;

@@ -14,7 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
 #include "segment/surface/scaled_surface.hpp"
 #include "segmented.hpp"

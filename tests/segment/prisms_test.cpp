@@ -10,8 +10,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/constrained_delaunay.hpp"
 #include "base/context.hpp"
+#include "base/delaunay.hpp"
 #include "base/vector.hpp"
 #include "segment/hierarchy.hpp"
 #include "segment/segment.hpp"

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/energy/net_energy.hpp"

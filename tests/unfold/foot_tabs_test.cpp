@@ -11,7 +11,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/flat_panels.hpp"
 #include "support/shapes.hpp"

@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "support/shapes.hpp"
 #include "unfold/tree_nets.hpp"
 

@@ -8,9 +8,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
-#include "base/rectangle.hpp"
 #include "support/shapes.hpp"
 #include "unfold/energy/piece_cost.hpp"
 #include "unfold/nets_checks.hpp"

@@ -11,8 +11,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/polygon.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "support/flat_panels.hpp"
 #include "support/shapes.hpp"
 #include "unfold/net/outline.hpp"

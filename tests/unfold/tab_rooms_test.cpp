@@ -2,8 +2,7 @@
 // Pieces nearly as large as the sheet: which of their tabs there is paper for.
 #include <catch2/catch.hpp>
 
-#include "base/convex_hull.hpp"
-#include "base/rectangle.hpp"
+#include "base/geometry.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/unfold.hpp"

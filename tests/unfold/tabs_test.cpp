@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "support/flat_panels.hpp"
 #include "support/shapes.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"

@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "support/program.hpp"
 #include "verify/support.hpp"
 

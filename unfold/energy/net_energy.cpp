@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::unfold {
 

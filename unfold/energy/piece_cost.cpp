@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/necks.hpp"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "unfold/net/piece_rules.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/room.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/patch/patch.hpp"

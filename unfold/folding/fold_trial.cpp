@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/near_boxes.hpp"
+#include "base/boxes.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

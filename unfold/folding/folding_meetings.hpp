@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "unfold/folding/face_meeting.hpp"
 #include "unfold/folding/fold_trial.hpp"
 #include "unfold/patch/patch.hpp"

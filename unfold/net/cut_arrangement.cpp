@@ -10,9 +10,9 @@
 #include <set>
 #include <utility>
 
-#include "base/box_grid.hpp"
+#include "base/boxes.hpp"
 #include "base/elementary.hpp"
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/boxes.hpp"
-#include "base/near_boxes.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

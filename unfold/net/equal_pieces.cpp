@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

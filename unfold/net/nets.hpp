@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/geometry.hpp"
 #include "base/id.hpp"
-#include "base/motion.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::unfold {

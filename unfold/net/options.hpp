@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/geometry.hpp"
 #include "base/id.hpp"
-#include "base/rectangle.hpp"
 #include "prepare/prepared/twin_bodies.hpp"
 #include "unfold/net/edge_wishes.hpp"
 #include "unfold/net/piece_rules.hpp"

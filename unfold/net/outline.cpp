@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::unfold {
 

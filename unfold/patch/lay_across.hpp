@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::unfold {
 

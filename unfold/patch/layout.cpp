@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "base/convex_hull.hpp"
 #include "base/elementary.hpp"
 #include "base/error.hpp"
+#include "base/geometry.hpp"
 #include "unfold/net/tolerance.hpp"
 
 namespace ridgecraft::unfold {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/disjoint_sets.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
-#include "base/rectangle.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/start_tree.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"

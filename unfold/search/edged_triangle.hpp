@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "unfold/patch/triangle.hpp"
 #include "unfold/search/lanes.hpp"
 

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/convex_hull.hpp"
 #include "base/elementary.hpp"
+#include "base/geometry.hpp"
 #include "base/random.hpp"
-#include "base/rectangle.hpp"
 #include "unfold/patch/branch.hpp"
 #include "unfold/search/rooted_net.hpp"
 #include "unfold/search/swap_overlaps.hpp"

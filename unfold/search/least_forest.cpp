@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "unfold/patch/forest.hpp"
 #include "unfold/search/circle_tree.hpp"
 #include "unfold/search/edged_triangle.hpp"

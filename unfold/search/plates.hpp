@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/motion.hpp"
+#include "base/geometry.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/search/circle_tree.hpp"
 #include "unfold/search/edged_triangle.hpp"

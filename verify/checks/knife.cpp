@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/convex_hull.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/relations.hpp"
 #include "verify/file/tolerance.hpp"

@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "verify/file/relations.hpp"
 #include "verify/file/settings_form.hpp"
 #include "verify/file/tolerance.hpp"

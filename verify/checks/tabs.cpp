@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/polygon.hpp"

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "base/elementary.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "verify/file/tolerance.hpp"
 
 namespace ridgecraft::verify {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "base/box_tree.hpp"
+#include "base/boxes.hpp"
 #include "base/context.hpp"
-#include "base/polygon.hpp"
+#include "base/geometry.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::verify {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/elementary.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::verify {
 namespace {

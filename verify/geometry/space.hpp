@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/box_tree.hpp"
+#include "base/boxes.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::verify {
@@ -58,7 +58,7 @@ class SurfaceTree {
     std::uint32_t triangle = 0;
   };
   /// The nearest point of the surface, of the first triangle in triangles() where several have it as near on
-  /// the way of the search (base/box_tree.hpp: one way for one list); as soon as one is found that isn't
+  /// the way of the search (base/boxes.hpp: one way for one list); as soon as one is found that isn't
   /// farther than `enough`, that one will do. Looks at the triangle of `guess` first: that of a point nearby
   /// is often the one.
   [[nodiscard]] Place nearest(Vec3 p, double enough, const Place& guess) const;

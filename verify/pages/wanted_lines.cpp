@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "verify/file/relations.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/pages/check_pages.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// glTF 2.0 (Khronos, ISO/IEC 12113), as text and as GLB: the triangles of its scene where they stand at rest,
-// with colours and pictures. Unit metre, y up, by the standard.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -13,18 +13,171 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "mesh/reading/corner_colours.hpp"
-#include "mesh/reading/gltf/accessor.hpp"
+#include "base/elementary.hpp"
+#include "base/text.hpp"
+#include "base/vector.hpp"
+#include "mesh/reading/files.hpp"
 #include "mesh/reading/gltf/document.hpp"
-#include "mesh/reading/gltf/paint.hpp"
-#include "mesh/reading/gltf/scene.hpp"
 #include "mesh/reading/gltf/shape.hpp"
-#include "mesh/reading/instances.hpp"
-#include "mesh/reading/readers.hpp"
+#include "mesh/reading/source.hpp"
 
 namespace ridgecraft::mesh {
 namespace {
+
+// Materials and pictures of glTF.
+
+/// How a picture lies on faces.
+struct GltfPicture {
+  std::string texture_file;                    ///< as in Material
+  std::shared_ptr<const std::string> picture;  ///< as in Material
+  std::uint64_t coordinates = 0;               ///< which set of coordinates of a point (TEXCOORD_n)
+  Vec2 row_u{1.0, 0.0};                        ///< KHR_texture_transform, as the file has it: v runs down
+  Vec2 row_v{0.0, 1.0};
+  Vec2 shift;
+
+  /// Coordinates of the file become those of Soup: v runs up.
+  [[nodiscard]] Vec2 place(Vec2 uv) const {
+    return {dot(row_u, uv) + shift.x, 1.0 - (dot(row_v, uv) + shift.y)};
+  }
+};
+
+struct GltfMaterial {
+  std::string name;                ///< printable
+  std::optional<Colour> light;     ///< base colour by its light; nothing for white
+  std::optional<GltfPicture> map;  ///< a picture that can be used
+};
+
+/// Reads materials, each once. Pictures that can't be used are remarked on.
+class GltfPaint {
+ public:
+  GltfPaint(GltfDocument& document, RepairReport& remarks) : document_(document), remarks_(remarks) {}
+
+  /// `user` names the material.
+  [[nodiscard]] const GltfMaterial& material(std::uint64_t i, const GltfObject& user);
+
+ private:
+  [[nodiscard]] GltfMaterial read(const GltfObject& material);
+  [[nodiscard]] std::optional<GltfPicture> read_map(const GltfObject& map);
+  void load(std::uint64_t image, const GltfObject& texture, GltfPicture& into);
+
+  struct Loaded {
+    std::string file;
+    std::shared_ptr<const std::string> bytes;
+  };
+
+  GltfDocument& document_;
+  RepairReport& remarks_;
+  std::map<std::uint64_t, GltfMaterial> read_;
+  std::map<std::uint64_t, Loaded> loaded_;
+  std::uint64_t looked_at_ = 0;  ///< bytes of pictures
+};
+
+std::uint8_t screen_channel(double light) {
+  const double in_range = std::isnan(light) ? 1.0 : std::clamp(light, 0.0, 1.0);
+  const double shown =
+      in_range <= 0.0031308 ? 12.92 * in_range : 1.055 * elementary::pow(in_range, 1.0 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255.0 * shown));
+}
+
+/// glTF counts colours by their light, files and screens by what eyes see (sRGB, IEC 61966-2-1).
+ColourBytes screen_colour(const Colour& light) {
+  return {screen_channel(light[0]), screen_channel(light[1]), screen_channel(light[2])};
+}
+
+const GltfMaterial& GltfPaint::material(std::uint64_t i, const GltfObject& user) {
+  const auto found = read_.find(i);
+  return found != read_.end() ? found->second
+                              : read_.emplace(i, read(document_.element("materials", i, user))).first->second;
+}
+
+GltfMaterial GltfPaint::read(const GltfObject& material) {
+  GltfMaterial out;
+  out.name = printable(material.text("name"));
+  // The older way to tell colours, where it is used, is what was meant.
+  const auto older = material.extension("KHR_materials_pbrSpecularGlossiness");
+  const auto looks = older ? older : material.object("pbrMetallicRoughness");
+  if (!looks) {
+    return out;
+  }
+  if (const auto colour = looks->numbers(older ? "diffuseFactor" : "baseColorFactor", 4)) {
+    out.light = Colour{(*colour)[0], (*colour)[1], (*colour)[2]};
+  }
+  if (const auto map = looks->object(older ? "diffuseTexture" : "baseColorTexture")) {
+    out.map = read_map(*map);
+  }
+  return out;
+}
+
+std::optional<GltfPicture> GltfPaint::read_map(const GltfObject& map) {
+  GltfPicture picture;
+  picture.coordinates = map.whole_or("texCoord", 0);
+  if (const auto transform = map.extension("KHR_texture_transform")) {
+    picture.coordinates = transform->whole_or("texCoord", picture.coordinates);
+    const auto scale = transform->numbers("scale", 2).value_or(std::vector{1.0, 1.0});
+    const auto shift = transform->numbers("offset", 2).value_or(std::vector{0.0, 0.0});
+    const double turn = transform->number("rotation").value_or(0.0);
+    picture.row_u = {elementary::cos(turn) * scale[0], elementary::sin(turn) * scale[1]};
+    picture.row_v = {-elementary::sin(turn) * scale[0], elementary::cos(turn) * scale[1]};
+    picture.shift = {shift[0], shift[1]};
+  }
+  const GltfObject texture = document_.element("textures", map.needed_whole("index"), map);
+  const auto image = texture.whole("source");
+  if (!image) {
+    remarks_.add(RepairKind::texture_missing, 1,
+                 fmt::format("{} has no PNG or JPEG picture", texture.place()));
+    return std::nullopt;
+  }
+  load(*image, texture, picture);
+  return picture.picture ? std::optional(picture) : std::nullopt;
+}
+
+/// Each picture is looked at once, and remarked on once.
+void GltfPaint::load(std::uint64_t number, const GltfObject& texture, GltfPicture& into) {
+  const auto [entry, fresh] = loaded_.try_emplace(number);
+  Loaded& loaded = entry->second;
+  if (fresh) {
+    const GltfObject image = document_.element("images", number, texture);
+    const std::string uri = image.text("uri");
+    std::string why;
+    std::string bytes;
+    std::string file;
+    if (is_data_uri(uri)) {
+      bytes = data_of_uri(uri).value_or(std::string());
+    } else if (!uri.empty()) {
+      const FoundInside found = find_inside(document_.source().folder, uri);
+      why = found.why;
+      if (!found.file.empty()) {
+        file = found.file.lexically_relative(document_.source().folder).string();
+        try {
+          bytes = read_file(found.file);
+        } catch (const Error&) {
+          why = "can't be read";
+        }
+      }
+    } else {
+      const std::string_view within = document_.view(image.needed_whole("bufferView"), image).bytes;
+      // Pictures that overlap could be more than any memory holds.
+      bytes = looked_at_ + within.size() > 2 * document_.held() ? std::string() : std::string(within);
+    }
+    looked_at_ += bytes.size();
+    if (why.empty()) {
+      why = picture_fault(bytes);
+    }
+    if (!why.empty()) {
+      const std::string name = uri.empty() || is_data_uri(uri) ? image.place() : in_quotes(uri);
+      remarks_.add(RepairKind::texture_missing, 1, fmt::format("{} {}", name, why));
+    } else {
+      loaded.file = file;
+      loaded.bytes = std::make_shared<const std::string>(std::move(bytes));
+    }
+    document_.source().context.check();
+  }
+  into.texture_file = loaded.file;
+  into.picture = loaded.bytes;
+}
+
+// glTF 2.0 (Khronos, ISO/IEC 12113), as text and as GLB: the triangles of its scene where they stand at rest,
+// with colours and pictures. Unit metre, y up, by the standard.
 
 /// What the corners of a primitive make.
 enum class Mode : std::uint8_t {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How ridgecraft-import (import/) tells what a file holds: numbers as the machine has them, one after the
+// How ridgecraft-import (import/) says what a file holds: numbers as the machine has them, one after the
 // other. Written and read by processes of one machine, never kept.
 //
 //   stream     start, kind 0, frame, moves, materials, points, texture points, objects, polygons, end
 //              or start, kind 1, text (why the file can't be read), end
-//   frame      number (millimetres in a unit; 0: not told), u32 (axis that points up: 0, 1, 2; 3: not told)
+//   frame      number (millimetres in a unit; 0: unknown), u32 (axis that points up: 0, 1, 2; 3: unknown)
 //   moves      u32 (what is animated or bends at joints)
 //   materials  u32 count, each: text (name), u32 (has a colour?), 3 numbers, u32 (0 no picture, 1 its bytes,
 //   2 the

@@ -13,11 +13,9 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "mesh/reading/check_picture.hpp"
-#include "mesh/reading/corner_colours.hpp"
-#include "mesh/reading/instances.hpp"
-#include "mesh/reading/readers.hpp"
+#include "base/text.hpp"
+#include "mesh/reading/files.hpp"
+#include "mesh/reading/source.hpp"
 #include "mesh/reading/threemf/model_part.hpp"
 
 namespace ridgecraft::mesh {
@@ -50,8 +48,8 @@ class ThreemfReader {
 
   [[nodiscard]] const ThreemfPart& part(const std::string& name);
   void add_object(const Open& open, const ThreemfPart& part, const ThreemfObject& object);
-  void paint(const std::string& name, const ThreemfPart& part, const ThreemfObject& object,
-             const ThreemfTriangle& triangle, std::array<std::uint32_t, 3> points, bool mirrored);
+  void paint(const Open& open, const ThreemfPart& part, const ThreemfObject& object,
+             const ThreemfTriangle& triangle, std::array<std::uint32_t, 3> points);
   [[nodiscard]] Resolved resolve(const std::string& name, const ThreemfPart& part, ThreemfPaint paint) const;
   [[nodiscard]] std::uint32_t material_number(const std::string& part, std::uint32_t group,
                                               std::uint32_t index);
@@ -143,11 +141,10 @@ void ThreemfReader::add_object(const Open& open, const ThreemfPart& part, const 
     }
     soup_.points.push_back(at);
   }
-  const bool mirrored = open.place.mirrors();
   for (const ThreemfTriangle& triangle : object.triangles) {
     std::array<std::uint32_t, 3> points{first + triangle.points[0], first + triangle.points[1],
                                         first + triangle.points[2]};
-    paint(open.part, part, object, triangle, points, mirrored);
+    paint(open, part, object, triangle, points);
   }
 }
 
@@ -175,9 +172,10 @@ ThreemfReader::Resolved ThreemfReader::resolve(const std::string& name, const Th
 }
 
 /// Adds the triangle with its colours.
-void ThreemfReader::paint(const std::string& name, const ThreemfPart& part, const ThreemfObject& object,
-                          const ThreemfTriangle& triangle, std::array<std::uint32_t, 3> points,
-                          bool mirrored) {
+void ThreemfReader::paint(const Open& open, const ThreemfPart& part, const ThreemfObject& object,
+                          const ThreemfTriangle& triangle, std::array<std::uint32_t, 3> points) {
+  const std::string& name = open.part;
+  const bool mirrored = open.place.mirrors();
   const auto turned = [&](std::array<std::uint32_t, 3> corners) {
     return mirrored ? std::array{corners[0], corners[2], corners[1]} : corners;
   };

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/box_grid.hpp"
+#include "base/boxes.hpp"
 #include "unfold/tabs/shape/clearance.hpp"
 
 namespace ridgecraft::unfold {

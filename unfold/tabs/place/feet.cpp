@@ -5,9 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "base/box_tree.hpp"
 #include "base/boxes.hpp"
-#include "mesh/model/openings.hpp"
+#include "mesh/model/surface.hpp"
 #include "mesh/model/surface_distance.hpp"
 
 namespace ridgecraft::unfold {

@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/convex_hull.hpp"
-#include "base/rectangle.hpp"
+#include "base/geometry.hpp"
 #include "mesh/model/surface.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/place/sheet_over_piece.hpp"

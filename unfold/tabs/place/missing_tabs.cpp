@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/box_grid.hpp"
+#include "base/boxes.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/place/sites.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "unfold/tabs/place/assignment.hpp"
 #include "unfold/tabs/place/even_tabs.hpp"
 #include "unfold/tabs/place/fit.hpp"

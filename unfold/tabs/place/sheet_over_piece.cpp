@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/convex_hull.hpp"
 #include "base/elementary.hpp"
-#include "base/rectangle.hpp"
+#include "base/geometry.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "base/box_grid.hpp"
+#include "base/boxes.hpp"
 #include "base/disjoint_sets.hpp"
 #include "unfold/tabs/place/paper_behind.hpp"
 

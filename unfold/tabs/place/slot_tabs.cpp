@@ -6,8 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "base/convex_hull.hpp"
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 #include "unfold/tabs/place/sites.hpp"
 #include "unfold/tabs/shape/arrows.hpp"
 

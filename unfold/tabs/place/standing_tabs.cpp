@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "unfold/tabs/place/assignment.hpp"
 #include "unfold/tabs/place/fit.hpp"
 

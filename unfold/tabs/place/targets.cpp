@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/box_grid.hpp"
+#include "base/boxes.hpp"
 #include "unfold/tabs/place/sites.hpp"
 
 namespace ridgecraft::unfold {

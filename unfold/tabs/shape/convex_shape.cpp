@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/segment.hpp"
+#include "base/geometry.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "base/convex_hull.hpp"
+#include "base/geometry.hpp"
 #include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 

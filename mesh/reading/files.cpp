@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/reading/files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "mesh/reading/text_scanner.hpp"
+
+namespace ridgecraft::mesh {
+namespace {
+
+// Reads a whole regular file in one go, and nothing that could block or never end.
+
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string_view reason) {
+  const std::string name = printable(file.string());
+  throw Error(ErrorKind::unreadable_input, fmt::format("{} {}", name, reason), name);
+}
+
+[[noreturn]] void refuse_errno(const std::filesystem::path& file, int number) {
+  switch (number) {
+    case ENOENT:
+    case ENOTDIR:
+      refuse(file, "doesn't exist");
+    case EACCES:
+    case EPERM:
+      refuse(file, "can't be opened: no permission to read it");
+    default:
+      refuse(file, fmt::format("can't be read: {}", std::generic_category().message(number)));
+  }
+}
+
+void require_regular(const std::filesystem::path& file, const struct stat& status) {
+  if (S_ISDIR(status.st_mode)) {
+    refuse(file, "is a folder, not a file");
+  }
+  if (!S_ISREG(status.st_mode)) {
+    refuse(file, "is a pipe or device; only regular files are read");
+  }
+  if (static_cast<std::uint64_t>(status.st_size) > largest_file_size) {
+    refuse(file,
+           fmt::format("is too large: {} bytes, at most {} are read", status.st_size, largest_file_size));
+  }
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) {
+      ::close(number_);
+    }
+  }
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& file) {
+  struct stat status {};
+  // Asked before opening, since opening a device can have effects; and again after, in case it was replaced.
+  if (::stat(file.c_str(), &status) != 0) {
+    refuse_errno(file, errno);
+  }
+  require_regular(file, status);
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (opened.number() < 0 || ::fstat(opened.number(), &status) != 0) {
+    refuse_errno(file, errno);
+  }
+  require_regular(file, status);
+  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t filled = 0;
+  while (filled < bytes.size()) {
+    const ssize_t got = ::read(opened.number(), bytes.data() + filled, bytes.size() - filled);
+    if (got < 0 && errno == EINTR) {
+      continue;
+    }
+    if (got < 0) {
+      refuse_errno(file, errno);
+    }
+    if (got == 0) {
+      break;
+    }
+    filled += static_cast<std::size_t>(got);
+  }
+  bytes.resize(filled);
+  return bytes;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+/// The file of a folder whose name is this but for the case of letters; the first by name where there are
+/// several.
+std::optional<fs::path> find_in_any_case(const fs::path& wanted) {
+  std::optional<fs::path> found;
+  std::error_code error;
+  const std::string name = wanted.filename().string();
+  for (fs::directory_iterator entry(wanted.parent_path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (equal_ignoring_case(entry->path().filename().string(), name) && is_file(entry->path()) &&
+        (!found || entry->path() < *found)) {
+      found = entry->path();
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<fs::path> find_beside(const fs::path& folder, std::string_view name) {
+  // Longer names than any file system has, and names with a zero byte, would only confuse it.
+  if (name.empty() || name.size() > 4096 || name.find('\0') != name.npos) {
+    return std::nullopt;
+  }
+  std::string slashes(name);
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  for (const fs::path& tried : {folder / name, folder / slashes, folder / fs::path(slashes).filename()}) {
+    if (is_file(tried)) {
+      return tried;
+    }
+  }
+  for (const fs::path& tried : {folder / slashes, folder / fs::path(slashes).filename()}) {
+    if (const auto found = find_in_any_case(tried)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+/// "https", "file" and the like before a colon; drives of Windows, too.
+bool has_scheme(std::string_view address) {
+  const std::size_t colon = address.find(':');
+  return colon != address.npos && colon > 0 && address.find_first_of("/\\%?#") > colon;
+}
+
+bool leads_out(const fs::path& relative) {
+  const fs::path plain = relative.lexically_normal();
+  return relative.is_absolute() || plain.empty() || *plain.begin() == "..";
+}
+
+}  // namespace
+
+bool lies_inside(const fs::path& folder, const fs::path& file) {
+  std::error_code error;
+  const fs::path home = fs::canonical(folder, error);
+  const fs::path real = error ? fs::path() : fs::canonical(file, error);
+  return !error && std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
+}
+
+FoundInside find_inside(const fs::path& folder, std::string_view address) {
+  // Longer names than any file system has, and names with a zero byte, would only confuse it.
+  constexpr std::size_t longest = 4096;
+  if (has_scheme(address)) {
+    return {{}, "lies elsewhere: nothing is fetched, put the file beside the model and name it there"};
+  }
+  if (folder.empty()) {
+    return {{}, "can't be found: nothing lies beside standard input"};
+  }
+  const std::string resolved = from_percent(address);
+  std::string slashes = resolved;
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  bool outside = false;
+  for (const std::string& name : {std::string(address), resolved, slashes}) {
+    if (name.empty() || name.size() > longest || name.find('\0') != name.npos) {
+      continue;
+    }
+    std::error_code error;
+    const fs::path file = folder / name;
+    if (leads_out(name)) {
+      outside = true;
+    } else if (fs::is_regular_file(file, error)) {
+      if (lies_inside(folder, file)) {
+        return {file, {}};
+      }
+      outside = true;
+    }
+  }
+  return {
+      {},
+      outside ? "lies outside the model's folder, where nothing is read" : "was not found beside the model"};
+}
+
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n"sv;
+constexpr std::string_view jpeg_signature = "\xff\xd8\xff"sv;
+
+std::size_t big_endian(std::string_view bytes, std::size_t at, std::size_t length) {
+  std::size_t value = 0;
+  for (std::size_t i = 0; i < length; ++i) {
+    value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+  }
+  return value;
+}
+
+/// Walks over the chunks (length, type, data, checksum) up to IEND.
+bool png_is_whole(std::string_view bytes) {
+  std::size_t at = png_signature.size();
+  bool has_data = false;
+  while (bytes.size() - at >= 12) {
+    const std::size_t length = big_endian(bytes, at, 4);
+    const std::string_view type = bytes.substr(at + 4, 4);
+    if (length > bytes.size() - at - 12) {
+      return false;
+    }
+    if (type == "IEND") {
+      return has_data;
+    }
+    has_data = has_data || type == "IDAT";
+    at += length + 12;
+  }
+  return false;
+}
+
+/// Walks over the segments up to the start of scan, so that a thumbnail's end mark isn't taken for the
+/// picture's.
+bool jpeg_is_whole(std::string_view bytes) {
+  std::size_t at = 2;
+  while (at + 4 <= bytes.size()) {
+    const auto marker = static_cast<unsigned char>(bytes[at + 1]);
+    if (bytes[at] != '\xff') {
+      return false;
+    }
+    if (marker == 0xff || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8)) {
+      at += marker == 0xff ? 1 : 2;  // a fill byte, or a mark without content
+      continue;
+    }
+    at += 2 + big_endian(bytes, at + 2, 2);
+    if (marker == 0xda) {
+      return bytes.find("\xff\xd9"sv, at) != bytes.npos;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string picture_fault(std::string_view bytes) {
+  if (bytes.empty()) {
+    return "is empty";
+  }
+  const bool png = bytes.starts_with(png_signature);
+  if (!png && !bytes.starts_with(jpeg_signature)) {
+    return "is no PNG or JPEG picture";
+  }
+  return (png ? png_is_whole(bytes) : jpeg_is_whole(bytes)) ? "" : "is cut off or damaged";
+}
+
+std::optional<std::filesystem::path> PictureFinder::file_of(const std::filesystem::path& folder,
+                                                            std::string_view name) const {
+  std::optional<std::filesystem::path> file = find_beside(folder, name);
+  if (!file) {
+    file = find_beside(source_.folder, name);
+  }
+  if (file && !lies_inside(source_.folder, *file)) {
+    // Paths are often those of the artist's disk, and a copy lies beside the model.
+    std::string slashes(name);
+    std::replace(slashes.begin(), slashes.end(), '\\', '/');
+    if (auto beside = find_beside(source_.folder, std::filesystem::path(slashes).filename().string())) {
+      file = std::move(beside);
+    }
+  }
+  return file;
+}
+
+PictureFinder::Found PictureFinder::find(const std::filesystem::path& folder, std::string_view name) {
+  const auto file = file_of(folder, name);
+  const auto [entry, fresh] = found_.try_emplace(file ? file->string() : std::string(name));
+  if (!fresh) {
+    return entry->second;
+  }
+  std::string why = "was not found";
+  if (file) {
+    why = lies_inside(source_.folder, *file) ? load(*file, entry->second)
+                                             : "lies outside the model's folder, where nothing is read";
+  }
+  if (!why.empty()) {
+    remarks_.add(RepairKind::texture_missing, 1, fmt::format("{} {}", in_quotes(name), why));
+    return {};
+  }
+  entry->second.file = file->lexically_relative(source_.folder).string();
+  if (entry->second.file.empty()) {  // one path is absolute, the other isn't
+    entry->second.file = std::filesystem::absolute(*file).string();
+  }
+  return entry->second;
+}
+
+/// What is wrong with it; nothing where it can be used.
+std::string PictureFinder::load(const std::filesystem::path& file, Found& into) const {
+  source_.context.check();
+  try {
+    std::string bytes = read_file(file);
+    std::string fault = picture_fault(bytes);
+    if (fault.empty()) {
+      into.bytes = std::make_shared<const std::string>(std::move(bytes));
+    }
+    return fault;
+  } catch (const Error&) {
+    return "can't be read";
+  }
+}
+
+void FacePaint::add(Soup& soup, std::optional<Colour> colour, std::uint32_t picture) {
+  if (!colour && picture == Soup::none) {
+    return;
+  }
+  if (colour) {
+    for (double& channel : *colour) {
+      channel = std::isnan(channel) ? 1.0 : std::clamp(channel, 0.0, 1.0);
+    }
+  }
+  const auto [found, fresh] =
+      number_.try_emplace({colour, picture}, static_cast<std::uint32_t>(number_.size()));
+  soup.polygon_material.resize(soup.polygon_count() - 1, Soup::none);
+  soup.polygon_material.push_back(found->second);
+}
+
+void FacePaint::finish(Soup& soup, const std::vector<PictureFinder::Found>& pictures) const {
+  if (number_.empty()) {
+    return;
+  }
+  soup.polygon_material.resize(soup.polygon_count(), Soup::none);
+  soup.materials.resize(number_.size());
+  for (const auto& [key, number] : number_) {
+    Material& material = soup.materials[number];
+    material.name = fmt::format("paint {}", number + 1);
+    material.colour = key.first;
+    if (key.second < pictures.size()) {
+      material.texture_file = pictures[key.second].file;
+      material.picture = pictures[key.second].bytes;
+    }
+  }
+}
+
+}  // namespace ridgecraft::mesh
