@@ -14,8 +14,8 @@ using namespace std::string_literals;
 
 namespace {
 
-const std::string digest = "0123456789abcdef";
-const std::string told_mark = paper::mark_word({"ridgecraft 1", "a whale", digest});
+const std::string of_model = "0123456789abcdef";
+const std::string told_mark = paper::mark_word({"ridgecraft 1", "a whale", of_model});
 
 std::string chunk(const std::string& type, const std::string& data) {
   std::string bytes;
@@ -29,7 +29,7 @@ const std::string png = "\x89PNG\r\n\x1a\n" + chunk("IHDR", std::string(13, '\0'
                         chunk("tEXt", "Comment\0"s + told_mark) + chunk("IDAT", "pixels") + chunk("IEND", "");
 const std::string svg = "<?xml version='1.0'?>\n<svg><metadata>\n" + told_mark + "</metadata><path/></svg>";
 const std::string pdf = "%PDF-1.5\n1 0 obj\n<< /Keywords (" + told_mark + ") >>\nendobj\n";
-const std::string fold = "{\n\"file_spec\": 1.2, \"ridgecraft:model_digest\" : \"" + digest + "\"}";
+const std::string fold = "{\n\"file_spec\": 1.2, \"ridgecraft:model_digest\" : \"" + of_model + "\"}";
 const std::string obj = "# " + told_mark + "\nv 0 0 0\n";
 const std::string dxf = "999\nridgecraft 1 " + told_mark + "\n  0\nSECTION\n";
 const std::string html =
@@ -40,14 +40,14 @@ const std::string urdf =
 }  // namespace
 
 TEST_CASE("the mark is found in every format", "[mark]") {
-  CHECK(read_mark_digest(obj) == digest);
-  CHECK(read_mark_digest(urdf) == digest);
-  CHECK(read_mark_digest(dxf) == digest);
-  CHECK(read_mark_digest(png) == digest);
-  CHECK(read_mark_digest(svg) == digest);
-  CHECK(read_mark_digest(pdf) == digest);
-  CHECK(read_mark_digest(fold) == digest);
-  CHECK(read_mark_digest(html) == digest);
+  CHECK(read_mark_digest(obj) == of_model);
+  CHECK(read_mark_digest(urdf) == of_model);
+  CHECK(read_mark_digest(dxf) == of_model);
+  CHECK(read_mark_digest(png) == of_model);
+  CHECK(read_mark_digest(svg) == of_model);
+  CHECK(read_mark_digest(pdf) == of_model);
+  CHECK(read_mark_digest(fold) == of_model);
+  CHECK(read_mark_digest(html) == of_model);
 }
 
 TEST_CASE("a file of another program has no mark", "[mark]") {
@@ -74,7 +74,7 @@ TEST_CASE("the mark survives no byte that is cut off, and any bytes are read", "
   for (const std::string& whole : {png, svg, pdf, fold, obj, urdf, dxf, html}) {
     for (std::size_t size = 0; size <= whole.size(); ++size) {
       const std::string found = read_mark_digest(std::string_view(whole).substr(0, size));
-      CHECK((found.empty() || digest.starts_with(found)));
+      CHECK((found.empty() || of_model.starts_with(found)));
     }
     Random random(7);
     for (int round = 0; round < 2000; ++round) {
