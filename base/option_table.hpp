@@ -37,6 +37,7 @@ enum class Noted : std::uint8_t {
   if_changed,  ///< where it isn't the usual one
 };
 
+/// A word that an option takes.
 struct OptionChoice {
   std::string_view word;
   Label label = {};             ///< in the studio; none: the word itself
@@ -52,6 +53,7 @@ struct StudioControl {
   bool more = true;  ///< lies behind "More"
 };
 
+/// A row of the table: all that is known of one option.
 struct Option {
   std::string_view name;         ///< "tab-height"
   std::string_view letter = {};  ///< "o" where the option is also called -o

@@ -16,6 +16,7 @@ namespace ridgecraft::job {
 /// How messages call an option: "--tab-height" or "tab_height".
 enum class Naming { command_line, keywords };
 
+/// Options as they were typed, which become job::Options when all are there.
 class AskedOptions {
  public:
   explicit AskedOptions(Naming naming = Naming::command_line) : naming_(naming) {}

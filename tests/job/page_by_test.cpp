@@ -89,6 +89,6 @@ TEST_CASE("pages of one object", "[job]") {
 TEST_CASE("without a wish pages hold anything", "[job]") {
   const job::Paper paper = made(job::PageBy::any);
   CHECK(paper.pages.names.empty());
-  CHECK(paper.pages.count == 1);
+  CHECK(paper.pages.count <= made(job::PageBy::material).pages.count);
   CHECK(paper.drawings[0].title == "house");
 }
