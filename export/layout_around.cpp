@@ -13,7 +13,6 @@
 #include "export/packing/clearance.hpp"
 #include "export/packing/packing.hpp"
 #include "export/packing/packing_page.hpp"
-#include "export/packing/packing_page.hpp"
 #include "export/piece_shapes.hpp"
 
 namespace ridgecraft::paper {

@@ -19,9 +19,9 @@ struct DetailLimits {
 /// Leaves out four kinds of components, short ones: those with less area than a square
 /// of twice `narrow`; strips narrower than `narrow` (window bars, wires); small flat sheets that are
 /// everywhere nearer than that to another component (panes, painted stones); bodies that stand out of
-/// large ones, or into them, by less than that all over (window frames, buttons). Extents are those along a component's principal axes. Where the first three have more than a
-/// tenth of the model's area together, they are what the model is made of, and all stay. O(n log
-/// n).
+/// large ones, or into them, by less than that all over (window frames, buttons). Extents are those along a
+/// component's principal axes. Where the first three have more than a tenth of the model's area together,
+/// they are what the model is made of, and all stay. O(n log n).
 [[nodiscard]] Details leave_out_details(mesh::Model& model, const DetailLimits& limits,
                                         const Context& context);
 

@@ -12,11 +12,11 @@
 
 #include "base/random.hpp"
 #include "export/export.hpp"
-#include "export/guide/words.hpp"
 #include "export/guide/cover.hpp"
 #include "export/guide/effort.hpp"
 #include "export/guide/picture.hpp"
 #include "export/guide/step_words.hpp"
+#include "export/guide/words.hpp"
 #include "export/page/obstacles.hpp"
 #include "export/style/stroke_font.hpp"
 #include "export/view/coarse_view.hpp"
