@@ -92,7 +92,7 @@ bool AskedOptions::holds(std::string_view condition) const {
 /// "--numbers back" or "numbers='back'"
 std::string AskedOptions::told(std::string_view condition) const {
   const std::size_t equals = condition.find('=');
-  const std::string name = called(condition.substr(0, equals));
+  std::string name = called(condition.substr(0, equals));
   if (equals == std::string_view::npos) {
     return name;
   }

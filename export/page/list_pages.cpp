@@ -209,7 +209,7 @@ std::vector<std::vector<Text>> list_pages(const PageLists& left, const Paper& pa
   const std::vector<RowList> lists{{number_list_heading, left.numbers},
                                    {partner_list_heading, left.partners},
                                    {kind_list_heading, rows_of_kinds(left.kinds)}};
-  const std::vector<std::vector<Text>> fewest = Setter(paper, letters_mm.back()).set(lists);
+  std::vector<std::vector<Text>> fewest = Setter(paper, letters_mm.back()).set(lists);
   for (const double letters : letters_mm) {
     std::vector<std::vector<Text>> larger = Setter(paper, letters).set(lists);
     if (larger.size() <= fewest.size()) {

@@ -196,7 +196,7 @@ class ListPlacer {
 
 }  // namespace
 
-void PageLists::add(PageLists others, std::size_t page, bool several) {
+void PageLists::add(const PageLists& others, std::size_t page, bool several) {
   const auto take = [&](std::vector<std::string>& rows, const std::vector<std::string>& more) {
     for (const std::string& row : more) {
       rows.push_back(several ? fmt::format("page {}, {}", page, row) : row);

@@ -27,7 +27,7 @@ struct PageLists {
   [[nodiscard]] bool empty() const { return kinds.empty() && partners.empty() && numbers.empty(); }
   /// Adds the lists of a page, each row with its page (from 1) before it where there are several pages;
   /// which pieces are alike stands there once for all pages.
-  void add(PageLists others, std::size_t page, bool several);
+  void add(const PageLists& others, std::size_t page, bool several);
 };
 
 /// What lists of a page are made of.
