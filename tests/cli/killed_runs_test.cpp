@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include <sys/ptrace.h>
 #endif
 
+#include "base/random.hpp"
 #include "cli/files/pending_files.hpp"
 #include "cli/program_checks.hpp"
 #include "support/temporary_folder.hpp"
@@ -175,14 +175,13 @@ TEST_CASE("the program killed at 20 moments", "[killed][slow]") {
     seconds = outcome.seconds;
     sets.push_back(contents(folder.path()));
   }
-  std::mt19937 random(1);
+  Random random(1);
   for (int i = 0; i < 20; ++i) {
     CAPTURE(i);
     REQUIRE(run_program(small, in(folder)).exit_code == 0);
     // In turn: any moment of the run; soon after its first file.
     const bool while_writing = i % 2 == 1;
-    const std::chrono::duration<double> wait(
-        std::uniform_real_distribution<double>(0.0, while_writing ? 0.05 : seconds)(random));
+    const std::chrono::duration<double> wait(random.unit() * (while_writing ? 0.05 : seconds));
     std::optional<std::chrono::steady_clock::time_point> start;
     RunOptions options = in(folder);
     options.kill_when = [&] {

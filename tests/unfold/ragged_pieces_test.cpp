@@ -22,7 +22,6 @@
 using namespace ridgecraft;
 using unfold::Folds;
 using unfold::Patch;
-using unfold::PieceReason;
 using unfold::Weights;
 
 namespace {
