@@ -78,13 +78,19 @@ std::string option_entry(const Option& row) {
   const std::string takes = value_name(row);
   std::string help(row.help);
   std::replace(help.begin(), help.end(), '\n', ' ');
+  constexpr std::string_view excluded = "not with ";
   std::vector<std::string> facts;
   if (const std::string range = range_of(row); !range.empty()) {
     facts.push_back(range);
   }
   for (const OptionRule& rule : option_rules()) {
     if (rule.option.substr(0, rule.option.find('=')) == row.name) {
-      facts.push_back(rule_text(rule));
+      const std::string text = rule_text(rule);
+      if (text.starts_with(excluded) && !facts.empty() && facts.back().starts_with(excluded)) {
+        facts.back() += ", " + text.substr(excluded.size());
+      } else {
+        facts.push_back(text);
+      }
     }
   }
   if (!row.setting.empty()) {
