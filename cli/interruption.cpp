@@ -37,10 +37,13 @@ Interruption::Interruption(bool json) : json_(json) {
 }
 
 Interruption::~Interruption() {
-  ::alarm(0);
-  for (std::size_t i = 0; i < signals.size(); ++i) {
+  // The alarm last: until then a signal may set it, and its usual action ends the program.
+  static_assert(signals.back() == SIGALRM);
+  for (std::size_t i = 0; i + 1 < signals.size(); ++i) {
     sigaction(signals[i], &before_[i], nullptr);
   }
+  ::alarm(0);
+  sigaction(SIGALRM, &before_.back(), nullptr);
   current = nullptr;
 }
 

@@ -11,7 +11,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include "base/text.hpp"
@@ -94,15 +93,6 @@ void fill_closed_streams() {
     if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF) {
       [[maybe_unused]] const int stand_in = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
-  }
-}
-
-/// Each file of a result stays open until all are written: a thousand, where a model takes hundreds of pages.
-void allow_many_open_files() {
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_NOFILE, &limit) == 0) {
-    limit.rlim_cur = limit.rlim_max;
-    ::setrlimit(RLIMIT_NOFILE, &limit);
   }
 }
 
@@ -421,7 +411,6 @@ ExitCode run(const std::vector<std::string>& arguments) noexcept {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   fill_closed_streams();
-  allow_many_open_files();
   // Wrong arguments are told as JSON, too, so this can't wait until they are parsed.
   return do_guarded(arguments, asks_for_json(arguments));
 }

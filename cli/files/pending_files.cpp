@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <functional>
+#include <map>
 #include <random>
 #include <system_error>
 
@@ -27,22 +29,31 @@ constexpr int most_tries = 20;
 
 constexpr std::string_view part_prefix = ".ridgecraft-";
 constexpr std::string_view part_suffix = ".part";
-constexpr std::size_t part_digits = 16;
+constexpr std::size_t id_digits = 16;
 
-/// Short, so that it fits wherever the target's name does. Process ids would not do: in containers many runs
-/// are process 1.
-std::string new_part_name() {
+/// Of a run in a folder. Process ids would not do: in containers many runs are process 1.
+std::string new_id() {
   std::random_device random;
-  return fmt::format("{}{:08x}{:08x}{}", part_prefix, random(), random(), part_suffix);
+  return fmt::format("{:08x}{:08x}", random(), random());
 }
 
-bool is_part_name(std::string_view name) {
-  if (name.size() != part_prefix.size() + part_digits + part_suffix.size() ||
-      !name.starts_with(part_prefix) || !name.ends_with(part_suffix)) {
-    return false;
+/// Short, so that it fits wherever the target's name does.
+std::string part_name(std::string_view id, std::size_t number) {
+  return fmt::format("{}{}-{}{}", part_prefix, id, number, part_suffix);
+}
+
+/// The ID in the name of a part; nothing where the name is no such.
+std::string_view id_of(std::string_view name) {
+  const std::size_t least = part_prefix.size() + id_digits + 2 + part_suffix.size();
+  if (name.size() < least || !name.starts_with(part_prefix) || !name.ends_with(part_suffix)) {
+    return {};
   }
-  return name.substr(part_prefix.size(), part_digits).find_first_not_of("0123456789abcdef") ==
-         std::string_view::npos;
+  const std::string_view id = name.substr(part_prefix.size(), id_digits);
+  const std::string_view number = name.substr(part_prefix.size() + id_digits, name.size() - least + 2);
+  return id.find_first_not_of("0123456789abcdef") == std::string_view::npos && number.front() == '-' &&
+                 number.find_first_not_of("0123456789", 1) == std::string_view::npos
+             ? id
+             : std::string_view();
 }
 
 [[noreturn]] void refuse(const fs::path& target, int error, const std::string& more = {}) {
@@ -83,20 +94,39 @@ bool lock_new_part(int file) {
   return !busy && ::fstat(file, &status) == 0 && status.st_nlink > 0;
 }
 
-/// Removes what killed runs have left: the `.part` files that no run has locked.
+/// Whether no run holds the parts of this ID: their first one is there and not locked, or is gone, since a
+/// run that renamed it had no others left.
+bool is_left_behind(const fs::path& folder, std::string_view id) {
+  // A pipe of that name mustn't keep anybody waiting.
+  const Descriptor first(
+      ::open((folder / part_name(id, 0)).c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (!first.is_open()) {
+    return errno == ENOENT;
+  }
+  struct stat status {};
+  return ::fstat(first.number(), &status) == 0 && S_ISREG(status.st_mode) &&
+         ::flock(first.number(), LOCK_EX | LOCK_NB) == 0 &&
+         ::unlink((folder / part_name(id, 0)).c_str()) == 0;
+}
+
+/// Removes what killed runs have left.
 void remove_left_parts(const fs::path& folder) {
+  std::map<std::string, std::vector<fs::path>, std::less<>> others;  // by ID: all but the first
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const fs::path path = entry->path();
-    if (!is_part_name(path.filename().string())) {
-      continue;
+    const std::string name = entry->path().filename().string();
+    if (const std::string_view id = id_of(name); !id.empty()) {
+      std::vector<fs::path>& parts = others[std::string(id)];
+      if (name != part_name(id, 0) && entry->is_regular_file(error) && !entry->is_symlink(error)) {
+        parts.push_back(entry->path());
+      }
     }
-    // A pipe of that name mustn't keep anybody waiting.
-    const Descriptor file(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-    struct stat status {};
-    if (file.is_open() && ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) &&
-        ::flock(file.number(), LOCK_EX | LOCK_NB) == 0) {
-      ::unlink(path.c_str());
+  }
+  for (const auto& [id, parts] : others) {
+    if (is_left_behind(folder, id)) {
+      for (const fs::path& part : parts) {
+        ::unlink(part.c_str());
+      }
     }
   }
 }
@@ -115,11 +145,24 @@ Descriptor::~Descriptor() {
 }
 
 void PendingFiles::add(const fs::path& target, std::string_view bytes) {
-  parts_.push_back(create_part(target));
-  if (const int error = write_durably(parts_.back().file.number(), bytes); error != 0) {
-    ::unlink(parts_.back().path.c_str());
-    parts_.pop_back();
-    refuse(target, error);
+  const fs::path folder = folder_of(target);
+  const auto known = folders_.find(folder);
+  const bool is_first = known == folders_.end();
+  const auto write = [&](const Descriptor& file) {
+    if (const int error = write_durably(file.number(), bytes); error != 0) {
+      ::unlink(parts_.back().path.c_str());
+      parts_.pop_back();
+      if (is_first) {
+        folders_.erase(folder);
+      }
+      refuse(target, error);
+    }
+  };
+  if (is_first) {
+    create_first(target);
+    write(folders_.at(folder).lock);
+  } else {
+    write(create_next(target, known->second));
   }
 }
 
@@ -146,24 +189,35 @@ void PendingFiles::create_folders(const fs::path& folder) {
   }
 }
 
-PendingFiles::Part PendingFiles::create_part(const fs::path& target) {
+void PendingFiles::create_first(const fs::path& target) {
   const fs::path folder = folder_of(target);
   for (int tries = 1;; ++tries) {
     create_folders(target.parent_path());
-    if (!folders_.contains(folder)) {
-      remove_left_parts(folder);  // before anything is written: it may be what fills the disk
-    }
-    const fs::path path = folder / new_part_name();
+    remove_left_parts(folder);  // before anything is written: it may be what fills the disk
+    const std::string id = new_id();
+    const fs::path path = folder / part_name(id, 0);
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    const int error = errno;
+    const int error = file.is_open() ? EWOULDBLOCK : errno;
     if (file.is_open() && lock_new_part(file.number())) {
-      folders_.insert(folder);
-      return {target, path, std::move(file)};
+      folders_.emplace(folder, Folder{id, std::move(file), 1});
+      parts_.push_back({target, path, true});
+      return;
     }
     if ((!file.is_open() && error != ENOENT) || tries == most_tries) {
       refuse(target, error);
     }
   }
+}
+
+Descriptor PendingFiles::create_next(const fs::path& target, Folder& folder) {
+  const fs::path path = folder_of(target) / part_name(folder.id, folder.parts);
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (!file.is_open()) {
+    refuse(target, errno);
+  }
+  ++folder.parts;
+  parts_.push_back({target, path});
+  return file;
 }
 
 std::vector<std::string> PendingFiles::commit(const LastLook& look) {
@@ -174,6 +228,13 @@ std::vector<std::string> PendingFiles::commit(const LastLook& look) {
       refuse(part.target, EISDIR);
     }
   }
+  // What others take for a sign that a run goes on is renamed last.
+  std::stable_partition(parts_.begin(), parts_.end(), [](const Part& part) { return !part.is_locked; });
+  const auto sync_all = [&] {
+    for (const auto& [folder, parts] : folders_) {
+      sync_folder(folder);
+    }
+  };
   std::vector<std::string> renamed;
   for (const Part& part : parts_) {
     if (::rename(part.path.c_str(), part.target.c_str()) != 0) {
@@ -187,6 +248,7 @@ std::vector<std::string> PendingFiles::commit(const LastLook& look) {
   }
   parts_.clear();
   made_folders_.clear();
+  sync_all();  // or a power failure takes the earlier files, and the new ones have no name yet
   std::vector<std::string> notes;
   for (const fs::path& file : leftovers) {
     if (::unlink(file.c_str()) != 0 && errno != ENOENT) {
@@ -194,7 +256,7 @@ std::vector<std::string> PendingFiles::commit(const LastLook& look) {
       notes.push_back(file.string() + " is of an earlier run and can't be removed: " + std::strerror(error));
     }
   }
-  std::for_each(folders_.begin(), folders_.end(), sync_folder);
+  sync_all();
   return notes;
 }
 

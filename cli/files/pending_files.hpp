@@ -2,9 +2,10 @@
 // Files that are being written: each under a temporary name until all of them are complete.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <set>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,12 +28,14 @@ class Descriptor {
   int number_;
 };
 
-/// Writes a set of files so that none is ever seen half written. add() writes `.ridgecraft-ID.part` in the
-/// target's folder and waits until the disk has it; commit() renames all of them; what is never committed is
-/// removed, folders made for it included. A run that is killed leaves old or new files, whole ones, and its
-/// `.part` files go when the next run adds a file to the folder. Each run locks (flock) its own until they
-/// are renamed: the system takes the lock back when the process ends. Where a file system knows no locks,
-/// `.part` files of other runs stay.
+/// Writes a set of files so that none is ever seen half written. add() writes `.ridgecraft-ID-NUMBER.part` in
+/// the target's folder and waits until the disk has it; commit() renames all of them; what is never committed
+/// is removed, folders made for it included. A run that is killed leaves old or new files, whole ones, and
+/// its
+/// `.part` files go when the next run adds a file to the folder. A run has one ID in a folder, and locks
+/// (flock) number 0 of it, which is renamed last: the system takes the lock back when the process ends. Where
+/// a file system knows no locks, `.part` files of other runs stay. Where it keeps locks to one machine of
+/// several that write, one may remove the other's, whose commit() then throws.
 class PendingFiles {
  public:
   PendingFiles() = default;
@@ -48,7 +51,8 @@ class PendingFiles {
   /// not. Returns files of earlier runs that are to go.
   using LastLook = std::function<std::vector<std::filesystem::path>()>;
 
-  /// Renames everything into place, in the order of add(), then removes what is to go. Returns a sentence for
+  /// Renames everything into place, in the order of add() but for the first file of each folder, which comes
+  /// last; then removes what is to go. Returns a sentence for
   /// each file that couldn't be removed. Throws Error(cant_write) when a file can't get its name (the
   /// sentence names those that have it already), and what `look` does.
   std::vector<std::string> commit(const LastLook& look = {});
@@ -57,16 +61,25 @@ class PendingFiles {
   struct Part {
     std::filesystem::path target;
     std::filesystem::path path;  ///< `.part`
-    Descriptor file;             ///< holds the lock
+    bool is_locked = false;
+  };
+  /// What a folder has got.
+  struct Folder {
+    std::string id;
+    Descriptor lock;  ///< of its first part
+    std::size_t parts = 0;
   };
 
   void discard() noexcept;
   void create_folders(const std::filesystem::path& folder);
-  Part create_part(const std::filesystem::path& target);
+  /// The first part of a folder, locked and open.
+  void create_first(const std::filesystem::path& target);
+  /// One more, and its file.
+  Descriptor create_next(const std::filesystem::path& target, Folder& folder);
 
   std::vector<Part> parts_;
   std::vector<std::filesystem::path> made_folders_;  ///< outer ones first
-  std::set<std::filesystem::path> folders_;          ///< that have got parts
+  std::map<std::filesystem::path, Folder> folders_;
 };
 
 }  // namespace ridgecraft::cli

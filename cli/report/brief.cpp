@@ -173,7 +173,7 @@ std::string numbers_without_room(const PaperJob& job, const PaperResult& result)
                            return shows == Shows::sheets || shows == Shows::print || shows == Shows::page;
                          });
   if (has_pages) {
-    return begin + (lost == 1 ? "stands in a list of its page" : "stand in lists of their pages");
+    return begin + (lost == 1 ? "stands in a list" : "stand in lists");
   }
   const bool writes = job.preset.paths.engraves || job.preset.pdf;
   return writes && !job.preset.simulates

@@ -326,9 +326,7 @@ void add_numbers(Summary& summary, const paper::DrawReport& drawn) {
     facts.push_back(fmt::format("{} beside their piece", drawn.labels_outside));
   }
   if (listed > 0) {
-    facts.push_back(fmt::format("{} in lists {}{}", listed,
-                                drawn.list_pages > 0 ? "at the end" : "beside pieces",
-                                numbers_text(drawn.labels_listed)));
+    facts.push_back(fmt::format("{} in lists{}", listed, numbers_text(drawn.labels_listed)));
   }
   if (lost > 0) {
     facts.push_back(fmt::format("{} left out: this paper is too small for lists{}", lost,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A run that is killed leaves old or new files, whole ones; the next one removes the rest.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
@@ -62,16 +63,17 @@ bool all_whole(const Contents& found) {
   return true;
 }
 
-/// Leaves one `.part` in the folder.
+/// Leaves two `.part` in the folder.
 void leave_part(const fs::path& folder) {
   const pid_t child = ::fork();
   if (child == 0) {
     PendingFiles pending;
     pending.add(folder / "x.pdf", "new pdf");
+    pending.add(folder / "x.dxf", "new dxf");
     ::raise(SIGKILL);
   }
   ::waitpid(child, nullptr, 0);
-  REQUIRE(parts_in(folder) == 1);
+  REQUIRE(parts_in(folder) == 2);
 }
 
 #ifdef __linux__
@@ -131,18 +133,20 @@ TEST_CASE("a run killed at any system call leaves whole files", "[killed]") {
 TEST_CASE("the next run removes what killed ones left, and nothing else", "[killed]") {
   const TemporaryFolder folder(memory());
   leave_part(folder.path());
-  const std::string left = *folder.names().begin();
+  const std::set<std::string> parts = folder.names();
+  const std::string left = *parts.begin();
   write_bytes(folder / ".ridgecraft-notes.part", "mine");
   write_bytes(folder / ".x.part", "mine");
   fs::create_directory(folder / ("x" + left));
-  fs::create_symlink(".x.part", folder / ".ridgecraft-0123456789abcdef.part");
+  fs::create_symlink(".x.part", folder / ".ridgecraft-0123456789abcdef-0.part");
   PendingFiles alive;
   alive.add(folder / "x.svg", "new svg");
-  CHECK_FALSE(fs::exists(folder / left));
+  CHECK(std::none_of(parts.begin(), parts.end(),
+                     [&](const std::string& part) { return fs::exists(folder / part); }));
   write_set(folder.path(), {{"next", "1"}});
   alive.commit();
   CHECK(folder.names() == std::set<std::string>{".ridgecraft-notes.part", ".x.part", "x" + left,
-                                                ".ridgecraft-0123456789abcdef.part", "x.svg", "next"});
+                                                ".ridgecraft-0123456789abcdef-0.part", "x.svg", "next"});
 }
 
 TEST_CASE("what a killed run of another user left stays", "[killed]") {
@@ -157,7 +161,7 @@ TEST_CASE("what a killed run of another user left stays", "[killed]") {
   RunOptions options = in(folder);
   options.as_nobody = true;
   CHECK(run_program({"segment", "house.obj", "--labels", "labels"}, options).exit_code == 0);
-  CHECK(parts_in(folder.path()) == 1);
+  CHECK(parts_in(folder.path()) == 2);
   CHECK(run_program({"segment", "house.obj", "--labels", "others"}, in(folder)).exit_code == 0);
   CHECK(parts_in(folder.path()) == 0);
 }
@@ -176,12 +180,14 @@ TEST_CASE("the program killed at 20 moments", "[killed][slow]") {
     sets.push_back(contents(folder.path()));
   }
   Random random(1);
+  int killed = 0;
+  int while_writing_killed = 0;
   for (int i = 0; i < 20; ++i) {
     CAPTURE(i);
     REQUIRE(run_program(small, in(folder)).exit_code == 0);
     // In turn: any moment of the run; soon after its first file.
     const bool while_writing = i % 2 == 1;
-    const std::chrono::duration<double> wait(random.unit() * (while_writing ? 0.05 : seconds));
+    const std::chrono::duration<double> wait(random.unit() * (while_writing ? 0.005 : seconds));
     std::optional<std::chrono::steady_clock::time_point> start;
     RunOptions options = in(folder);
     options.kill_when = [&] {
@@ -191,7 +197,8 @@ TEST_CASE("the program killed at 20 moments", "[killed][slow]") {
       }
       return start && now - *start >= wait;
     };
-    static_cast<void>(run_program(large, options));
+    killed += run_program(large, options).by_signal ? 1 : 0;
+    while_writing_killed += while_writing && parts_in(folder.path()) > 0 ? 1 : 0;
     const Outcome next = run_program({"segment", "house.obj", "--labels", "labels"}, in(folder));
     INFO(next.err);
     CHECK(next.exit_code == 0);
@@ -202,4 +209,6 @@ TEST_CASE("the program killed at 20 moments", "[killed][slow]") {
              (sets[1].contains(name) && sets[1][name] == bytes)));
     }
   }
+  CHECK(killed > 5);
+  CHECK(while_writing_killed > 0);
 }

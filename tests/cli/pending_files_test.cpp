@@ -48,11 +48,12 @@ TEST_CASE("where one file can't get its name, those that have theirs are named",
         fs::remove(folder / name);
       }
     }
-    CHECK_THROWS_WITH(pending.commit(), Catch::StartsWith("can't write " + (folder / "three").string()) &&
-                                            Catch::EndsWith("; " + (folder / "one").string() + " and " +
-                                                            (folder / "two").string() + " are new already"));
+    CHECK_THROWS_WITH(pending.commit(),
+                      Catch::StartsWith("can't write " + (folder / "three").string()) &&
+                          Catch::EndsWith("; " + (folder / "two").string() + " is new already"));
   }
-  CHECK(folder.names() == std::set<std::string>{"one", "two"});
+  // The first of a folder comes last.
+  CHECK(folder.names() == std::set<std::string>{"two"});
 }
 
 TEST_CASE("files in new folders appear on commit, and nothing else stays", "[pending]") {
@@ -185,7 +186,7 @@ TEST_CASE("hundreds of files at a time", "[pending][slow]") {
   test::write_bytes(folder / "house.obj", test::house);
   const test::Outcome outcome = test::run_command(
       {"/bin/sh", "-c",
-       "ulimit -S -n 64; exec " RIDGECRAFT_PROGRAM " house.obj --size 1m --no-guide -o x.svg --faces keep"},
+       "ulimit -n 64; exec " RIDGECRAFT_PROGRAM " house.obj --size 1m --no-guide -o x.svg --faces keep"},
       test::in(folder));
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
