@@ -40,7 +40,7 @@ const AskedOptions::Typed& AskedOptions::as_typed(std::string_view name) const {
 
 bool AskedOptions::given(std::string_view name) const {
   const Typed& typed = as_typed(name);
-  return typed.flag || !typed.text.empty() || !typed.texts.empty();
+  return typed.flag || typed.off || !typed.text.empty() || !typed.texts.empty();
 }
 
 bool AskedOptions::flag(std::string_view name) const {
@@ -86,7 +86,9 @@ std::string AskedOptions::called(std::string_view name) const {
 bool AskedOptions::holds(std::string_view condition) const {
   const std::size_t equals = condition.find('=');
   const std::string_view name = condition.substr(0, equals);
-  return equals == std::string_view::npos ? given(name) : as_typed(name).text == condition.substr(equals + 1);
+  const Typed& typed = as_typed(name);
+  return equals == std::string_view::npos ? given(name) && !typed.off
+                                          : typed.text == condition.substr(equals + 1);
 }
 
 /// "--numbers back" or "numbers='back'"

@@ -26,6 +26,7 @@ class AskedOptions {
     std::string text;
     std::vector<std::string> texts;  ///< of lists
     bool flag = false;
+    bool off = false;  ///< a flag that was given as false
   };
   /// To be filled in. The reference stays valid.
   Typed& typed(std::string_view name) { return typed_[std::string(name)]; }

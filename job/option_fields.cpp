@@ -82,7 +82,8 @@ struct Reader {
   void operator()(double* value) const { *value = asked.number(option); }
   void operator()(std::vector<std::string>* value) const { *value = asked.texts(option); }
   void operator()(const AnyEnum& value) const {
-    value.set(value.at, asked.flag(option) ? 1 : asked.choice(option));
+    const bool is_flag = option_row(option).kind == OptionKind::flag;
+    value.set(value.at, is_flag ? (asked.flag(option) ? 1 : 0) : asked.choice(option));
   }
 };
 
@@ -206,6 +207,9 @@ void read_pieces(const AskedOptions& asked, unfold::PieceRules& rules) {
   rules.fold_linear = asked.flag("fold-linear");
   if (asked.given("max-faces")) {
     rules.max_panels = asked.text("max-faces") == "any" ? 0 : asked.whole("max-faces");
+    if (rules.max_panels == 0 && asked.text("max-faces") != "any") {
+      refuse(asked.called("max-faces") + " takes a number of faces from 1, or any");
+    }
   }
   const std::string called = asked.called("weigh");
   for (const std::string& text : asked.texts("weigh")) {

@@ -166,6 +166,9 @@ std::string text_of(const Option& row, const py::handle& value) {
     return py::str(value);
   }
   // tabs=True, tabs=False
+  if (std::ranges::none_of(row.choices, [](const OptionChoice& choice) { return choice.word == "none"; })) {
+    throw py::type_error(fmt::format("{} is neither True nor False", row.keyword));
+  }
   return value.cast<bool>() ? std::string(row.usual) : "none";
 }
 
@@ -183,8 +186,10 @@ job::AskedOptions asked_of(const py::dict& keywords) {
     job::AskedOptions::Typed& typed = asked.typed(row->name);
     if (row->kind == OptionKind::flag) {
       typed.flag = value.cast<bool>();
+      typed.off = !typed.flag;
     } else if (row->kind == OptionKind::list) {
-      typed.texts = value.cast<std::vector<std::string>>();
+      typed.texts = py::isinstance<py::str>(value) ? std::vector{value.cast<std::string>()}
+                                                   : value.cast<std::vector<std::string>>();
     } else {
       typed.text = text_of(*row, value);
     }
@@ -200,20 +205,21 @@ struct Making {
 };
 
 job::Options options_of(const py::dict& keywords, const Making& making) {
-  const job::AskedOptions asked = asked_of(keywords);
+  job::AskedOptions asked = asked_of(keywords);
+  if (!making.pages && !asked.given("tabs") && !asked.flag("all-tabs")) {
+    asked.typed("tabs").text = "none";
+  }
   job::Options usual;
   usual.size.adapts = making.pages;
   if (!making.pages) {
     usual.paper = std::nullopt;
     usual.simplify.mode = prepare::Simplification::keep;
     usual.bodies = prepare::Bodies::keep;
-    usual.tabs.wanted = false;
   }
   job::Options options = job::options_of(asked, std::move(usual));
   if (options.paper) {
     paper::check_paper(*options.paper);
   }
-  options.tabs.wanted = options.tabs.wanted || options.tabs.split_pieces;
   if (making.whole) {
     options.parts = job::PartsFrom::components;
     options.panel_cuts = unfold::PanelCuts::before_pieces;

@@ -77,6 +77,28 @@ def test_nets_keep_every_length(cross):
         assert polygon.shape[1] == 2
 
 
+def test_a_flag_counts_where_it_is_false():
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+    sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    vertices = np.concatenate([corners, corners + 0.5])
+    faces = sides + [[v + 8 for v in side] for side in sides]
+    apart, united = (ridgecraft.unfold(vertices, faces, size=90, unite=unite) for unite in (False, True))
+    assert len(apart.faces) == 24
+    assert len(united.faces) > 24
+
+
+def test_tabs_have_no_height_without_tabs(cube):
+    with pytest.raises(ridgecraft.UsageError, match="tab_height"):
+        ridgecraft.unfold(*cube, size=90, tab_height=9)
+    assert len(ridgecraft.unfold(*cube, size=90).tabs) == 0
+
+
+@pytest.mark.parametrize("wrong", [{"size": True}, {"margin": True}, {"max_faces": True}])
+def test_numbers_are_no_booleans(cube, wrong):
+    with pytest.raises(TypeError):
+        ridgecraft.paper(*cube, **wrong)
+
+
 def test_faces_know_their_polygons(cube):
     vertices, faces = cube
     nets = ridgecraft.unfold(vertices, faces, scale=10.0)
@@ -113,6 +135,7 @@ def test_two_runs_are_equal():
         ({"pieces": "big"}, ridgecraft.UsageError),
         ({"concavity": 0}, ridgecraft.UsageError),
         ({"tab_height": 0}, ridgecraft.UsageError),
+        ({"max_faces": 0}, ridgecraft.UsageError),
         ({"time_limit": 0}, ridgecraft.UsageError),
         ({"time_limit": float("nan")}, ridgecraft.UsageError),
         ({"time_limit": 1e-6}, ridgecraft.OutOfTime),
