@@ -171,7 +171,7 @@ class PageDrawer {
         }
       }
       lists_[page] = std::move(index.texts);
-      unplaced_.add(std::move(index.left), page + 1, pages_.count > 1);
+      unplaced_.add(index.left, page + 1, pages_.count > 1);
     }
     // Where all pieces lie on one page, anybody sees where an edge goes on: that is worth no page.
     if (pages_.count == 1 && unplaced_.numbers.empty()) {

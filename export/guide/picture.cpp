@@ -317,13 +317,6 @@ constexpr double stroke_mm = 0.4;
 constexpr Color white{0xff, 0xff, 0xff};
 constexpr Color ink{0x33, 0x33, 0x38};
 
-std::vector<Vec2> clipped_polygon(std::vector<Vec2> polygon, const Box2& box) {
-  polygon = part_where(polygon, [&](Vec2 p) { return p.x - box.low.x; });
-  polygon = part_where(polygon, [&](Vec2 p) { return box.high.x - p.x; });
-  polygon = part_where(polygon, [&](Vec2 p) { return p.y - box.low.y; });
-  return part_where(polygon, [&](Vec2 p) { return box.high.y - p.y; });
-}
-
 void add_areas(const Scene& scene, const unfold::Nets& nets, const View& view, const Camera& camera,
                const Fit& fit, const std::optional<Box2>& frame, const LookOf& look, Group& group) {
   const mesh::Surface& surface = *scene.surface;
@@ -338,7 +331,7 @@ void add_areas(const Scene& scene, const unfold::Nets& nets, const View& view, c
         points.push_back(fit(p));
       }
       if (frame) {
-        points = clipped_polygon(std::move(points), *frame);
+        points = clipped(std::move(points), *frame);
       }
       if (points.size() > 2) {
         group.areas.push_back({Layer::picture, std::move(points), color});

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "base/geometry.hpp"
@@ -12,11 +11,6 @@
 #include "export/page/segment2.hpp"
 
 namespace ridgecraft::paper {
-
-/// Whether a point lies in the rectangle or on its border.
-[[nodiscard]] inline bool lies_in(Vec2 p, const Box2& box) {
-  return p.x >= box.low.x && p.y >= box.low.y && p.x <= box.high.x && p.y <= box.high.y;
-}
 
 /// The stretch of a line in the rectangle; nothing where that is no more than a point.
 [[nodiscard]] inline std::optional<Segment2> clipped(const Segment2& line, const Box2& box) {

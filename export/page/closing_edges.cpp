@@ -61,13 +61,8 @@ void leave_out_closing(PieceDrawing& piece) {
         if (!mate) {
           continue;
         }
-        const std::size_t size = rim.size();
-        const bool neighbours = !back && *mate == (at + 1) % size && size > 3;
         if (has_number(piece, rim, *mate)) {
           closing.push_back(rim[at]);
-        } else if (neighbours && has_number(piece, rim, at + size - 1) && has_number(piece, rim, at + 2)) {
-          closing.push_back(rim[at]);
-          closing.push_back(rim[*mate]);
         }
       }
     }

@@ -13,8 +13,7 @@ namespace ridgecraft::paper {
                                     std::size_t at);
 
 /// Of the numbers that have no place, those that need none (NumberAt::closing): their other edge has it and
-/// closes_by_itself(), or both follow each other without a number, between two that have theirs. O(square of
-/// a rim).
+/// closes_by_itself(). O(square of a rim).
 void leave_out_closing(PieceDrawing& piece);
 
 }  // namespace ridgecraft::paper

@@ -216,7 +216,7 @@ bool NumberPlacer::place_further_inside(const Wanted& wanted) {
 bool NumberPlacer::place_with_leader(const Wanted& wanted, Side side) {
   const Frame frame(wanted.seam->edge);
   const std::vector<Vec2>& tab = wanted.seam->tab;
-  // Side the piece the line ends at the edge, or at the far side of the tab that stands on it.
+  // Outside the piece the line ends at the edge, or at the far side of the tab that stands on it.
   const bool from_tab = side == Side::outside && !tab.empty();
   const Vec2 start = from_tab ? 0.5 * (tab[2] + tab.back()) : frame.middle;
   const double size = from_tab ? length(tab.back() - tab[2]) : frame.size;
@@ -293,7 +293,7 @@ bool NumberPlacer::place_along(const Wanted& wanted, double height, double offse
   const double half = across ? at_origin.half_width : at_origin.half_height;
   const double half_along = across ? at_origin.half_height : at_origin.half_width;
   const double room = std::max(0.0, 0.5 * frame.size - half_along);
-  // Side the piece, that is beyond the tab.
+  // Outside the piece, that is beyond the tab.
   const double lift = side == Side::outside ? tab_height(*wanted.seam, frame.middle, frame.inward) : 0.0;
   const Vec2 out = frame.out(side);
   TurnedBox box = at_origin;

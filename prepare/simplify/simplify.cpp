@@ -201,11 +201,11 @@ void simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, con
   // it was.
   const bool features = report.features_removed > 0;
   const bool slats = report.rulings_removed + report.bevels_removed > 0;
-  std::vector<Beforehand> tried{{features, slats}};
-  for (const Beforehand fewer : {Beforehand{false, true}, Beforehand{false, false}}) {
-    const Beforehand next{features && fewer.features, slats && fewer.slats};
-    if (report.deviation_mm > largest_mm && std::find(tried.begin(), tried.end(), next) == tried.end()) {
-      tried.push_back(next);
+  Beforehand last{features, slats};
+  for (const bool with_slats : {slats, false}) {
+    const Beforehand next{false, with_slats};
+    if (report.deviation_mm > largest_mm && next != last) {
+      last = next;
       model = kept;
       simplify_components(model, before, options, next, report, context);
     }

@@ -335,7 +335,7 @@ TEST_CASE("of numbers without room it is told where they stand, if that is anywh
     REQUIRE(outcome.exit_code == 0);
     return outcome.out;
   };
-  const std::string lists = "numbers had no room at their edges and stand in lists of their pages";
+  const std::string lists = "numbers had no room at their edges and stand in lists";
   const std::string nowhere = "numbers had no room at their edges and aren't in the machine's files";
   CHECK(run({"-o", "a.pdf"}).find(lists) != std::string::npos);
   CHECK(run({"--preset", "lightburn", "-o", "b.svg"}).find(nowhere) != std::string::npos);

@@ -70,14 +70,6 @@ TEST_CASE("what closes like a zip needs no number from its end on", "[closing_ed
   CHECK(left_out({1, 2, 3, 4, 3, 4, -2, 5}).empty());
 }
 
-TEST_CASE("two neighbours without a number are glued to each other between two that have theirs",
-          "[closing_edges]") {
-  CHECK(left_out({1, -2, -2, 3}) == Places{1, 2});
-  // Which of four are glued to which nobody sees.
-  CHECK(left_out({1, -2, -2, -3, -3, 4}).empty());
-  CHECK(left_out({1, -2, -3, -3, -2, 4}).empty());
-}
-
 TEST_CASE("a border parts edges", "[closing_edges]") {
   CHECK(left_out({1, 2, 0, -2, 3}).empty());
   CHECK(left_out({1, 2, 3, 0, 3, -2, 4}).empty());

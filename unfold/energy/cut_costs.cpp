@@ -281,11 +281,11 @@ double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
   note_neighbours(cut);
   const bool both_are_a_pair =
       !mirror_.empty() && mirror_[changed_cut_] != nothing && join_of(mirror_[changed_cut_]) == changed_fold_;
-  mirror_sum_ = both_are_a_pair ? 0.0 : -unevenness(changed_cut_) - unevenness(changed_fold_);
+  double mirror = both_are_a_pair ? 0.0 : -unevenness(changed_cut_) - unevenness(changed_fold_);
   set_cut(cut, 0);
   set_cut(fold, 1);
-  mirror_sum_ += both_are_a_pair ? 0.0 : unevenness(changed_cut_) + unevenness(changed_fold_);
-  sum_ = mirror_sum_ + change_of_bands();
+  mirror += both_are_a_pair ? 0.0 : unevenness(changed_cut_) + unevenness(changed_fold_);
+  sum_ = mirror + change_of_bands();
   note(fold);
   note_neighbours(fold);
   note_behind(changed_cut_);

@@ -70,8 +70,6 @@ class CutCosts {
   [[nodiscard]] double change(std::uint32_t cut, std::uint32_t fold);
   /// How much of the last change() is due to room for tabs.
   [[nodiscard]] double change_of_bare() const { return bare_sum_; }
-  /// How much of it is due to mirror images.
-  [[nodiscard]] double change_of_mirror() const { return mirror_sum_; }
   /// What it costs, mm, that an edge is a cut and its mirror image isn't, or the other way round.
   [[nodiscard]] double mirror_price(std::uint32_t side) const {
     const std::uint32_t image = mirror_of(side);
@@ -148,7 +146,6 @@ class CutCosts {
   std::vector<Cost> new_cost_;
   double sum_ = 0.0;
   double bare_sum_ = 0.0;
-  double mirror_sum_ = 0.0;
 };
 
 }  // namespace ridgecraft::unfold

@@ -40,7 +40,6 @@ class NetEnergy {
   [[nodiscard]] std::optional<double> rate(const Swap& swap, double most);
   /// How much of what was rated last is due to room for tabs.
   [[nodiscard]] double rated_bare() const { return cut_costs_.change_of_bare(); }
-  [[nodiscard]] double rated_mirror() const { return cut_costs_.change_of_mirror(); }
   void keep();
   void drop();
   /// Mirror images count so many times as much from now on, those within the patch. O(n).

@@ -79,8 +79,8 @@ struct Join {
   std::uint32_t number = 0;  ///< from 1
   TabId tab;                 ///< none: see no_tab
   NoTab no_tab = NoTab::not_wanted;
-  /// It has no usable tab (tabs.hpp) because neither flat region behind it is wide enough for one: it could
-  /// have none however the model is cut.
+  /// It has no usable tab (tabs/shape/shapes.hpp) because neither flat region behind it is wide enough for
+  /// one: it could have none however the model is cut.
   bool too_narrow = false;
 };
 

@@ -12,10 +12,9 @@
 
 namespace ridgecraft::unfold {
 
-/// Replaces two neighbouring pieces by one net of both where there is one without overlap (deeper than
-/// `tolerance`, mm) that fits the room and costs less than the two (piece_cost.hpp), the smallest pieces
-/// first, until there are no such neighbours. The patch is the whole surface; `part`: of each of its faces.
-/// Panels stay whole. Deterministic for one seed but for the deadline.
+/// Replaces two neighbouring pieces by one net of both where there is one without overlap that fits the room
+/// and costs less than the two (piece_cost.hpp), the smallest pieces first, until there are no such
+/// neighbours. Panels stay whole. Deterministic for one seed but for the deadline.
 [[nodiscard]] Folds merge_parts(const NetProblem& problem, const Folds& folds, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -245,13 +245,9 @@ class ModelCheck {
     return is_strip || length(body.normal) >= flat_detail_cosine * body.area;
   }
 
-  /// What the program leaves out can't be missed: specks where it simplifies by its own choice, and small
-  /// bodies and flat ones where it unites bodies.
+  /// Small bodies and flat ones may be missing where the program unites bodies.
   void drop_details(const ModelSurface& surface) {
-    const Setting* const faces = file_.settings.find("faces");
-    const auto* const word = faces == nullptr ? nullptr : std::get_if<std::string>(faces);
-    const bool specks = word != nullptr && *word == "auto";
-    if (!specks && !united()) {
+    if (!united()) {
       return;
     }
     const std::vector<Index> component = components_of(surface);
@@ -259,9 +255,7 @@ class ModelCheck {
     const double extent = bounds_of(model_).largest_extent();
     const double scale = bounds_of(nets_).largest_extent() / extent;
     const auto may_be_missing = [&](const Body& body) {
-      return (specks && scale * body.box.largest_extent() < speck_mm) ||
-             (united() && body.box.largest_extent() <= detail_length_share * extent &&
-              is_detail(body, scale));
+      return body.box.largest_extent() <= detail_length_share * extent && is_detail(body, scale);
     };
     double missing = 0.0;
     std::vector<Triangle3> kept;

@@ -7,9 +7,6 @@
 
 namespace ridgecraft::verify {
 
-// Every tolerance of the checks, with unit and reason. Those that the contract states are taken from it to
-// the letter.
-
 /// Lengths of nets and model (promise 1): absolute part in mm, and the share of the length.
 constexpr double length_tolerance_mm = 1e-5;
 constexpr double length_tolerance_share = 1e-6;
@@ -94,9 +91,6 @@ constexpr double flat_detail_cosine = 0.99;
 constexpr double detail_length_share = 0.26;
 constexpr double details_area_share = 0.35;
 
-/// Components smaller than this are left out where the program simplifies, in mm: half of a short edge, and
-/// what the final size adds.
-constexpr double speck_mm = 3.1;
 /// Areas of surfaces that are the same, as a share.
 constexpr double area_tolerance_share = 1e-3;
 /// Samples of surfaces are this share of the largest extent apart, with at most so many steps along a

@@ -29,7 +29,7 @@ using TabsOfPiece = IdVector<PieceId, std::vector<TabId>>;
 void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets);
 
 /// Brings the tabs of each piece that fits the sheet without them, but not with them, onto the sheet: it is
-/// laid so that most of its tabs are on it or have paper on the other side (tab_rooms.hpp), and all tabs are
+/// laid so that most of its tabs are on it or have paper on the other side, and all tabs are
 /// placed afresh, those of that piece inside the sheet: lower, or from the other side of their join. What
 /// finds no place says so (NoTab::beyond_sheet). `nets` has the tabs of place_tabs. O(pieces h^2) where all
 /// fit. Throws Error(interrupted).

@@ -52,11 +52,6 @@ class TabState {
     const Choice& choice = chosen_[join_of(side)];
     return choice.side == side ? &candidates_[side][choice.shape] : nullptr;
   }
-  /// How many of the two sides of an edge inside the patch could give a usable tab if nothing were in the
-  /// way.
-  [[nodiscard]] std::uint32_t chances(std::uint32_t side) const {
-    return (candidates_[side].empty() ? 0U : 1U) + (candidates_[patch_.twin[side]].empty() ? 0U : 1U);
-  }
 
   /// Per side: the tabs that it may have.
   [[nodiscard]] const std::vector<std::vector<TabCandidate>>& candidates() const { return candidates_; }
