@@ -91,8 +91,8 @@ std::optional<session::Edit> any_place(const session::Project& project, Random& 
   if (!face || !project.state().pages) {
     return std::nullopt;
   }
-  const paper::Pages& pages = *project.state().pages;
-  const paper::Placement& lies = pages.placements[project.now.nets.piece[*face]];
+  const export_::Pages& pages = *project.state().pages;
+  const export_::Placement& lies = pages.placements[project.now.nets.piece[*face]];
   const auto& corners = project.now.nets.flat[*face];
   const Vec2 from = lies(corners[0]);
   const Vec2 side = lies(corners[1]) - from;
@@ -228,8 +228,8 @@ struct Tally {
 /// Everything that a maker gets but the guide.
 std::string bytes_of(const job::Paper& made) {
   std::string text = made.fold;
-  for (const paper::Drawing& page : made.drawings) {
-    text += paper::write_svg(page, {});
+  for (const export_::Drawing& page : made.drawings) {
+    text += export_::write_svg(page, {});
   }
   return text;
 }

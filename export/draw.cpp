@@ -22,7 +22,7 @@
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/piece_kinds.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 namespace {
 
@@ -258,4 +258,4 @@ std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& ne
   return drawings;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pieces become pages, pages become drawings, drawings become files. Read this header first.
-// The namespace is ridgecraft::paper, since `export` is a C++ keyword.
+// The namespace is ridgecraft::export_, since `export` is a C++ keyword.
 //
 //   Nets --layout--> Pages --draw--> Drawings --write--> bytes of PDF, SVG, PNG;   Nets + Pages --> bytes of
 //   FOLD
@@ -27,7 +27,7 @@
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Packs the pieces by their true outlines, tabs included, with the gap between them (more where a page has
 /// room), on as few pages as it can. Pieces of one part stay together where that costs no page and leaves no
@@ -56,4 +56,4 @@ namespace ridgecraft::paper {
                                         const Pages& pages, const Style& style, DrawReport* report = nullptr,
                                         const Context& context = {});
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

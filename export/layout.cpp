@@ -12,7 +12,7 @@
 #include "export/packing/packing.hpp"
 #include "export/piece_shapes.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 using unfold::Nets;
@@ -151,4 +151,4 @@ std::optional<double> share_that_saves_a_page(const Nets& nets, const Pages& pag
   return best;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

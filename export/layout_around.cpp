@@ -15,7 +15,7 @@
 #include "export/packing/packing_page.hpp"
 #include "export/piece_shapes.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Cells in which room is looked for, mm.
@@ -277,4 +277,4 @@ std::variant<Pages, NoPlace> layout_around(const unfold::Nets& nets, const Paper
   return AroundLayout(nets, paper, kept, sort, fold_directions).lay_out(context);
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

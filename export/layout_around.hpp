@@ -13,7 +13,7 @@
 #include "export/sheet/paper.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// How firmly a piece lies where it lies, from the least on.
 enum class Hold : std::uint8_t {
@@ -51,4 +51,4 @@ struct NoPlace {
     const Context& context, const IdVector<PieceId, std::uint32_t>& sort = {},
     const IdVector<PieceId, Vec2>& fold_directions = {});
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -15,7 +15,7 @@
 #include "export/piece_shapes.hpp"
 #include "export/sheet/paper.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double nearby_step_mm = 1.0;  ///< between places that are tried
@@ -136,4 +136,4 @@ std::optional<Placement> nearest_place(const unfold::Nets& nets, const Pages& pa
   return found;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

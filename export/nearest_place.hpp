@@ -8,7 +8,7 @@
 #include "export/sheet/pages.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// The place nearest to where the piece is held, in steps of about a millimetre, where it lies on the sheet
 /// and keeps the paper's gap to all others, which lie as `pages` has them. It stays on its page, which may be
@@ -17,4 +17,4 @@ namespace ridgecraft::paper {
 [[nodiscard]] std::optional<Placement> nearest_place(const unfold::Nets& nets, const Pages& pages,
                                                      PieceId piece, const Placement& held, double reach_mm);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -13,7 +13,7 @@
 #include "export/sheet/fold_directions.hpp"
 #include "mesh/model/surface.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 using unfold::Nets;
@@ -124,4 +124,4 @@ std::vector<std::vector<Vec2>> placed(const PackingShape& shape, const Rigid& pl
   return polygons;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

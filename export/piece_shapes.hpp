@@ -12,7 +12,7 @@
 #include "export/sheet/paper.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Rounding in distances between pieces, mm.
 inline constexpr double gap_rounding_mm = 1e-6;
@@ -31,4 +31,4 @@ void check_fit(const unfold::Nets& nets, const PackingTask& task, const Paper& p
 /// The convex polygons of a shape where it is placed.
 [[nodiscard]] std::vector<std::vector<Vec2>> placed(const PackingShape& shape, const Rigid& placement);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -25,7 +25,7 @@ const char* name_of(ExtentKind kind) {
 }  // namespace
 
 double largest_share(const mesh::Model& model, ExtentKind kind, mesh::Axis up) {
-  const paper::Stance stance = paper::stance_of(up);
+  const export_::Stance stance = export_::stance_of(up);
   const Vec3 direction = kind == ExtentKind::height  ? stance.up
                          : kind == ExtentKind::depth ? stance.front
                                                      : cross(stance.up, stance.front);

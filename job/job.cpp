@@ -70,8 +70,8 @@ const unfold::Nets& nets_on_pages(const Paper& made) {
   return made.nets_of_board ? *made.nets_of_board : made.nets;
 }
 
-paper::Assembly assembly_of(const Paper& made) {
-  return paper::assembly_order(made.prepared.model.surface, made.nets, paper::stance_of(made.up).up);
+export_::Assembly assembly_of(const Paper& made) {
+  return export_::assembly_order(made.prepared.model.surface, made.nets, export_::stance_of(made.up).up);
 }
 
 void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
@@ -79,7 +79,7 @@ void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
   made.thickened = {};
   if (made.options.board.thickness_mm > 0.0) {
     made.nets_of_board = clock("lay out", context, [&] {
-      return paper::thick_nets(made.prepared, made.nets, made.options.board, &made.thickened);
+      return export_::thick_nets(made.prepared, made.nets, made.options.board, &made.thickened);
     });
   }
   made.pages = clock("lay out", context,
@@ -87,18 +87,18 @@ void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
 }
 
 void draw_pages(Paper& made, StageClock& clock, const Context& context) {
-  made.off_grain = paper::pieces_off_grain(
-      paper::fold_directions(made.prepared.model.surface, nets_on_pages(made)), made.pages);
+  made.off_grain = export_::pieces_off_grain(
+      export_::fold_directions(made.prepared.model.surface, nets_on_pages(made)), made.pages);
   // By hand pages may be filled as nobody would fill them to save one.
   made.share_saving_a_page.reset();
   if (made.options.page_by == PageBy::any && made.edits.empty()) {
     made.share_saving_a_page = clock("hint", context, [&] {
-      return paper::share_that_saves_a_page(nets_on_pages(made), made.pages, context);
+      return export_::share_that_saves_a_page(nets_on_pages(made), made.pages, context);
     });
   }
   made.drawings = clock("draw", context, [&] {
-    return paper::draw(made.prepared, nets_on_pages(made), made.pages, made.options.style, &made.drawn,
-                       context);
+    return export_::draw(made.prepared, nets_on_pages(made), made.pages, made.options.style, &made.drawn,
+                         context);
   });
   made.guide = {};
   if (made.options.guide) {
@@ -111,7 +111,7 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
   const mesh::Model& model = made.prepared.model;
   // Files keep the nets of the surface, which are larger or smaller than those of board: they get pages of
   // their own.
-  std::optional<paper::Pages> own;
+  std::optional<export_::Pages> own;
   if (made.nets_of_board) {
     own =
         clock("lay out", context, [&] { return laid_out(made.prepared, made.options, made.nets, context); });
@@ -122,10 +122,10 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
     if (!made.edits.empty()) {
       made.mark.settings["edits"] = json_string(made.edits);
     }
-    const paper::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
-    return paper::write_fold(made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
-                             own ? paper::find_contacts(model.surface, made.nets) : made.drawn.contacts,
-                             made.up);
+    const export_::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
+    return export_::write_fold(made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
+                               own ? export_::find_contacts(model.surface, made.nets) : made.drawn.contacts,
+                               made.up);
   });
   made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
 }
@@ -167,8 +167,8 @@ Faces faces_to_unfold(mesh::Model model, const Options& options, std::vector<std
 /// What the model looks like as it was read, for pages in colour.
 std::optional<mesh::LookParts> look_for(const Options& options, const mesh::Model& model,
                                         const Context& context, std::vector<std::string>& notes) {
-  return options.paper && options.style.ink != paper::Ink::lines ? mesh::look_of(model, context, notes)
-                                                                 : std::nullopt;
+  return options.paper && options.style.ink != export_::Ink::lines ? mesh::look_of(model, context, notes)
+                                                                   : std::nullopt;
 }
 
 /// What was done to the bodies; where that is nothing, they are kept.
@@ -257,9 +257,9 @@ std::string with_new_pages(const std::string& edits) {
 
 /// All that follows from nets that have changed. `pages`: where they lie already.
 Paper with_new_nets(Paper made, StageClock clock, const Context& context,
-                    std::optional<paper::Pages> pages = std::nullopt) {
+                    std::optional<export_::Pages> pages = std::nullopt) {
   // What was painted is painted again only where it changes.
-  paper::DrawReport drawn;
+  export_::DrawReport drawn;
   drawn.pictures = std::move(made.drawn.pictures);
   made.drawn = std::move(drawn);
   if (made.options.paper) {
@@ -286,7 +286,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   std::vector<std::string> notes;
   model = prepare::select(std::move(model), options.selection);
   made.ground = prepare::ground_name(model);
-  made.up = options.up.value_or(paper::up_axis_of(model));
+  made.up = options.up.value_or(export_::up_axis_of(model));
   if (options.extent) {
     made.options.size.adapts = false;
     made.options.size.largest_extent_mm =
@@ -389,10 +389,10 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
   return made;
 }
 
-paper::Guide guide_of(const Paper& made, const Context& context) {
-  return paper::draw_guide(made.prepared, nets_on_pages(made), made.pages, made.assembly,
-                           made.drawings.size(), made.drawn.bodies, paper::stance_of(made.up),
-                           made.options.style, context);
+export_::Guide guide_of(const Paper& made, const Context& context) {
+  return export_::draw_guide(made.prepared, nets_on_pages(made), made.pages, made.assembly,
+                             made.drawings.size(), made.drawn.bodies, export_::stance_of(made.up),
+                             made.options.style, context);
 }
 
 Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context) {
@@ -413,7 +413,7 @@ unfold::Nets tabbed(const Paper& made, unfold::Nets nets, const unfold::TabChoic
   return nets;
 }
 
-Paper with_nets(Paper made, unfold::Nets nets, std::optional<paper::Pages> pages, std::string edits,
+Paper with_nets(Paper made, unfold::Nets nets, std::optional<export_::Pages> pages, std::string edits,
                 const Context& context) {
   made.nets = std::move(nets);
   made.edits = std::move(edits);
@@ -422,7 +422,8 @@ Paper with_nets(Paper made, unfold::Nets nets, std::optional<paper::Pages> pages
   return with_new_nets(std::move(made), std::move(clock), context, std::move(pages));
 }
 
-Paper with_pages(Paper made, const paper::Paper& paper, const paper::Style& style, const Context& context) {
+Paper with_pages(Paper made, const export_::Paper& paper, const export_::Style& style,
+                 const Context& context) {
   made.options.paper = paper;
   made.options.style = style;
   made.edits = with_new_pages(made.edits);

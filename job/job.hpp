@@ -40,8 +40,8 @@ struct Paper {
   /// As they were used: where edges are named that are those of the file, `simplify` keeps all faces; where
   /// no bodies were united, `bodies` keeps them.
   Options options;
-  std::uint64_t seed = 1;         ///< that the nets were searched with
-  paper::Settings searched_with;  ///< what else they were: with_tabs and with_pages change `options` alone
+  std::uint64_t seed = 1;           ///< that the nets were searched with
+  export_::Settings searched_with;  ///< what else they were: with_tabs and with_pages change `options` alone
   /// What was done to the nets by hand, a step a line (with_nets); kept as a setting of the file. Where
   /// with_tabs() or with_pages() lay them out anew, that is the step `laid_out_anew`.
   std::string edits;
@@ -59,18 +59,18 @@ struct Paper {
   unfold::EdgeWishes wishes;  ///< of each edge, which cuts and folds were wanted; none where none were
   std::vector<std::string> early_notes;  ///< of the stages before the nets
   unfold::Nets nets;                     ///< its notes begin with those
-  paper::Assembly assembly;              ///< in which order the pieces are put together
-  paper::Pages pages;                    ///< none where Options::paper is none
+  export_::Assembly assembly;            ///< in which order the pieces are put together
+  export_::Pages pages;                  ///< none where Options::paper is none
   std::vector<PieceId> off_grain;        ///< pieces that lie across the grain that is to be heeded
   /// What lies on the pages where Options::board is as thick as to matter; else none: `nets` do.
   std::optional<unfold::Nets> nets_of_board;
-  paper::ThickReport thickened;
+  export_::ThickReport thickened;
   std::optional<double>
       share_saving_a_page;  ///< of the size, where a slightly smaller model would take a page less
-  std::vector<paper::Drawing> drawings;  ///< one a page
-  paper::DrawReport drawn;
-  paper::Guide guide;       ///< empty where Options::guide doesn't ask for it
-  paper::Mark mark;         ///< of all its files: model, settings
+  std::vector<export_::Drawing> drawings;  ///< one a page
+  export_::DrawReport drawn;
+  export_::Guide guide;     ///< empty where Options::guide doesn't ask for it
+  export_::Mark mark;       ///< of all its files: model, settings
   std::string fold;         ///< bytes of the FOLD file, checked: what fails its check is never returned
   verify::Figures figures;  ///< of that check
   StageSeconds seconds;     ///< of all steps since the model; what is done anew adds to its stage
@@ -89,7 +89,7 @@ struct Paper {
 
 /// The guide of a job with pages that was finished without it (Options::guide), for whoever may not need it:
 /// drawing it takes longer than drawing all pages. Throws Error(interrupted).
-[[nodiscard]] paper::Guide guide_of(const Paper& made, const Context& context);
+[[nodiscard]] export_::Guide guide_of(const Paper& made, const Context& context);
 
 /// The same nets with other tabs; they stay as they are but for these, also where another shape would have
 /// led the search to other folds, and no piece is split (TabOptions::split_pieces stays as it was). Their
@@ -108,13 +108,13 @@ struct Paper {
 /// that follows are made anew. `pages`: where the nets lie (job/page_layout.hpp); none: they are laid out,
 /// too, and so are nets of board. `edits` tells what was done, one step a line; told nothing, nothing was.
 /// Throws as paper(), but for what concerns the model.
-[[nodiscard]] Paper with_nets(Paper made, unfold::Nets nets, std::optional<paper::Pages> pages,
+[[nodiscard]] Paper with_nets(Paper made, unfold::Nets nets, std::optional<export_::Pages> pages,
                               std::string edits, const Context& context);
 
 /// The same nets on other paper, or drawn in another style; colours only where they were wanted (Style::ink)
 /// when the job began. Throws Error(no_nets) where a piece is larger
 /// than it.
-[[nodiscard]] Paper with_pages(Paper made, const paper::Paper& paper, const paper::Style& style,
+[[nodiscard]] Paper with_pages(Paper made, const export_::Paper& paper, const export_::Style& style,
                                const Context& context);
 
 }  // namespace ridgecraft::job

@@ -234,7 +234,7 @@ Options options_of(AskedOptions asked, Options usual) {
   asked.check_rules();
   Options options = std::move(usual);
   if (options.paper && asked.given("paper")) {
-    options.paper->size = paper::parse_paper(asked.text("paper")).size;
+    options.paper->size = export_::parse_paper(asked.text("paper")).size;
   }
   if (options.paper) {
     read_pieces(asked, options.pieces);
@@ -249,7 +249,7 @@ Options options_of(AskedOptions asked, Options usual) {
   return options;
 }
 
-void note_fields(Options& options, paper::Settings& settings) {
+void note_fields(Options& options, export_::Settings& settings) {
   for (const Field& field : fields) {
     const Option& row = option_row(field.option);
     if (!row.setting.empty() && (row.noted != Noted::with_pages || options.paper)) {

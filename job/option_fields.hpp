@@ -13,6 +13,6 @@ namespace ridgecraft::job {
 [[nodiscard]] Options options_of(AskedOptions asked, Options usual);
 
 /// Adds the settings of options whose value stands in one place; those of others are settings_of()'s.
-void note_fields(Options& options, paper::Settings& settings);
+void note_fields(Options& options, export_::Settings& settings);
 
 }  // namespace ridgecraft::job

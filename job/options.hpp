@@ -72,24 +72,25 @@ struct Options {
   prepare::Bodies bodies = prepare::Bodies::unite;
   prepare::SizeOptions size;
   std::optional<Extent> extent;  ///< instead of the size's largest extent
-  /// Which axis of the file's points up, for the guide, the page and `extent`; none: as paper::up_axis_of()
+  /// Which axis of the file's points up, for the guide, the page and `extent`; none: as export_::up_axis_of()
   /// finds.
   std::optional<mesh::Axis> up;
   prepare::SimplifyOptions simplify;  ///< its hidden_fold_angle is that of `style`, whatever stands here
   PartsFrom parts = PartsFrom::segmentation;
-  double concavity = 0.1;                             ///< segment::Options::concavity
-  std::optional<paper::Paper> paper{paper::Paper{}};  ///< none: nets without pages, each as large as it likes
+  double concavity = 0.1;  ///< segment::Options::concavity
+  std::optional<export_::Paper> paper{
+      export_::Paper{}};  ///< none: nets without pages, each as large as it likes
   unfold::TabOptions tabs;
   unfold::TabChoice tab_choice;  ///< of tabs on the finished nets
   std::string tab_file_digest;   ///< of the text that tab_choice.edges was read from, or nothing
   unfold::PieceRules pieces;
   unfold::PanelCuts panel_cuts = unfold::PanelCuts::only_if_too_large;
   EdgeRequests edges;
-  paper::Style style;
+  export_::Style style;
   PageBy page_by = PageBy::any;
-  paper::Board board;   ///< what pages are cut from; nets in files stay those of paper
-  bool guide = false;   ///< pages that tell how the model is built; with paper only
-  bool strict = false;  ///< what nobody could build at this size isn't made
+  export_::Board board;  ///< what pages are cut from; nets in files stay those of paper
+  bool guide = false;    ///< pages that tell how the model is built; with paper only
+  bool strict = false;   ///< what nobody could build at this size isn't made
 };
 
 }  // namespace ridgecraft::job

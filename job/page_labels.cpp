@@ -71,7 +71,7 @@ IdVector<PieceId, std::uint32_t> labels_of_pieces(const PageLabels& labels, cons
 }
 
 std::vector<std::string> names_of_pages(const PageLabels& labels, const unfold::Nets& nets,
-                                        const paper::Pages& pages) {
+                                        const export_::Pages& pages) {
   if (!labels.any()) {
     return {};
   }

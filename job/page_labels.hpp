@@ -36,6 +36,6 @@ void part_by_labels(const PageLabels& labels, prepare::Prepared& prepared, unfol
 
 /// What the pieces of each page have in common.
 [[nodiscard]] std::vector<std::string> names_of_pages(const PageLabels& labels, const unfold::Nets& nets,
-                                                      const paper::Pages& pages);
+                                                      const export_::Pages& pages);
 
 }  // namespace ridgecraft::job

@@ -16,13 +16,13 @@
 namespace ridgecraft::job {
 
 /// The nets on pages, each of one label where that is wanted. The options have paper. Throws as
-/// paper::layout().
-[[nodiscard]] paper::Pages laid_out(const prepare::Prepared& model, const Options& options,
-                                    const unfold::Nets& nets, const Context& context);
+/// export_::layout().
+[[nodiscard]] export_::Pages laid_out(const prepare::Prepared& model, const Options& options,
+                                      const unfold::Nets& nets, const Context& context);
 
 /// The same around pieces that lie somewhere already (export/layout_around.hpp).
-[[nodiscard]] std::variant<paper::Pages, paper::NoPlace> laid_around(
+[[nodiscard]] std::variant<export_::Pages, export_::NoPlace> laid_around(
     const prepare::Prepared& model, const Options& options, const unfold::Nets& nets,
-    const IdVector<PieceId, std::optional<paper::KeptPlace>>& kept, const Context& context);
+    const IdVector<PieceId, std::optional<export_::KeptPlace>>& kept, const Context& context);
 
 }  // namespace ridgecraft::job

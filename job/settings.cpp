@@ -18,7 +18,7 @@ std::string number(double value) {
   return fmt::format("{}", value);
 }
 
-void add_size(const Options& options, paper::Settings& settings) {
+void add_size(const Options& options, export_::Settings& settings) {
   if (options.size.mm_per_unit) {
     settings["mm_per_unit"] = number(*options.size.mm_per_unit);
   } else {
@@ -61,7 +61,7 @@ double greatest_height(const Options& options) {
   return height;
 }
 
-void add_tabs(const Options& options, paper::Settings& settings) {
+void add_tabs(const Options& options, export_::Settings& settings) {
   settings["tabs"] = options.tabs.wanted ? "true" : "false";
   settings["tab_height_mm"] = number(greatest_height(options));
   if (!options.tabs.wanted) {
@@ -82,7 +82,7 @@ void add_tabs(const Options& options, paper::Settings& settings) {
   }
 }
 
-void add_edges(const EdgeRequests& edges, paper::Settings& settings) {
+void add_edges(const EdgeRequests& edges, export_::Settings& settings) {
   if (edges.cut) {
     settings["cuts"] = json_string(edges.cut->digest);
   }
@@ -94,7 +94,7 @@ void add_edges(const EdgeRequests& edges, paper::Settings& settings) {
   }
 }
 
-void add_pages(Options& options, paper::Settings& settings) {
+void add_pages(Options& options, export_::Settings& settings) {
   settings["paper_mm"] = fmt::format("[{},{}]", options.paper->size.x, options.paper->size.y);
   settings["gap_mm"] = number(options.paper->gap);
   settings["max_faces"] = std::to_string(options.pieces.max_panels);
@@ -106,8 +106,8 @@ void add_pages(Options& options, paper::Settings& settings) {
 
 }  // namespace
 
-paper::Settings settings_of(Options options, std::uint64_t seed) {
-  paper::Settings settings;
+export_::Settings settings_of(Options options, std::uint64_t seed) {
+  export_::Settings settings;
   note_fields(options, settings);
   add_size(options, settings);
   if (options.bodies == prepare::Bodies::unite) {
@@ -133,7 +133,7 @@ paper::Settings settings_of(Options options, std::uint64_t seed) {
   return settings;
 }
 
-paper::Settings with_searched(paper::Settings now, const paper::Settings& searched) {
+export_::Settings with_searched(export_::Settings now, const export_::Settings& searched) {
   for (const auto& [name, value] : searched) {
     const auto found = now.find(name);
     if (found == now.end() || found->second != value) {

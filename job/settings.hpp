@@ -11,10 +11,10 @@ namespace ridgecraft::job {
 
 /// The options that shaped the result, for ridgecraft:settings (docs/reference/formats.md); with the seed
 /// they give the same nets again.
-[[nodiscard]] paper::Settings settings_of(Options options, std::uint64_t seed);
+[[nodiscard]] export_::Settings settings_of(Options options, std::uint64_t seed);
 
 /// The settings of paper whose tabs or pages may have been changed since its nets were searched: what was
 /// another then follows with "searched_" before its name.
-[[nodiscard]] paper::Settings with_searched(paper::Settings now, const paper::Settings& searched);
+[[nodiscard]] export_::Settings with_searched(export_::Settings now, const export_::Settings& searched);
 
 }  // namespace ridgecraft::job

@@ -15,7 +15,7 @@ constexpr double boundless_mm = 1e9;
 }  // namespace
 
 Vec2 room_for_pieces(const Options& options) {
-  return options.paper ? paper::piece_area(*options.paper) : Vec2{boundless_mm, boundless_mm};
+  return options.paper ? export_::piece_area(*options.paper) : Vec2{boundless_mm, boundless_mm};
 }
 
 unfold::Options unfold_options(const Options& options, const prepare::Prepared& prepared,

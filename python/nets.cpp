@@ -36,14 +36,14 @@ struct Nets {
 };
 
 struct Paper : Nets {
-  [[nodiscard]] const paper::Drawing& page(std::size_t number) const {
+  [[nodiscard]] const export_::Drawing& page(std::size_t number) const {
     if (number >= made->drawings.size()) {
       throw py::index_error(
           fmt::format("there is no page {}; the first of {} is 0", number, made->drawings.size()));
     }
     return made->drawings[number];
   }
-  [[nodiscard]] const paper::Mark& mark() const { return made->mark; }
+  [[nodiscard]] const export_::Mark& mark() const { return made->mark; }
 };
 
 /// -1 for none.
@@ -218,7 +218,7 @@ job::Options options_of(const py::dict& keywords, const Making& making) {
   }
   job::Options options = job::options_of(asked, std::move(usual));
   if (options.paper) {
-    paper::check_paper(*options.paper);
+    export_::check_paper(*options.paper);
   }
   if (making.whole) {
     options.parts = job::PartsFrom::components;
@@ -313,14 +313,14 @@ void add_nets(py::module_& module) {
       .def(
           "pdf",
           [](const Paper& p) {
-            return py::bytes(written([&] { return paper::write_pdf(p.made->drawings, p.mark()); }));
+            return py::bytes(written([&] { return export_::write_pdf(p.made->drawings, p.mark()); }));
           },
           "All pages as a PDF.")
       .def(
           "svg",
           [](const Paper& p, std::size_t page) {
-            const paper::Drawing& drawing = p.page(page);
-            return written([&] { return paper::write_svg(drawing, p.mark()); });
+            const export_::Drawing& drawing = p.page(page);
+            return written([&] { return export_::write_svg(drawing, p.mark()); });
           },
           "page"_a, "One page, counted from 0, as an SVG.")
       .def(
@@ -329,15 +329,15 @@ void add_nets(py::module_& module) {
             if (!(dots_per_inch >= 1.0) || dots_per_inch > 2400.0) {
               throw Error(ErrorKind::usage, fmt::format("dots_per_inch is 1 to 2400, not {}", dots_per_inch));
             }
-            const paper::Drawing& drawing = p.page(page);
-            return py::bytes(written([&] { return paper::write_png(drawing, p.mark(), dots_per_inch); }));
+            const export_::Drawing& drawing = p.page(page);
+            return py::bytes(written([&] { return export_::write_png(drawing, p.mark(), dots_per_inch); }));
           },
           "page"_a, "dots_per_inch"_a = 150.0, "One page, counted from 0, as a PNG.")
       .def(
           "dxf",
           [](const Paper& p, std::size_t page) {
-            const paper::Drawing& drawing = p.page(page);
-            return written([&] { return paper::write_dxf(drawing, p.mark()); });
+            const export_::Drawing& drawing = p.page(page);
+            return written([&] { return export_::write_dxf(drawing, p.mark()); });
           },
           "page"_a, "One page, counted from 0, as a DXF for machines.");
   add_making<false>(module, "unfold");

@@ -65,12 +65,12 @@ bool looks_alike(const PieceOfNets& old, const PieceOfNets& now) {
 }
 
 /// Lays a face as it is asked for.
-paper::Placement placement_of(const Nets& nets, const Place& place) {
+export_::Placement placement_of(const Nets& nets, const Place& place) {
   const std::array<Vec2, 3>& corners = nets.flat[place.face];
   const Vec2 side = corners[1] - corners[0];
   const double angle = place.degrees * std::numbers::pi / 180.0;
   const Vec2 wanted{elementary::cos(angle), elementary::sin(angle)};
-  paper::Placement at;
+  export_::Placement at;
   at.page = PageId(place.page);
   at.cosine = dot(side, wanted) / length(side);
   at.sine = cross(side, wanted) / length(side);
@@ -89,16 +89,16 @@ Places::Places(const job::Paper& made, const State& before, const State& after)
     if (old[p].valid()) {
       const bool alike = looks_alike({*before.nets, old_tabs, old[p]}, {*after.nets, tabs, p});
       kept_[p] =
-          paper::KeptPlace{before.pages->placements[old[p]], alike                ? paper::Hold::lying
-                                                             : after.is_pinned(p) ? paper::Hold::laid
-                                                                                  : paper::Hold::changed};
+          export_::KeptPlace{before.pages->placements[old[p]], alike                ? export_::Hold::lying
+                                                               : after.is_pinned(p) ? export_::Hold::laid
+                                                                                    : export_::Hold::changed};
     }
   }
 }
 
 void Places::lay(std::size_t edit, const Place& place) {
   const PieceId piece = after_.nets->piece[place.face];
-  kept_[piece] = paper::KeptPlace{placement_of(*after_.nets, place), paper::Hold::laid};
+  kept_[piece] = export_::KeptPlace{placement_of(*after_.nets, place), export_::Hold::laid};
   laid_[piece] = edit;
 }
 
@@ -110,21 +110,21 @@ void Places::release_all() {
   }
 }
 
-std::variant<paper::Pages, Refusal> Places::pages(const Context& context) const {
+std::variant<export_::Pages, Refusal> Places::pages(const Context& context) const {
   if (std::none_of(kept_.begin(), kept_.end(), [](const auto& kept) { return kept.has_value(); })) {
     return job::laid_out(made_.prepared, made_.options, *after_.nets, context);
   }
   auto pages = job::laid_around(made_.prepared, made_.options, *after_.nets, kept_, context);
-  if (const auto* const none = std::get_if<paper::NoPlace>(&pages)) {
+  if (const auto* const none = std::get_if<export_::NoPlace>(&pages)) {
     return refusal_of(*none);
   }
-  return std::get<paper::Pages>(std::move(pages));
+  return std::get<export_::Pages>(std::move(pages));
 }
 
 std::optional<Place> place_near(const State& state, const Place& asked, double reach_mm) {
-  const paper::Placement held = placement_of(*state.nets, asked);
+  const export_::Placement held = placement_of(*state.nets, asked);
   const auto found =
-      paper::nearest_place(*state.nets, *state.pages, state.nets->piece[asked.face], held, reach_mm);
+      export_::nearest_place(*state.nets, *state.pages, state.nets->piece[asked.face], held, reach_mm);
   if (!found) {
     return std::nullopt;
   }
@@ -133,7 +133,7 @@ std::optional<Place> place_near(const State& state, const Place& asked, double r
   return place;
 }
 
-Refusal Places::refusal_of(const paper::NoPlace& none) const {
+Refusal Places::refusal_of(const export_::NoPlace& none) const {
   const auto& pieces = after_.nets->pieces;
   const std::string& name = pieces[none.piece].name;
   std::vector<FaceId> faces = pieces[none.piece].faces;
@@ -148,14 +148,14 @@ Refusal Places::refusal_of(const paper::NoPlace& none) const {
             std::move(faces)};
   }
   switch (none.why) {
-    case paper::NoPlace::Why::beyond_sheet:
+    case export_::NoPlace::Why::beyond_sheet:
       return {laid->second, fmt::format("piece {} would leave the part of the page that is for pieces", name),
               std::move(faces)};
-    case paper::NoPlace::Why::other_sort:
+    case export_::NoPlace::Why::other_sort:
       return {laid->second,
               fmt::format("pieces {} and {} belong on different pages", name, pieces[none.other].name),
               std::move(faces)};
-    case paper::NoPlace::Why::too_near:
+    case export_::NoPlace::Why::too_near:
       break;
   }
   return {laid->second,
@@ -450,7 +450,7 @@ std::variant<State, Refusal> Draft::placed(State state) const {
   if (auto* const refused = std::get_if<Refusal>(&pages)) {
     return std::move(*refused);
   }
-  state.pages = std::make_shared<const paper::Pages>(std::get<paper::Pages>(std::move(pages)));
+  state.pages = std::make_shared<const export_::Pages>(std::get<export_::Pages>(std::move(pages)));
   return state;
 }
 

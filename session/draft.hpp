@@ -42,14 +42,14 @@ class Places {
   void release_all();
 
   /// Refused where a piece can't lie where it was laid, or a pinned one where it lay.
-  [[nodiscard]] std::variant<paper::Pages, Refusal> pages(const Context& context) const;
+  [[nodiscard]] std::variant<export_::Pages, Refusal> pages(const Context& context) const;
 
  private:
-  [[nodiscard]] Refusal refusal_of(const paper::NoPlace& none) const;
+  [[nodiscard]] Refusal refusal_of(const export_::NoPlace& none) const;
 
   const job::Paper& made_;
   const State& after_;
-  IdVector<PieceId, std::optional<paper::KeptPlace>> kept_;
+  IdVector<PieceId, std::optional<export_::KeptPlace>> kept_;
   std::map<PieceId, std::size_t> laid_;  ///< by which edit
 };
 

@@ -24,11 +24,11 @@ namespace ridgecraft::session {
 
 /// Nets, places and what was asked of them by hand. Copies share nets and pages.
 struct State {
-  std::shared_ptr<const unfold::Nets> nets;   ///< never null; finished, with joins and tabs
-  std::shared_ptr<const paper::Pages> pages;  ///< null where the program lays out by itself: without paper,
-                                              ///< and board
-  std::vector<unfold::TabAt> tabs;            ///< that were asked for by hand, in order
-  std::set<FaceId> pinned;                    ///< a face of each piece that is pinned
+  std::shared_ptr<const unfold::Nets> nets;     ///< never null; finished, with joins and tabs
+  std::shared_ptr<const export_::Pages> pages;  ///< null where the program lays out by itself: without paper,
+                                                ///< and board
+  std::vector<unfold::TabAt> tabs;              ///< that were asked for by hand, in order
+  std::set<FaceId> pinned;                      ///< a face of each piece that is pinned
 
   /// A face of the piece that is pinned; none where it isn't.
   [[nodiscard]] bool is_pinned(PieceId piece) const {

@@ -216,7 +216,7 @@ void plan(const std::string& name) {
     made.guide = job::guide_of(made, context_of(job));
   }
   if (target.format == Format::pdf) {
-    paper::check_pdf_size(job.options.paper->size);
+    export_::check_pdf_size(job.options.paper->size);
   }
   nlohmann::json names = nlohmann::json::array();
   if (target.shows != Shows::guide || !made.guide.pages.empty()) {
@@ -280,7 +280,8 @@ EMSCRIPTEN_KEEPALIVE int ridgecraft_write(int i) {
 
 /// What the page shows besides the nets (docs/design/viewer.md).
 EMSCRIPTEN_KEEPALIVE int ridgecraft_sheets() {
-  return cli::guarded([&] { cli::answer = paper::write_sheets(cli::project.value().result.made.drawings); });
+  return cli::guarded(
+      [&] { cli::answer = export_::write_sheets(cli::project.value().result.made.drawings); });
 }
 
 EMSCRIPTEN_KEEPALIVE const char* ridgecraft_answer() {

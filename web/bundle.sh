@@ -38,10 +38,10 @@ else
 // Compilers need not take literals of more than 65,536 characters; GCC and clang do.
 #pragma GCC diagnostic ignored "-Woverlength-strings"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 const std::string_view page_template = R"page($(cat "$work/page"))page";
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_
 END
 fi

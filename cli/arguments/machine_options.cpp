@@ -22,8 +22,8 @@ constexpr double paper_between_mm = 0.5;
 constexpr std::array machine_only{"kerf",    "bed",     "spot",   "kerf-test", "score",
                                   "bridges", "engrave", "colour", "hairline",  "svg-px"};
 
-paper::Preset preset_named(const std::string& name) {
-  for (const paper::Preset& preset : paper::presets()) {
+export_::Preset preset_named(const std::string& name) {
+  for (const export_::Preset& preset : export_::presets()) {
     if (name == preset.name) {
       return preset;
     }
@@ -33,14 +33,14 @@ paper::Preset preset_named(const std::string& name) {
 
 std::vector<std::string> operation_words() {
   std::vector<std::string> words;
-  for (int i = 0; i < paper::operation_count; ++i) {
-    words.emplace_back(word(static_cast<paper::Operation>(i)));
+  for (int i = 0; i < export_::operation_count; ++i) {
+    words.emplace_back(word(static_cast<export_::Operation>(i)));
   }
   return words;
 }
 
 /// "#ff8000"
-paper::Color colour_or_refuse(const std::string& option, const std::string& text) {
+export_::Color colour_or_refuse(const std::string& option, const std::string& text) {
   const auto is_digit = [](unsigned char c) { return std::isxdigit(c) != 0; };
   if (text.size() != 7 || text[0] != '#' || !std::all_of(text.begin() + 1, text.end(), is_digit)) {
     refuse(option + " takes colours such as #ff8000, not '" + text + "'");
@@ -59,7 +59,7 @@ bool names_machine_file(const std::vector<std::string>& outputs) {
 }
 
 /// Whether a run with these outputs, of which folders get what the preset names, writes a DXF.
-bool writes_dxf(const std::vector<std::string>& outputs, const paper::Preset& preset) {
+bool writes_dxf(const std::vector<std::string>& outputs, const export_::Preset& preset) {
   const auto names_it = [&](const std::string& output) {
     const auto format = paper_format(suffix_of(output));
     return format ? *format == Format::dxf : preset.dxf;
@@ -79,7 +79,7 @@ void leave_page_out(PaperJob& job) {
 }
 
 /// Refuses what has no effect on the files that are written.
-void check_effect(const job::AskedOptions& asked, const PaperJob& job, const paper::Preset& made) {
+void check_effect(const job::AskedOptions& asked, const PaperJob& job, const export_::Preset& made) {
   const auto* const first =
       std::ranges::find_if(machine_only, [&](const char* name) { return asked.given(name); });
   const std::string given = first == machine_only.end() ? "" : asked.called(*first);
@@ -92,7 +92,7 @@ void check_effect(const job::AskedOptions& asked, const PaperJob& job, const pap
   }
 }
 
-void set_colours(const job::AskedOptions& asked, paper::Preset& made) {
+void set_colours(const job::AskedOptions& asked, export_::Preset& made) {
   const std::vector<std::string> words = operation_words();
   for (const std::string& text : asked.texts("colour")) {
     const std::size_t equals = text.find('=');
@@ -130,10 +130,10 @@ void set_spots(const job::AskedOptions& asked, PaperJob& job) {
   }
 }
 
-void set_board(const job::AskedOptions& asked, PaperJob& job, paper::Preset& made) {
+void set_board(const job::AskedOptions& asked, PaperJob& job, export_::Preset& made) {
   constexpr double board_mm = 1.0;
   constexpr double bridge_of_board_mm = 0.25;  // stiffer than card
-  paper::Board& board = job.options.board;
+  export_::Board& board = job.options.board;
   if (board.thickness_mm > 0.0) {
     leave_page_out(job);
   }
@@ -141,13 +141,13 @@ void set_board(const job::AskedOptions& asked, PaperJob& job, paper::Preset& mad
     made.paths.board = true;
     made.paths.bridges.width_mm = bridge_of_board_mm;
   }
-  const bool whole_lines = made.paths.scores == paper::Scores::solid && !made.pdf;
+  const bool whole_lines = made.paths.scores == export_::Scores::solid && !made.pdf;
   if (asked.given("thickness") && !asked.given("hinge")) {
-    board.hinge = whole_lines ? paper::Hinge::back : paper::Hinge::middle;
+    board.hinge = whole_lines ? export_::Hinge::back : export_::Hinge::middle;
   }
 }
 
-void set_print_and_cut(const job::AskedOptions& asked, PaperJob& job, paper::Preset& made) {
+void set_print_and_cut(const job::AskedOptions& asked, PaperJob& job, export_::Preset& made) {
   job.print_and_cut = asked.flag("print-and-cut");
   if (!job.print_and_cut) {
     return;
@@ -165,7 +165,7 @@ void set_print_and_cut(const job::AskedOptions& asked, PaperJob& job, paper::Pre
 
 /// Numbers on the back need files that have one.
 void check_back(const PaperJob& job) {
-  if (job.options.style.numbers != paper::Numbers::back || job.print_and_cut) {
+  if (job.options.style.numbers != export_::Numbers::back || job.print_and_cut) {
     return;
   }
   if (job.preset.is_machine()) {
@@ -180,12 +180,12 @@ void check_back(const PaperJob& job) {
 }
 
 /// What options change of a preset.
-void change_preset(const job::AskedOptions& asked, paper::Preset& made) {
+void change_preset(const job::AskedOptions& asked, export_::Preset& made) {
   if (asked.given("kerf")) {
     made.paths.kerf_mm = asked.number("kerf");
   }
   if (asked.given("score")) {
-    made.paths.scores = asked.choice_as<paper::Scores>("score");
+    made.paths.scores = asked.choice_as<export_::Scores>("score");
   }
   if (asked.given("bridges")) {
     made.paths.bridges.count = static_cast<int>(asked.whole("bridges"));
@@ -206,10 +206,10 @@ void change_preset(const job::AskedOptions& asked, paper::Preset& made) {
 
 void set_machine(const job::AskedOptions& asked, PaperJob& job) {
   static_cast<void>(asked.choice("preset"));
-  paper::Preset made = preset_named(asked.text("preset"));
+  export_::Preset made = preset_named(asked.text("preset"));
   check_effect(asked, job, made);
   if (asked.given("dxf")) {
-    made.dxf_kind = asked.choice_as<paper::DxfKind>("dxf");
+    made.dxf_kind = asked.choice_as<export_::DxfKind>("dxf");
     if (!writes_dxf(job.outputs, made)) {
       refuse(
           "--dxf tells which DXF, and none is written: name one (-o NAME.dxf) or a preset with DXF (--preset "
@@ -225,11 +225,11 @@ void set_machine(const job::AskedOptions& asked, PaperJob& job) {
   check_back(job);
 }
 
-void fit_to_machine(const job::AskedOptions& asked, const PaperJob& job, paper::Paper& paper) {
+void fit_to_machine(const job::AskedOptions& asked, const PaperJob& job, export_::Paper& paper) {
   const bool paper_given = asked.given("paper");
   const bool bed_given = asked.given("bed");
   if (bed_given) {
-    paper.size = paper::parse_paper(asked.text("bed")).size;
+    paper.size = export_::parse_paper(asked.text("bed")).size;
   } else if (!paper_given && !job.print_and_cut && job.preset.sheet.x > 0.0) {
     paper.size = job.preset.sheet;
   }
@@ -242,7 +242,7 @@ void fit_to_machine(const job::AskedOptions& asked, const PaperJob& job, paper::
     paper.furniture = false;
   }
   if (job.print_and_cut) {
-    paper::fit_registration(paper);
+    export_::fit_registration(paper);
   }
   const double kerf_mm = job.preset.paths.kerf_mm;
   if (kerf_mm > 0.0) {

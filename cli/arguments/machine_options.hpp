@@ -12,6 +12,6 @@ void set_machine(const job::AskedOptions& asked, PaperJob& job);
 
 /// The sheet and margin where none were asked for by --paper and --margin: those of the machine. `paper`
 /// has these already. Room for the beam, and none for furniture. Throws Error(usage).
-void fit_to_machine(const job::AskedOptions& asked, const PaperJob& job, paper::Paper& paper);
+void fit_to_machine(const job::AskedOptions& asked, const PaperJob& job, export_::Paper& paper);
 
 }  // namespace ridgecraft::cli

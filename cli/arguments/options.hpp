@@ -45,10 +45,10 @@ struct PaperJob {
   std::uint64_t most_pages = 300;  ///< a model that is expected to take more is refused
   /// What comes out on the user's machine where 100 mm are drawn, across and up the sheet.
   std::optional<Vec2> calibration;
-  paper::Preset preset = {};  ///< of a machine, or none: a printer; with what options changed of it
+  export_::Preset preset = {};  ///< of a machine, or none: a printer; with what options changed of it
   bool kerf_test = false;
   bool print_and_cut = false;  ///< a PDF to be printed first, with marks by which the machine finds its way
-  paper::SpotNames spots;
+  export_::SpotNames spots;
   job::Options options;  ///< but for the edges that these name:
   EdgeArguments edges;
   std::string tab_file;  ///< tabs edge by edge; empty: none

@@ -42,12 +42,12 @@ ManualSection exit_section() {
 }
 
 void set_paper(const job::AskedOptions& asked, PaperJob& job) {
-  paper::Paper& sheet = *job.options.paper;
+  export_::Paper& sheet = *job.options.paper;
   const Vec2 named = sheet.size;
   fit_to_machine(asked, job, sheet);
   job.paper_name =
       sheet.size == named ? asked.text("paper") : fmt::format("{:g}x{:g}mm", sheet.size.x, sheet.size.y);
-  const Vec2 area = paper::piece_area(sheet);
+  const Vec2 area = export_::piece_area(sheet);
   if (!(area.x >= 20.0 && area.y >= 20.0)) {
     refuse("paper " + job.paper_name + " with a margin of " + fmt::format("{:g}", sheet.margin) +
            " mm leaves no room for pieces");
@@ -77,7 +77,7 @@ std::optional<Vec2> calibration_of(const std::string& text) {
 void set_ink(const job::AskedOptions& asked, PaperJob& job) {
   // What a machine cuts out bears no colours, unless somebody says that it is printed before.
   if (!asked.given("ink") && job.preset.is_machine() && !job.print_and_cut) {
-    job.options.style.ink = paper::Ink::lines;
+    job.options.style.ink = export_::Ink::lines;
     if (asked.given("dpi")) {
       refuse("--dpi is about printed pictures; with a machine's preset there are none");
     }

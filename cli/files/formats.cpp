@@ -102,7 +102,7 @@ bool for_machines_alone(Format format) {
   return row(format).for_machines;
 }
 
-std::vector<Format> default_formats(const paper::Preset& preset) {
+std::vector<Format> default_formats(const export_::Preset& preset) {
   std::vector<Format> formats;
   if (preset.is_machine()) {
     for (const auto& [wanted, format] : {std::pair(preset.pdf, Format::pdf),

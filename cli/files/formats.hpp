@@ -26,7 +26,7 @@ enum class Format { pdf, svg, fold, html, png, dxf, lbrn, eps, plt };
 [[nodiscard]] bool one_file_per_page(Format format);
 
 /// What a folder after -o gets, and what is written without -o: for a printer, or for a machine.
-[[nodiscard]] std::vector<Format> default_formats(const paper::Preset& preset = {});
+[[nodiscard]] std::vector<Format> default_formats(const export_::Preset& preset = {});
 
 /// Whether files of this format hold what machines do, whatever the preset: DXF and others.
 [[nodiscard]] bool for_machines_alone(Format format);

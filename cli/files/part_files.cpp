@@ -120,7 +120,7 @@ std::string hierarchy_text(const mesh::Model& model, const segment::Hierarchy& h
   Value text;
   text.set("by", program_and_version());
   text.set("model", model.name);
-  text.set(std::string(paper::mark_key), model.digest);
+  text.set(std::string(export_::mark_key), model.digest);
   text.set("leaves", hierarchy.leaves);
   text.set("leaf_concavity", std::move(concavity));
   text.set("joinings", std::move(joinings));

@@ -43,7 +43,7 @@ std::string bytes_of(const fs::path& file) {
 }
 
 std::string mark_digest_of(const fs::path& file) {
-  return paper::read_mark_digest(bytes_of(file));
+  return export_::read_mark_digest(bytes_of(file));
 }
 
 /// As XML has it.
@@ -76,7 +76,7 @@ std::optional<std::size_t> number_in(const std::string& name, const NumberedFile
   return std::stoul(middle.substr(1));
 }
 
-Shows shown_in(Format format, const paper::Preset& preset) {
+Shows shown_in(Format format, const export_::Preset& preset) {
   if (for_machines_alone(format) || (format == Format::svg && preset.is_machine()) ||
       (format == Format::pdf && preset.pdf)) {
     return Shows::cut;
@@ -95,13 +95,13 @@ void require_no_dash(const std::string& option, const std::string& output) {
 }
 
 std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const std::string& model_name,
-                                 const paper::Preset& preset, bool page) {
+                                 const export_::Preset& preset, bool page) {
   std::vector<Target> targets;
   const std::string stem = preset.is_machine() ? model_name + "-" + std::string(preset.name) : model_name;
   const auto add_folder = [&](const fs::path& folder) {
     for (const Format format : default_formats(preset)) {
       // Release 12 can't tell the unit, so its files' names do.
-      const bool tells_unit = format == Format::dxf && preset.dxf_kind != paper::DxfKind::r2000;
+      const bool tells_unit = format == Format::dxf && preset.dxf_kind != export_::DxfKind::r2000;
       if (page || format != Format::html) {
         targets.push_back({format, folder, stem, (tells_unit ? "-mm" : "") + std::string(suffix(format)),
                            shown_in(format, preset)});
@@ -147,7 +147,7 @@ std::vector<Target> plan_targets(const std::vector<std::string>& outputs, const 
 }
 
 std::vector<Target> plan_print_and_cut(const std::vector<std::string>& outputs, const std::string& model_name,
-                                       const paper::Preset& preset) {
+                                       const export_::Preset& preset) {
   std::vector<Target> targets = plan_targets(outputs, model_name, preset);
   const std::string stem = model_name + "-" + std::string(preset.name);
   std::vector<Target> prints;
@@ -250,9 +250,9 @@ std::vector<fs::path> leftovers_of(const NumberedFiles& names, const std::set<fs
   return leftovers;
 }
 
-bool tells_other_settings(const fs::path& file, const paper::Settings& settings) {
+bool tells_other_settings(const fs::path& file, const export_::Settings& settings) {
   const std::string bytes = bytes_of(file);
-  const std::string json = paper::settings_json(settings);
+  const std::string json = export_::settings_json(settings);
   const auto holds = [&](std::string_view text) {
     return bytes.find(text) != std::string::npos ||
            bytes.find(with_quotes_escaped(text)) != std::string::npos;

@@ -42,13 +42,13 @@ void require_no_dash(const std::string& option, const std::string& output);
 /// and for HTML that `page` excludes, Error(cant_write) for a folder that can't be written to.
 [[nodiscard]] std::vector<Target> plan_targets(const std::vector<std::string>& outputs,
                                                const std::string& model_name,
-                                               const paper::Preset& preset = {}, bool page = true);
+                                               const export_::Preset& preset = {}, bool page = true);
 
 /// For sheets that are printed and cut: what -o asks for of machine files as NAME-PRESET-cut, in the same
 /// folders NAME-PRESET-print.pdf. Files that -o names keep their names.
 [[nodiscard]] std::vector<Target> plan_print_and_cut(const std::vector<std::string>& outputs,
                                                      const std::string& model_name,
-                                                     const paper::Preset& preset);
+                                                     const export_::Preset& preset);
 
 /// The guide beside a PDF of nets: NAME-guide.pdf.
 [[nodiscard]] Target guide_beside(const Target& pdf);
@@ -86,7 +86,7 @@ struct NumberedFiles {
 
 /// Whether a file of ours says that it was made by other options than these; not where it says nothing of
 /// them.
-[[nodiscard]] bool tells_other_settings(const std::filesystem::path& file, const paper::Settings& settings);
+[[nodiscard]] bool tells_other_settings(const std::filesystem::path& file, const export_::Settings& settings);
 
 /// Throws Error(cant_write) unless the file doesn't exist, or this program made it for the same model, or
 /// `overwrite` is set and it is a regular file. A link is as the file that it leads to; one that leads to

@@ -24,26 +24,26 @@
 namespace ridgecraft::cli {
 namespace {
 
-void calibrate(std::vector<paper::Drawing>& pages, const PaperJob& job) {
+void calibrate(std::vector<export_::Drawing>& pages, const PaperJob& job) {
   if (job.calibration) {
-    std::ranges::transform(pages, pages.begin(), [&](paper::Drawing& page) {
-      return paper::calibrated(std::move(page), *job.calibration);
+    std::ranges::transform(pages, pages.begin(), [&](export_::Drawing& page) {
+      return export_::calibrated(std::move(page), *job.calibration);
     });
   }
 }
 
 /// Lists of numbers at the end have pages of their own, which no machine needs.
-std::vector<paper::Drawing> machine_pages(const job::Paper& made, const PaperJob& job) {
-  std::vector<paper::Drawing> pages(made.drawings.begin(),
-                                    made.drawings.begin() + static_cast<std::ptrdiff_t>(made.pages.count));
+std::vector<export_::Drawing> machine_pages(const job::Paper& made, const PaperJob& job) {
+  std::vector<export_::Drawing> pages(made.drawings.begin(),
+                                      made.drawings.begin() + static_cast<std::ptrdiff_t>(made.pages.count));
   if (job.kerf_test) {
-    paper::add_kerf_test(pages, made.pages.paper);
+    export_::add_kerf_test(pages, made.pages.paper);
   }
   // Kerfs are measured on what comes out of the machine, like everything else.
   calibrate(pages, job);
   if (job.print_and_cut) {
-    for (paper::Drawing& page : pages) {
-      page.groups.push_back(paper::registration_marks(page.size));
+    for (export_::Drawing& page : pages) {
+      page.groups.push_back(export_::registration_marks(page.size));
     }
   }
   return pages;
@@ -52,27 +52,27 @@ std::vector<paper::Drawing> machine_pages(const job::Paper& made, const PaperJob
 std::string svg_of(const Sheets& sheets, std::size_t page, const PaperJob& job) {
   const job::Paper& made = sheets.made;
   if (!job.preset.is_machine()) {
-    return page == sheets.drawings.size() ? paper::write_svg_of_all(sheets.drawings, sheets.mark)
-                                          : paper::write_svg(sheets.drawings[page], sheets.mark);
+    return page == sheets.drawings.size() ? export_::write_svg_of_all(sheets.drawings, sheets.mark)
+                                          : export_::write_svg(sheets.drawings[page], sheets.mark);
   }
   return job.preset.simulates
-             ? paper::write_simulator_svg(made.prepared, made.nets, made.pages, PageId(page), made.mark)
-             : paper::write_machine_svg(sheets.for_machine[page], sheets.mark, job.preset);
+             ? export_::write_simulator_svg(made.prepared, made.nets, made.pages, PageId(page), made.mark)
+             : export_::write_machine_svg(sheets.for_machine[page], sheets.mark, job.preset);
 }
 
 std::string pdf_of(const Target& target, const Sheets& sheets, const PaperJob& job) {
   if (target.shows == Shows::guide) {
-    return paper::write_guide_pdf(sheets.made.guide.pages, sheets.made.mark);
+    return export_::write_guide_pdf(sheets.made.guide.pages, sheets.made.mark);
   }
   if (target.shows == Shows::cut) {
-    return paper::write_packaging_pdf(sheets.for_machine, sheets.mark, job.preset, job.spots);
+    return export_::write_packaging_pdf(sheets.for_machine, sheets.mark, job.preset, job.spots);
   }
   if (target.shows != Shows::print) {
-    return paper::write_pdf(sheets.drawings, sheets.mark);
+    return export_::write_pdf(sheets.drawings, sheets.mark);
   }
-  std::vector<paper::Drawing> pages;
-  std::ranges::transform(sheets.drawings, std::back_inserter(pages), paper::printed_page);
-  return paper::write_pdf(pages, sheets.mark);
+  std::vector<export_::Drawing> pages;
+  std::ranges::transform(sheets.drawings, std::back_inserter(pages), export_::printed_page);
+  return export_::write_pdf(pages, sheets.mark);
 }
 
 namespace fs = std::filesystem;
@@ -165,7 +165,7 @@ std::vector<fs::path> find_leftovers(const std::vector<Target>& targets,
 /// write, and by other options: whoever prints the new pages shouldn't cut by the old ones.
 std::optional<std::string> note_of_others(const std::vector<Target>& targets,
                                           const std::vector<std::vector<fs::path>>& of_targets,
-                                          const paper::Mark& mark) {
+                                          const export_::Mark& mark) {
   const std::set<fs::path> written = all_of(of_targets);
   std::set<fs::path> others;
   for (const Target& target : targets) {
@@ -215,7 +215,7 @@ std::vector<Target> checked_targets(const PaperJob& job) {
       job.print_and_cut ? plan_print_and_cut(job.outputs, results_name(job.model), job.preset)
                         : plan_targets(job.outputs, results_name(job.model), job.preset, job.page);
   if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::pdf; })) {
-    paper::check_pdf_size(job.options.paper->size);
+    export_::check_pdf_size(job.options.paper->size);
   }
   if (wants_guide(job)) {
     add_guides(targets);
@@ -321,19 +321,19 @@ std::string file_bytes(const Target& target, std::size_t i, const Sheets& sheets
     case Format::svg:
       return svg_of(sheets, i, job);
     case Format::png:
-      return paper::write_png(sheets.drawings[i], sheets.mark);
+      return export_::write_png(sheets.drawings[i], sheets.mark);
     case Format::dxf:
-      return paper::write_dxf(sheets.for_machine[i], sheets.mark, job.preset.dxf_kind, job.preset.paths);
+      return export_::write_dxf(sheets.for_machine[i], sheets.mark, job.preset.dxf_kind, job.preset.paths);
     case Format::lbrn:
-      return paper::write_lbrn(sheets.for_machine[i], sheets.mark, job.preset.paths);
+      return export_::write_lbrn(sheets.for_machine[i], sheets.mark, job.preset.paths);
     case Format::eps:
-      return paper::write_eps(sheets.for_machine[i], sheets.mark, job.preset);
+      return export_::write_eps(sheets.for_machine[i], sheets.mark, job.preset);
     case Format::plt:
-      return paper::write_plt(sheets.for_machine[i], sheets.mark, job.preset.paths);
+      return export_::write_plt(sheets.for_machine[i], sheets.mark, job.preset.paths);
     case Format::fold:
       return sheets.made.fold;
     case Format::html:
-      return paper::write_html(sheets.made.fold, sheets.made.drawings, sheets.made.mark);
+      return export_::write_html(sheets.made.fold, sheets.made.drawings, sheets.made.mark);
   }
   RIDGECRAFT_ASSERT(false);
   return {};

@@ -18,9 +18,9 @@ namespace ridgecraft::cli {
 /// What files are made of.
 struct Sheets {
   const job::Paper& made;
-  std::vector<paper::Drawing> drawings;  ///< of all pages, as they are drawn for the user's printer
-  paper::Mark mark;
-  std::vector<paper::Drawing>
+  std::vector<export_::Drawing> drawings;  ///< of all pages, as they are drawn for the user's printer
+  export_::Mark mark;
+  std::vector<export_::Drawing>
       for_machine;  ///< of the pages with pieces; empty where no target is for a machine
 };
 

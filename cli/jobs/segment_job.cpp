@@ -111,7 +111,7 @@ void add_files(const SegmentJob& job, const std::string& labels, SegmentResult& 
   const mesh::FaceColours colours = part_colours(result.segmentation);
   for (const std::string& output : job.outputs) {
     const std::string comment =
-        paper::mark_word({program_and_version(), result.model.name, result.model.digest});
+        export_::mark_word({program_and_version(), result.model.name, result.model.digest});
     std::string bytes = suffix_of(output) == ".ply" ? mesh::write_ply(surface, colours, mesh::PlyKind::binary)
                                                     : mesh::write_off(surface, colours);
     pending.add(output, with_comment(std::move(bytes), comment));

@@ -45,7 +45,7 @@ const std::vector<std::string> mesh_suffixes{".obj", ".ply", ".off"};
 constexpr const char* mesh_formats = "a mesh is written as .obj, .ply or .off";
 
 std::string comment_of(const mesh::Model& model) {
-  return paper::mark_word({program_and_version(), model.name, model.digest});
+  return export_::mark_word({program_and_version(), model.name, model.digest});
 }
 
 std::string mesh_bytes(const mesh::Surface& surface, const std::string& suffix, const std::string& comment) {

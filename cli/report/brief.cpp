@@ -117,7 +117,7 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
   if (skin.unseen > 0) {
     clauses.push_back(counted_bodies(skin.unseen) + " that nobody sees left out");
   }
-  if (const std::size_t glued = made.drawn.bodies.size() - paper::bodies_apart(made.drawn.bodies);
+  if (const std::size_t glued = made.drawn.bodies.size() - export_::bodies_apart(made.drawn.bodies);
       glued > 0) {
     clauses.push_back(counted_bodies(glued) + (glued == 1 ? " is" : " are") +
                       " glued onto others, within the dashed lines there");
@@ -137,7 +137,7 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
   if (made.options.selection.any()) {
     clauses.emplace_back("a part of it, by its names");
   }
-  if (made.options.style.ink == paper::Ink::lines && has_colours(made.prepared.model)) {
+  if (made.options.style.ink == export_::Ink::lines && has_colours(made.prepared.model)) {
     clauses.emplace_back("its colours aren't printed");
   }
   return joined(clauses, "as it is in the file");
@@ -222,7 +222,7 @@ std::string hard_line(const PaperJob& job, const PaperResult& result, const Glue
   if (made.skin.left_crossing > 0) {
     clauses.push_back(counted_bodies(made.skin.left_crossing) + " run into each other");
   }
-  if (const std::size_t apart = paper::bodies_apart(made.drawn.bodies); apart > 1) {
+  if (const std::size_t apart = export_::bodies_apart(made.drawn.bodies); apart > 1) {
     clauses.push_back(fmt::format("the model has {} separate bodies{}", apart,
                                   made.guide.pages.empty() ? "" : ": the guide shows where each belongs"));
   }
@@ -230,7 +230,7 @@ std::string hard_line(const PaperJob& job, const PaperResult& result, const Glue
 }
 
 /// What is done with the first file that is a machine's.
-std::string for_the_machine(const std::string& name, const paper::Preset& preset) {
+std::string for_the_machine(const std::string& name, const export_::Preset& preset) {
   if (preset.simulates) {
     return "load " + name + " into the simulator";
   }
@@ -372,7 +372,7 @@ std::string where_it_differs(double moved_mm, const Box3& bounds) {
 void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result) {
   const job::Paper& made = result.made;
   const GlueFigures glue = glue_figures(made.prepared.model.surface, made.nets, job.options.tabs);
-  const Vec3 size = paper::standing_size(made.prepared.model.surface, paper::stance_of(made.up));
+  const Vec3 size = export_::standing_size(made.prepared.model.surface, export_::stance_of(made.up));
   summary.say(Line::brief, "size",
               fmt::format("{:.0f} mm wide, {:.0f} deep, {:.0f} high ({}{})", size.x, size.y, size.z,
                           size_words(made, job.size_asked.words), scale_text(made.prepared)));

@@ -155,7 +155,7 @@ std::optional<std::string> assumed_unit_warning(const AskedSize& asked, const pr
                      asked.words, mm, mm);
 }
 
-std::optional<std::string> narrow_margin_warning(const paper::Paper& paper) {
+std::optional<std::string> narrow_margin_warning(const export_::Paper& paper) {
   if (paper.margin >= printer_margin_mm) {
     return std::nullopt;
   }

@@ -68,6 +68,6 @@ class Progress {
                                                               const prepare::SizeOptions& size);
 
 /// Where the margin is narrower than most printers need.
-[[nodiscard]] std::optional<std::string> narrow_margin_warning(const paper::Paper& paper);
+[[nodiscard]] std::optional<std::string> narrow_margin_warning(const export_::Paper& paper);
 
 }  // namespace ridgecraft::cli

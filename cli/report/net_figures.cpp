@@ -107,7 +107,7 @@ std::size_t count_joins(const unfold::Nets& nets, Holds holds) {
   return static_cast<std::size_t>(std::count_if(nets.joins.begin(), nets.joins.end(), holds));
 }
 
-Value numbers_value(const std::vector<paper::DrawReport::Number>& numbers) {
+Value numbers_value(const std::vector<export_::DrawReport::Number>& numbers) {
   Value list(Value::List{});
   for (const auto& [piece, number] : numbers) {
     list.add(Value::Object{{"piece", piece}, {"number", number}});
@@ -116,7 +116,7 @@ Value numbers_value(const std::vector<paper::DrawReport::Number>& numbers) {
 }
 
 /// ": A 1, 2; B 7 and 3 more"
-std::string numbers_text(std::vector<paper::DrawReport::Number> lost) {
+std::string numbers_text(std::vector<export_::DrawReport::Number> lost) {
   constexpr std::size_t most = 10;
   std::sort(lost.begin(), lost.end());
   std::string text;
@@ -129,7 +129,7 @@ std::string numbers_text(std::vector<paper::DrawReport::Number> lost) {
 }
 
 /// The pieces that a body is glued onto, each once, ascending.
-std::vector<PieceId> below(const paper::Body& body) {
+std::vector<PieceId> below(const export_::Body& body) {
   std::vector<PieceId> pieces;
   for (const auto& [piece, other] : body.glued_onto) {
     pieces.push_back(other);
@@ -140,7 +140,7 @@ std::vector<PieceId> below(const paper::Body& body) {
 }
 
 /// "3 that no tab joins: 1 A to C; 2 D on B; 3 E at B"
-std::string bodies_text(const unfold::Nets& nets, const std::vector<paper::Body>& bodies) {
+std::string bodies_text(const unfold::Nets& nets, const std::vector<export_::Body>& bodies) {
   constexpr std::size_t most = 8;
   if (bodies.empty()) {
     return {};
@@ -226,7 +226,7 @@ void add_extra_pieces(Summary& summary, const unfold::Nets& nets, std::size_t ma
 }
 
 void add_equal_pieces(Summary& summary, const unfold::Nets& nets,
-                      const std::vector<paper::PieceKind>& kinds) {
+                      const std::vector<export_::PieceKind>& kinds) {
   constexpr std::size_t most_kinds = 8;
   constexpr std::size_t most_names = 8;
   Value list(Value::List{});
@@ -239,14 +239,14 @@ void add_equal_pieces(Summary& summary, const unfold::Nets& nets,
     return all;
   };
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const paper::PieceKind& kind = kinds[i];
+    const export_::PieceKind& kind = kinds[i];
     list.add(Value::Object{{"count", kind.count()},
                            {"of", kind.name.empty() ? Value() : Value(kind.name)},
                            {"pieces", names(kind.pieces)},
                            {"mirrored", names(kind.mirrored)},
                            {"tabs_differ", kind.tabs_differ}});
     if (i < most_kinds) {
-      text += (i == 0 ? "" : "; ") + paper::kind_words(nets, kind, most_names);
+      text += (i == 0 ? "" : "; ") + export_::kind_words(nets, kind, most_names);
     }
   }
   if (kinds.size() > most_kinds) {
@@ -300,13 +300,13 @@ std::string tabs_text(const TabFigures& figures, const unfold::Nets& nets,
       figures.without > 0 ? fmt::format("; {} without ({})", figures.without, without_tab_text(nets)) : "");
 }
 
-Value index_value(const mesh::Surface& surface, const unfold::Nets& nets, const paper::Pages& pages,
-                  const paper::DrawReport& drawn) {
-  const auto neighbours = paper::find_neighbours(surface, nets);
+Value index_value(const mesh::Surface& surface, const unfold::Nets& nets, const export_::Pages& pages,
+                  const export_::DrawReport& drawn) {
+  const auto neighbours = export_::find_neighbours(surface, nets);
   Value list(Value::List{});
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
     Value joins(Value::List{});
-    for (const paper::Neighbour& neighbour : neighbours[p]) {
+    for (const export_::Neighbour& neighbour : neighbours[p]) {
       joins.add(Value::Object{{"piece", nets.pieces[neighbour.piece].name},
                               {"numbers", Value::List(neighbour.numbers.begin(), neighbour.numbers.end())}});
     }
@@ -318,7 +318,7 @@ Value index_value(const mesh::Surface& surface, const unfold::Nets& nets, const 
   return list;
 }
 
-void add_numbers(Summary& summary, const paper::DrawReport& drawn) {
+void add_numbers(Summary& summary, const export_::DrawReport& drawn) {
   const std::size_t listed = drawn.labels_listed.size();
   const std::size_t lost = drawn.labels_left_out.size();
   std::vector<std::string> facts;
@@ -374,14 +374,14 @@ void say_colours(Summary& summary, const job::Paper& made) {
   if (made.prepared.look) {
     summary.say(Line::colours, "colours",
                 "of the model are printed; --ink pale saves ink, --ink lines leaves them out");
-  } else if (made.options.style.ink == paper::Ink::lines && has_colours(made.prepared.model)) {
+  } else if (made.options.style.ink == export_::Ink::lines && has_colours(made.prepared.model)) {
     summary.say(Line::colours, "colours", "of the model aren't printed: pages show lines only");
   }
 }
 
-void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<paper::Body>& bodies) {
+void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<export_::Body>& bodies) {
   Value list(Value::List{});
-  for (const paper::Body& body : bodies) {
+  for (const export_::Body& body : bodies) {
     Value pieces(Value::List{});
     for (const PieceId piece : body.pieces) {
       pieces.add(nets.pieces[piece].name);

@@ -26,7 +26,8 @@ namespace ridgecraft::cli {
 void add_extra_pieces(Summary& summary, const unfold::Nets& nets, std::size_t max_faces);
 
 /// The pieces that there are several of, kind by kind.
-void add_equal_pieces(Summary& summary, const unfold::Nets& nets, const std::vector<paper::PieceKind>& kinds);
+void add_equal_pieces(Summary& summary, const unfold::Nets& nets,
+                      const std::vector<export_::PieceKind>& kinds);
 
 /// Joins and tabs, counted.
 struct TabFigures {
@@ -54,10 +55,10 @@ struct GlueFigures {
 
 /// Which pieces each piece is glued to, by which numbers, and the page that it is on.
 [[nodiscard]] Value index_value(const mesh::Surface& surface, const unfold::Nets& nets,
-                                const paper::Pages& pages, const paper::DrawReport& drawn);
+                                const export_::Pages& pages, const export_::DrawReport& drawn);
 
 /// Numbers and names that stand elsewhere than they should, or nowhere.
-void add_numbers(Summary& summary, const paper::DrawReport& drawn);
+void add_numbers(Summary& summary, const export_::DrawReport& drawn);
 
 /// The pieces that have to be bent while they are folded.
 [[nodiscard]] std::vector<PieceId> pieces_with_care(const unfold::Nets& nets);
@@ -69,6 +70,6 @@ void add_folding(Summary& summary, const unfold::Nets& nets);
 void say_colours(Summary& summary, const job::Paper& made);
 
 /// Which pieces make each separate body, and beside which piece it belongs.
-void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<paper::Body>& bodies);
+void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<export_::Body>& bodies);
 
 }  // namespace ridgecraft::cli

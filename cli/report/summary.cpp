@@ -36,7 +36,7 @@ Value rows_of(const std::vector<FormatRow>& rows) {
 }
 
 /// ".svg, .dxf", what --preset writes where no file is named.
-std::string suffixes_of(const paper::Preset& preset) {
+std::string suffixes_of(const export_::Preset& preset) {
   std::vector<std::string> suffixes;
   for (const Format format : default_formats(preset)) {
     suffixes.emplace_back(suffix(format));
@@ -46,31 +46,31 @@ std::string suffixes_of(const paper::Preset& preset) {
 
 std::string preset_lines() {
   std::string text;
-  for (const paper::Preset& preset : paper::presets()) {
+  for (const export_::Preset& preset : export_::presets()) {
     text += fmt::format("  {:<11} {} ({})\n", preset.name, preset.what, suffixes_of(preset));
   }
   return text;
 }
 
-std::string hex(paper::Color c) {
+std::string hex(export_::Color c) {
   return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
 }
 
 /// What a preset's files are like, a word for each column.
-std::vector<std::string> columns_of(const paper::Preset& preset) {
-  const auto colour = [&](paper::Operation operation) {
+std::vector<std::string> columns_of(const export_::Preset& preset) {
+  const auto colour = [&](export_::Operation operation) {
     return preset.svg && !preset.simulates ? hex(preset.colors[static_cast<std::size_t>(operation)]) : "-";
   };
-  const paper::PathRules& paths = preset.paths;
+  const export_::PathRules& paths = preset.paths;
   const bool cuts = !preset.simulates;
   return {std::string(preset.name),
           suffixes_of(preset),
           preset.sheet.x > 0.0 ? fmt::format("{:g}x{:g}", preset.sheet.x, preset.sheet.y) : "--paper",
-          colour(paper::Operation::cut_outer),
-          colour(paper::Operation::cut_inner),
-          colour(paper::Operation::mountain),
-          colour(paper::Operation::valley),
-          cuts && paths.engraves ? colour(paper::Operation::engrave) : "none",
+          colour(export_::Operation::cut_outer),
+          colour(export_::Operation::cut_inner),
+          colour(export_::Operation::mountain),
+          colour(export_::Operation::valley),
+          cuts && paths.engraves ? colour(export_::Operation::engrave) : "none",
           cuts ? std::string(word(paths.scores)) : "-",
           preset.svg || preset.pdf ? fmt::format("{:g}", preset.width) : "-",
           cuts ? fmt::format("{:g}", paths.kerf_mm) : "-"};
@@ -79,7 +79,7 @@ std::vector<std::string> columns_of(const paper::Preset& preset) {
 std::string preset_table() {
   std::vector<std::vector<std::string>> rows{
       {"preset", "files", "sheet", "cut", "inner", "mountain", "valley", "numbers", "folds", "line", "kerf"}};
-  for (const paper::Preset& preset : paper::presets()) {
+  for (const export_::Preset& preset : export_::presets()) {
     rows.push_back(columns_of(preset));
   }
   std::vector<std::size_t> widths(rows[0].size());
@@ -101,7 +101,7 @@ std::string preset_table() {
 
 Value presets_value() {
   Value list(Value::List{});
-  for (const paper::Preset& preset : paper::presets()) {
+  for (const export_::Preset& preset : export_::presets()) {
     list.add(Value::Object{{"name", std::string(preset.name)},
                            {"what", std::string(preset.what)},
                            {"files", suffixes_of(preset)}});

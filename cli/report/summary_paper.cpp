@@ -201,12 +201,12 @@ std::vector<std::string> notes_of(const job::Paper& made) {
 }
 
 void add_guide(Summary& summary, const job::Paper& made) {
-  const paper::Guide& guide = made.guide;
+  const export_::Guide& guide = made.guide;
   if (guide.pages.empty()) {
     summary.add("guide", {});
     return;
   }
-  const paper::Effort& effort = guide.effort;
+  const export_::Effort& effort = guide.effort;
   summary.add("guide",
               Value::Object{{"steps", guide.steps},
                             {"pages", guide.pages.size()},
@@ -215,12 +215,12 @@ void add_guide(Summary& summary, const job::Paper& made) {
                             {"smallest_tab_mm", rounded(effort.smallest_tab_mm)}},
               Line::guide, "guide",
               fmt::format("{} on {}; {} of work, {}", counted(guide.steps, "step"),
-                          counted(guide.pages.size(), "page"), paper::duration_words(effort.minutes),
-                          paper::difficulty_words(effort.difficulty)));
+                          counted(guide.pages.size(), "page"), export_::duration_words(effort.minutes),
+                          export_::difficulty_words(effort.difficulty)));
 }
 
 /// "pages 1 and 2: stone; page 3: wood", with --page-by.
-void add_page_names(Summary& summary, const paper::Pages& pages) {
+void add_page_names(Summary& summary, const export_::Pages& pages) {
   Value names(Value::List{});
   std::vector<std::string> words;
   for (std::size_t i = 0; i < pages.names.size();) {
@@ -240,14 +240,14 @@ void add_page_names(Summary& summary, const paper::Pages& pages) {
 /// Where pieces of separate bodies are glued to each other.
 void add_glue_spots(Summary& summary, const job::Paper& made) {
   Value spots(Value::List{});
-  for (const paper::Contact& contact : made.drawn.contacts) {
+  for (const export_::Contact& contact : made.drawn.contacts) {
     spots.add(Value::Object{{"piece", made.nets.pieces[contact.piece].name},
                             {"other", made.nets.pieces[contact.other].name}});
   }
   summary.add("glue_spots", std::move(spots));
 }
 
-std::string lines_text(const paper::DrawReport& drawn) {
+std::string lines_text(const export_::DrawReport& drawn) {
   return fmt::format("{} to cut, {} to fold", metres(drawn.cut_mm), metres(drawn.fold_mm));
 }
 

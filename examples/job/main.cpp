@@ -16,12 +16,12 @@ int main(int /*count*/, char** arguments) try {
   context.progress = [](std::string_view stage, double share) { std::cerr << stage << ' ' << share << '\n'; };
   job::Options options;
   options.size.largest_extent_mm = 120.0;
-  options.paper = paper::parse_paper("A4");
+  options.paper = export_::parse_paper("A4");
   options.pieces = unfold::rules_of(unfold::PieceMode::parts);
   const mesh::Model model = mesh::read(arguments[1], {}, context);
   const job::Paper made = job::paper(model, options, context);
   std::ofstream(arguments[2], std::ios::binary)
-      << paper::write_pdf(made.drawings, {"my program 1.0", model.name, model.digest});
+      << export_::write_pdf(made.drawings, {"my program 1.0", model.name, model.digest});
   std::cout << made.nets.pieces.size() << " pieces on " << made.pages.count << " pages\n";
 } catch (const Error& error) {
   std::cerr << error.what() << '\n';

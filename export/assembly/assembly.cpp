@@ -10,7 +10,7 @@
 
 #include "export/assembly/seam_graph.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Bodies of fewer pieces have no choice of a last one.
@@ -279,4 +279,4 @@ Assembly assembly_order(const mesh::Surface& surface, const unfold::Nets& nets, 
   return Builder(surface, nets, up).take();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What is done at a time: these pieces are folded, and glued to what stands.
 struct AssemblyStep {
@@ -37,4 +37,4 @@ inline constexpr double hand_hole_mm = 120.0;
 /// bodies are built side by side. Deterministic. O(pieces^2 + faces log faces).
 [[nodiscard]] Assembly assembly_order(const mesh::Surface& surface, const unfold::Nets& nets, Vec3 up = {});
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

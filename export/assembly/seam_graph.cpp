@@ -13,7 +13,7 @@
 #include "base/geometry.hpp"
 #include "mesh/model/surface_distance.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 void number_groups(SeamGraph& graph) {
@@ -223,4 +223,4 @@ std::vector<std::size_t> inner_groups_first(const mesh::Surface& surface, const 
   return order;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 struct SeamGraph {
   struct Seam {
@@ -45,4 +45,4 @@ struct SeamGraph {
 [[nodiscard]] std::vector<std::size_t> inner_groups_first(const mesh::Surface& surface,
                                                           const unfold::Nets& nets, const SeamGraph& graph);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -14,7 +14,7 @@
 #include "export/style/stroke_font.hpp"
 #include "mesh/look/picture.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 void set_color(cairo_t* cairo, Color c) {
@@ -212,4 +212,4 @@ void paint_layer(cairo_t* cairo, const Drawing& page, Layer layer, double units_
   check_cairo(cairo_status(cairo));
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

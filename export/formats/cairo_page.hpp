@@ -8,7 +8,7 @@
 
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 struct CairoDeleter {
   void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
@@ -23,4 +23,4 @@ void check_cairo(cairo_status_t status);
 /// Paints what belongs to one layer. One unit of the drawing (1 mm) becomes `units_per_mm` of the surface.
 void paint_layer(cairo_t* cairo, const Drawing& page, Layer layer, double units_per_mm);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

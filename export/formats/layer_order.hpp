@@ -6,7 +6,7 @@
 
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Bottom to top, which is the order of work, too, as some machines follow the file: what is printed, what is
 /// written, what is folded, what is cut.
@@ -14,4 +14,4 @@ inline constexpr std::array<Layer, layer_count> layer_order{
     Layer::paint,      Layer::tab_fill, Layer::shadow, Layer::glue,     Layer::mark, Layer::label,
     Layer::piece_name, Layer::mountain, Layer::valley, Layer::tab_fold, Layer::cut};
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 using mesh::face_of;
@@ -129,4 +129,4 @@ NetFrame net_frame(const Surface& surface, const Nets& nets, const Pages* pages)
   return frame;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -10,7 +10,7 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Net face i is face i of the surface, corner by corner.
 struct NetFrame {
@@ -42,4 +42,4 @@ struct NetFrame {
 /// has an unbounded page of its own, beside the others. O(n α(n)) for n faces.
 [[nodiscard]] NetFrame net_frame(const mesh::Surface& surface, const unfold::Nets& nets, const Pages* pages);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

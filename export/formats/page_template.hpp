@@ -5,10 +5,10 @@
 
 #include <string_view>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// HTML with `@MARK@`, `@SETTINGS@`, `@PRODUCER@`, `@TITLE@`, `@FOLD@` and `@SHEETS@` once each, in this
 /// order, where write_html() puts what belongs there.
 extern const std::string_view page_template;
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "export/formats/cairo_page.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 std::string xml_text(std::string_view text) {
@@ -131,4 +131,4 @@ std::string pdf_bytes(QPDF& pdf) {
   return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

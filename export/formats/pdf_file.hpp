@@ -13,7 +13,7 @@
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/mark.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// The packet: title, program and keywords as in the document's information, and the settings as one JSON
 /// text under a name of our own. Its dates are fixed, so that two runs give the same bytes.
@@ -32,4 +32,4 @@ void add_viewer_preferences(QPDF& pdf);
 void add_information(QPDF& pdf, const Mark& mark);
 [[nodiscard]] std::string pdf_bytes(QPDF& pdf);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

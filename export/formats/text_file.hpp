@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 template <class... Args>
 void append(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
@@ -60,4 +60,4 @@ void append(std::string& out, fmt::format_string<Args...> format, Args&&... args
   return text;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

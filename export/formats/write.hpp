@@ -16,7 +16,7 @@
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Longest side of a PDF's page, mm: 14,400 points (ISO 32000-1, annex C.2).
 inline constexpr double longest_pdf_side_mm = 14400.0 / 72.0 * 25.4;
@@ -75,4 +75,4 @@ void check_pdf_size(Vec2 page_mm);
 /// from elsewhere. Same input, same bytes. O(size).
 [[nodiscard]] std::string write_html(std::string_view fold, std::span<const Drawing> pages, const Mark& mark);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

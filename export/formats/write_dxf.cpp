@@ -18,7 +18,7 @@
 #include "export/formats/write.hpp"
 #include "export/machine/operations.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 struct DxfLayer {
@@ -393,4 +393,4 @@ std::string write_dxf(const Drawing& page, const Mark& mark, DxfKind kind, const
   return DxfWriter(page, mark, kind, rules).write();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

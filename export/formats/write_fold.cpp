@@ -14,7 +14,7 @@
 #include "export/formats/write.hpp"
 #include "export/view/stance.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 using mesh::Surface;
@@ -334,4 +334,4 @@ std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, Pa
   return std::move(json).take();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -18,7 +18,7 @@
 #include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 std::string hex(Color color) {
@@ -203,4 +203,4 @@ std::string write_html(std::string_view fold, std::span<const Drawing> pages, co
   return html;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

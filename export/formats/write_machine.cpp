@@ -17,7 +17,7 @@
 #include "export/formats/write.hpp"
 #include "export/machine/operations.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// By Operation: ids, and names for people.
@@ -240,4 +240,4 @@ std::string write_plt(const Drawing& page, const Mark& mark, const PathRules& ru
   return out;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -22,7 +22,7 @@
 #include "export/machine/hatching.hpp"
 #include "export/machine/operations.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Of areas of glue, mm.
@@ -266,4 +266,4 @@ std::string write_packaging_pdf(std::span<const Drawing> pages, const Mark& mark
   }
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

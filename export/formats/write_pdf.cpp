@@ -25,7 +25,7 @@
 #include "export/formats/write.hpp"
 #include "export/machine/operations.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// One layer of all pages.
@@ -302,4 +302,4 @@ std::string write_eps(const Drawing& page, const Mark& mark, const Preset& prese
   return out;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -14,7 +14,7 @@
 #include "export/formats/layer_order.hpp"
 #include "export/formats/write.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// The checksum of PNG (PNG specification, annex D) is that of zlib.
@@ -89,4 +89,4 @@ std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inc
   return bytes;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -26,7 +26,7 @@
 #include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 std::string escaped(std::string_view text) {
@@ -369,4 +369,4 @@ std::string write_simulator_svg(const prepare::Prepared& model, const unfold::Ne
   return out;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

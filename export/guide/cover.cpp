@@ -18,7 +18,7 @@
 #include "export/view/stance.hpp"
 #include "mesh/look/look.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr std::size_t cover_pixels = 96;
@@ -262,4 +262,4 @@ Group cover(const GuideModel& guide, const Context& context) {
   return group;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -6,7 +6,7 @@
 #include "base/context.hpp"
 #include "export/guide/guide_model.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// guide.stance, turned by quarters to the side of a model in colours on which most is to be seen: where the
 /// colours of neighbouring places differ most in sum, which is where eyes, windows and writing are. The
@@ -18,4 +18,4 @@ namespace ridgecraft::paper {
 /// Error(interrupted).
 [[nodiscard]] Group cover(const GuideModel& guide, const Context& context);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 // Each join has two edges to be cut.
@@ -96,4 +96,4 @@ std::string paper_weight(double extent_mm, double median_join_mm) {
   return std::string(weights[static_cast<std::size_t>(size - finer)]) + " g/m\u00b2";
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// How long a model takes to build, how hard it is, and the figures that tell.
 struct Effort {
@@ -33,4 +33,4 @@ struct Effort {
 /// "120 to 160 g/m²": what paper suits a model of this largest extent, mm, and of joins of this length.
 [[nodiscard]] std::string paper_weight(double extent_mm, double median_join_mm);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -10,7 +10,7 @@
 #include "export/guide/picture.hpp"
 #include "export/guide/step_pages.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
                  const Assembly& assembly, std::size_t sheets, std::span<const Body> bodies,
@@ -58,4 +58,4 @@ Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const
   return result;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

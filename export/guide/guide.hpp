@@ -16,7 +16,7 @@
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// The pages, and what they say of the work.
 struct Guide {
@@ -33,4 +33,4 @@ struct Guide {
                                const Assembly& assembly, std::size_t sheets, std::span<const Body> bodies,
                                const Stance& stance, const Style& style, const Context& context);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 #include "export/guide/words.hpp"
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 GuideSheet guide_sheet(const Paper& nets) {
   constexpr double inch = 25.4;
@@ -66,4 +66,4 @@ const std::array<Viewpoint, 8>& guide_sides() {
   return sides;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

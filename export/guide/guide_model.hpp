@@ -18,7 +18,7 @@
 #include "export/sheet/pages.hpp"
 #include "export/sheet/paper.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Upright, in millimetres: A4, or letter where the nets are on a size of paper made of inches. The guide is
 /// read, not cut, so it needn't have the size of the nets.
@@ -77,4 +77,4 @@ struct Viewpoint {
 /// from below. Their words don't say what is its front: files don't, either.
 [[nodiscard]] const std::array<Viewpoint, 8>& guide_sides();
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,7 +7,7 @@
 #include "export/guide/picture.hpp"
 #include "unfold/net/outline.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr Color net_ink{0x44, 0x44, 0x48};
@@ -71,4 +71,4 @@ Box2 add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, 
   return {fit(box.low), fit(box.high)};
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -4,10 +4,10 @@
 
 #include "export/guide/guide_model.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Adds the piece with its tabs and folds to the group, as large as the frame allows, at its upper border.
 /// Where it lies. O(faces of the piece).
 Box2 add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, Group& group);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

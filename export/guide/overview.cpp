@@ -15,7 +15,7 @@
 #include "export/style/stroke_font.hpp"
 #include "export/view/coarse_view.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double page_heading_mm = 3.4;
@@ -364,4 +364,4 @@ Group overview(const GuideModel& guide, const Context& context) {
   return Overview(guide, context).draw();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

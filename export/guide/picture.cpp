@@ -18,7 +18,7 @@
 #include "export/view/scene.hpp"
 #include "export/view/view.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Light enough for dark lines and words, and told apart by those who see red and green alike by their
@@ -479,4 +479,4 @@ void add_coloured_picture(const prepare::Prepared& model, const Scene& scene, co
       group);
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

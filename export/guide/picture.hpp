@@ -16,7 +16,7 @@
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// From the scene, as the eye has it, to the page.
 struct Fit {
@@ -95,4 +95,4 @@ void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& cam
 void add_coloured_picture(const prepare::Prepared& model, const Scene& scene, const unfold::Nets& nets,
                           const Camera& camera, const Fit& fit, Group& group, const Context& context);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -20,7 +20,7 @@
 #include "export/view/coarse_view.hpp"
 #include "export/view/view.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// How many steps a page has, and how large their words are, mm.
@@ -578,4 +578,4 @@ std::vector<Group> step_pages(const GuideModel& guide, const Context& context) {
   return StepPages(guide).make(context);
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

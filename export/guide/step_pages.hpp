@@ -7,7 +7,7 @@
 #include "base/context.hpp"
 #include "export/guide/guide_model.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Six steps a page, twelve or twenty where there are many. What is added is in its hue, what stands already
 /// is pale; a small addition is shown larger, with what is round it. The side is that of the step before,
@@ -16,4 +16,4 @@ namespace ridgecraft::paper {
 /// Error(interrupted).
 [[nodiscard]] std::vector<Group> step_pages(const GuideModel& guide, const Context& context);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

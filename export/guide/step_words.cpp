@@ -14,7 +14,7 @@
 #include "base/text.hpp"
 #include "export/page/neighbours.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr std::size_t most_names = 4;
@@ -299,4 +299,4 @@ std::string words_of_sides(const mesh::Surface& surface, const unfold::Nets& net
                      std::max(name, other), name, apart > 0.0 ? "left" : "right");
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

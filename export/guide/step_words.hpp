@@ -12,7 +12,7 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// "C", "C and D", "C, D, E", "C to N (12)".
 [[nodiscard]] std::string step_title(const unfold::Nets& nets, const AssemblyStep& step);
@@ -40,4 +40,4 @@ struct MirrorPair {
 [[nodiscard]] std::string words_of_sides(const mesh::Surface& surface, const unfold::Nets& nets,
                                          const MirrorPair& pair, const Camera& camera);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -13,7 +13,7 @@
 #include "base/text.hpp"
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 Text words_at(std::string_view words, Vec2 left, double height, Weight weight) {
@@ -205,4 +205,4 @@ std::size_t add_callouts(const std::vector<Callout>& callouts, const CalloutColu
   return placed;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 enum class Weight { plain, bold };
 
@@ -41,4 +41,4 @@ struct CalloutColumns {
 /// Returns how many have found room.
 std::size_t add_callouts(const std::vector<Callout>& callouts, const CalloutColumns& columns, Group& group);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 #include "base/geometry.hpp"
 #include "export/machine/scores.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double from_corners_mm = 3.0;
@@ -97,4 +97,4 @@ std::vector<std::vector<Vec2>> with_bridges(const std::vector<Vec2>& outline,
   return lines;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

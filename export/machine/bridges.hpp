@@ -6,7 +6,7 @@
 
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Where outlines stay uncut, so that pieces don't fall out of the sheet.
 struct BridgeRules {
@@ -23,4 +23,4 @@ struct BridgeRules {
                                                           const std::vector<std::vector<Vec2>>& areas,
                                                           double within_mm, const BridgeRules& rules);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

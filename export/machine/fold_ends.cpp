@@ -7,7 +7,7 @@
 
 #include "base/geometry.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double end_mm = 4.0;
@@ -74,4 +74,4 @@ bool FoldEnds::is_beside_cut(Vec2 p, Vec2 end, double kerf_mm) const {
   return std::ranges::any_of(sides_, [&](const Side& s) { return distance_to_segment(p, s.a, s.b) < clear; });
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,7 +7,7 @@
 
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 class FoldEnds {
  public:
@@ -35,4 +35,4 @@ class FoldEnds {
   std::vector<std::vector<Vec2>> loops_;  ///< outlines and holes
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

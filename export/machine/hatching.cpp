@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 std::vector<std::array<Vec2, 2>> hatching(const std::vector<Vec2>& polygon, double apart_mm) {
   const Vec2 along{0.5 * std::numbers::sqrt2, 0.5 * std::numbers::sqrt2};
@@ -38,4 +38,4 @@ std::vector<std::array<Vec2, 2>> hatching(const std::vector<Vec2>& polygon, doub
   return lines;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -15,7 +15,7 @@
 #include "base/geometry.hpp"
 #include "export/machine/path_limits.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 namespace planar = boost::polygon;
@@ -541,4 +541,4 @@ CutPaths with_kerf(const std::vector<std::vector<Vec2>>& loops, double kerf_mm) 
   return {moved_without_slivers(loops, distance), GapLines(loops, distance + sliver_mm).lines()};
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

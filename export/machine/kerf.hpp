@@ -6,7 +6,7 @@
 
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What is cut of one piece, mm.
 struct CutPaths {
@@ -26,4 +26,4 @@ struct CutPaths {
 /// Voronoi diagram of the sides (Fortune: A sweepline algorithm for Voronoi diagrams, 1987).
 [[nodiscard]] CutPaths with_kerf(const std::vector<std::vector<Vec2>>& loops, double kerf_mm);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,7 +7,7 @@
 
 #include "base/geometry.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double place_step_mm = 4.0;
@@ -103,4 +103,4 @@ void add_kerf_test(std::vector<Drawing>& pages, const Paper& paper) {
   }
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

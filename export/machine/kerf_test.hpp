@@ -7,7 +7,7 @@
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/paper.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Sides of the test piece and of the hole in it, mm. Cut with the right kerf they measure just that; with
 /// none the piece is a kerf too small and the hole a kerf too large.
@@ -18,4 +18,4 @@ inline constexpr double kerf_test_hole_mm = 10.0;
 /// the end. O(places of a grid of 4 mm * sides of the pages).
 void add_kerf_test(std::vector<Drawing>& pages, const Paper& paper);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

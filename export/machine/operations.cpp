@@ -13,7 +13,7 @@
 #include "export/machine/path_limits.hpp"
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 double length_of_path(const std::vector<Vec2>& points, bool closed) {
@@ -230,4 +230,4 @@ std::vector<Path> machine_paths(const Drawing& page, const PathRules& rules) {
   return plan.in_order();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

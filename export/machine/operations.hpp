@@ -9,7 +9,7 @@
 #include "export/machine/scores.hpp"
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// In the order in which a sheet is worked: while it lies still and whole, what is written and folded; then
 /// what falls out; outlines last.
@@ -50,4 +50,4 @@ inline constexpr std::string_view registration_group = "registration";
 /// alphabet of lines doesn't have are left out. O(n log n); Scores::ends O(folds * sides).
 [[nodiscard]] std::vector<Path> machine_paths(const Drawing& page, const PathRules& rules = {});
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -3,11 +3,11 @@
 // there.
 #pragma once
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// No path is shorter, mm.
 inline constexpr double shortest_path_mm = 0.2;
 /// No point of a path is nearer to the one before, mm.
 inline constexpr double nearest_points_mm = 0.05;
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

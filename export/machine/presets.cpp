@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr Color black{0x00, 0x00, 0x00};
@@ -106,4 +106,4 @@ std::string_view word(Scores scores) {
   return score_words[static_cast<std::size_t>(scores)];
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

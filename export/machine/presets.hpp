@@ -9,7 +9,7 @@
 #include "export/machine/operations.hpp"
 #include "export/style/line_style.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Which DXF.
 enum class DxfKind {
@@ -57,4 +57,4 @@ struct Preset {
 /// All of them, "print" (no machine) not among them.
 [[nodiscard]] std::span<const Preset> presets();
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,7 +7,7 @@
 
 #include "export/machine/operations.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double from_edges_mm = 10.0;
@@ -69,4 +69,4 @@ Drawing printed_page(const Drawing& page) {
   return printed;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

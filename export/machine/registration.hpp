@@ -5,7 +5,7 @@
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/paper.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Keeps pieces out of the corners where the marks are: 10 mm from the sheet's edges, and 20 mm more at its
 /// head and foot.
@@ -22,4 +22,4 @@ void fit_registration(Paper& paper);
 /// marks where nothing is cut, on pages that have nothing but lists.
 [[nodiscard]] Drawing printed_page(const Drawing& page);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

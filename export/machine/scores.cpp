@@ -7,7 +7,7 @@
 
 #include "base/geometry.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// How far a dash may be stretched, and a bridge shortened, so that the pattern fits.
@@ -68,4 +68,4 @@ std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& line, const
   return dashes;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -6,7 +6,7 @@
 
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What a machine does at a fold.
 enum class Scores {
@@ -36,4 +36,4 @@ struct ScorePattern {
 /// What lies between two distances along a line.
 [[nodiscard]] std::vector<Vec2> stretch_of(const std::vector<Vec2>& line, double from, double to);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Letter case matters to the programs that drive cutters.
 struct SpotNames {
@@ -14,4 +14,4 @@ struct SpotNames {
   std::string glue = "Glue";
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

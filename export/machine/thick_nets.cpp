@@ -20,7 +20,7 @@
 #include "base/geometry.hpp"
 #include "mesh/model/surface.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 using mesh::Surface;
@@ -466,4 +466,4 @@ Nets thick_nets(const prepare::Prepared& model, const Nets& nets, const Board& b
   return made;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Where a fold turns, seen from the printed side.
 enum class Hinge {
@@ -53,4 +53,4 @@ enum class BoardSide {
 /// docs/design/machines.md for the sections that these formulas are taken from.
 [[nodiscard]] double side_change(BoardSide side, double angle, const Board& board);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 #include "base/boxes.hpp"
 #include "base/geometry.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// True where a line along a side of `a` has all of `b` beyond it.
@@ -82,4 +82,4 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> too_near(const std::vector<
   return {pairs.begin(), pairs.end()};
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Distance of two convex polygons; 0 where they meet.
 [[nodiscard]] double convex_distance(std::span<const Vec2> a, std::span<const Vec2> b);
@@ -25,4 +25,4 @@ struct OwnedPolygon {
 [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> too_near(
     const std::vector<OwnedPolygon>& polygons, double gap);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

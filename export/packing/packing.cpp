@@ -11,7 +11,7 @@
 #include "base/elementary.hpp"
 #include "export/packing/packing_search.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Pages that hold no more than this share in paper are tried with more room between the shapes, mm: numbers
@@ -380,4 +380,4 @@ std::vector<Packed> pack_in_rows(const PackingTask& task, const std::vector<Alik
   return plain;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -11,7 +11,7 @@
 #include "base/geometry.hpp"
 #include "export/packing/packing_shape.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Packs all shapes on as few pages as it finds in a fixed amount of work. Deterministic, unless the
 /// context's deadline passes. Pages are in the order of the groups on them, one that is much emptier than the
@@ -37,4 +37,4 @@ struct AlikeShapes {
 [[nodiscard]] std::vector<Packed> pack_in_rows(const PackingTask& task, const std::vector<AlikeShapes>& kinds,
                                                const Context& context);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

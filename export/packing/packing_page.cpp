@@ -8,7 +8,7 @@
 
 #include "base/geometry.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// A cell that a piece only touches within rounding isn't covered, mm. The gap has room for it.
@@ -419,4 +419,4 @@ void PackingPage::take(const Raster& raster, Spot spot) {
   }
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -10,7 +10,7 @@
 
 #include "export/packing/packing_shape.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What a turned piece covers on a grid, with its lower left corner in the grid's origin.
 struct Raster {
@@ -71,4 +71,4 @@ class PackingPage {
   std::vector<std::uint64_t> meets_;
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// No packing of odd shapes fills more of a page than this, gaps included.
@@ -426,4 +426,4 @@ std::vector<Packed> PackingSearch::result() const {
   return result;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -14,7 +14,7 @@
 #include "base/random.hpp"
 #include "export/packing/packing_page.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Shapes in the order in which they get their places, and how.
 struct Recipe {
@@ -130,4 +130,4 @@ class PackingSearch {
   Arrangement shown_;  ///< as people would choose, among those with the fewest pages
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

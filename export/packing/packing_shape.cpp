@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/geometry.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Turns nearer than this (radians, 2 degrees) to one already chosen bring nothing new.
@@ -177,4 +177,4 @@ std::vector<Turn> turns_to_try(const PackingShape& shape, Vec2 area, std::size_t
   return turns.empty() ? promising_turns(shape.hull, area, most) : turns;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

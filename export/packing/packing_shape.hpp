@@ -11,7 +11,7 @@
 #include "base/geometry.hpp"
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What a search costs, in words of bitmap that it reads: some 8 ms. On 90 models it needs 325 pages; 12
 /// million words need 324, 100 million 319, and ten times as many no fewer.
@@ -67,4 +67,4 @@ struct Packed {
   Vec2 shift;
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 
 #include "export/page/upright.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Where the front of a sheet lies when it is seen from its back.
@@ -79,4 +79,4 @@ std::vector<Group> take_to_back(std::vector<PieceDrawing>& pieces, Vec2 sheet, T
   return backs;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/pages.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Takes numbers, names and their leaders off the fronts of a page's pieces, but for what stands on tabs, and
 /// gives them as they are seen on the back of the sheet when it is turned over: each at the same place of the
@@ -16,4 +16,4 @@ namespace ridgecraft::paper {
 [[nodiscard]] std::vector<Group> take_to_back(std::vector<PieceDrawing>& pieces, Vec2 sheet,
                                               TurnedOver turned_over);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

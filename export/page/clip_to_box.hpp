@@ -10,7 +10,7 @@
 #include "base/vector.hpp"
 #include "export/page/segment2.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// The stretch of a line in the rectangle; nothing where that is no more than a point.
 [[nodiscard]] inline std::optional<Segment2> clipped(const Segment2& line, const Box2& box) {
@@ -42,4 +42,4 @@ namespace ridgecraft::paper {
   return part_where(polygon, [&](Vec2 p) { return box.high.y - p.y; });
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Ends of two edges that are one corner but for rounding, mm.
@@ -72,4 +72,4 @@ void leave_out_closing(PieceDrawing& piece) {
   }
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

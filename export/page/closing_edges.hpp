@@ -4,7 +4,7 @@
 
 #include "export/page/piece_drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Whether this number can be left out once the other edge with it has it: on the same outline, no border
 /// between them, and nothing else than pairs of edges that close in the same way, as a zip does from its end.
@@ -16,4 +16,4 @@ namespace ridgecraft::paper {
 /// closes_by_itself(). O(square of a rim).
 void leave_out_closing(PieceDrawing& piece);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,7 +7,7 @@
 #include "base/geometry.hpp"
 #include "export/page/segment2.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 std::vector<Vec2> without_crumbs(const std::vector<Vec2>& points, bool closed) {
   const std::size_t least = closed ? 3 : 2;
@@ -35,4 +35,4 @@ std::vector<Vec2> without_crumbs(const std::vector<Vec2>& points, bool closed) {
   return kept;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -6,7 +6,7 @@
 
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Whole lines that aren't longer are left out, mm: nobody sees them, and what they touch is drawn.
 inline constexpr double crumb_mm = 0.02;
@@ -18,4 +18,4 @@ inline constexpr double near_corners_mm = 0.05;
 /// ends. O(n).
 [[nodiscard]] std::vector<Vec2> without_crumbs(const std::vector<Vec2>& points, bool closed);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

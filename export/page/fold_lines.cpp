@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Ends of folds of one piece at one vertex of the net are equal up to rounding along the fold tree, far
@@ -158,4 +158,4 @@ std::vector<Segment2> DrawnLines::free_parts(const Segment2& line) const {
   return parts;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,7 +7,7 @@
 #include "export/page/segment2.hpp"
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 struct FoldSegment {
   Segment2 line;
@@ -29,4 +29,4 @@ class DrawnLines {
   std::vector<Segment2> lines_;
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double text_height = 2.0;                   ///< of all but the title, mm
@@ -322,4 +322,4 @@ Group foot_of_back(const Paper& paper, std::string_view title, int page, int pag
   return FurnitureMaker(paper, title, page, page_count, {}, {}).make_back();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

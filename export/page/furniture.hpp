@@ -8,7 +8,7 @@
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/paper.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Kinds of line and area that a legend explains.
 struct LineKinds {
@@ -38,4 +38,4 @@ struct LineKinds {
 /// The words at the foot of a page's back: of which page it is.
 [[nodiscard]] Group foot_of_back(const Paper& paper, std::string_view title, int page, int page_count);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

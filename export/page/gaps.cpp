@@ -6,7 +6,7 @@
 
 #include "export/page/obstacles.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Between a text and a line that ends before it, mm.
@@ -54,4 +54,4 @@ std::vector<Segment2> beside_texts(const Segment2& line, const std::vector<Text>
   return parts;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,9 +7,9 @@
 #include "export/page/segment2.hpp"
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// The stretches of a line that keep away from all texts, those too short to be seen left out. O(texts).
 [[nodiscard]] std::vector<Segment2> beside_texts(const Segment2& line, const std::vector<Text>& texts);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -12,7 +12,7 @@
 #include "export/page/fold_lines.hpp"
 #include "export/page/leader.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr std::array<double, 6> spot_name_heights{5.0, 3.5, 2.9, 2.4, 2.0, 1.6};
@@ -145,4 +145,4 @@ std::string spot_row(const PieceDrawing& piece) {
   return row;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

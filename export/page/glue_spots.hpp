@@ -6,7 +6,7 @@
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/contacts.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Adds a contact's outlines to the drawing of its piece, but for stretches where a line is drawn already;
 /// `name` is that of the piece that is glued there.
@@ -21,4 +21,4 @@ void place_spot_names(PieceDrawing& piece, const Box2& area, Obstacles& obstacle
 /// have.
 [[nodiscard]] std::string spot_row(const PieceDrawing& piece);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

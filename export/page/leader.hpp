@@ -7,7 +7,7 @@
 #include "export/page/piece_drawing.hpp"
 #include "export/page/segment2.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// A leader begins this far beside its edge, so as not to touch it, mm.
 inline constexpr double off_the_edge_mm = 0.03;
@@ -27,4 +27,4 @@ inline void draw_leader(const Segment2& leader, PieceDrawing& piece, Obstacles& 
   piece.group.lines.push_back({Layer::label, {leader.a, leader.b}, false, Fold::none});
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

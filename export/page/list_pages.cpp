@@ -13,7 +13,7 @@
 #include "export/page/text_table.hpp"
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Of small letters; the last are those of lists beside pieces.
@@ -219,4 +219,4 @@ std::vector<std::vector<Text>> list_pages(const PageLists& left, const Paper& pa
   return fewest;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

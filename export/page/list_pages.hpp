@@ -8,7 +8,7 @@
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/paper.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What pages have no room for, on pages of their own. The lists follow each other, each under its heading,
 /// which stands again where it goes on in another column or page. What stands before the first colon of a row
@@ -16,4 +16,4 @@ namespace ridgecraft::paper {
 /// page. Only where has_room_for_lists(). O(rows).
 [[nodiscard]] std::vector<std::vector<Text>> list_pages(const PageLists& left, const Paper& paper);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

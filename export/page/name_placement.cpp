@@ -13,7 +13,7 @@
 #include "export/page/leader.hpp"
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr std::array<double, 7> heights{5.0, 4.2, 3.5, 2.9, 2.4, 2.0, 1.6};
@@ -284,4 +284,4 @@ bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, boo
          (notes > 0 && place_inside(piece, obstacles, sites, 0.0, 0));
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -5,7 +5,7 @@
 #include "export/page/obstacles.hpp"
 #include "export/page/piece_drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Puts the name where it has the most room: inside the piece, as large as it can be, on the point of a grid
 /// around which the largest box is free (a pole of inaccessibility for the shape of the text). A piece too
@@ -14,4 +14,4 @@ namespace ridgecraft::paper {
 [[nodiscard]] bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area,
                               bool hurried = false);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

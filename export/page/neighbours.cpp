@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 IdVector<PieceId, std::vector<Neighbour>> find_neighbours(const mesh::Surface& surface,
                                                           const unfold::Nets& nets) {
@@ -49,4 +49,4 @@ std::string number_ranges(const std::vector<std::uint32_t>& numbers) {
   return text;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

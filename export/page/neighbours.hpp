@@ -9,7 +9,7 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 struct Neighbour {
   PieceId piece;
@@ -23,4 +23,4 @@ struct Neighbour {
 /// "1-3, 7, 8": rows of three and more by their ends.
 [[nodiscard]] std::string number_ranges(const std::vector<std::uint32_t>& numbers);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

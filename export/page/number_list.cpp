@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Narrower or lower paper holds no list, mm.
@@ -128,4 +128,4 @@ bool has_room_for_lists(const Paper& paper) {
   return area.x >= least_width && area.y >= least_height;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

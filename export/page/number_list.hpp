@@ -9,7 +9,7 @@
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/paper.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What stands above the rows of number_row().
 inline constexpr std::string_view number_list_heading =
@@ -24,4 +24,4 @@ inline constexpr std::string_view number_list_heading =
 /// Whether a page of this paper can hold such a list.
 [[nodiscard]] bool has_room_for_lists(const Paper& paper);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

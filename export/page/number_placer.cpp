@@ -11,7 +11,7 @@
 #include "export/page/leader.hpp"
 #include "export/page/upright.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Places along an edge, shares of its length from its middle: there first, then to both sides in turn.
@@ -353,4 +353,4 @@ bool NumberPlacer::put_with_leader(const Wanted& wanted, const Text& text, const
   return true;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -12,7 +12,7 @@
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/pages.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// A number on the piece that still needs a place.
 struct Wanted {
@@ -80,4 +80,4 @@ class NumberPlacer {
 /// Whether a number can be read as another one upside down: 6 and 9, 68 and 89, 16 and 91.
 [[nodiscard]] bool ambiguous_upside_down(std::string_view number);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 #include "base/elementary.hpp"
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double cell_mm = 6.0;  ///< about the size of a number with its surroundings
@@ -231,4 +231,4 @@ bool Obstacles::runs_along_another(const Segment2& line) const {
   });
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 #include "export/page/segment2.hpp"
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// A rectangle in any direction.
 struct TurnedBox {
@@ -98,4 +98,4 @@ class Obstacles {
   std::vector<Taken> boxes_;
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -13,7 +13,7 @@
 #include "export/page/page_room.hpp"
 #include "export/page/text_table.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Widths of lists that are tried, shares of the printable width.
@@ -211,4 +211,4 @@ PageIndex page_index(const ListedPage& page, const PageLists& others) {
   return ListPlacer(page, others).place();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

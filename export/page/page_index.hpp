@@ -13,7 +13,7 @@
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/pages.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What stands above rows that say where the other edges are.
 inline constexpr std::string_view partner_list_heading = "where the other edges are: piece and numbers";
@@ -50,4 +50,4 @@ struct PageIndex {
 /// room for, to stand there, too. O(places tried x lines).
 [[nodiscard]] PageIndex page_index(const ListedPage& page, const PageLists& others);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 
 #include "export/page/text_table.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double index_clearance = 2.5;  ///< from lines and texts of the page, mm
@@ -95,4 +95,4 @@ bool PageRoom::on_a_piece(Vec2 p) const {
   });
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

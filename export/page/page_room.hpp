@@ -9,7 +9,7 @@
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/paper.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// All that is drawn on the page, and where its pieces are. Keeps a reference to these.
 class PageRoom {
@@ -32,4 +32,4 @@ class PageRoom {
   const std::vector<PieceDrawing>& pieces_;
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -12,7 +12,7 @@
 #include "export/page/fold_lines.hpp"
 #include "unfold/net/outline.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Below this a fold is flat whatever the style says, radians (the contract's 1e-4 degrees).
@@ -292,4 +292,4 @@ PieceDrawing piece_drawing(const prepare::Prepared& model, const unfold::Nets& n
   return PieceDrawer(model, nets, piece, contents, placement, style).draw();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -11,7 +11,7 @@
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/pages.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Where a seam's number stands.
 enum class NumberAt : std::uint8_t {
@@ -63,4 +63,4 @@ struct PieceContents {
                                          PieceId piece, const PieceContents& contents,
                                          const Placement& placement, const Style& style);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

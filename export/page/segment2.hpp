@@ -8,7 +8,7 @@
 
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 struct Segment2 {
   Vec2 a;
@@ -67,4 +67,4 @@ struct Stretch {
   return ((a > 0.0) != (b > 0.0)) && ((c > 0.0) != (d > 0.0));
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -6,7 +6,7 @@
 
 #include "export/page/gaps.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// The tab as it lies behind the face at the other side of its edge, in the plane of that face's piece.
@@ -55,4 +55,4 @@ void add_tab_shadows(const mesh::Surface& surface, const unfold::Nets& nets, Pie
   }
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,7 +7,7 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Adds to a piece, whose texts have their places, the outlines of the tabs of other edges that are glued
 /// behind its faces: but for their bases, and with gaps where texts stand. Joins with a tab on either side
@@ -15,4 +15,4 @@ namespace ridgecraft::paper {
 void add_tab_shadows(const mesh::Surface& surface, const unfold::Nets& nets, PieceId piece,
                      const PieceContents& contents, const Placement& placement, PieceDrawing& drawing);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -11,7 +11,7 @@
 #include "export/page/name_placement.hpp"
 #include "export/page/number_placer.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// The places, best first: each is tried for all numbers that have none yet, before the next one. These come
@@ -131,4 +131,4 @@ void place_texts(std::vector<PieceDrawing>& pieces, const Paper& paper, const St
   TextPlacer(pieces, paper, style, context).place(report);
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

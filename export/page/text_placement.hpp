@@ -8,7 +8,7 @@
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/pages.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Adds its texts to each piece of one page: each join's number inside the piece at its edge and on its tab,
 /// and the piece's name in the widest free place. No text covers a line or another text, or reaches out of
@@ -18,4 +18,4 @@ namespace ridgecraft::paper {
 void place_texts(std::vector<PieceDrawing>& pieces, const Paper& paper, const Style& style,
                  DrawReport& report, const Context& context);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

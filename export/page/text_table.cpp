@@ -5,7 +5,7 @@
 
 #include "export/style/stroke_font.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr std::string_view indent = "   ";
@@ -47,4 +47,4 @@ std::vector<Text> table(const std::vector<std::string>& rows) {
   return texts;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 inline constexpr double table_text_height = 1.9;  ///< mm
 inline constexpr double table_row_height = 3.1;   ///< baseline to baseline, mm
@@ -20,4 +20,4 @@ void append_wrapped(std::vector<std::string>& rows, std::string_view text, doubl
 /// The rows with their upper left corner at the origin.
 [[nodiscard]] std::vector<Text> table(const std::vector<std::string>& rows);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

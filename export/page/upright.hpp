@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// The angle of a text on the same line that is upright as far as possible: in (-90, 90] degrees; a hair
 /// below -90 counts as +90, so that vertical texts of a page all read upwards. Radians.
@@ -20,4 +20,4 @@ namespace ridgecraft::paper {
   return angle;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

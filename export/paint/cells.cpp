@@ -14,7 +14,7 @@
 #include "base/geometry.hpp"
 #include "export/page/segment2.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Ends of lines that are one point on paper, mm.
@@ -377,4 +377,4 @@ std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& net
   return faces;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -14,7 +14,7 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Colours reach so far beyond a cut edge, and so far onto a tab, mm: neither scissors nor glue show white
 /// paper then.
@@ -46,4 +46,4 @@ struct Cell {
                                          const Placement& placement, const std::vector<PieceDrawing>& page,
                                          std::size_t own);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// JPEG packs squares of so many dots, counted from the picture's upper left corner.
@@ -138,4 +138,4 @@ void DotRaster::copy_row(int from, int to, int left, std::size_t across) {
   std::memcpy(pixels_.get() + 3 * index(left, to), pixels_.get() + 3 * index(left, from), 3 * across);
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

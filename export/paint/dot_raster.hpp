@@ -11,7 +11,7 @@
 #include "export/sheet/drawing.hpp"
 #include "mesh/look/picture.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// The dots of a box of the page; rows are counted from below. Dots of all pictures lie on one grid.
 class DotRaster {
@@ -75,4 +75,4 @@ class DotRaster {
   std::vector<std::uint8_t> painted_;
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -14,7 +14,7 @@
 #include "export/sheet/pages.hpp"
 #include "mesh/look/look.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Those of all pieces of one drawing. Each is found by the cells that it was painted of.
 class DrawnPictures {
@@ -63,4 +63,4 @@ class DrawnPictures {
   std::vector<OfPiece> all_;
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

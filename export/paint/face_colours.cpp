@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "export/paint/cells.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Original faces no farther from a face's plane lie in it, mm.
@@ -162,4 +162,4 @@ IdVector<FaceId, FaceColours> face_colours(const mesh::Surface& surface, const m
   return colours;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

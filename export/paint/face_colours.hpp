@@ -11,7 +11,7 @@
 #include "mesh/look/look.hpp"
 #include "mesh/model/surface.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 struct FaceColours {
   /// An area of one colour: corners as weights of the face's second and third corner.
@@ -33,4 +33,4 @@ struct FaceColours {
 [[nodiscard]] IdVector<FaceId, FaceColours> face_colours(const mesh::Surface& surface, const mesh::Look& look,
                                                          const Context& context);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -14,7 +14,7 @@
 #include "export/paint/face_colours.hpp"
 #include "export/paint/picture_of_cells.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Of a pale colour, the share that is left of it; the rest is white.
@@ -300,4 +300,4 @@ std::shared_ptr<const DrawnPictures> paint_pieces(const prepare::Prepared& model
   return drawn;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

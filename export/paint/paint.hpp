@@ -12,7 +12,7 @@
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Adds colours to the pieces of all pages, `pages[i]` being those of page i with their texts, `ids[i]` which
 /// they are: areas where a face has one colour, a picture a piece where it hasn't; a rim beyond cut edges, a
@@ -27,4 +27,4 @@ std::shared_ptr<const DrawnPictures> paint_pieces(const prepare::Prepared& model
                                                   std::vector<std::vector<PieceDrawing>>& pages,
                                                   const DrawnPictures* before, const Context& context);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

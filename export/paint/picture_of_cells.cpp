@@ -12,7 +12,7 @@
 #include "base/geometry.hpp"
 #include "export/paint/dot_raster.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Dots whose corners and middle lie on one original face are worked out together: so many in each direction,
@@ -338,4 +338,4 @@ Image picture_of(const std::vector<const Cell*>& cells, const mesh::Surface& sur
   return image;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

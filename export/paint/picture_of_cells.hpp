@@ -11,7 +11,7 @@
 #include "export/sheet/drawing.hpp"
 #include "mesh/look/look.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What becomes of each value of each channel when it is printed.
 using Shade = std::array<std::uint8_t, 256>;
@@ -31,4 +31,4 @@ using Shade = std::array<std::uint8_t, 256>;
                                const mesh::Look& look, double dots_per_inch, const Shade& shade,
                                const Context& context);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 #include "base/disjoint_sets.hpp"
 #include "mesh/model/surface_distance.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 using mesh::Surface;
@@ -179,4 +179,4 @@ std::size_t bodies_apart(std::span<const Body> bodies) {
   return apart;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

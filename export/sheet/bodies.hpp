@@ -12,7 +12,7 @@
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// A component of the surface, by its pieces.
 struct Body {
@@ -31,4 +31,4 @@ struct Body {
 /// How many there are when those that are glued onto each other count as one.
 [[nodiscard]] std::size_t bodies_apart(std::span<const Body> bodies);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 class Calibration {
@@ -66,4 +66,4 @@ Drawing calibrated(Drawing page, Vec2 measured) {
   return page;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -13,7 +13,7 @@
 #include "base/boxes.hpp"
 #include "base/geometry.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 namespace planar = boost::polygon;
@@ -329,4 +329,4 @@ std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::N
   return contacts;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Faces of two bodies touch where they are no farther apart than paper is thick, mm.
 inline constexpr double contact_mm = mesh::touching_mm;
@@ -29,4 +29,4 @@ struct Contact {
 /// by this. O(n log n) in faces and pairs of faces near each other.
 [[nodiscard]] std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::Nets& nets);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -5,7 +5,7 @@
 
 #include "export/sheet/pages.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 std::string_view id(Layer layer) {
   switch (layer) {
@@ -78,4 +78,4 @@ bool has_layer(const Drawing& page, Layer layer) {
   return std::ranges::any_of(page.groups, [&](const Group& group) { return has_layer(group, layer); });
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

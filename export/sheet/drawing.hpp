@@ -12,7 +12,7 @@
 
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// sRGB, 0 to 255 each.
 struct Color {
@@ -141,4 +141,4 @@ struct Drawing {
 [[nodiscard]] bool has_layer(const Group& group, Layer layer);
 [[nodiscard]] bool has_layer(const Drawing& page, Layer layer);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -6,7 +6,7 @@
 
 #include "base/elementary.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 IdVector<PieceId, Vec2> fold_directions(const mesh::Surface& surface, const unfold::Nets& nets) {
   /// Below this share of all, folds run every way.
@@ -60,4 +60,4 @@ std::vector<PieceId> pieces_off_grain(const IdVector<PieceId, Vec2>& directions,
   return off;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -10,7 +10,7 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Of each piece the direction that its folds have most in common, on its net: the axis of the mean of their
 /// doubled angles, each by its length times its fold angle. A unit vector, of either sense; zero where no
@@ -28,4 +28,4 @@ inline constexpr double grain_tolerance_degrees = 15.0;
 /// Which way the grain runs on a sheet. A unit vector.
 [[nodiscard]] Vec2 grain_direction(const Paper& paper);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

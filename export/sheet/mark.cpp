@@ -7,7 +7,7 @@
 
 #include "base/encodings.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr std::string_view word_start = "ridgecraft-model:";
@@ -157,4 +157,4 @@ std::string read_mark_digest(std::string_view bytes) {
   return in_comment.empty() ? svg_digest(bytes) : in_comment;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

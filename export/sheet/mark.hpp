@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Options that shaped a result; values are JSON texts (numbers, strings in quotes).
 using Settings = std::map<std::string, std::string>;
@@ -37,4 +37,4 @@ inline constexpr std::string_view mark_key = "ridgecraft:model_digest";
 /// any bytes. O(size).
 [[nodiscard]] std::string read_mark_digest(std::string_view bytes);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

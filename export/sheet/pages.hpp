@@ -18,7 +18,7 @@
 #include "export/sheet/piece_kinds.hpp"
 #include "prepare/prepared/options.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Where a piece lies: its motion takes its plane to the page (origin: lower left corner of the sheet, y up).
 struct Placement : Rigid {
@@ -92,4 +92,4 @@ struct DrawReport {
   std::shared_ptr<const DrawnPictures> pictures;  ///< for drawing again; none of a model without colours
 };
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double mm_per_inch = 25.4;
@@ -197,4 +197,4 @@ Vec2 piece_area(const Paper& paper) {
   return box.high - box.low;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

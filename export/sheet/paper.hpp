@@ -9,7 +9,7 @@
 
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Height of the band for title, scale bar, legend and page number, at the foot of the printable area, mm:
 /// two lines of 2.5 mm text with a scale bar beside them, and the distance to the pieces above. No piece
@@ -60,4 +60,4 @@ void check_paper(const Paper& paper);
 /// Its width and height: what a piece must fit, with its tabs.
 [[nodiscard]] Vec2 piece_area(const Paper& paper);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

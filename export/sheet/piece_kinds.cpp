@@ -7,7 +7,7 @@
 
 #include "base/text.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// Objects of one kind are mostly numbered: wheel.001, wheel_2.
@@ -145,4 +145,4 @@ std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::siz
   return text + (kind.mirrored.empty() ? "" : ", mirrored: " + listed(nets, kind.mirrored, most));
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

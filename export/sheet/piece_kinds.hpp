@@ -8,7 +8,7 @@
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Pieces that are alike: whoever builds the model makes the same thing several times.
 struct PieceKind {
@@ -36,4 +36,4 @@ struct PieceKind {
 /// between them": at most `most` names of either.
 [[nodiscard]] std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr Glyph glyphs[] = {
@@ -177,4 +177,4 @@ Composed split_accent(char32_t code) {
                                                             : Composed{code, 0};
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Capitals are 10 units high and begin at x = 0; the baseline is y = 0. A path is a list of
 ///   M x y               lift the pen and go to
@@ -28,4 +28,4 @@ struct Composed {
 };
 [[nodiscard]] Composed split_accent(char32_t code);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

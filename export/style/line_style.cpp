@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double mountain_dashes[] = {4.0, 1.2, 0.6, 1.2};
@@ -127,4 +127,4 @@ std::vector<double> dashes_of(const Line& line) {
   return fitted_dashes(style_of(line).dashes, total);
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What a line looks like in every format that prints.
 struct LineStyle {
@@ -40,4 +40,4 @@ inline constexpr double fill_rim_mm = 0.06;
 /// Shorter lines are solid: two dashes and a gap in less than this are a smudge.
 inline constexpr double shortest_dashed_mm = 0.8;
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -13,7 +13,7 @@
 #include "base/text.hpp"
 #include "export/style/glyph_table.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr double units_per_height = 10.0;
@@ -272,4 +272,4 @@ std::vector<std::vector<Vec2>> text_strokes(const Text& text) {
   return result;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 
 #include "export/sheet/drawing.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Pen width for a text of this height, mm: a ninth of it reads well at 1.6 to 5 mm. Piece names are drawn
 /// bolder.
@@ -33,4 +33,4 @@ inline constexpr double font_size_per_height = 1.0 / 0.72;
 /// height.
 inline constexpr double underline_drop = 0.26;
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

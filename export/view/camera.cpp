@@ -3,7 +3,7 @@
 
 #include "base/elementary.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 Camera look_from(const Stance& stance, double azimuth, double elevation) {
   const Vec3 side = cross(stance.up, stance.front);
@@ -15,4 +15,4 @@ Camera look_from(const Stance& stance, double azimuth, double elevation) {
   return camera;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

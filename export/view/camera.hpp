@@ -4,7 +4,7 @@
 
 #include "base/vector.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Orthonormal and right-handed: what points to the right, up, and towards the eye.
 struct Camera {
@@ -28,4 +28,4 @@ struct Stance {
 /// `elevation`; radians.
 [[nodiscard]] Camera look_from(const Stance& stance, double azimuth, double elevation);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

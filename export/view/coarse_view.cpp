@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 constexpr std::uint32_t nothing = 0xffffffffU;
@@ -120,4 +120,4 @@ std::vector<Anchor> find_anchors_on_faces(const CoarseView& view, const Scene& s
   return anchors;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -8,7 +8,7 @@
 #include "base/vector.hpp"
 #include "export/view/scene.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// Which face is seen in each pixel.
 struct CoarseView {
@@ -63,4 +63,4 @@ struct Anchor {
   return on_face.room >= least ? on_face : on_thing;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -9,7 +9,7 @@
 
 #include "base/geometry.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace planar = boost::polygon;
 
 std::vector<std::vector<Vec2>> trapezoids(const std::vector<Vec2>& outline) {
@@ -119,4 +119,4 @@ Box2 seen_box(const Scene& scene, const Camera& camera) {
   return box;
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

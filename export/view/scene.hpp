@@ -11,7 +11,7 @@
 #include "export/view/camera.hpp"
 #include "mesh/model/surface.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What a closed outline covers, as trapezoids that don't overlap. It may touch itself, as where a slit leads
 /// to a hole. Corners are rounded to a ten-millionth of its size. O(n log n) where its edges don't cross.
@@ -55,4 +55,4 @@ struct SeenFace {
 /// Size of what is there, as the eye has it.
 [[nodiscard]] Box2 seen_box(const Scene& scene, const Camera& camera);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 /// What a model stands on lies within this share of its height from the lowest point.
@@ -219,4 +219,4 @@ Vec3 standing_size(const mesh::Surface& surface, const Stance& stance) {
   return box.size();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

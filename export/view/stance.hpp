@@ -5,7 +5,7 @@
 #include "export/view/camera.hpp"
 #include "mesh/model/model.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// The axis that points up is what the file says. Where it says nothing, it is y or z: what is usual for the
 /// format (z for STL, PLY, OFF and 3MF, else y) where the model stands better on it than on the other (on
@@ -24,4 +24,4 @@ namespace ridgecraft::paper {
 /// What is how wide (x), deep (y) and high (z) as it stands. O(points).
 [[nodiscard]] Vec3 standing_size(const mesh::Surface& surface, const Stance& stance);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

@@ -14,7 +14,7 @@
 #include "base/boxes.hpp"
 #include "base/geometry.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 namespace {
 
 namespace planar = boost::polygon;
@@ -404,4 +404,4 @@ View look_at(const Scene& scene, const Camera& camera, double smallest) {
   return Looker(scene, camera, smallest).look();
 }
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

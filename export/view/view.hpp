@@ -10,7 +10,7 @@
 #include "export/view/camera.hpp"
 #include "export/view/scene.hpp"
 
-namespace ridgecraft::paper {
+namespace ridgecraft::export_ {
 
 /// What is seen of a flat region. Areas don't overlap, but for rounding to a millionth of the scene's size.
 struct VisibleArea {
@@ -39,4 +39,4 @@ struct View {
 /// the unit is that of the scene. Deterministic. O(n log n + pairs of faces that overlap).
 [[nodiscard]] View look_at(const Scene& scene, const Camera& camera, double smallest);
 
-}  // namespace ridgecraft::paper
+}  // namespace ridgecraft::export_

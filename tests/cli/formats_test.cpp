@@ -26,7 +26,7 @@ TEST_CASE("a suffix names one format and the format that suffix", "[formats]") {
 
 TEST_CASE("the table of presets has a row for each", "[formats]") {
   const std::string text = formats_text(true);
-  for (const auto& preset : ridgecraft::paper::presets()) {
+  for (const auto& preset : ridgecraft::export_::presets()) {
     CHECK(text.find("\n" + std::string(preset.name) + " ") != std::string::npos);
   }
 }

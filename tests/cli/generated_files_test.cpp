@@ -349,8 +349,8 @@ TEST_CASE("the usual values of options are those of the program", "[options]") {
     asked.typed(name).text = std::string(option_row(name).usual);
   }
   const job::Options read = job::options_of(asked, plain);
-  paper::Settings from_plain;
-  paper::Settings from_read;
+  export_::Settings from_plain;
+  export_::Settings from_read;
   job::Options copy = read;
   job::note_fields(plain, from_plain);
   job::note_fields(copy, from_read);
@@ -367,7 +367,7 @@ TEST_CASE("the usual values of options are those of the program", "[options]") {
 
 TEST_CASE("the table of options names every preset, and each name once", "[options]") {
   std::vector<std::string_view> known{"print"};
-  for (const paper::Preset& preset : paper::presets()) {
+  for (const export_::Preset& preset : export_::presets()) {
     known.push_back(preset.name);
   }
   std::vector<std::string_view> named;

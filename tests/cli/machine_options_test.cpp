@@ -49,15 +49,16 @@ TEST_CASE("a preset sets its sheet, and every option goes before it", "[machine_
   const PaperJob changed =
       job_of({"--preset", "laser", "--score", "solid", "--bridges", "3", "--engrave", "off", "--colour",
               "cut=#010203", "--colour", "numbers=#0a0b0c", "--svg-px", "72", "--thickness", "3mm"});
-  CHECK(changed.preset.paths.scores == paper::Scores::solid);
+  CHECK(changed.preset.paths.scores == export_::Scores::solid);
   CHECK(changed.preset.paths.bridges.count == 3);
   CHECK_FALSE(changed.preset.paths.engraves);
-  CHECK(changed.preset.colors[6] == paper::Color{1, 2, 3});
-  CHECK(changed.preset.colors[1] == paper::Color{10, 11, 12});
+  CHECK(changed.preset.colors[6] == export_::Color{1, 2, 3});
+  CHECK(changed.preset.colors[1] == export_::Color{10, 11, 12});
   CHECK(changed.preset.svg_units_per_inch == 72.0);
-  CHECK(changed.options.board.hinge == paper::Hinge::back);
+  CHECK(changed.options.board.hinge == export_::Hinge::back);
   CHECK(changed.options.tabs.height_mm == Approx(8.0));
-  CHECK(job_of({"--thickness", "1mm", "--preset", "packaging"}).options.board.hinge == paper::Hinge::middle);
+  CHECK(job_of({"--thickness", "1mm", "--preset", "packaging"}).options.board.hinge ==
+        export_::Hinge::middle);
   CHECK_FALSE(job_of({"--thickness", "1mm"}).page);
   CHECK(job_of({"--thickness", "0"}).page);
   CHECK(job_of({}).options.paper->size == Vec2{210.0, 297.0});
@@ -90,8 +91,8 @@ TEST_CASE("options that only machines heed are refused without one", "[machine_o
   refused({"--dxf", "r12"}, "none is written");
   refused({"--dxf", "r12", "-o", "a.svg"}, "none is written");
   refused({"--preset", "lightburn", "--dxf", "r12", "-o", "out"}, "none is written");
-  CHECK(job_of({"--preset", "laser", "--dxf", "r12", "-o", "out"}).preset.dxf_kind == paper::DxfKind::r12);
-  CHECK(job_of({"-o", "a.svg", "-o", "b.dxf", "--dxf", "plain"}).preset.dxf_kind == paper::DxfKind::plain);
+  CHECK(job_of({"--preset", "laser", "--dxf", "r12", "-o", "out"}).preset.dxf_kind == export_::DxfKind::r12);
+  CHECK(job_of({"-o", "a.svg", "-o", "b.dxf", "--dxf", "plain"}).preset.dxf_kind == export_::DxfKind::plain);
   refused({"--hinge", "back"}, "--thickness");
   refused({"--thickness", "25mm"}, "20mm");
   refused({"--thickness", "1mm", "-o", "a.html"}, "-o a.html names a page");
@@ -264,7 +265,7 @@ TEST_CASE("other programs find nothing wrong with any preset's files", "[slow]")
                                                    {"house.obj", "--thickness", "2mm", "--score", "ends"}};
   std::size_t number = 0;
   for (const std::vector<std::string>& words : jobs) {
-    for (const paper::Preset& preset : paper::presets()) {
+    for (const export_::Preset& preset : export_::presets()) {
       if (preset.simulates) {
         continue;
       }
@@ -311,7 +312,7 @@ TEST_CASE("slits for arrows are single cuts in every kind of file for machines",
   }
   const TemporaryFolder folder;
   const std::string source = RIDGECRAFT_SOURCE_DIR;
-  for (const paper::Preset& preset : paper::presets()) {
+  for (const export_::Preset& preset : export_::presets()) {
     if (preset.simulates) {
       continue;
     }

@@ -28,9 +28,9 @@ TEST_CASE("what --pack says counts for pages", "[options]") {
   const auto packing = [](const std::string& word) {
     return std::get<PaperJob>(parse_arguments({"whale.obj", "--pack", word})).options.paper->packing;
   };
-  CHECK(packing("fast") == paper::PackingEffort::fast);
-  CHECK(packing("good") == paper::PackingEffort::good);
-  CHECK(packing("best") == paper::PackingEffort::good);
+  CHECK(packing("fast") == export_::PackingEffort::fast);
+  CHECK(packing("good") == export_::PackingEffort::good);
+  CHECK(packing("best") == export_::PackingEffort::good);
   CHECK(refusal({"whale.obj", "--pack", "slow"}).find("--pack") != std::string::npos);
 }
 
@@ -38,9 +38,9 @@ TEST_CASE("what --grain says counts for pages", "[options]") {
   const auto grain = [](const std::string& word) {
     return std::get<PaperJob>(parse_arguments({"whale.obj", "--grain", word})).options.paper->grain;
   };
-  CHECK(grain("any") == paper::Grain::any);
-  CHECK(grain("long") == paper::Grain::long_side);
-  CHECK(grain("short") == paper::Grain::short_side);
+  CHECK(grain("any") == export_::Grain::any);
+  CHECK(grain("long") == export_::Grain::long_side);
+  CHECK(grain("short") == export_::Grain::short_side);
   CHECK(refusal({"whale.obj", "--grain", "up"}).find("--grain") != std::string::npos);
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("a model alone gets the defaults that a maker would choose", "[options
   CHECK(paper.options.simplify.mode == prepare::Simplification::automatic);
   CHECK(paper.options.paper->size == Vec2{210.0, 297.0});
   CHECK(paper.options.paper->margin == 10.0);
-  CHECK(paper.options.paper->packing == paper::PackingEffort::fast);
+  CHECK(paper.options.paper->packing == export_::PackingEffort::fast);
   CHECK(paper.options.tabs.wanted);
   CHECK(paper.options.tabs.height_mm == 5.0);
   CHECK(paper.options.concavity == 0.1);

@@ -18,9 +18,9 @@
 namespace ridgecraft {
 namespace {
 
+using export_::Assembly;
+using export_::AssemblyStep;
 using mesh::Surface;
-using paper::Assembly;
-using paper::AssemblyStep;
 
 /// Copies of a surface, each at its place and its scale.
 struct Copy {
@@ -100,7 +100,7 @@ TEST_CASE("each piece stands once, each join is glued once, on what stands", "[a
         }
       }
       const unfold::Nets nets = test::simple_nets(shape, cuts);
-      check_assembly(shape, nets, paper::assembly_order(shape, nets));
+      check_assembly(shape, nets, export_::assembly_order(shape, nets));
     }
   }
 }
@@ -114,7 +114,7 @@ TEST_CASE("pieces whose seams have hardly a length stand once, too", "[assembly]
   }
   const unfold::Nets nets = test::simple_nets(surface, cuts);
   std::vector<PieceId> placed;
-  for (const AssemblyStep& step : paper::assembly_order(surface, nets).steps) {
+  for (const AssemblyStep& step : export_::assembly_order(surface, nets).steps) {
     placed.insert(placed.end(), step.pieces.begin(), step.pieces.end());
   }
   std::ranges::sort(placed);
@@ -127,7 +127,7 @@ TEST_CASE("a closed body ends with a piece without which the others hang togethe
   const unfold::Nets nets = test::simple_nets(copies(cube, {{50.0, {}}}), folded_edges(cube));
   REQUIRE(nets.pieces.size() == 6);
   const Surface large = copies(cube, {{50.0, {}}});
-  const Assembly assembly = paper::assembly_order(large, nets);
+  const Assembly assembly = export_::assembly_order(large, nets);
   REQUIRE(assembly.steps.size() == 6);
   CHECK(assembly.steps.front().starts);
   CHECK(assembly.steps.back().closes);
@@ -141,7 +141,7 @@ TEST_CASE("a closed body ends on its underside, if that closes easily enough", "
   const Surface cube = copies(test::cube(), {{50.0, {}}});
   const unfold::Nets nets = test::simple_nets(cube, folded_edges(cube));
   for (const Vec3 up : {Vec3{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}) {
-    const Assembly assembly = paper::assembly_order(cube, nets, up);
+    const Assembly assembly = export_::assembly_order(cube, nets, up);
     check_assembly(cube, nets, assembly);
     const PieceId last = assembly.steps.back().pieces.front();
     for (const FaceId f : nets.pieces[last].faces) {
@@ -153,8 +153,8 @@ TEST_CASE("a closed body ends on its underside, if that closes easily enough", "
 TEST_CASE("what meets most of what stands comes first", "[assembly]") {
   const Surface shape = test::sphere(8, 5);
   const unfold::Nets nets = test::simple_nets(shape, folded_edges(shape));
-  const paper::SeamGraph graph = paper::seam_graph(shape, nets);
-  const Assembly assembly = paper::assembly_order(shape, nets);
+  const export_::SeamGraph graph = export_::seam_graph(shape, nets);
+  const Assembly assembly = export_::assembly_order(shape, nets);
   // At most one piece, the last one, is kept back.
   const PieceId last = assembly.steps.back().pieces.front();
   std::set<PieceId> standing;
@@ -181,9 +181,9 @@ TEST_CASE("inner bodies come before those around them", "[assembly]") {
       cube, {{50.0, {}}, {10.0, {100.0, 0.0, 0.0}}, {20.0, {10.0, 10.0, 10.0}}, {5.0, {12.0, 12.0, 12.0}}});
   const unfold::Nets nets = test::simple_nets(nested);
   REQUIRE(nets.pieces.size() == 4);
-  const auto order = paper::inner_groups_first(nested, nets, paper::seam_graph(nested, nets));
+  const auto order = export_::inner_groups_first(nested, nets, export_::seam_graph(nested, nets));
   CHECK(order == std::vector<std::size_t>{3, 2, 0, 1});
-  CHECK(paper::assembly_order(nested, nets).steps.front().pieces == std::vector<PieceId>{PieceId(3)});
+  CHECK(export_::assembly_order(nested, nets).steps.front().pieces == std::vector<PieceId>{PieceId(3)});
 }
 
 TEST_CASE("a body that begins in another one and stands out of it, or lies on it, isn't inside",
@@ -195,9 +195,9 @@ TEST_CASE("a body that begins in another one and stands out of it, or lies on it
   const auto order_with = [&](double scale, Vec3 shift) {
     const Surface both = test::together({notched, copies(test::cube(), {{scale, shift}})});
     const unfold::Nets nets = test::simple_nets(both);
-    const paper::SeamGraph graph = paper::seam_graph(both, nets);
+    const export_::SeamGraph graph = export_::seam_graph(both, nets);
     REQUIRE(graph.groups.size() == 2);
-    return paper::inner_groups_first(both, nets, graph);
+    return export_::inner_groups_first(both, nets, graph);
   };
   const std::vector<std::size_t> as_numbered{0, 1};
   const std::vector<std::size_t> inner_first{1, 0};
@@ -214,7 +214,7 @@ TEST_CASE("a body is found inside another wherever it stands on a grid", "[assem
       for (double z = 2.0; z <= 48.0; z += 2.0) {
         const Surface nested = copies(cube, {{60.0, {}}, {10.0, {x, y, z}}});
         const unfold::Nets nets = test::simple_nets(nested);
-        if (paper::inner_groups_first(nested, nets, paper::seam_graph(nested, nets)) !=
+        if (export_::inner_groups_first(nested, nets, export_::seam_graph(nested, nets)) !=
             std::vector<std::size_t>{1, 0}) {
           FAIL("at " << x << ", " << y << ", " << z);
         }
@@ -229,14 +229,14 @@ TEST_CASE("equal bodies are built side by side", "[assembly]") {
   unfold::Nets nets = test::simple_nets(wheels, folded_edges(wheels));
   REQUIRE(nets.pieces.size() == 18);
   // Side k of a wheel is equal to side k of the others, and the sides of one are told apart.
-  const paper::SeamGraph graph = paper::seam_graph(wheels, nets);
+  const export_::SeamGraph graph = export_::seam_graph(wheels, nets);
   for (std::size_t k = 0; k < 6; ++k) {
     auto& kind = nets.equal.emplace_back();
     for (const auto& group : graph.groups) {
       kind.push_back({group[k], false, {}});
     }
   }
-  const Assembly assembly = paper::assembly_order(wheels, nets);
+  const Assembly assembly = export_::assembly_order(wheels, nets);
   check_assembly(wheels, nets, assembly);
   CHECK(assembly.steps.size() == 6);
   for (const AssemblyStep& step : assembly.steps) {

@@ -13,12 +13,12 @@
 namespace ridgecraft {
 namespace {
 
-using paper::NumberAt;
+using export_::NumberAt;
 
 /// A piece whose outline has these numbers, clockwise; those with a minus sign have no place. No seam is
 /// where the number is 0: a border.
-paper::PieceDrawing outline(const std::vector<int>& numbers) {
-  paper::PieceDrawing piece;
+export_::PieceDrawing outline(const std::vector<int>& numbers) {
+  export_::PieceDrawing piece;
   piece.rims.emplace_back();
   const auto corner = [&](std::size_t i) {
     const double turn =
@@ -27,7 +27,7 @@ paper::PieceDrawing outline(const std::vector<int>& numbers) {
   };
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] != 0) {
-      paper::Seam seam;
+      export_::Seam seam;
       seam.number = static_cast<std::uint32_t>(std::abs(numbers[i]));
       seam.edge = {corner(i + 1), corner(i)};  // its face on the left
       seam.at = numbers[i] > 0 ? NumberAt::edge : NumberAt::list;
@@ -40,8 +40,8 @@ paper::PieceDrawing outline(const std::vector<int>& numbers) {
 
 /// Places in the outline, borders left out, whose numbers needed none.
 std::vector<std::size_t> left_out(const std::vector<int>& numbers) {
-  paper::PieceDrawing piece = outline(numbers);
-  paper::leave_out_closing(piece);
+  export_::PieceDrawing piece = outline(numbers);
+  export_::leave_out_closing(piece);
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < piece.seams.size(); ++i) {
     if (piece.seams[i].at == NumberAt::closing) {

@@ -40,7 +40,7 @@ mesh::Surface boxes(const std::vector<std::array<Vec3, 2>>& corners) {
   return {std::move(points), std::move(faces)};
 }
 
-double area_of(const paper::Contact& contact) {
+double area_of(const export_::Contact& contact) {
   double doubled = 0.0;
   for (const std::vector<Vec2>& outline : contact.outlines) {
     doubled += doubled_area(outline);
@@ -48,11 +48,11 @@ double area_of(const paper::Contact& contact) {
   return 0.5 * doubled;
 }
 
-std::string fold_of(const test::SamplePages& sample, const paper::DrawReport& report) {
+std::string fold_of(const test::SamplePages& sample, const export_::DrawReport& report) {
   const IdVector<FaceId, PartId> part(sample.model.model.surface.face_count(), PartId(0));
-  return paper::write_fold(sample.model, part, sample.nets,
-                           paper::assembly_order(sample.model.model.surface, sample.nets), &sample.pages,
-                           {"another program 1", "Boxes", "0123456789abcdef", {}}, report.contacts);
+  return export_::write_fold(sample.model, part, sample.nets,
+                             export_::assembly_order(sample.model.model.surface, sample.nets), &sample.pages,
+                             {"another program 1", "Boxes", "0123456789abcdef", {}}, report.contacts);
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ std::string fold_of(const test::SamplePages& sample, const paper::DrawReport& re
 TEST_CASE("a box on a box is glued where it stands", "[contacts]") {
   const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20}, {40, 40, 35}}}});
   const auto sample = test::sample_pages(surface, 1.0, 5.0);
-  const auto contacts = paper::find_contacts(sample.model.model.surface, sample.nets);
+  const auto contacts = export_::find_contacts(sample.model.model.surface, sample.nets);
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0].piece == PieceId(0));
   CHECK(contacts[0].other == PieceId(1));
@@ -75,11 +75,11 @@ TEST_CASE("what doesn't touch, or touches nothing but an edge, isn't glued", "[c
   const mesh::Surface apart =
       boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20 + gap}, {40, 40, 35 + gap}}}});
   const auto sample = test::sample_pages(apart, 1.0, 5.0);
-  CHECK(paper::find_contacts(sample.model.model.surface, sample.nets).size() ==
-        (gap < paper::contact_mm ? 1 : 0));
+  CHECK(export_::find_contacts(sample.model.model.surface, sample.nets).size() ==
+        (gap < export_::contact_mm ? 1 : 0));
   const mesh::Surface edge = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{60, 0, 20}, {80, 50, 40}}}});
   const auto on_edge = test::sample_pages(edge, 1.0, 5.0);
-  CHECK(paper::find_contacts(on_edge.model.model.surface, on_edge.nets).empty());
+  CHECK(export_::find_contacts(on_edge.model.model.surface, on_edge.nets).empty());
 }
 
 TEST_CASE("a cap without a back is glued where its border stands", "[contacts]") {
@@ -105,12 +105,12 @@ TEST_CASE("a cap without a back is glued where its border stands", "[contacts]")
     return mesh::Surface(std::move(points), std::move(faces));
   };
   const auto sample = test::sample_pages(with_cap(20.17, 26.0), 1.0, 0.0);
-  paper::DrawReport report;
-  static_cast<void>(paper::draw(sample.model, sample.nets, sample.pages, {}, &report));
+  export_::DrawReport report;
+  static_cast<void>(export_::draw(sample.model, sample.nets, sample.pages, {}, &report));
   REQUIRE(report.contacts.size() == 1);
   CHECK(report.contacts[0].piece == PieceId(0));
   double area = 0.0;
-  for (const paper::Contact& contact : report.contacts) {
+  for (const export_::Contact& contact : report.contacts) {
     area += area_of(contact);
   }
   CHECK(area == Approx(400.0).epsilon(0.001));
@@ -120,23 +120,23 @@ TEST_CASE("a cap without a back is glued where its border stands", "[contacts]")
     return fault.message.find("glue spot") != std::string::npos;
   }));
   const auto on_tip = test::sample_pages(with_cap(30.0, 20.0), 1.0, 0.0);
-  CHECK(paper::find_contacts(on_tip.model.model.surface, on_tip.nets).empty());
+  CHECK(export_::find_contacts(on_tip.model.model.surface, on_tip.nets).empty());
 }
 
 TEST_CASE("the guide says onto what a body is glued, once", "[contacts]") {
   const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20}, {40, 40, 35}}}});
   const auto sample = test::sample_pages(surface, 1.0, 5.0);
-  const auto contacts = paper::find_contacts(sample.model.model.surface, sample.nets);
-  const std::vector<paper::Body> bodies = paper::find_bodies(sample.model, sample.nets, contacts);
+  const auto contacts = export_::find_contacts(sample.model.model.surface, sample.nets);
+  const std::vector<export_::Body> bodies = export_::find_bodies(sample.model, sample.nets, contacts);
   REQUIRE(bodies.size() == 2);
-  CHECK(paper::bodies_apart(bodies) == 1);
-  CHECK(paper::bodies_apart(paper::find_bodies(sample.model, sample.nets, {})) == 2);
-  const paper::Assembly assembly = paper::assembly_order(sample.model.model.surface, sample.nets);
-  const auto times_told = [&](const std::string& sentence, const std::vector<paper::Body>& of) {
+  CHECK(export_::bodies_apart(bodies) == 1);
+  CHECK(export_::bodies_apart(export_::find_bodies(sample.model, sample.nets, {})) == 2);
+  const export_::Assembly assembly = export_::assembly_order(sample.model.model.surface, sample.nets);
+  const auto times_told = [&](const std::string& sentence, const std::vector<export_::Body>& of) {
     std::ptrdiff_t count = 0;
     for (std::size_t i = 0; i < assembly.steps.size(); ++i) {
       const std::vector<std::string> sentences =
-          paper::step_sentences(sample.model.model.surface, sample.nets, assembly, i, of);
+          export_::step_sentences(sample.model.model.surface, sample.nets, assembly, i, of);
       count += std::ranges::count(sentences, sentence);
     }
     return count;
@@ -168,9 +168,9 @@ TEST_CASE("an opening of any size lies on a face, whatever its shape", "[contact
     faces.push_back({VertexId(first + i), VertexId(first + 6 + next), VertexId(first + 6 + i)});
   }
   const auto sample = test::sample_pages(mesh::Surface(std::move(points), std::move(faces)), 1.0, 5.0);
-  const auto contacts = paper::find_contacts(sample.model.model.surface, sample.nets);
+  const auto contacts = export_::find_contacts(sample.model.model.surface, sample.nets);
   double area = 0.0;
-  for (const paper::Contact& contact : contacts) {
+  for (const export_::Contact& contact : contacts) {
     CHECK(sample.model.model.surface.component(sample.nets.pieces[contact.piece].faces.front()) ==
           sample.model.model.surface.component(FaceId(0)));
     area += area_of(contact);
@@ -181,7 +181,7 @@ TEST_CASE("an opening of any size lies on a face, whatever its shape", "[contact
 TEST_CASE("a body that reaches over an edge is glued as far as the face goes", "[contacts]") {
   const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{50, 10, 20}, {75, 40, 35}}}});
   const auto sample = test::sample_pages(surface, 1.0, 5.0);
-  const auto contacts = paper::find_contacts(sample.model.model.surface, sample.nets);
+  const auto contacts = export_::find_contacts(sample.model.model.surface, sample.nets);
   REQUIRE(contacts.size() == 1);
   CHECK(area_of(contacts[0]) == Approx(300.0).epsilon(0.001));
 }
@@ -192,20 +192,20 @@ TEST_CASE("spots are drawn, named, told, and hold in the check", "[contacts]") {
                                        {{{30, 10, 20}, {33, 12, 25}}},
                                        {{{60, 5, 5}, {70, 20, 15}}}});
   const auto sample = test::sample_pages(surface, 1.0, 0.0);
-  paper::DrawReport report;
-  const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {}, &report);
+  export_::DrawReport report;
+  const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {}, &report);
   REQUIRE(report.contacts.size() == 3);
   std::set<std::string> names;
   double drawn = 0.0;
-  for (const paper::Drawing& page : pages) {
-    for (const paper::Group& group : page.groups) {
-      for (const paper::Text& text : group.texts) {
-        if (text.layer == paper::Layer::glue) {
+  for (const export_::Drawing& page : pages) {
+    for (const export_::Group& group : page.groups) {
+      for (const export_::Text& text : group.texts) {
+        if (text.layer == export_::Layer::glue) {
           CHECK(names.insert(text.text).second);
         }
       }
-      for (const paper::Line& line : group.lines) {
-        drawn += line.layer == paper::Layer::glue ? length(line.points[1] - line.points[0]) : 0.0;
+      for (const export_::Line& line : group.lines) {
+        drawn += line.layer == export_::Layer::glue ? length(line.points[1] - line.points[0]) : 0.0;
       }
     }
   }
@@ -213,14 +213,14 @@ TEST_CASE("spots are drawn, named, told, and hold in the check", "[contacts]") {
   CHECK(drawn == Approx(100.0 + 10.0 + 50.0).epsilon(0.01));
 
   // These nets have no fold order and other things that files of the program have.
-  const auto glue_faults = [&](const paper::DrawReport& told) {
+  const auto glue_faults = [&](const export_::DrawReport& told) {
     const verify::Report checked = verify::verify(fold_of(sample, told), {}, {});
     return std::count_if(checked.faults.begin(), checked.faults.end(), [](const verify::Fault& fault) {
       return fault.message.find("glue spot") != std::string::npos;
     });
   };
   CHECK(glue_faults(report) == 0);
-  paper::DrawReport moved = report;
+  export_::DrawReport moved = report;
   for (Vec2& p : moved.contacts[0].outlines[0]) {
     p += Vec2{0.5, 0.0};
   }

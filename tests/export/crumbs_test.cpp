@@ -9,7 +9,7 @@
 namespace ridgecraft {
 
 TEST_CASE("crumbs go where the line stays, corners that count don't", "[crumbs]") {
-  using paper::without_crumbs;
+  using export_::without_crumbs;
   const std::vector<Vec2> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
   CHECK(without_crumbs(square, true) == square);
   CHECK(without_crumbs({{0, 0}, {10, 0}, {10, 0.012}, {10, 10}, {0, 10}}, true).size() == 4);

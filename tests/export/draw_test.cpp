@@ -20,7 +20,7 @@
 namespace ridgecraft {
 namespace {
 
-using paper::Layer;
+using export_::Layer;
 
 using test::nearest;
 using test::Stroke;
@@ -32,7 +32,7 @@ std::vector<test::SamplePages> samples(double turn) {
   const mesh::Surface ball = test::sphere(14, 8);
   all.push_back(test::sample_pages(ball, 60.0, 4.0, test::all_edges(ball), "Ball", {}, turn));
   all.push_back(test::sample_pages(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 2), 22.0, 4.0,
-                                   {}, "Corner", paper::parse_paper("A3"), turn));
+                                   {}, "Corner", export_::parse_paper("A3"), turn));
   return all;
 }
 
@@ -43,13 +43,13 @@ TEST_CASE("past the deadline and its grace, pages have the numbers that find roo
     Context context;
     context.deadline = Deadline::in(-1.0);
     context.grace_s = grace_s;
-    paper::DrawReport report;
-    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {}, &report, context);
+    export_::DrawReport report;
+    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {}, &report, context);
     CHECK(pages.size() == sample.pages.count + report.list_pages);
     return report.labels_listed.size();
   };
-  paper::DrawReport unlimited;
-  static_cast<void>(paper::draw(sample.model, sample.nets, sample.pages, {}, &unlimited));
+  export_::DrawReport unlimited;
+  static_cast<void>(export_::draw(sample.model, sample.nets, sample.pages, {}, &unlimited));
   CHECK(numbers_listed(3600.0) == unlimited.labels_listed.size());
   CHECK(numbers_listed(0.0) > unlimited.labels_listed.size());
   CHECK(numbers_listed(0.0) < sample.nets.joins.size());
@@ -58,14 +58,14 @@ TEST_CASE("past the deadline and its grace, pages have the numbers that find roo
 TEST_CASE("texts keep clear of lines and of each other") {
   for (const double turn : {0.0, 0.7, 2.5}) {
     for (const auto& sample : samples(turn)) {
-      paper::DrawReport report;
-      for (const auto& page : paper::draw(sample.model, sample.nets, sample.pages, {}, &report)) {
+      export_::DrawReport report;
+      for (const auto& page : export_::draw(sample.model, sample.nets, sample.pages, {}, &report)) {
         std::vector<std::vector<Stroke>> texts;
         std::vector<std::vector<Stroke>> lines;
         for (const auto& group : page.groups) {
           for (const auto& text : group.texts) {
             if (group.id != "page") {
-              texts.push_back(strokes_of(paper::text_strokes(text)));
+              texts.push_back(strokes_of(export_::text_strokes(text)));
             }
           }
           for (const auto& line : group.lines) {
@@ -114,7 +114,7 @@ bool in_face(const test::SamplePages& sample, PieceId piece, Vec2 p) {
 
 TEST_CASE("each cut edge has its number inside its piece, near it and along it") {
   for (const auto& sample : samples(0.4)) {
-    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
+    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
     const mesh::Surface& surface = sample.model.model.surface;
     for (const auto& join : sample.nets.joins) {
       for (const CornerId c : surface.sides(join.edge)) {
@@ -146,11 +146,11 @@ TEST_CASE("each cut edge has its number inside its piece, near it and along it")
 
 TEST_CASE(
     "a triangulated cube has five folds, an L one valley chain, and closed outlines count pieces and holes") {
-  const auto count = [](const std::vector<paper::Drawing>& pages, Layer layer, bool closed) {
+  const auto count = [](const std::vector<export_::Drawing>& pages, Layer layer, bool closed) {
     std::size_t lines = 0;
     for (const auto& page : pages) {
       for (const auto& group : page.groups) {
-        lines += static_cast<std::size_t>(std::ranges::count_if(group.lines, [&](const paper::Line& line) {
+        lines += static_cast<std::size_t>(std::ranges::count_if(group.lines, [&](const export_::Line& line) {
           return line.layer == layer && line.closed == closed;
         }));
       }
@@ -158,7 +158,7 @@ TEST_CASE(
     return lines;
   };
   const auto cube = test::sample_pages(test::cube(), 40.0, 0.0);
-  const auto pages = paper::draw(cube.model, cube.nets, cube.pages, {});
+  const auto pages = export_::draw(cube.model, cube.nets, cube.pages, {});
   // The net of the triangulated cube may be cut through squares: then a square's halves hang on folds of
   // their own.
   std::size_t folds = 0;
@@ -177,12 +177,12 @@ TEST_CASE(
 
 TEST_CASE("an angle of 0 hides exactly flat folds only, a large one hides all") {
   const auto count = [](const test::SamplePages& sample, double angle) {
-    paper::Style style;
+    export_::Style style;
     style.hidden_fold_angle = angle;
     std::size_t lines = 0;
-    for (const auto& page : paper::draw(sample.model, sample.nets, sample.pages, style)) {
+    for (const auto& page : export_::draw(sample.model, sample.nets, sample.pages, style)) {
       for (const auto& group : page.groups) {
-        lines += static_cast<std::size_t>(std::ranges::count_if(group.lines, [](const paper::Line& line) {
+        lines += static_cast<std::size_t>(std::ranges::count_if(group.lines, [](const export_::Line& line) {
           return line.layer == Layer::mountain || line.layer == Layer::valley;
         }));
       }
@@ -198,7 +198,7 @@ TEST_CASE("an angle of 0 hides exactly flat folds only, a large one hides all") 
   CHECK(count(cube, 2.0) == 0);
 }
 
-double drawn_length(const std::vector<paper::Drawing>& pages, std::initializer_list<Layer> layers) {
+double drawn_length(const std::vector<export_::Drawing>& pages, std::initializer_list<Layer> layers) {
   double sum = 0.0;
   for (const auto& page : pages) {
     for (const auto& group : page.groups) {
@@ -217,7 +217,7 @@ double drawn_length(const std::vector<paper::Drawing>& pages, std::initializer_l
 TEST_CASE("drawn lengths are those of the nets") {
   for (const auto& sample : samples(0.2)) {
     const mesh::Surface& surface = sample.model.model.surface;
-    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
+    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
     double folds = 0.0;
     double cuts = 0.0;
     for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
@@ -246,14 +246,14 @@ TEST_CASE("drawn lengths are those of the nets") {
 }
 
 TEST_CASE("furniture stays in its band on every paper") {
-  for (const std::string& name : paper::paper_names()) {
+  for (const std::string& name : export_::paper_names()) {
     for (const std::string suffix : {"", "-landscape"}) {
-      const paper::Paper sheet = paper::parse_paper(name + suffix);
+      const export_::Paper sheet = export_::parse_paper(name + suffix);
       for (const std::string title : {"Fox", "A name that is longer than the page is wide, whatever the page",
                                       "狐狐狐狐狐狐狐狐狐狐"}) {
-        const paper::Group group =
-            paper::furniture(sheet, title, 12, 345, {true, true, true, true, true, true},
-                             {true, true, true, true, true, true});
+        const export_::Group group =
+            export_::furniture(sheet, title, 12, 345, {true, true, true, true, true, true},
+                               {true, true, true, true, true, true});
         Box2 box;
         bool bar = false;
         const double bar_mm = sheet.size.x < 80.0 ? 20.0 : 50.0;
@@ -266,7 +266,7 @@ TEST_CASE("furniture stays in its band on every paper") {
         }
         std::vector<Box2> texts;
         for (const auto& text : group.texts) {
-          const double half = 0.5 * paper::text_width(text.text, text.height);
+          const double half = 0.5 * export_::text_width(text.text, text.height);
           Box2 own;
           own.add(text.centre - Vec2{half, 0.5 * text.height});
           own.add(text.centre + Vec2{half, 0.5 * text.height});
@@ -284,7 +284,7 @@ TEST_CASE("furniture stays in its band on every paper") {
         CHECK(box.low.x >= sheet.margin - 1e-9);
         CHECK(box.high.x <= sheet.size.x - sheet.margin + 1e-9);
         CHECK(box.low.y >= sheet.margin - 1e-9);
-        CHECK(box.high.y <= sheet.margin + paper::furniture_height - 1.0);
+        CHECK(box.high.y <= sheet.margin + export_::furniture_height - 1.0);
         CHECK(texts.size() >= 6);
       }
     }
@@ -293,10 +293,10 @@ TEST_CASE("furniture stays in its band on every paper") {
 
 TEST_CASE("numbers that are others upside down are marked") {
   for (const std::string marked : {"6", "9", "66", "68", "86", "89", "98", "99", "16", "91", "806"}) {
-    CHECK(paper::ambiguous_upside_down(marked));
+    CHECK(export_::ambiguous_upside_down(marked));
   }
   for (const std::string plain : {"0", "1", "8", "11", "69", "96", "60", "26", "3", "88", "101", "10", ""}) {
-    CHECK_FALSE(paper::ambiguous_upside_down(plain));
+    CHECK_FALSE(export_::ambiguous_upside_down(plain));
   }
 }
 
@@ -304,16 +304,16 @@ TEST_CASE("the alphabet covers what is written on a page") {
   for (const std::string text :
        {"0123456789", "ABCDEFGHIJKLMNOPQRSTUVWXYZ", "abcdefghijklmnopqrstuvwxyz",
         "print at 100 %, not fitted to the page", "Füchsin ßÄÖÜñéçøÅ", "page 1 / 2 …", ""}) {
-    CHECK(paper::stroke_font_covers(text));
+    CHECK(export_::stroke_font_covers(text));
   }
-  CHECK_FALSE(paper::stroke_font_covers("狐"));
-  CHECK_FALSE(paper::stroke_font_covers("\xff"));
+  CHECK_FALSE(export_::stroke_font_covers("狐"));
+  CHECK_FALSE(export_::stroke_font_covers("\xff"));
   // Letters of one text don't run into each other, and the box is as said.
   for (char c = '!'; c <= '~'; ++c) {
     for (const char d : std::string("1Wgj.")) {
-      const paper::Text pair{Layer::label, {c, d}, {0.0, 0.0}, 10.0, 0.0, false};
-      const double half = 0.5 * paper::text_width(pair.text, 10.0);
-      for (const auto& stroke : paper::text_strokes(pair)) {
+      const export_::Text pair{Layer::label, {c, d}, {0.0, 0.0}, 10.0, 0.0, false};
+      const double half = 0.5 * export_::text_width(pair.text, 10.0);
+      for (const auto& stroke : export_::text_strokes(pair)) {
         REQUIRE(stroke.size() >= 2);
         for (const Vec2 p : stroke) {
           CHECK(std::abs(p.x) <= half + 1e-9);

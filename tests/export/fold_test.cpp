@@ -20,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-const paper::Mark model_mark{"ridgecraft 0.1.0", "model", "00c0ffee00c0ffee", {{"seed", "1"}}};
+const export_::Mark model_mark{"ridgecraft 0.1.0", "model", "00c0ffee00c0ffee", {{"seed", "1"}}};
 
 prepare::Prepared prepared(const Surface& surface, double scale = 1.0, Vec3 shift = {}) {
   std::vector<Vec3> points;
@@ -81,11 +81,11 @@ std::vector<EdgeId> each_edge(const Surface& surface) {
 }
 
 /// Pages by hand: the pieces stand on pages of their own, turned by some angle.
-paper::Pages one_piece_a_page(const unfold::Nets& nets) {
-  paper::Pages pages;
+export_::Pages one_piece_a_page(const unfold::Nets& nets) {
+  export_::Pages pages;
   pages.paper.size = {400.0, 400.0};
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
-    paper::Placement placement;
+    export_::Placement placement;
     placement.page = PageId(pages.count++);
     placement.cosine = std::cos(0.3 + p.value());
     placement.sine = std::sin(0.3 + p.value());
@@ -111,9 +111,9 @@ void check_contract(const std::string& name, const std::string& fold) {
 }
 
 std::string write(const prepare::Prepared& model, const unfold::Nets& nets,
-                  const paper::Pages* pages = nullptr) {
-  return paper::write_fold(model, one_part(model.model.surface), nets,
-                           paper::assembly_order(model.model.surface, nets), pages, model_mark);
+                  const export_::Pages* pages = nullptr) {
+  return export_::write_fold(model, one_part(model.model.surface), nets,
+                             export_::assembly_order(model.model.surface, nets), pages, model_mark);
 }
 
 }  // namespace
@@ -130,7 +130,7 @@ TEST_CASE("simple shapes keep the contract, with pages and without", "[fold]") {
     const prepare::Prepared model = prepared(shape, 40.0, {-3.7, 1e3, 2.0});
     const unfold::Nets nets = test::simple_nets(model.model.surface);
     check_contract(name, write(model, nets));
-    const paper::Pages pages = one_piece_a_page(nets);
+    const export_::Pages pages = one_piece_a_page(nets);
     check_contract(name + " on pages", write(model, nets, &pages));
   }
 }
@@ -140,7 +140,7 @@ TEST_CASE("many pieces: every face of a torus its own, and a sphere in slices", 
   const unfold::Nets nets = test::simple_nets(ring.model.surface, each_edge(ring.model.surface));
   CHECK(nets.pieces.size() == 108);
   check_contract("torus", write(ring, nets));
-  const paper::Pages pages = one_piece_a_page(nets);
+  const export_::Pages pages = one_piece_a_page(nets);
   check_contract("torus on pages", write(ring, nets, &pages));
 
   const prepare::Prepared ball = prepared(test::sphere(12, 6), 50.0);
@@ -168,7 +168,7 @@ TEST_CASE("sizes far from the usual keep all their digits", "[fold]") {
 TEST_CASE("the keys of the contract, their classes and lengths", "[fold]") {
   const prepare::Prepared model = prepared(test::cube(), 40.0);
   const unfold::Nets nets = test::simple_nets(model.model.surface);
-  const paper::Pages pages = one_piece_a_page(nets);
+  const export_::Pages pages = one_piece_a_page(nets);
   const json file = json::parse(write(model, nets, &pages));
   CHECK(file["file_spec"] == 1.2);
   CHECK(file["file_creator"] == model_mark.producer);
@@ -195,7 +195,7 @@ TEST_CASE("the keys of the contract, their classes and lengths", "[fold]") {
   CHECK(file["ridgecraft:pages"][0]["margins"] == json{10.0, 10.0, 10.0, 10.0});
   CHECK(file["ridgecraft:pieces"][0]["part"] == 0);
   CHECK(file["file_frames"][0]["ridgecraft:faces_part"].size() == 12);
-  CHECK(paper::read_mark_digest(write(model, nets)) == model_mark.digest);
+  CHECK(export_::read_mark_digest(write(model, nets)) == model_mark.digest);
 }
 
 TEST_CASE("folds below 1e-4 degrees are flat, with angle 0", "[fold]") {
@@ -267,7 +267,7 @@ TEST_CASE("tabs and joins name each other", "[fold]") {
     join.tab = nets.tabs.push_back({side, j, {a, b, b - 0.5 * along + up, a + 0.5 * along + up}});
     join.no_tab = unfold::NoTab::has_tab;
   }
-  const paper::Pages pages = one_piece_a_page(nets);
+  const export_::Pages pages = one_piece_a_page(nets);
   const std::string fold = write(model, nets, &pages);
   const json file = json::parse(fold);
   REQUIRE(file["ridgecraft:tabs"].size() == 7);
@@ -286,7 +286,7 @@ TEST_CASE("several parts: pieces name theirs, faces theirs", "[fold]") {
     part[f] = PartId(std::abs(surface.normal(f).z) > 0.5 ? 3 : 1);
   }
   const unfold::Nets whole = test::simple_nets(surface, {}, part);
-  const std::string fold = paper::write_fold(model, part, whole, {}, nullptr, model_mark);
+  const std::string fold = export_::write_fold(model, part, whole, {}, nullptr, model_mark);
   check_contract("piece of two parts", fold);
   const json file = json::parse(fold);
   CHECK(file["ridgecraft:pieces"][0]["part"].is_null());
@@ -307,10 +307,10 @@ TEST_CASE("titles of any bytes make valid JSON", "[fold]") {
     CHECK_NOTHROW(json::parse(json_string(bytes)));
   }
   const prepare::Prepared model = prepared(test::tetrahedron(), 40.0);
-  paper::Mark odd = model_mark;
+  export_::Mark odd = model_mark;
   odd.title = "a\xFF\"b\\";
-  const std::string fold = paper::write_fold(model, one_part(model.model.surface),
-                                             test::simple_nets(model.model.surface), {}, nullptr, odd);
+  const std::string fold = export_::write_fold(model, one_part(model.model.surface),
+                                               test::simple_nets(model.model.surface), {}, nullptr, odd);
   CHECK(json::parse(fold)["file_title"] == "a\xEF\xBF\xBD\"b\\");
 }
 

@@ -36,27 +36,27 @@ Surface bracket() {
 
 struct Drawn {
   test::SamplePages sample;
-  paper::Assembly assembly;
-  paper::Guide guide;
+  export_::Assembly assembly;
+  export_::Guide guide;
 };
 Drawn draw(const Surface& surface, double scale, bool every_panel_a_piece = true, unsigned threads = 1) {
   Drawn drawn;
   drawn.sample = every_panel_a_piece ? test::sample_pages(surface, scale, 5.0, test::all_edges(surface))
                                      : test::sample_pages(surface, scale, 5.0);
   drawn.sample.model.panels = prepare::find_panels(drawn.sample.model.model.surface);
-  drawn.assembly = paper::assembly_order(drawn.sample.model.model.surface, drawn.sample.nets);
+  drawn.assembly = export_::assembly_order(drawn.sample.model.model.surface, drawn.sample.nets);
   Context context;
   context.threads = threads;
-  drawn.guide = paper::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages, drawn.assembly,
-                                  drawn.sample.pages.count, {}, paper::stance_of(drawn.sample.model.model),
-                                  {}, context);
+  drawn.guide = export_::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages, drawn.assembly,
+                                    drawn.sample.pages.count, {},
+                                    export_::stance_of(drawn.sample.model.model), {}, context);
   return drawn;
 }
 
-std::vector<std::string> words_on(const paper::Drawing& page) {
+std::vector<std::string> words_on(const export_::Drawing& page) {
   std::vector<std::string> words;
-  for (const paper::Group& group : page.groups) {
-    for (const paper::Text& text : group.texts) {
+  for (const export_::Group& group : page.groups) {
+    for (const export_::Text& text : group.texts) {
       words.push_back(text.text);
     }
   }
@@ -69,7 +69,7 @@ bool has(const std::vector<std::string>& words, const std::string& word) {
 
 TEST_CASE("the guide names every piece where it is seen, and has every step", "[guide]") {
   const Drawn drawn = draw(bracket(), 30.0);
-  const paper::Guide& guide = drawn.guide;
+  const export_::Guide& guide = drawn.guide;
   CHECK(guide.steps == drawn.assembly.steps.size());
   REQUIRE(guide.pages.size() > 2);
   const auto overview = words_on(guide.pages[1]);
@@ -77,8 +77,8 @@ TEST_CASE("the guide names every piece where it is seen, and has every step", "[
     CHECK(has(overview, piece.name));
   }
   for (std::size_t s = 0; s < guide.steps; ++s) {
-    const std::string title = paper::step_title(drawn.sample.nets, drawn.assembly.steps[s]);
-    CHECK(std::any_of(guide.pages.begin() + 2, guide.pages.end(), [&](const paper::Drawing& page) {
+    const std::string title = export_::step_title(drawn.sample.nets, drawn.assembly.steps[s]);
+    CHECK(std::any_of(guide.pages.begin() + 2, guide.pages.end(), [&](const export_::Drawing& page) {
       const auto words = words_on(page);
       return has(words, std::to_string(s + 1)) && has(words, title);
     }));
@@ -105,8 +105,8 @@ TEST_CASE("a step names all that it glues to, also what lies behind what is seen
   REQUIRE(drawn.guide.steps == 6);
   REQUIRE(drawn.guide.pages.size() == 3);
   std::size_t wanted = 0;
-  for (const paper::AssemblyStep& step : drawn.assembly.steps) {
-    wanted += paper::glued_before(drawn.sample.model.model.surface, drawn.sample.nets, step).size();
+  for (const export_::AssemblyStep& step : drawn.assembly.steps) {
+    wanted += export_::glued_before(drawn.sample.model.model.surface, drawn.sample.nets, step).size();
   }
   std::size_t named = 0;
   bool any_behind = false;
@@ -141,8 +141,8 @@ TEST_CASE("no page of the guide has one row of steps alone where the others have
     // Each of them is filled: its lowest words stand at the foot.
     for (std::size_t page = 2; page < drawn.guide.pages.size() && drawn.guide.steps > 2; ++page) {
       double lowest = 1e9;
-      for (const paper::Group& group : drawn.guide.pages[page].groups) {
-        for (const paper::Text& text : group.texts) {
+      for (const export_::Group& group : drawn.guide.pages[page].groups) {
+        for (const export_::Text& text : group.texts) {
           lowest = group.id == "steps" ? std::min(lowest, text.centre.y) : lowest;
         }
       }
@@ -156,10 +156,10 @@ TEST_CASE("the picture of a step takes the room below its net where rows are hig
   const Drawn drawn = draw(test::tetrahedron(), 60.0);
   REQUIRE(drawn.guide.steps == 4);
   REQUIRE(drawn.guide.pages.size() == 3);
-  const paper::Drawing& page = drawn.guide.pages.back();
+  const export_::Drawing& page = drawn.guide.pages.back();
   double broadest = 0.0;
-  for (const paper::Group& group : page.groups) {
-    for (const paper::Area& area : group.areas) {
+  for (const export_::Group& group : page.groups) {
+    for (const export_::Area& area : group.areas) {
       Box2 box;
       for (const Vec2 p : area.outline) {
         box.add(p);
@@ -191,20 +191,21 @@ TEST_CASE("the cover shows the model in its own colours, unless lines are all th
     }
   }
   drawn.sample.model.look = std::make_shared<const mesh::Look>(parts);
-  const auto hues_on_cover = [&](paper::Ink ink) {
-    paper::Style style;
+  const auto hues_on_cover = [&](export_::Ink ink) {
+    export_::Style style;
     style.ink = ink;
-    const paper::Guide guide = paper::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages,
-                                                 drawn.assembly, drawn.sample.pages.count, {}, {}, style, {});
+    const export_::Guide guide =
+        export_::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages, drawn.assembly,
+                            drawn.sample.pages.count, {}, {}, style, {});
     std::set<char> found;
     const auto add = [&](int red, int green) {
       found.insert(red > 2 * green ? 'r' : green > 2 * red ? 'g' : '-');
     };
-    const paper::Group& cover = guide.pages[0].groups[0];
-    for (const paper::Area& area : cover.areas) {
+    const export_::Group& cover = guide.pages[0].groups[0];
+    for (const export_::Area& area : cover.areas) {
       add(area.color->red, area.color->green);
     }
-    for (const paper::Image& image : cover.images) {
+    for (const export_::Image& image : cover.images) {
       const mesh::Picture picture = *mesh::unpack_picture(*image.jpeg);
       for (const std::vector<Vec2>& polygon : image.clip) {
         const Vec2 middle = (polygon[0] + polygon[1] + polygon[2]) / 3.0;  // inside, as it is convex
@@ -216,20 +217,20 @@ TEST_CASE("the cover shows the model in its own colours, unless lines are all th
     }
     return found;
   };
-  CHECK(hues_on_cover(paper::Ink::colour).contains('r'));
-  CHECK(hues_on_cover(paper::Ink::colour).contains('g'));
-  CHECK_FALSE(hues_on_cover(paper::Ink::lines).contains('r'));
+  CHECK(hues_on_cover(export_::Ink::colour).contains('r'));
+  CHECK(hues_on_cover(export_::Ink::colour).contains('g'));
+  CHECK_FALSE(hues_on_cover(export_::Ink::lines).contains('r'));
 }
 
 TEST_CASE("texts of the guide lie on their sheet and on no other text", "[guide]") {
   for (const double scale : {12.0, 30.0}) {
     for (const Surface& surface : {bracket(), test::cube(), test::sphere(8, 5)}) {
       const Drawn drawn = draw(surface, scale);
-      for (const paper::Drawing& page : drawn.guide.pages) {
-        std::vector<paper::Text> texts;
-        for (const paper::Group& group : page.groups) {
+      for (const export_::Drawing& page : drawn.guide.pages) {
+        std::vector<export_::Text> texts;
+        for (const export_::Group& group : page.groups) {
           texts.insert(texts.end(), group.texts.begin(), group.texts.end());
-          for (const paper::Area& area : group.areas) {
+          for (const export_::Area& area : group.areas) {
             for (const Vec2 p : area.outline) {
               CHECK((p.x >= 0.0 && p.y >= 0.0 && p.x <= page.size.x && p.y <= page.size.y));
             }
@@ -237,12 +238,12 @@ TEST_CASE("texts of the guide lie on their sheet and on no other text", "[guide]
         }
         for (std::size_t i = 0; i < texts.size(); ++i) {
           CAPTURE(page.page, texts[i].text);
-          const Box2 box = paper::box_of(texts[i]).bounds();
+          const Box2 box = export_::box_of(texts[i]).bounds();
           CHECK((box.low.x >= 5.0 && box.low.y >= 5.0));
           CHECK((box.high.x <= page.size.x - 5.0 && box.high.y <= page.size.y - 5.0));
           for (std::size_t j = 0; j < i; ++j) {
             CAPTURE(texts[j].text);
-            CHECK_FALSE(paper::overlap(paper::box_of(texts[i]), paper::box_of(texts[j])));
+            CHECK_FALSE(export_::overlap(export_::box_of(texts[i]), export_::box_of(texts[j])));
           }
         }
       }
@@ -252,10 +253,10 @@ TEST_CASE("texts of the guide lie on their sheet and on no other text", "[guide]
 
 TEST_CASE("no word of a guide needs a font of the machine", "[guide]") {
   for (const double scale : {12.0, 30.0, 300.0}) {
-    for (const paper::Drawing& page : draw(bracket(), scale).guide.pages) {
+    for (const export_::Drawing& page : draw(bracket(), scale).guide.pages) {
       for (const std::string& words : words_on(page)) {
         CAPTURE(words);
-        CHECK(paper::stroke_font_covers(words));
+        CHECK(export_::stroke_font_covers(words));
       }
     }
   }
@@ -263,8 +264,8 @@ TEST_CASE("no word of a guide needs a font of the machine", "[guide]") {
 
 TEST_CASE("a guide is the same on one thread and on three", "[guide]") {
   const auto bytes = [](unsigned threads) {
-    return paper::write_guide_pdf(draw(bracket(), 30.0, true, threads).guide.pages,
-                                  {"ridgecraft 0.1.0", "x", "0"});
+    return export_::write_guide_pdf(draw(bracket(), 30.0, true, threads).guide.pages,
+                                    {"ridgecraft 0.1.0", "x", "0"});
   };
   CHECK(bytes(1) == bytes(3));
 }
@@ -278,7 +279,7 @@ TEST_CASE("a model of one piece has a guide of one step", "[guide]") {
 TEST_CASE("time and difficulty are those of the formula", "[guide]") {
   const Surface cube = test::cube();
   const auto sample = test::sample_pages(cube, 30.0, 5.0, test::all_edges(cube));
-  const paper::Effort effort = paper::effort_of(sample.model.model.surface, sample.nets, 0.05);
+  const export_::Effort effort = export_::effort_of(sample.model.model.surface, sample.nets, 0.05);
   // Six squares that are glued along twelve edges of 30 mm, and not folded.
   CHECK(effort.joins == 12);
   CHECK(effort.folds == 0);
@@ -292,29 +293,29 @@ TEST_CASE("time and difficulty are those of the formula", "[guide]") {
     REQUIRE(bare.joins[join].tab.valid());
     bare.joins[join].tab = {};
   }
-  CHECK(paper::effort_of(sample.model.model.surface, bare, 0.05).difficulty == 3);
+  CHECK(export_::effort_of(sample.model.model.surface, bare, 0.05).difficulty == 3);
   const auto tiny = test::sample_pages(cube, 2.5, 1.0);
-  const paper::Effort fine = paper::effort_of(tiny.model.model.surface, tiny.nets, 0.05);
+  const export_::Effort fine = export_::effort_of(tiny.model.model.surface, tiny.nets, 0.05);
   CHECK(fine.difficulty == 3);  // few edges, but all of them short
   const auto small = test::sample_pages(cube, 6.5, 1.0);
-  CHECK(paper::effort_of(small.model.model.surface, small.nets, 0.05).difficulty == 1);
+  CHECK(export_::effort_of(small.model.model.surface, small.nets, 0.05).difficulty == 1);
 }
 
 TEST_CASE("durations and weights of paper in words", "[guide]") {
-  CHECK(paper::duration_words(2.0) == "about 10 minutes");
-  CHECK(paper::duration_words(44.0) == "about 40 minutes");
-  CHECK(paper::duration_words(61.0) == "about 1 hour");
-  CHECK(paper::duration_words(200.0) == "about 3.5 hours");
-  CHECK(paper::duration_words(730.0) == "about 12 hours");
-  CHECK(paper::paper_weight(100.0, 12.0) == "120 to 160 g/m\u00b2");
-  CHECK(paper::paper_weight(100.0, 5.0) == "100 to 120 g/m\u00b2");
-  CHECK(paper::paper_weight(800.0, 12.0) == "250 to 300 g/m\u00b2");
+  CHECK(export_::duration_words(2.0) == "about 10 minutes");
+  CHECK(export_::duration_words(44.0) == "about 40 minutes");
+  CHECK(export_::duration_words(61.0) == "about 1 hour");
+  CHECK(export_::duration_words(200.0) == "about 3.5 hours");
+  CHECK(export_::duration_words(730.0) == "about 12 hours");
+  CHECK(export_::paper_weight(100.0, 12.0) == "120 to 160 g/m\u00b2");
+  CHECK(export_::paper_weight(100.0, 5.0) == "100 to 120 g/m\u00b2");
+  CHECK(export_::paper_weight(800.0, 12.0) == "250 to 300 g/m\u00b2");
 }
 
 TEST_CASE("pieces that are glued to each other have different hues", "[guide]") {
   const Drawn drawn = draw(bracket(), 30.0);
   const Surface& surface = drawn.sample.model.model.surface;
-  const auto hues = paper::piece_hues(surface, drawn.sample.nets);
+  const auto hues = export_::piece_hues(surface, drawn.sample.nets);
   for (const unfold::Join& join : drawn.sample.nets.joins) {
     const auto [c, d] = surface.sides(join.edge);
     const PieceId a = drawn.sample.nets.piece[mesh::face_of(c)];
@@ -326,22 +327,22 @@ TEST_CASE("pieces that are glued to each other have different hues", "[guide]") 
 TEST_CASE("a model stands as its file says, or on its feet", "[guide]") {
   mesh::Model model;
   model.surface = test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {0, 0, 2}});
-  CHECK(paper::stance_of(model).up == Vec3{0.0, 0.0, 1.0});
+  CHECK(export_::stance_of(model).up == Vec3{0.0, 0.0, 1.0});
   model.frame.up = mesh::Axis::x;
-  CHECK(paper::stance_of(model).up == Vec3{1.0, 0.0, 0.0});
+  CHECK(export_::stance_of(model).up == Vec3{1.0, 0.0, 0.0});
   mesh::Model ball;
   ball.surface = test::sphere(12, 9);
   ball.format = mesh::FileFormat::stl_ascii;
-  CHECK(paper::stance_of(ball).up == Vec3{0.0, 0.0, 1.0});
+  CHECK(export_::stance_of(ball).up == Vec3{0.0, 0.0, 1.0});
   // A lid that would stand on a small flat place at its back, too.
   mesh::Model lid;
   lid.format = mesh::FileFormat::obj;
   lid.surface = test::mapped(test::sphere(32, 32), [](Vec3 p) {
     return Vec3{1.7 * p.x, p.y, 1.5 * std::max(p.z, -0.95)};
   });
-  CHECK(paper::stance_of(lid).up == Vec3{0.0, 1.0, 0.0});
+  CHECK(export_::stance_of(lid).up == Vec3{0.0, 1.0, 0.0});
   lid.format = mesh::FileFormat::stl_ascii;
-  CHECK(paper::stance_of(lid).up == Vec3{0.0, 0.0, 1.0});
+  CHECK(export_::stance_of(lid).up == Vec3{0.0, 0.0, 1.0});
   // A plant on a pointed foot, taller than it is deep: nothing but the origin tells that it doesn't lie.
   const auto plant = [](double foot) {
     mesh::Model model_of_plant;
@@ -349,7 +350,7 @@ TEST_CASE("a model stands as its file says, or on its feet", "[guide]") {
     model_of_plant.surface = test::mapped(test::sphere(16, 12), [&](Vec3 p) {
       return Vec3{p.x, 3.0 * p.z + foot, 0.9 * p.y};
     });
-    return paper::stance_of(model_of_plant).up;
+    return export_::stance_of(model_of_plant).up;
   };
   // A head whose left and right sides are mirror images across z, in a format in which z is usual.
   mesh::Model head;
@@ -358,18 +359,18 @@ TEST_CASE("a model stands as its file says, or on its feet", "[guide]") {
     return Vec3{p.x + 0.4 * p.y * p.y + 5.0, 1.1 * p.y + 0.3 * p.x * p.x * p.y + 0.2 * p.x, 0.95 * p.z};
   };
   head.surface = test::mapped(test::sphere(24, 13), headlike);
-  CHECK(paper::stance_of(head).up == Vec3{0.0, 1.0, 0.0});
+  CHECK(export_::stance_of(head).up == Vec3{0.0, 1.0, 0.0});
   // A plate of the same outline lies.
   head.surface = test::mapped(test::sphere(24, 13), [&](Vec3 p) {
     const Vec3 q = headlike(p);
     return Vec3{q.x, q.y, 0.3 * q.z};
   });
-  CHECK(paper::stance_of(head).up == Vec3{0.0, 0.0, 1.0});
+  CHECK(export_::stance_of(head).up == Vec3{0.0, 0.0, 1.0});
   // Where its sides aren't alike nothing tells.
   head.surface = test::mapped(test::sphere(24, 13), [&](Vec3 p) {
     return headlike({p.x, p.y, p.z + 0.1 * p.z * p.z});
   });
-  CHECK(paper::stance_of(head).up == Vec3{0.0, 0.0, 1.0});
+  CHECK(export_::stance_of(head).up == Vec3{0.0, 0.0, 1.0});
   CHECK(plant(3.0) == Vec3{0.0, 1.0, 0.0});
   CHECK(plant(0.0) == Vec3{0.0, 0.0, 1.0});
 }
@@ -381,7 +382,7 @@ TEST_CASE("the first page shows the side on which most is painted", "[guide]") {
     const Surface& surface = sample.model.model.surface;
     mesh::LookParts parts;
     parts.paints = {{{200, 200, 200}, nullptr, nullptr}, {{20, 20, 20}, nullptr, nullptr}};
-    const paper::Stance stance{{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
+    const export_::Stance stance{{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       const auto [a, b, c] = surface.vertices(f);
       mesh::LookFace& look = parts.faces.emplace_back();
@@ -392,13 +393,13 @@ TEST_CASE("the first page shows the side on which most is painted", "[guide]") {
       look.paint = painted && f.value() % 2 == 0 ? 1 : 0;
     }
     sample.model.look = std::make_shared<const mesh::Look>(parts);
-    paper::GuideModel guide;
+    export_::GuideModel guide;
     guide.model = &sample.model;
     guide.nets = &sample.nets;
     guide.stance = stance;
     guide.in_colour = in_colour;
-    guide.scene = paper::scene_of(sample.model, sample.nets, 0.0);
-    return dot(paper::turned_to_cover(guide).front, stance.front);
+    guide.scene = export_::scene_of(sample.model, sample.nets, 0.0);
+    return dot(export_::turned_to_cover(guide).front, stance.front);
   };
   CHECK(shown_front(false, true) == Approx(-1.0));
   CHECK(shown_front(true, true) == Approx(1.0));
@@ -413,45 +414,45 @@ TEST_CASE("mirror images of a step are known as a pair", "[guide]") {
     nets.pieces.push_back(piece);
   }
   nets.equal = {{{PieceId(1), false}, {PieceId(3), true}}, {{PieceId(0), false}, {PieceId(2), false}}};
-  paper::AssemblyStep step;
+  export_::AssemblyStep step;
   step.pieces = {PieceId(0), PieceId(3)};
-  const auto pairs = paper::mirror_pairs(nets, step);
+  const auto pairs = export_::mirror_pairs(nets, step);
   REQUIRE(pairs.size() == 1);
   CHECK(pairs[0].piece == PieceId(3));
   CHECK(pairs[0].image == PieceId(1));
   step.pieces = {PieceId(1), PieceId(3)};
-  REQUIRE(paper::mirror_pairs(nets, step).size() == 1);
-  CHECK(paper::mirror_pairs(nets, step)[0].piece == PieceId(1));
+  REQUIRE(export_::mirror_pairs(nets, step).size() == 1);
+  CHECK(export_::mirror_pairs(nets, step)[0].piece == PieceId(1));
   // Of three nobody says which is meant.
   nets.equal[0].push_back({PieceId(4), true});
-  CHECK(paper::mirror_pairs(nets, step).empty());
+  CHECK(export_::mirror_pairs(nets, step).empty());
 }
 
 TEST_CASE("a line to a small face ends where its piece has most room", "[guide]") {
-  const paper::Anchor face{true, {1.0, 2.0}, 0.5};
-  const paper::Anchor piece{true, {3.0, 4.0}, 2.0};
-  CHECK(paper::anchor_to_point_at(face, piece, 0.4).at == face.at);
-  CHECK(paper::anchor_to_point_at(face, piece, 0.6).at == piece.at);
+  const export_::Anchor face{true, {1.0, 2.0}, 0.5};
+  const export_::Anchor piece{true, {3.0, 4.0}, 2.0};
+  CHECK(export_::anchor_to_point_at(face, piece, 0.4).at == face.at);
+  CHECK(export_::anchor_to_point_at(face, piece, 0.6).at == piece.at);
 }
 
 TEST_CASE("lines to names of one column don't cross, and words don't meet", "[guide]") {
   Random random(3);
   for (int round = 0; round < 200; ++round) {
-    std::vector<paper::Callout> callouts;
+    std::vector<export_::Callout> callouts;
     for (std::uint32_t n = 1 + random.below(40); n > 0; --n) {
       callouts.push_back(
           {"P" + std::to_string(n), {20.0 + 60.0 * random.unit(), 5.0 + 50.0 * random.unit()}});
     }
-    paper::Group group;
+    export_::Group group;
     const std::size_t placed =
-        paper::add_callouts(callouts, {{{0.0, 0.0}, {100.0, 60.0}}, 15.0, 85.0, 2.0}, group);
+        export_::add_callouts(callouts, {{{0.0, 0.0}, {100.0, 60.0}}, 15.0, 85.0, 2.0}, group);
     CHECK(placed == std::min<std::size_t>(callouts.size(), 38));
     REQUIRE(group.lines.size() == placed);
     REQUIRE(group.texts.size() == placed);
     for (std::size_t i = 0; i < placed; ++i) {
       CHECK((group.texts[i].centre.y >= 0.9 && group.texts[i].centre.y <= 59.1));
       for (std::size_t j = 0; j < i; ++j) {
-        CHECK_FALSE(paper::overlap(paper::box_of(group.texts[i]), paper::box_of(group.texts[j])));
+        CHECK_FALSE(export_::overlap(export_::box_of(group.texts[i]), export_::box_of(group.texts[j])));
         const auto& p = group.lines[i].points;
         const auto& q = group.lines[j].points;
         const auto side = [](Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); };

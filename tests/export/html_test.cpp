@@ -39,10 +39,10 @@ test::SamplePages cube_pages() {
 TEST_CASE("nothing in a document ends it", "[html]") {
   const std::string nasty = "</script><script>alert(1)</script><!--\xe2\x80\xa8\xe2\x80\xa9\\u003c";
   const std::string fold = Json{{"file_title", nasty}}.dump();
-  paper::Drawing page;
-  page.groups.push_back({"page", {}, {}, {{paper::Layer::mark, nasty, {10.0, 10.0}}}, {}, {}, {}});
-  const std::string html = paper::write_html(fold, std::vector{page}, mark);
-  const std::string plain = paper::write_html("{}", {}, mark);
+  export_::Drawing page;
+  page.groups.push_back({"page", {}, {}, {{export_::Layer::mark, nasty, {10.0, 10.0}}}, {}, {}, {}});
+  const std::string html = export_::write_html(fold, std::vector{page}, mark);
+  const std::string plain = export_::write_html("{}", {}, mark);
   for (const char* part : {"<script", "</script", "<!--"}) {
     CHECK(count(html, part) == count(plain, part));
   }
@@ -65,7 +65,7 @@ TEST_CASE("whatever bytes a document has, the page gives them back", "[html]") {
     while (bytes.size() < size) {
       bytes.push_back(static_cast<char>(random.below(256)));
     }
-    const std::string html = paper::write_html(bytes, {}, mark);
+    const std::string html = export_::write_html(bytes, {}, mark);
     INFO(size << " bytes");
     CHECK(page_document(html, "fold") == bytes);
     CHECK(count(html, std::string_view("\0", 1)) == 0);
@@ -74,17 +74,17 @@ TEST_CASE("whatever bytes a document has, the page gives them back", "[html]") {
 }
 
 TEST_CASE("a name is words, whatever it is", "[html]") {
-  const paper::Mark named{"ridgecraft <1>", "</title><b>\"&'@FOLD@\n", "0123456789abcdef"};
-  const std::string html = paper::write_html("{}", {}, named);
+  const export_::Mark named{"ridgecraft <1>", "</title><b>\"&'@FOLD@\n", "0123456789abcdef"};
+  const std::string html = export_::write_html("{}", {}, named);
   CHECK(count(html, "<b>") == 0);
   CHECK(html.find("<title>&lt;/title&gt;&lt;b&gt;&quot;&amp;'@FOLD@") != std::string::npos);
   CHECK(page_document(html, "fold") == "{}");
-  CHECK(paper::read_mark_digest(html) == "0123456789abcdef");
+  CHECK(export_::read_mark_digest(html) == "0123456789abcdef");
 }
 
 TEST_CASE("a page loads nothing, and runs nothing but its own script", "[html]") {
   const test::SamplePages sample = cube_pages();
-  const std::string html = paper::write_html("{}", drawings(sample), mark);
+  const std::string html = export_::write_html("{}", drawings(sample), mark);
   const std::size_t policy = html.find("http-equiv=\"Content-Security-Policy\"");
   REQUIRE(policy != std::string::npos);
   CHECK(policy < html.find("<style"));
@@ -103,8 +103,8 @@ TEST_CASE("a page loads nothing, and runs nothing but its own script", "[html]")
 
 TEST_CASE("the second document has the texts of all pages", "[html]") {
   const test::SamplePages sample = cube_pages();
-  const std::vector<paper::Drawing> pages = drawings(sample);
-  const std::string html = paper::write_html("{}", pages, mark);
+  const std::vector<export_::Drawing> pages = drawings(sample);
+  const std::string html = export_::write_html("{}", pages, mark);
   const Json sheets = Json::parse(page_document(html, "sheets"));
   REQUIRE(sheets.at("pages").size() == pages.size());
   for (std::size_t p = 0; p < pages.size(); ++p) {
@@ -112,7 +112,7 @@ TEST_CASE("the second document has the texts of all pages", "[html]") {
     CHECK(page.at("size").at(0).get<double>() == Approx(pages[p].size.x).margin(0.005));
     REQUIRE(page.at("groups").size() == pages[p].groups.size());
     for (std::size_t g = 0; g < pages[p].groups.size(); ++g) {
-      const paper::Group& group = pages[p].groups[g];
+      const export_::Group& group = pages[p].groups[g];
       CHECK(page["groups"][g].at("id") == group.id);
       const Json texts = page["groups"][g].value("texts", Json::array());
       REQUIRE(texts.size() == group.texts.size());
@@ -126,19 +126,19 @@ TEST_CASE("the second document has the texts of all pages", "[html]") {
 }
 
 TEST_CASE("colours and pictures stand in the second document as they are drawn", "[html]") {
-  paper::Drawing page;
-  paper::Group group;
+  export_::Drawing page;
+  export_::Group group;
   group.id = "piece-A";
   group.fills.push_back({{0x12, 0xab, 0xff}, {{{0, 0}, {10.006, 0}, {0, 10}}}});
   group.ground.push_back({{1, 2, 3}, {{{0, 0}, {2, 0}, {0, 2}}}});
-  paper::Image image;
+  export_::Image image;
   image.place.add({1.0, 2.0});
   image.place.add({3.0, 4.0});
   image.jpeg = std::make_shared<const std::string>("\xff\xd8jpeg");
   image.clip = {{{1, 2}, {3, 2}, {1, 4}}};
   group.images.push_back(image);
   page.groups.push_back(group);
-  const Json told = Json::parse(page_document(paper::write_html("{}", std::vector{page}, mark), "sheets"))
+  const Json told = Json::parse(page_document(export_::write_html("{}", std::vector{page}, mark), "sheets"))
                         .at("pages")
                         .at(0)
                         .at("groups")
@@ -150,7 +150,8 @@ TEST_CASE("colours and pictures stand in the second document as they are drawn",
 
 TEST_CASE("the same result gives the same page", "[html]") {
   const test::SamplePages sample = cube_pages();
-  CHECK(paper::write_html("{}", drawings(sample), mark) == paper::write_html("{}", drawings(sample), mark));
+  CHECK(export_::write_html("{}", drawings(sample), mark) ==
+        export_::write_html("{}", drawings(sample), mark));
 }
 
 }  // namespace ridgecraft

@@ -43,7 +43,7 @@ double distance_to(Vec2 p, Vec2 a, Vec2 b) {
   return length(p - (a + t * along));
 }
 
-double distance_to(Vec2 p, const paper::CutPaths& paths) {
+double distance_to(Vec2 p, const export_::CutPaths& paths) {
   double least = 1e9;
   for (const auto& loop : paths.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -59,7 +59,7 @@ double distance_to(Vec2 p, const paper::CutPaths& paths) {
 }
 
 /// The farthest that a point of the loops is from what is cut.
-double farthest(const Loops& loops, const paper::CutPaths& paths) {
+double farthest(const Loops& loops, const export_::CutPaths& paths) {
   double most = 0.0;
   for (const auto& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -76,8 +76,8 @@ double farthest(const Loops& loops, const paper::CutPaths& paths) {
 
 /// How far a beam of this kerf along the paths reaches into the paper beyond the loops, at points along the
 /// moved loops: these lie half a kerf outside.
-void check_outside(const Loops& loops, const paper::CutPaths& paths, double kerf) {
-  const paper::CutPaths given{loops, {}};
+void check_outside(const Loops& loops, const export_::CutPaths& paths, double kerf) {
+  const export_::CutPaths given{loops, {}};
   for (const auto& loop : paths.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       for (const double share : {0.0, 0.3, 0.7}) {
@@ -98,12 +98,12 @@ Loops with_wedge(double degrees) {
 
 TEST_CASE("a frame and its hole are moved apart by half of the kerf each") {
   const Loops frame{{{0, 0}, {60, 0}, {60, 40}, {0, 40}}, {{20, 10}, {20, 30}, {40, 30}, {40, 10}}};
-  const paper::CutPaths cut = paper::with_kerf(frame, 0.2);
+  const export_::CutPaths cut = export_::with_kerf(frame, 0.2);
   REQUIRE(cut.loops.size() == 2);
   CHECK(cut.lines.empty());
   CHECK(0.5 * doubled_area(cut.loops[0]) == Approx(60.2 * 40.2));
   CHECK(0.5 * doubled_area(cut.loops[1]) == Approx(-19.8 * 19.8));
-  CHECK(paper::with_kerf(frame, 0.0).loops == frame);
+  CHECK(export_::with_kerf(frame, 0.0).loops == frame);
 }
 
 TEST_CASE("the tip of a wedge is reached, however narrow it is") {
@@ -111,7 +111,7 @@ TEST_CASE("the tip of a wedge is reached, however narrow it is") {
     for (const double kerf : {0.08, 0.1, 0.2, 0.5}) {
       CAPTURE(degrees, kerf);
       const Loops piece = with_wedge(degrees);
-      const paper::CutPaths cut = paper::with_kerf(piece, kerf);
+      const export_::CutPaths cut = export_::with_kerf(piece, kerf);
       CHECK(farthest(piece, cut) < 0.5 * kerf + 0.05 + 1e-6);
       check_outside(piece, cut, kerf);
       const double bridged = 0.5 * kerf / std::sin(0.5 * degrees * std::numbers::pi / 180.0);
@@ -141,7 +141,7 @@ TEST_CASE("a gap that is narrow in its middle alone is cut there, and what it en
                      {19.97, 25},
                      {19.97, 30},
                      {0, 30}}};
-  const paper::CutPaths cut = paper::with_kerf(piece, 0.2);
+  const export_::CutPaths cut = export_::with_kerf(piece, 0.2);
   CHECK(cut.loops.size() == 2);
   CHECK(cut.lines.size() == 1);
   CHECK(farthest(piece, cut) < 0.15);
@@ -149,7 +149,7 @@ TEST_CASE("a gap that is narrow in its middle alone is cut there, and what it en
 
 TEST_CASE("a spike is cut off at the kerf and not beyond") {
   const Loops needle{{{0, 0}, {40, 0.5}, {0, 1}}};
-  const paper::CutPaths cut = paper::with_kerf(needle, 0.2);
+  const export_::CutPaths cut = export_::with_kerf(needle, 0.2);
   REQUIRE(cut.loops.size() == 1);
   double most = 0.0;
   for (const Vec2 p : cut.loops[0]) {
@@ -171,7 +171,7 @@ TEST_CASE("stars of all kinds are cut out whole") {
       star[0].push_back(Vec2{100, 50} + radius * Vec2{std::cos(turn), std::sin(turn)});
     }
     const double kerf = 0.05 + 0.4 * random.unit();
-    const paper::CutPaths cut = paper::with_kerf(star, kerf);
+    const export_::CutPaths cut = export_::with_kerf(star, kerf);
     CHECK(farthest(star, cut) < 0.5 * kerf + 0.05 + 1e-6);
     check_outside(star, cut, kerf);
     CHECK(loops_area(cut.loops) > loops_area(star));
@@ -181,14 +181,14 @@ TEST_CASE("stars of all kinds are cut out whole") {
 }
 
 TEST_CASE("with a kerf folds stay, outlines grow, and every cut of a page is made") {
-  for (const paper::Drawing& page : test::pages_for_machines()) {
-    const auto drawn = paper::machine_paths(page, {.engraves = false});
-    const auto cut = paper::machine_paths(page, {.engraves = false, .kerf_mm = 0.2});
-    paper::CutPaths all;
+  for (const export_::Drawing& page : test::pages_for_machines()) {
+    const auto drawn = export_::machine_paths(page, {.engraves = false});
+    const auto cut = export_::machine_paths(page, {.engraves = false, .kerf_mm = 0.2});
+    export_::CutPaths all;
     Loops loops;
-    std::vector<paper::Path> folds;
-    for (const paper::Path& path : cut) {
-      if (path.operation < paper::Operation::cut_inner) {
+    std::vector<export_::Path> folds;
+    for (const export_::Path& path : cut) {
+      if (path.operation < export_::Operation::cut_inner) {
         folds.push_back(path);
       } else if (path.closed) {
         all.loops.push_back(path.points);
@@ -197,8 +197,8 @@ TEST_CASE("with a kerf folds stay, outlines grow, and every cut of a page is mad
       }
     }
     std::size_t fold = 0;
-    for (const paper::Path& path : drawn) {
-      if (path.operation < paper::Operation::cut_inner) {
+    for (const export_::Path& path : drawn) {
+      if (path.operation < export_::Operation::cut_inner) {
         REQUIRE(fold < folds.size());
         CHECK(folds[fold++].points == path.points);
       } else if (path.closed) {
@@ -214,20 +214,20 @@ TEST_CASE("with a kerf folds stay, outlines grow, and every cut of a page is mad
 TEST_CASE(
     "the test piece is 20 mm wide with a hole of 10, on the first page that has room, else on its own") {
   const test::SamplePages sample = test::sample_pages(test::cube(), 40.0, 5.0);
-  std::vector<paper::Drawing> pages = paper::draw(sample.model, sample.nets, sample.pages, {});
+  std::vector<export_::Drawing> pages = export_::draw(sample.model, sample.nets, sample.pages, {});
   const std::size_t count = pages.size();
-  paper::add_kerf_test(pages, sample.pages.paper);
+  export_::add_kerf_test(pages, sample.pages.paper);
   REQUIRE(pages.size() == count);
   std::vector<std::vector<Vec2>> found;
-  for (const paper::Path& path : paper::machine_paths(pages[0], {.engraves = false})) {
+  for (const export_::Path& path : export_::machine_paths(pages[0], {.engraves = false})) {
     const double size = std::abs(0.5 * doubled_area(path.points));
     if (path.closed && (size == Approx(400.0) || size == Approx(100.0))) {
       found.push_back(path.points);
     }
   }
   CHECK(found.size() == 2);
-  std::vector<paper::Drawing> none;
-  paper::add_kerf_test(none, paper::Paper{});
+  std::vector<export_::Drawing> none;
+  export_::add_kerf_test(none, export_::Paper{});
   CHECK(none.size() == 1);
 }
 

@@ -35,7 +35,7 @@ bool inside(Vec2 p, const std::array<Vec2, 3>& t) {
 }
 
 /// All pairs of faces and tabs of different pieces on one page, without any shortcut.
-double least_distance(Nets nets, const paper::Pages& pages) {
+double least_distance(Nets nets, const export_::Pages& pages) {
   double least = INFINITY;
   for (const unfold::Tab& tab : nets.tabs) {  // a tab is two triangles more
     const PieceId piece = nets.piece[mesh::face_of(tab.side)];
@@ -73,13 +73,13 @@ double least_distance(Nets nets, const paper::Pages& pages) {
 
 }  // namespace
 
-void check_promises(const Nets& nets, const paper::Pages& pages, bool all_pairs) {
-  const Box2 box = paper::piece_box(pages.paper);
+void check_promises(const Nets& nets, const export_::Pages& pages, bool all_pairs) {
+  const Box2 box = export_::piece_box(pages.paper);
   REQUIRE(pages.placements.size() == nets.pieces.size());
   std::vector<bool> used(pages.count);
   bool in_box = true;
   for (const FaceId f : ids<FaceId>(nets.flat.size())) {
-    const paper::Placement& placement = pages.placements[nets.piece[f]];
+    const export_::Placement& placement = pages.placements[nets.piece[f]];
     CHECK(placement.cosine * placement.cosine + placement.sine * placement.sine ==
           Approx(1.0).epsilon(1e-14));
     REQUIRE(placement.page.value() < pages.count);
@@ -104,8 +104,8 @@ void check_promises(const Nets& nets, const paper::Pages& pages, bool all_pairs)
   }
 }
 
-std::size_t shelf_pages(const Nets& nets, const paper::Paper& paper) {
-  const Vec2 area = paper::piece_area(paper);
+std::size_t shelf_pages(const Nets& nets, const export_::Paper& paper) {
+  const Vec2 area = export_::piece_area(paper);
   std::vector<Vec2> sizes;
   for (const unfold::Piece& piece : nets.pieces) {
     std::vector<Vec2> points;
@@ -116,7 +116,7 @@ std::size_t shelf_pages(const Nets& nets, const paper::Paper& paper) {
     Vec2 best{INFINITY, INFINITY};
     for (std::size_t i = 0; i < hull.size(); ++i) {
       const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
-      const Vec2 size = paper::extent(hull, {side.x / length(side), -side.y / length(side)});
+      const Vec2 size = export_::extent(hull, {side.x / length(side), -side.y / length(side)});
       if (size.x * size.y < best.x * best.y) {
         best = size;
       }

@@ -29,7 +29,7 @@ TEST_CASE("random blobs keep the gap, stay inside and beat shelves", "[layout]")
     for (std::uint32_t i = 0; i < count; ++i) {
       pieces.add_fan(blob(random, 8.0 + 50.0 * random.unit() * random.unit()), i / 4);
     }
-    const auto pages = paper::layout(pieces.nets(), {}, {});
+    const auto pages = export_::layout(pieces.nets(), {}, {});
     check_promises(pieces.nets(), pages);
     CHECK(pages.count <= shelf_pages(pieces.nets(), {}));
   }
@@ -39,7 +39,7 @@ TEST_CASE("pieces with tabs and needles keep the gap on any paper", "[layout]") 
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     Random random(100 + seed);
     test::PlainPieces pieces;
-    paper::Paper paper = paper::parse_paper(seed % 3 == 0 ? "a5-landscape" : seed % 3 == 1 ? "a4" : "a6");
+    export_::Paper paper = export_::parse_paper(seed % 3 == 0 ? "a5-landscape" : seed % 3 == 1 ? "a4" : "a6");
     paper.gap = seed % 4 == 0 ? 0.0 : 5.0 * random.unit();
     paper.margin = 12.0 * random.unit();
     const std::uint32_t count = 2 + random.below(seed % 5 == 0 ? 60 : 14);
@@ -55,7 +55,7 @@ TEST_CASE("pieces with tabs and needles keep the gap on any paper", "[layout]") 
       }
     }
     INFO("seed " << seed << ", gap " << paper.gap << ", margin " << paper.margin);
-    check_promises(pieces.nets(), paper::layout(pieces.nets(), paper, {}));
+    check_promises(pieces.nets(), export_::layout(pieces.nets(), paper, {}));
   }
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("of pages that can't be saved one stays as empty as it may", "[layout]
   for (std::uint32_t i = 0; i < 5; ++i) {
     pieces.add_boxes({{0, 0, 92, 130}}, i / 3);
   }
-  const auto pages = paper::layout(pieces.nets(), {}, {});
+  const auto pages = export_::layout(pieces.nets(), {}, {});
   check_promises(pieces.nets(), pages);
   REQUIRE(pages.count == 2);
   CHECK(std::ranges::count_if(pages.placements, [](const auto& p) { return p.page.value() == 1; }) == 1);
@@ -83,9 +83,9 @@ TEST_CASE("several pages are filled by half and more", "[layout]") {
     for (std::uint32_t i = 0; i < 60; ++i) {
       pieces.add_fan(blob(random, 10.0 + 50.0 * random.unit()), i / 4);
     }
-    const auto pages = paper::layout(pieces.nets(), {}, {});
+    const auto pages = export_::layout(pieces.nets(), {}, {});
     check_promises(pieces.nets(), pages);
-    const Vec2 area = paper::piece_area({});
+    const Vec2 area = export_::piece_area({});
     filled += test::area_of(pieces.nets());
     whole += static_cast<double>(pages.count) * area.x * area.y;
     count += pages.count;
@@ -107,7 +107,7 @@ TEST_CASE("combs interlock on one page", "[layout]") {
     pieces.add_boxes(boxes);
   }
   CHECK(shelf_pages(pieces.nets(), {}) == 2);
-  const auto pages = paper::layout(pieces.nets(), {}, {});
+  const auto pages = export_::layout(pieces.nets(), {}, {});
   check_promises(pieces.nets(), pages);
   CHECK(pages.count == 1);
 }
@@ -118,13 +118,13 @@ TEST_CASE("small pieces lie in the hole of a large one", "[layout]") {
   for (int i = 0; i < 4; ++i) {
     pieces.add_boxes({{0, 0, 50, 85}});
   }
-  const auto pages = paper::layout(pieces.nets(), {}, {});
+  const auto pages = export_::layout(pieces.nets(), {}, {});
   check_promises(pieces.nets(), pages);
   CHECK(pages.count == 1);
 }
 
 TEST_CASE("a strip that fits only from corner to corner is found", "[layout]") {
-  const Vec2 area = paper::piece_area({});
+  const Vec2 area = export_::piece_area({});
   const double diagonal = length(area);
   for (const double width : {1.0, 8.0}) {
     // As long as it may be: the ends just touch both sides.
@@ -148,7 +148,7 @@ TEST_CASE("a strip that fits only from corner to corner is found", "[layout]") {
       const Vec2 across = width * perpendicular(along);
       pieces.add_fan({{0, 0}, strip * along, strip * along + across, across});
       CHECK(strip > area.y);
-      const auto pages = paper::layout(pieces.nets(), {}, {});
+      const auto pages = export_::layout(pieces.nets(), {}, {});
       check_promises(pieces.nets(), pages);
     }
   }
@@ -159,7 +159,7 @@ TEST_CASE("a piece that fits no page is named with its size and the page's", "[l
   pieces.add_boxes({{0, 0, 100, 100}});
   pieces.add_boxes({{0, 0, 191, 265}});
   try {
-    static_cast<void>(paper::layout(pieces.nets(), {}, {}));
+    static_cast<void>(export_::layout(pieces.nets(), {}, {}));
     FAIL("no error");
   } catch (const Error& error) {
     CHECK(error.kind() == ErrorKind::no_nets);
@@ -170,7 +170,7 @@ TEST_CASE("a piece that fits no page is named with its size and the page's", "[l
   }
   test::PlainPieces exact;
   exact.add_boxes({{0, 0, 265, 190}});
-  CHECK(paper::layout(exact.nets(), {}, {}).count == 1);
+  CHECK(export_::layout(exact.nets(), {}, {}).count == 1);
 }
 
 TEST_CASE("500 pieces, the same twice", "[layout]") {
@@ -179,10 +179,10 @@ TEST_CASE("500 pieces, the same twice", "[layout]") {
   for (std::uint32_t i = 0; i < 500; ++i) {
     pieces.add_fan(blob(random, 5.0 + 20.0 * random.unit()), i / 10);
   }
-  const auto pages = paper::layout(pieces.nets(), {}, {});
+  const auto pages = export_::layout(pieces.nets(), {}, {});
   check_promises(pieces.nets(), pages);
   CHECK(pages.count <= shelf_pages(pieces.nets(), {}));
-  const auto again = paper::layout(pieces.nets(), {}, {});
+  const auto again = export_::layout(pieces.nets(), {}, {});
   bool same = pages.count == again.count;
   for (const PieceId p : ids<PieceId>(pages.placements.size())) {
     const auto& a = pages.placements[p];
@@ -198,7 +198,7 @@ TEST_CASE("no page is left with one lonely triangle, and pages follow the parts"
     pieces.add_boxes({{0, 0, 92, 130}}, 7 - i);
   }
   pieces.add_fan({{0, 0}, {12, 0}, {0, 12}}, 3);
-  const auto pages = paper::layout(pieces.nets(), {}, {});
+  const auto pages = export_::layout(pieces.nets(), {}, {});
   check_promises(pieces.nets(), pages);
   REQUIRE(pages.count == 3);
   std::vector<double> paper_on(3);
@@ -219,7 +219,7 @@ TEST_CASE("pieces of a part share a page where that costs none", "[layout]") {
   for (std::uint32_t i = 0; i < 24; ++i) {
     pieces.add_boxes({{0, 0, 60, 60}}, i % 2);
   }
-  const auto pages = paper::layout(pieces.nets(), {}, {});
+  const auto pages = export_::layout(pieces.nets(), {}, {});
   check_promises(pieces.nets(), pages);
   REQUIRE(pages.count == 2);
   for (const PieceId p : ids<PieceId>(pages.placements.size())) {
@@ -236,10 +236,10 @@ TEST_CASE("other papers, margins and gaps", "[layout]") {
   for (const char* name : {"a6", "a0", "letter-landscape", "mat-12x12", "2000x100mm"}) {
     for (const double gap : {0.0, 0.3, 7.0}) {
       INFO(name << " " << gap);
-      paper::Paper paper = paper::parse_paper(name);
+      export_::Paper paper = export_::parse_paper(name);
       paper.gap = gap;
       paper.margin = 3.0;
-      const auto pages = paper::layout(pieces.nets(), paper, {});
+      const auto pages = export_::layout(pieces.nets(), paper, {});
       check_promises(pieces.nets(), pages);
       CHECK(pages.count <= shelf_pages(pieces.nets(), paper));
     }
@@ -258,16 +258,16 @@ TEST_CASE("folds run along the paper's grain wherever a piece fits so", "[layout
   }
   pieces.add_boxes({{0, 0, 250, 20}}, 5);
   lines.push_back({0.0, 1.0});
-  for (const auto& [grain, size] : {std::pair{paper::Grain::long_side, Vec2{210, 297}},
-                                    {paper::Grain::short_side, Vec2{210, 297}},
-                                    {paper::Grain::long_side, Vec2{297, 210}}}) {
-    CAPTURE(paper::word(grain), size.x);
-    paper::Paper sheet;
+  for (const auto& [grain, size] : {std::pair{export_::Grain::long_side, Vec2{210, 297}},
+                                    {export_::Grain::short_side, Vec2{210, 297}},
+                                    {export_::Grain::long_side, Vec2{297, 210}}}) {
+    CAPTURE(export_::word(grain), size.x);
+    export_::Paper sheet;
     sheet.size = size;
     sheet.grain = grain;
-    const auto pages = paper::layout(pieces.nets(), sheet, {}, {}, lines);
+    const auto pages = export_::layout(pieces.nets(), sheet, {}, {}, lines);
     check_promises(pieces.nets(), pages);
-    const bool upright = (size.y > size.x) == (grain == paper::Grain::long_side);
+    const bool upright = (size.y > size.x) == (grain == export_::Grain::long_side);
     for (const PieceId piece : ids<PieceId>(14)) {
       const Vec2 placed = pages.placements[piece](lines[piece]) - pages.placements[piece]({});
       CHECK(std::abs(upright ? placed.x : placed.y) <= std::sin(15.1 * std::numbers::pi / 180.0));
@@ -276,13 +276,13 @@ TEST_CASE("folds run along the paper's grain wherever a piece fits so", "[layout
     const PieceId strip(14);
     const Vec2 placed = pages.placements[strip](lines[strip]) - pages.placements[strip]({});
     CHECK(std::abs(size.y > size.x ? placed.x : placed.y) > 0.7);
-    CHECK(paper::pieces_off_grain(lines, pages) ==
-          (grain == paper::Grain::long_side ? std::vector<PieceId>{strip} : std::vector<PieceId>{}));
+    CHECK(export_::pieces_off_grain(lines, pages) ==
+          (grain == export_::Grain::long_side ? std::vector<PieceId>{strip} : std::vector<PieceId>{}));
     // Not heeded, the same as without directions.
-    sheet.grain = paper::Grain::any;
-    const auto with = paper::layout(pieces.nets(), sheet, {}, {}, lines);
-    CHECK(paper::pieces_off_grain(lines, with).empty());
-    const auto without = paper::layout(pieces.nets(), sheet, {});
+    sheet.grain = export_::Grain::any;
+    const auto with = export_::layout(pieces.nets(), sheet, {}, {}, lines);
+    CHECK(export_::pieces_off_grain(lines, with).empty());
+    const auto without = export_::layout(pieces.nets(), sheet, {});
     for (const PieceId piece : ids<PieceId>(15)) {
       CHECK(with.placements[piece]({1, 2}) == without.placements[piece]({1, 2}));
     }
@@ -293,7 +293,7 @@ TEST_CASE("the direction of folds is that in which most of them run, by length a
   // A tube: its folds run along its axis, those within its flat sides count for nothing.
   const test::SamplePages sample = test::sample_pages(test::revolve({{20, 0}, {20, 200}}, 18), 1.0, 0.0);
   const mesh::Surface& surface = sample.model.model.surface;
-  const auto directions = paper::fold_directions(surface, sample.nets);
+  const auto directions = export_::fold_directions(surface, sample.nets);
   REQUIRE(directions.size() == sample.nets.pieces.size());
   std::size_t along_axis = 0;
   for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
@@ -313,7 +313,7 @@ TEST_CASE("the direction of folds is that in which most of them run, by length a
 }
 
 TEST_CASE("no pieces, no pages", "[layout]") {
-  CHECK(paper::layout({}, {}, {}).count == 0);
+  CHECK(export_::layout({}, {}, {}).count == 0);
 }
 
 TEST_CASE("layout stops when it is asked to", "[layout]") {
@@ -323,5 +323,5 @@ TEST_CASE("layout stops when it is asked to", "[layout]") {
   stop.request_stop();
   Context context;
   context.stop = stop.get_token();
-  CHECK_THROWS_AS(paper::layout(pieces.nets(), {}, context), Error);
+  CHECK_THROWS_AS(export_::layout(pieces.nets(), {}, context), Error);
 }

@@ -27,9 +27,9 @@
 namespace ridgecraft {
 namespace {
 
-using paper::Operation;
-using paper::Path;
-using paper::Scores;
+using export_::Operation;
+using export_::Path;
+using export_::Scores;
 using test::mark;
 
 double length_of(const Path& path) {
@@ -48,8 +48,8 @@ double total(const std::vector<Path>& paths, bool folds) {
   return sum;
 }
 
-std::vector<Path> closed_cuts(const paper::Drawing& page, const paper::PathRules& rules) {
-  std::vector<Path> paths = paper::machine_paths(page, rules);
+std::vector<Path> closed_cuts(const export_::Drawing& page, const export_::PathRules& rules) {
+  std::vector<Path> paths = export_::machine_paths(page, rules);
   std::erase_if(paths, [](const Path& path) { return !path.closed; });
   return paths;
 }
@@ -104,9 +104,9 @@ std::string tiff_dots(const std::filesystem::path& file) {
 }  // namespace
 
 TEST_CASE("an outline with bridges is cut but for them, on tabs before other places and off corners") {
-  for (const paper::Drawing& page : test::pages_for_machines()) {
-    const auto whole = paper::machine_paths(page, {.engraves = false});
-    const auto held = paper::machine_paths(page, {.engraves = false, .bridges = {3, 0.4}});
+  for (const export_::Drawing& page : test::pages_for_machines()) {
+    const auto whole = export_::machine_paths(page, {.engraves = false});
+    const auto held = export_::machine_paths(page, {.engraves = false, .bridges = {3, 0.4}});
     CHECK(total(whole, true) == Approx(total(held, true)));
     std::size_t outlines = 0;
     double left = 0.0;
@@ -130,15 +130,15 @@ TEST_CASE("an outline with bridges is cut but for them, on tabs before other pla
 
 TEST_CASE("the widest kerf hides no tab from bridges") {
   // A piece of 40 x 20 with a tab of 10 at its right.
-  paper::Group group;
+  export_::Group group;
   group.id = "piece-A";
-  group.lines.push_back({paper::Layer::cut, {{20, 20}, {70, 20}, {70, 40}, {20, 40}}, true});
-  group.areas.push_back({paper::Layer::tab_fill, {{60, 40}, {60, 20}, {70, 20}, {70, 40}}});
-  paper::Drawing page;
+  group.lines.push_back({export_::Layer::cut, {{20, 20}, {70, 20}, {70, 40}, {20, 40}}, true});
+  group.areas.push_back({export_::Layer::tab_fill, {{60, 40}, {60, 20}, {70, 20}, {70, 40}}});
+  export_::Drawing page;
   page.groups = {group};
   for (const double kerf : {0.0, 0.1, 0.8, 2.0}) {
     CAPTURE(kerf);
-    const auto paths = paper::machine_paths(page, {.kerf_mm = kerf, .bridges = {1, 0.4}});
+    const auto paths = export_::machine_paths(page, {.kerf_mm = kerf, .bridges = {1, 0.4}});
     REQUIRE(paths.size() == 1);
     REQUIRE_FALSE(paths[0].closed);
     CHECK(paths[0].points.front().x == Approx(70.0 + 0.5 * kerf));
@@ -147,12 +147,12 @@ TEST_CASE("the widest kerf hides no tab from bridges") {
 }
 
 TEST_CASE("dashes begin and end with a bridge, whatever the length of the fold") {
-  for (const paper::ScorePattern pattern :
-       {paper::pattern_of(Scores::dashes, false), paper::pattern_of(Scores::dashes, true),
-        paper::pattern_of(Scores::perforate, false)}) {
+  for (const export_::ScorePattern pattern :
+       {export_::pattern_of(Scores::dashes, false), export_::pattern_of(Scores::dashes, true),
+        export_::pattern_of(Scores::perforate, false)}) {
     for (double size = 0.5; size < 60.0; size += 0.137) {
       CAPTURE(size, pattern.cut, pattern.bridge);
-      const auto dashes = paper::dashes_along({{1.0, 2.0}, {1.0 + size, 2.0}}, pattern);
+      const auto dashes = export_::dashes_along({{1.0, 2.0}, {1.0 + size, 2.0}}, pattern);
       CHECK(dashes.empty() == (size < 3.0 * pattern.bridge));
       double at = 1.0;
       for (const auto& dash : dashes) {
@@ -172,9 +172,9 @@ TEST_CASE("dashes begin and end with a bridge, whatever the length of the fold")
 }
 
 TEST_CASE("scores at ends lie beside the piece, and none are none") {
-  for (const paper::Drawing& page : test::pages_for_machines()) {
-    const auto ends = paper::machine_paths(page, {.engraves = false, .scores = Scores::ends});
-    const auto none = paper::machine_paths(page, {.engraves = false, .scores = Scores::none});
+  for (const export_::Drawing& page : test::pages_for_machines()) {
+    const auto ends = export_::machine_paths(page, {.engraves = false, .scores = Scores::ends});
+    const auto none = export_::machine_paths(page, {.engraves = false, .scores = Scores::none});
     CHECK(total(none, true) == 0.0);
     CHECK(total(ends, false) == Approx(total(none, false)));
     std::vector<std::vector<Vec2>> outlines;
@@ -215,12 +215,12 @@ TEST_CASE("scores at ends lie beside the piece, and none are none") {
 }
 
 TEST_CASE("no path of a machine is shorter than 0.2 mm, no step of one than 0.05, with every rule") {
-  for (const paper::Drawing& page : test::pages_for_machines()) {
+  for (const export_::Drawing& page : test::pages_for_machines()) {
     for (const Scores scores :
          {Scores::solid, Scores::dashes, Scores::perforate, Scores::ends, Scores::none}) {
       for (const double kerf : {0.0, 0.1, 0.3}) {
         for (const Path& path :
-             paper::machine_paths(page, {.scores = scores, .kerf_mm = kerf, .bridges = {2, 0.4}})) {
+             export_::machine_paths(page, {.scores = scores, .kerf_mm = kerf, .bridges = {2, 0.4}})) {
           CHECK(length_of(path) >= 0.2 - 1e-9);
           for (std::size_t i = 1; path.closed && i < path.points.size(); ++i) {
             CHECK(length(path.points[i] - path.points[i - 1]) >= 0.05 - 1e-9);
@@ -232,12 +232,12 @@ TEST_CASE("no path of a machine is shorter than 0.2 mm, no step of one than 0.05
 }
 
 TEST_CASE("a LightBurn project has the settings that its shapes use, and the page's outlines") {
-  for (const paper::Drawing& page : test::pages_for_machines()) {
-    const paper::PathRules rules{.kerf_mm = 0.1};
+  for (const export_::Drawing& page : test::pages_for_machines()) {
+    const export_::PathRules rules{.kerf_mm = 0.1};
     pugi::xml_document document;
-    const std::string bytes = paper::write_lbrn(page, mark, rules);
+    const std::string bytes = export_::write_lbrn(page, mark, rules);
     REQUIRE(document.load_string(bytes.c_str()));
-    CHECK(paper::read_mark_digest(bytes) == mark.digest);
+    CHECK(export_::read_mark_digest(bytes) == mark.digest);
     std::set<int> settings;
     std::set<int> used;
     int priority = -1;
@@ -270,11 +270,11 @@ TEST_CASE("a LightBurn project has the settings that its shapes use, and the pag
 }
 
 TEST_CASE("EPS has the page's outlines in millimetres, in the colours of the operations, and no date") {
-  for (const paper::Drawing& page : test::pages_for_machines()) {
-    const paper::Preset& laser = paper::presets()[1];
-    const std::string eps = paper::write_eps(page, mark, laser);
-    CHECK(eps == paper::write_eps(page, mark, laser));
-    CHECK(paper::read_mark_digest(eps) == mark.digest);
+  for (const export_::Drawing& page : test::pages_for_machines()) {
+    const export_::Preset& laser = export_::presets()[1];
+    const std::string eps = export_::write_eps(page, mark, laser);
+    CHECK(eps == export_::write_eps(page, mark, laser));
+    CHECK(export_::read_mark_digest(eps) == mark.digest);
     CHECK(eps.find("Date") == std::string::npos);
     std::vector<std::vector<Vec2>> closed;
     std::vector<Vec2> points;
@@ -297,11 +297,11 @@ TEST_CASE("EPS has the page's outlines in millimetres, in the colours of the ope
 }
 
 TEST_CASE("HPGL scores with pen 1 and cuts with pen 2, within a plotter's unit") {
-  for (const paper::Drawing& page : test::pages_for_machines()) {
-    const paper::PathRules rules{.engraves = false, .scores = Scores::dashes};
-    const std::string plt = paper::write_plt(page, mark, rules);
-    CHECK(paper::read_mark_digest(plt) == mark.digest);
-    const std::vector<Path> paths = paper::machine_paths(page, rules);
+  for (const export_::Drawing& page : test::pages_for_machines()) {
+    const export_::PathRules rules{.engraves = false, .scores = Scores::dashes};
+    const std::string plt = export_::write_plt(page, mark, rules);
+    CHECK(export_::read_mark_digest(plt) == mark.digest);
+    const std::vector<Path> paths = export_::machine_paths(page, rules);
     std::istringstream in(plt);
     int pen = 0;
     std::size_t next = 0;
@@ -325,7 +325,7 @@ TEST_CASE("HPGL scores with pen 1 and cuts with pen 2, within a plotter's unit")
 
 TEST_CASE("the lines of a hatched area lie in it, 2 mm apart") {
   const std::vector<Vec2> tab{{10, 10}, {40, 10}, {36, 16}, {14, 16}};
-  const auto lines = paper::hatching(tab, 2.0);
+  const auto lines = export_::hatching(tab, 2.0);
   CHECK(lines.size() > 10);
   for (const auto& line : lines) {
     for (const Vec2 p : line) {
@@ -337,14 +337,14 @@ TEST_CASE("the lines of a hatched area lie in it, 2 mm apart") {
 
 TEST_CASE("a packaging PDF has an ink for each step, and they overprint") {
   const test::TemporaryFolder folder;
-  const std::vector<paper::Drawing> pages = test::pages_for_machines();
-  const auto preset = std::ranges::find(paper::presets(), "packaging", &paper::Preset::name);
-  REQUIRE(preset != paper::presets().end());
-  paper::SpotNames spots;
+  const std::vector<export_::Drawing> pages = test::pages_for_machines();
+  const auto preset = std::ranges::find(export_::presets(), "packaging", &export_::Preset::name);
+  REQUIRE(preset != export_::presets().end());
+  export_::SpotNames spots;
   spots.cut = "Die_Cut";
-  const std::string pdf = paper::write_packaging_pdf(pages, mark, *preset, spots);
-  CHECK(pdf == paper::write_packaging_pdf(pages, mark, *preset, spots));
-  CHECK(paper::read_mark_digest(pdf) == mark.digest);
+  const std::string pdf = export_::write_packaging_pdf(pages, mark, *preset, spots);
+  CHECK(pdf == export_::write_packaging_pdf(pages, mark, *preset, spots));
+  CHECK(export_::read_mark_digest(pdf) == mark.digest);
   for (const char* word : {"/Separation /Die_Cut", "/Separation /Crease", "/Separation /Glue", "/OP true",
                            "/GTS_ProcStepsType /Cutting", "/TrimBox"}) {
     CHECK(pdf.find(word) != std::string::npos);
@@ -397,17 +397,17 @@ TEST_CASE("a packaging PDF has an ink for each step, and they overprint") {
 }
 
 TEST_CASE("registration marks lie where cutters look for them, the same in what is printed and what is cut") {
-  paper::Paper sheet;
-  paper::fit_registration(sheet);
-  const Box2 area = paper::piece_box(sheet);
+  export_::Paper sheet;
+  export_::fit_registration(sheet);
+  const Box2 area = export_::piece_box(sheet);
   CHECK(area.low == Vec2{10.0, 30.0});
   CHECK(area.high == Vec2{200.0, 267.0});
-  paper::Drawing page = test::pages_for_machines()[0];
+  export_::Drawing page = test::pages_for_machines()[0];
   page.size = sheet.size;
-  const paper::Drawing printed = paper::printed_page(page);
-  page.groups.push_back(paper::registration_marks(page.size));
+  const export_::Drawing printed = export_::printed_page(page);
+  page.groups.push_back(export_::registration_marks(page.size));
   std::vector<std::vector<Vec2>> in_cut;
-  for (const Path& path : paper::machine_paths(page, {.engraves = false})) {
+  for (const Path& path : export_::machine_paths(page, {.engraves = false})) {
     if (path.operation == Operation::registration) {
       in_cut.push_back(path.points);
     }
@@ -421,26 +421,27 @@ TEST_CASE("registration marks lie where cutters look for them, the same in what 
   }
   CHECK(marks.size() == Vec2{190.0, 277.0});
   std::size_t found = 0;
-  for (const paper::Group& group : printed.groups) {
-    for (const paper::Line& line : group.lines) {
-      CHECK(line.layer != paper::Layer::cut);
-      found += group.id == paper::registration_group && std::ranges::find(in_cut, line.points) != in_cut.end()
-                   ? 1U
-                   : 0U;
+  for (const export_::Group& group : printed.groups) {
+    for (const export_::Line& line : group.lines) {
+      CHECK(line.layer != export_::Layer::cut);
+      found +=
+          group.id == export_::registration_group && std::ranges::find(in_cut, line.points) != in_cut.end()
+              ? 1U
+              : 0U;
     }
   }
   // What stands beside the pieces is printed; a page of nothing else needs no marks.
-  CHECK(std::ranges::any_of(printed.groups, [](const paper::Group& group) {
+  CHECK(std::ranges::any_of(printed.groups, [](const export_::Group& group) {
     return std::ranges::any_of(group.texts,
-                               [](const paper::Text& text) { return text.layer == paper::Layer::mark; });
+                               [](const export_::Text& text) { return text.layer == export_::Layer::mark; });
   }));
-  paper::Drawing list = page;
-  std::erase_if(list.groups, [](const paper::Group& group) { return group.id != "page"; });
+  export_::Drawing list = page;
+  std::erase_if(list.groups, [](const export_::Group& group) { return group.id != "page"; });
   REQUIRE(list.groups.size() == 1);
-  CHECK(paper::printed_page(list).groups.size() == 1);
+  CHECK(export_::printed_page(list).groups.size() == 1);
   CHECK(found == 2);  // the angles; the square runs the other way round where it is cut
   // They come first, so that a machine that works down a file doesn't cut them.
-  CHECK(paper::machine_paths(page, {}).front().operation == Operation::registration);
+  CHECK(export_::machine_paths(page, {}).front().operation == Operation::registration);
 }
 
 }  // namespace ridgecraft

@@ -9,6 +9,6 @@
 namespace ridgecraft::test {
 
 /// A cube, a ball in many pieces, and a corner of cubes with valley folds, on sheets of several sizes.
-[[nodiscard]] std::vector<paper::Drawing> pages_for_machines();
+[[nodiscard]] std::vector<export_::Drawing> pages_for_machines();
 
 }  // namespace ridgecraft::test

@@ -28,12 +28,12 @@
 namespace ridgecraft {
 namespace {
 
-using paper::DxfKind;
-using paper::Operation;
-using paper::Path;
+using export_::DxfKind;
+using export_::Operation;
+using export_::Path;
 using test::mark;
 
-std::vector<paper::Drawing> pages() {
+std::vector<export_::Drawing> pages() {
   return test::pages_for_machines();
 }
 
@@ -46,39 +46,39 @@ double area(const std::vector<Vec2>& points) {
 }
 
 /// A page with a frame of 60 x 40, a hole of 20 x 10 in it, a slit, and crumbs.
-paper::Drawing frame_with_crumbs() {
+export_::Drawing frame_with_crumbs() {
   const auto rectangle = [](Vec2 low, Vec2 high) {
     return std::vector<Vec2>{low, {high.x, low.y}, high, {low.x, high.y}};
   };
-  paper::Group group;
+  export_::Group group;
   group.id = "piece-A";
-  const auto add = [&](paper::Layer layer, std::vector<Vec2> points, bool closed) {
-    paper::Line line;
+  const auto add = [&](export_::Layer layer, std::vector<Vec2> points, bool closed) {
+    export_::Line line;
     line.layer = layer;
     line.points = std::move(points);
     line.closed = closed;
     group.lines.push_back(std::move(line));
   };
-  add(paper::Layer::cut, rectangle({50, 40}, {70, 50}), true);
-  add(paper::Layer::cut, rectangle({30, 20}, {90, 60}), true);
+  add(export_::Layer::cut, rectangle({50, 40}, {70, 50}), true);
+  add(export_::Layer::cut, rectangle({30, 20}, {90, 60}), true);
   std::reverse(group.lines[1].points.begin(), group.lines[1].points.end());
   group.lines[1].points.insert(group.lines[1].points.begin() + 1, group.lines[1].points[0] + Vec2{0.01, 0.0});
-  add(paper::Layer::cut, {{35, 30}, {35, 40}}, false);
-  add(paper::Layer::cut, {{40, 30}, {40, 30.1}}, false);
-  add(paper::Layer::mountain, {{30, 55}, {60, 55}, {90, 55}}, false);
-  add(paper::Layer::tab_fold, {{30, 25}, {90, 25}}, false);
-  paper::Text name;
-  name.layer = paper::Layer::piece_name;
+  add(export_::Layer::cut, {{35, 30}, {35, 40}}, false);
+  add(export_::Layer::cut, {{40, 30}, {40, 30.1}}, false);
+  add(export_::Layer::mountain, {{30, 55}, {60, 55}, {90, 55}}, false);
+  add(export_::Layer::tab_fold, {{30, 25}, {90, 25}}, false);
+  export_::Text name;
+  name.layer = export_::Layer::piece_name;
   name.text = "A";
   name.centre = {60, 30};
   group.texts.push_back(name);
-  paper::Group furniture;
+  export_::Group furniture;
   furniture.id = "page";
-  paper::Line bar;
-  bar.layer = paper::Layer::mark;
+  export_::Line bar;
+  bar.layer = export_::Layer::mark;
   bar.points = {{10, 5}, {60, 5}};
   furniture.lines.push_back(bar);
-  paper::Drawing page;
+  export_::Drawing page;
   page.groups = {furniture, group};
   return page;
 }
@@ -120,7 +120,7 @@ std::map<std::string, std::vector<std::vector<Vec2>>> closed_polylines(const std
 }  // namespace
 
 TEST_CASE("paths are in the order of work, and none is too short to be meant") {
-  const std::vector<Path> paths = paper::machine_paths(frame_with_crumbs());
+  const std::vector<Path> paths = export_::machine_paths(frame_with_crumbs());
   CHECK(std::is_sorted(paths.begin(), paths.end(),
                        [](const Path& a, const Path& b) { return a.operation < b.operation; }));
   const auto count = [&](Operation operation) {
@@ -144,8 +144,8 @@ TEST_CASE("paths are in the order of work, and none is too short to be meant") {
 }
 
 TEST_CASE("a fold in dashes is held by bridges, at both ends, too") {
-  const paper::PathRules rules{.engraves = false, .scores = paper::Scores::dashes};
-  const std::vector<Path> paths = paper::machine_paths(frame_with_crumbs(), rules);
+  const export_::PathRules rules{.engraves = false, .scores = export_::Scores::dashes};
+  const std::vector<Path> paths = export_::machine_paths(frame_with_crumbs(), rules);
   double covered = 0.0;
   std::size_t dashes = 0;
   double least = 1000.0;
@@ -169,14 +169,14 @@ TEST_CASE("a fold in dashes is held by bridges, at both ends, too") {
 }
 
 TEST_CASE("a preset's SVG has one colour for each operation, in the order of work, and nothing else") {
-  for (const paper::Preset& preset : paper::presets()) {
+  for (const export_::Preset& preset : export_::presets()) {
     if (preset.simulates) {
       continue;
     }
     CAPTURE(preset.name);
-    for (const paper::Drawing& page : pages()) {
+    for (const export_::Drawing& page : pages()) {
       pugi::xml_document document;
-      REQUIRE(document.load_string(paper::write_machine_svg(page, mark, preset).c_str()));
+      REQUIRE(document.load_string(export_::write_machine_svg(page, mark, preset).c_str()));
       const pugi::xml_node root = document.child("svg");
       CHECK(std::string(root.child("metadata").child_value()).find("preset:" + std::string(preset.name)) !=
             std::string::npos);
@@ -198,7 +198,7 @@ TEST_CASE("a preset's SVG has one colour for each operation, in the order of wor
       REQUIRE_FALSE(ids.empty());
       CHECK(ids.back() == "cut");
       CHECK((std::find(ids.begin(), ids.end(), "engrave") != ids.end()) == preset.paths.engraves);
-      CHECK(lines == paper::machine_paths(page, preset.paths).size());
+      CHECK(lines == export_::machine_paths(page, preset.paths).size());
     }
   }
 }
@@ -209,7 +209,7 @@ TEST_CASE("a simulator finds every face and every angle of the nets") {
     for (std::uint32_t page = 0; page < sample.pages.count; ++page) {
       pugi::xml_document document;
       REQUIRE(document.load_string(
-          paper::write_simulator_svg(sample.model, sample.nets, sample.pages, PageId(page), mark).c_str()));
+          export_::write_simulator_svg(sample.model, sample.nets, sample.pages, PageId(page), mark).c_str()));
       CHECK(std::string(document.child("svg").attribute("viewBox").value()) == "0 0 21000 29700");
       std::vector<Vec2> points;
       std::set<std::pair<std::size_t, std::size_t>> edges;
@@ -257,10 +257,10 @@ TEST_CASE("no machine goes over a line twice") {
     Vec2 a;
     Vec2 b;
   };
-  for (const paper::Drawing& page : pages()) {
+  for (const export_::Drawing& page : pages()) {
     CAPTURE(page.title, page.page);
     std::vector<Side> sides;
-    for (const Path& path : paper::machine_paths(page, paper::PathRules{.engraves = false})) {
+    for (const Path& path : export_::machine_paths(page, export_::PathRules{.engraves = false})) {
       for (std::size_t i = 1; i < path.points.size(); ++i) {
         sides.push_back({path.points[i - 1], path.points[i]});
       }
@@ -287,15 +287,15 @@ TEST_CASE("no machine goes over a line twice") {
 }
 
 TEST_CASE("every piece of a page has one outline round all that is done on it") {
-  for (const paper::Drawing& page : pages()) {
+  for (const export_::Drawing& page : pages()) {
     CAPTURE(page.title, page.page);
     std::size_t pieces = 0;
-    for (const paper::Group& group : page.groups) {
+    for (const export_::Group& group : page.groups) {
       pieces += std::any_of(group.lines.begin(), group.lines.end(),
-                            [](const paper::Line& line) { return line.layer == paper::Layer::cut; });
+                            [](const export_::Line& line) { return line.layer == export_::Layer::cut; });
     }
     std::size_t outlines = 0;
-    for (const Path& path : paper::machine_paths(page)) {
+    for (const Path& path : export_::machine_paths(page)) {
       outlines += path.operation == Operation::cut_outer ? 1U : 0U;
       for (const Vec2 p : path.points) {
         CHECK((p.x >= 0.0 && p.y >= 0.0 && p.x <= page.size.x && p.y <= page.size.y));
@@ -306,11 +306,11 @@ TEST_CASE("every piece of a page has one outline round all that is done on it") 
 }
 
 TEST_CASE("a DXF file has the outlines of its page, in millimetres, on their layers") {
-  for (const paper::Drawing& page : pages()) {
+  for (const export_::Drawing& page : pages()) {
     CAPTURE(page.title, page.page);
-    const std::vector<Path> paths = paper::machine_paths(page);
+    const std::vector<Path> paths = export_::machine_paths(page);
     for (const DxfKind kind : {DxfKind::r2000, DxfKind::r12}) {
-      auto found = closed_polylines(paper::write_dxf(page, mark, kind));
+      auto found = closed_polylines(export_::write_dxf(page, mark, kind));
       std::map<std::string, std::size_t> next;
       for (const Path& path : paths) {
         if (path.closed) {
@@ -330,13 +330,13 @@ TEST_CASE("a DXF file has the outlines of its page, in millimetres, on their lay
 }
 
 TEST_CASE("a plain DXF file has lines on layer 0 alone, as many as there are sides") {
-  const paper::Drawing page = frame_with_crumbs();
+  const export_::Drawing page = frame_with_crumbs();
   std::size_t sides = 0;
-  for (const Path& path : paper::machine_paths(page)) {
+  for (const Path& path : export_::machine_paths(page)) {
     sides += path.points.size() - (path.closed ? 0 : 1);
   }
   std::size_t lines = 0;
-  for (const auto& [code, value] : pairs_of(paper::write_dxf(page, mark, DxfKind::plain))) {
+  for (const auto& [code, value] : pairs_of(export_::write_dxf(page, mark, DxfKind::plain))) {
     lines += code == 0 && value == "LINE" ? 1U : 0U;
     CHECK((code != 8 || value == "0"));
     CHECK((code != 0 || (value != "POLYLINE" && value != "LWPOLYLINE")));
@@ -345,21 +345,21 @@ TEST_CASE("a plain DXF file has lines on layer 0 alone, as many as there are sid
 }
 
 TEST_CASE("a plain DXF file leaves registration marks out, as it can't tell them from cuts") {
-  const paper::Drawing page = frame_with_crumbs();
-  paper::Drawing marked = page;
-  marked.groups.push_back(paper::registration_marks(page.size));
-  CHECK(paper::write_dxf(marked, mark, DxfKind::plain) == paper::write_dxf(page, mark, DxfKind::plain));
-  const std::string told = paper::write_dxf(marked, mark, DxfKind::r12);
+  const export_::Drawing page = frame_with_crumbs();
+  export_::Drawing marked = page;
+  marked.groups.push_back(export_::registration_marks(page.size));
+  CHECK(export_::write_dxf(marked, mark, DxfKind::plain) == export_::write_dxf(page, mark, DxfKind::plain));
+  const std::string told = export_::write_dxf(marked, mark, DxfKind::r12);
   CHECK(closed_polylines(told)["REGMARKS"].size() > 0);
 }
 
 TEST_CASE("no two things in a DXF file have one handle") {
-  for (const paper::Drawing& page : pages()) {
+  for (const export_::Drawing& page : pages()) {
     std::set<std::string> handles;
     std::string seed;
     bool seed_is_next = false;
     std::size_t highest = 0;
-    for (const auto& [code, value] : pairs_of(paper::write_dxf(page, mark))) {
+    for (const auto& [code, value] : pairs_of(export_::write_dxf(page, mark))) {
       if (code == 9) {
         seed_is_next = value == "$HANDSEED";
       } else if (code == 5 && seed_is_next) {
@@ -396,10 +396,10 @@ for name in sys.argv[1:]:
 )";
   std::string command = "/usr/bin/python3 '" + (folder / "read.py").string() + "'";
   int number = 0;
-  for (const paper::Drawing& page : pages()) {
+  for (const export_::Drawing& page : pages()) {
     for (const DxfKind kind : {DxfKind::r2000, DxfKind::r12, DxfKind::plain}) {
       const auto file = folder / (std::to_string(number++) + ".dxf");
-      std::ofstream(file, std::ios::binary) << paper::write_dxf(page, mark, kind);
+      std::ofstream(file, std::ios::binary) << export_::write_dxf(page, mark, kind);
       command += " '" + file.string() + "'";
     }
   }

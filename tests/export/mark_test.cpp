@@ -9,13 +9,13 @@
 #include "base/random.hpp"
 
 using namespace ridgecraft;
-using paper::read_mark_digest;
+using export_::read_mark_digest;
 using namespace std::string_literals;
 
 namespace {
 
 const std::string of_model = "0123456789abcdef";
-const std::string told_mark = paper::mark_word({"ridgecraft 1", "a whale", of_model});
+const std::string told_mark = export_::mark_word({"ridgecraft 1", "a whale", of_model});
 
 std::string chunk(const std::string& type, const std::string& data) {
   std::string bytes;

@@ -8,11 +8,11 @@
 
 namespace ridgecraft::test {
 
-std::size_t packing_faults(const paper::PackingTask& task, std::uint32_t pages,
+std::size_t packing_faults(const export_::PackingTask& task, std::uint32_t pages,
                            const std::function<std::uint32_t(std::uint32_t shape)>& page_of,
                            const PackedPoint& placed) {
   constexpr double rounding = 1e-6;
-  std::vector<std::vector<paper::OwnedPolygon>> on_page(pages);
+  std::vector<std::vector<export_::OwnedPolygon>> on_page(pages);
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < task.shapes.size(); ++i) {
     for (std::vector<Vec2> polygon : task.shapes[i].convex) {

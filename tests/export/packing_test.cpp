@@ -13,7 +13,7 @@
 #include "export/packing_checks.hpp"
 
 using namespace ridgecraft;
-using namespace ridgecraft::paper;
+using namespace ridgecraft::export_;
 
 namespace {
 

@@ -15,13 +15,13 @@
 namespace ridgecraft {
 namespace {
 
-using paper::number_ranges;
+using export_::number_ranges;
 
-std::vector<paper::Text> index_of(const paper::Drawing& page) {
-  std::vector<paper::Text> texts;
-  for (const paper::Group& group : page.groups) {
-    for (const paper::Text& text : group.texts) {
-      if (group.id == "page" && text.centre.y > paper::piece_box({}).low.y) {
+std::vector<export_::Text> index_of(const export_::Drawing& page) {
+  std::vector<export_::Text> texts;
+  for (const export_::Group& group : page.groups) {
+    for (const export_::Text& text : group.texts) {
+      if (group.id == "page" && text.centre.y > export_::piece_box({}).low.y) {
         texts.push_back(text);
       }
     }
@@ -41,7 +41,7 @@ TEST_CASE("neighbours are those of the joins, both ways", "[page_index]") {
   const mesh::Surface cube = test::cube();
   const auto sample = test::sample_pages(cube, 30.0, 0.0, test::all_edges(cube));
   const mesh::Surface& surface = sample.model.model.surface;
-  const auto neighbours = paper::find_neighbours(surface, sample.nets);
+  const auto neighbours = export_::find_neighbours(surface, sample.nets);
   std::set<std::string> told;
   for (const PieceId piece : ids<PieceId>(neighbours.size())) {
     CHECK(neighbours[piece].size() == 4);  // a side of a cube
@@ -66,10 +66,10 @@ TEST_CASE("neighbours are those of the joins, both ways", "[page_index]") {
 }
 
 /// Whether a point lies on a face of the page.
-bool on_a_piece(const test::SamplePages& sample, const paper::Drawing& page, Vec2 p) {
+bool on_a_piece(const test::SamplePages& sample, const export_::Drawing& page, Vec2 p) {
   const auto faces = ids<FaceId>(sample.nets.piece.size());
   return std::any_of(faces.begin(), faces.end(), [&](FaceId f) {
-    const paper::Placement& place = sample.pages.placements[sample.nets.piece[f]];
+    const export_::Placement& place = sample.pages.placements[sample.nets.piece[f]];
     const Vec2 a = place(sample.nets.flat[f][0]);
     const Vec2 b = place(sample.nets.flat[f][1]);
     const Vec2 c = place(sample.nets.flat[f][2]);
@@ -79,22 +79,22 @@ bool on_a_piece(const test::SamplePages& sample, const paper::Drawing& page, Vec
 }
 
 /// Checks that the page's lists touch nothing and no heading stands twice; how many rows they have.
-std::size_t checked_rows(const test::SamplePages& sample, const paper::Drawing& page) {
-  paper::Obstacles all(page.size);
-  for (const paper::Group& group : page.groups) {
-    for (const paper::Line& line : group.lines) {
+std::size_t checked_rows(const test::SamplePages& sample, const export_::Drawing& page) {
+  export_::Obstacles all(page.size);
+  for (const export_::Group& group : page.groups) {
+    for (const export_::Line& line : group.lines) {
       for (std::size_t i = 1; i < line.points.size(); ++i) {
-        all.add({line.points[i - 1], line.points[i]}, paper::Obstacles::Kind::cut);
+        all.add({line.points[i - 1], line.points[i]}, export_::Obstacles::Kind::cut);
       }
     }
-    for (const paper::Text& text : group.texts) {
+    for (const export_::Text& text : group.texts) {
       if (group.id != "page") {
         all.add(text);
       }
     }
   }
   std::multiset<std::string> rows;
-  for (const paper::Text& text : index_of(page)) {
+  for (const export_::Text& text : index_of(page)) {
     CAPTURE(text.text);
     CHECK(all.is_free(text, 1.0));
     all.add(text);
@@ -102,8 +102,8 @@ std::size_t checked_rows(const test::SamplePages& sample, const paper::Drawing& 
     CHECK_FALSE(on_a_piece(sample, page, text.centre));
     rows.insert(text.text);
   }
-  CHECK(rows.count(std::string(paper::partner_list_heading)) <= 1);
-  CHECK(rows.count(std::string(paper::number_list_heading)) <= 1);
+  CHECK(rows.count(std::string(export_::partner_list_heading)) <= 1);
+  CHECK(rows.count(std::string(export_::number_list_heading)) <= 1);
   return rows.size();
 }
 
@@ -112,9 +112,9 @@ TEST_CASE("the index stands beside the pieces, clear of all else", "[page_index]
   for (const double scale : {15.0, 30.0, 55.0, 70.0}) {
     CAPTURE(scale);
     const auto sample = test::sample_pages(cube, scale, 5.0, test::all_edges(cube));
-    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
+    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
     std::size_t rows = 0;
-    for (const paper::Drawing& page : pages) {
+    for (const export_::Drawing& page : pages) {
       rows += checked_rows(sample, page);
     }
     CHECK(rows > pages.size());
@@ -124,14 +124,14 @@ TEST_CASE("the index stands beside the pieces, clear of all else", "[page_index]
 TEST_CASE("numbers without room stand in a list beside the pieces, clear of all else", "[page_index]") {
   const mesh::Surface ball = test::sphere(16, 10);
   const auto cuts = test::all_edges(ball);
-  const std::string heading(paper::number_list_heading.substr(0, 12));
+  const std::string heading(export_::number_list_heading.substr(0, 12));
   std::size_t lists = 0;
   for (const double scale : {9.0, 14.0}) {
     for (const char* format : {"A4", "120x160mm", "A3-landscape"}) {
       for (const auto& edges : {std::vector<EdgeId>{}, cuts}) {
         CAPTURE(scale, format, edges.size());
-        const auto sample = test::sample_pages(ball, scale, 3.0, edges, "Ball", paper::parse_paper(format));
-        for (const paper::Drawing& page : test::drawings(sample)) {
+        const auto sample = test::sample_pages(ball, scale, 3.0, edges, "Ball", export_::parse_paper(format));
+        for (const export_::Drawing& page : test::drawings(sample)) {
           checked_rows(sample, page);
           const auto index = index_of(page);
           lists += static_cast<std::size_t>(std::count_if(
@@ -149,11 +149,11 @@ TEST_CASE("an index alone has a page of its own only where pieces lie on several
   std::size_t without_index = 0;
   std::size_t with_list_page = 0;
   for (double height = 90.0; height < 260.0; height += 2.0) {
-    paper::Paper paper;
+    export_::Paper paper;
     paper.size = {200.0, height};
     const auto sample = test::sample_pages(cube, 48.0, 5.0, edges, "Sample", paper);
-    paper::DrawReport report;
-    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {}, &report);
+    export_::DrawReport report;
+    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {}, &report);
     if (sample.pages.count == 1 && report.labels_listed.empty()) {
       CHECK(report.list_pages == 0);
       without_index += index_of(pages.front()).empty() ? 1U : 0U;
@@ -167,7 +167,7 @@ TEST_CASE("an index alone has a page of its own only where pieces lie on several
 TEST_CASE("a model of one piece has no index", "[page_index]") {
   const auto sample = test::sample_pages(test::cube(), 30.0, 5.0);
   REQUIRE(sample.nets.pieces.size() == 1);
-  CHECK(index_of(paper::draw(sample.model, sample.nets, sample.pages, {}).front()).empty());
+  CHECK(index_of(export_::draw(sample.model, sample.nets, sample.pages, {}).front()).empty());
 }
 
 }  // namespace

@@ -15,9 +15,9 @@ std::optional<double> share(double side_mm, std::size_t expected_pages) {
   const double scale = side_mm / cube.bounds().size().x;
   const auto sample = test::sample_pages(cube, scale, 0.0, test::all_edges(cube));
   REQUIRE(sample.nets.pieces.size() == 6);
-  const paper::Pages pages = paper::layout(sample.nets, {}, {});
+  const export_::Pages pages = export_::layout(sample.nets, {}, {});
   REQUIRE(pages.count == expected_pages);
-  return paper::share_that_saves_a_page(sample.nets, pages, {});
+  return export_::share_that_saves_a_page(sample.nets, pages, {});
 }
 
 TEST_CASE("a size that saves a page is told", "[page_saving]") {

@@ -18,10 +18,10 @@
 namespace ridgecraft {
 namespace {
 
-using paper::Layer;
+using export_::Layer;
 
-std::vector<paper::Drawing> drawn(const test::SamplePages& sample, paper::DrawReport* report = nullptr) {
-  return paper::draw(sample.model, sample.nets, sample.pages, {}, report);
+std::vector<export_::Drawing> drawn(const test::SamplePages& sample, export_::DrawReport* report = nullptr) {
+  return export_::draw(sample.model, sample.nets, sample.pages, {}, report);
 }
 
 /// Crowded on purpose: short edges, many numbers of two and three digits.
@@ -31,9 +31,9 @@ test::SamplePages crowded(double scale, double turn) {
 }
 
 /// Extent of the text's strokes along a direction.
-std::pair<double, double> extent(const paper::Text& text, Vec2 along) {
+std::pair<double, double> extent(const export_::Text& text, Vec2 along) {
   std::pair<double, double> range{INFINITY, -INFINITY};
-  for (const auto& stroke : paper::text_strokes(text)) {
+  for (const auto& stroke : export_::text_strokes(text)) {
     for (const Vec2 p : stroke) {
       range.first = std::min(range.first, dot(p, along));
       range.second = std::max(range.second, dot(p, along));
@@ -47,7 +47,7 @@ TEST_CASE("numbers in one line stand farther apart than their digits") {
   for (const double scale : {28.0, 40.0}) {
     for (const double turn : {0.0, 0.9}) {
       for (const auto& page : drawn(crowded(scale, turn))) {
-        std::vector<paper::Text> texts;
+        std::vector<export_::Text> texts;
         for (const auto& group : page.groups) {
           std::ranges::copy_if(group.texts, std::back_inserter(texts),
                                [](const auto& text) { return text.layer == Layer::label; });
@@ -82,7 +82,7 @@ TEST_CASE("lines to numbers leave their edge steeply and run along no line") {
             continue;
           }
           ++leaders;
-          CHECK(paper::style_of(leader).color.red > 0x60);
+          CHECK(export_::style_of(leader).color.red > 0x60);
           REQUIRE(leader.points.size() == 2);
           const Vec2 d = leader.points[1] - leader.points[0];
           for (const auto& line : group.lines) {
@@ -122,9 +122,9 @@ TEST_CASE("each name has a line under it and stands level where it has room") {
   }
 }
 
-bool same_look(const paper::Line& a, const paper::Line& b) {
-  const auto x = paper::style_of(a);
-  const auto y = paper::style_of(b);
+bool same_look(const export_::Line& a, const export_::Line& b) {
+  const auto x = export_::style_of(a);
+  const auto y = export_::style_of(b);
   return std::ranges::equal(x.dashes, y.dashes) && x.color.red == y.color.red;
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("the legend shows each kind of line of its page, and no other") {
           if (line.layer == Layer::mark) {
             continue;  // a tick between two numbers tells enough
           }
-          INFO(sample.model.model.name << " " << paper::id(line.layer));
+          INFO(sample.model.model.name << " " << export_::id(line.layer));
           CHECK(std::ranges::any_of(legend.lines, [&](const auto& item) { return same_look(item, line); }));
         }
         kinds += page.groups[g].areas.empty() ? 0U : 1U;
@@ -208,14 +208,14 @@ TEST_CASE("a tick tells where one number's edge goes straight on as another's") 
 TEST_CASE("furniture lies on the sheet without a margin, pens and tails of letters included") {
   for (const char* name : {"a4", "a6", "letter", "a5-landscape"}) {
     for (const double margin : {0.0, 0.4, 1.0}) {
-      paper::Paper sheet = paper::parse_paper(name);
+      export_::Paper sheet = export_::parse_paper(name);
       sheet.margin = margin;
-      const paper::Group group =
-          paper::furniture(sheet, "gypsy jaguar", 3, 10, {true, true, true, true, true, true},
-                           {true, true, true, true, true, true});
+      const export_::Group group =
+          export_::furniture(sheet, "gypsy jaguar", 3, 10, {true, true, true, true, true, true},
+                             {true, true, true, true, true, true});
       Box2 box;
       for (const auto& text : group.texts) {
-        for (const auto& stroke : paper::text_strokes(text)) {
+        for (const auto& stroke : export_::text_strokes(text)) {
           for (const Vec2 p : stroke) {
             box.add(p);
           }
@@ -230,7 +230,7 @@ TEST_CASE("furniture lies on the sheet without a margin, pens and tails of lette
       CHECK(box.low.x > 0.3);
       CHECK(box.low.y > 0.3);
       CHECK(box.high.x < sheet.size.x - 0.3);
-      CHECK(box.high.y < sheet.margin + paper::furniture_height);
+      CHECK(box.high.y < sheet.margin + export_::furniture_height);
     }
   }
 }
@@ -254,13 +254,13 @@ mesh::Surface three_bodies() {
 TEST_CASE("a piece that nothing joins tells its body and its place") {
   const auto sample = test::sample_pages(three_bodies(), 25.0, 4.0);
   REQUIRE(sample.model.model.surface.component_count() == 3);
-  paper::DrawReport report;
+  export_::DrawReport report;
   const auto pages = drawn(sample, &report);
   REQUIRE(report.bodies.size() == 3);
   const auto& nets = sample.nets;
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
     const auto own = sample.model.model.surface.component(nets.pieces[p].faces.front());
-    const auto body = std::ranges::find_if(report.bodies, [&](const paper::Body& b) {
+    const auto body = std::ranges::find_if(report.bodies, [&](const export_::Body& b) {
       return std::ranges::find(b.pieces, p) != b.pieces.end();
     });
     REQUIRE(body != report.bodies.end());
@@ -304,25 +304,25 @@ TEST_CASE("notes lie on their piece, or beside it within the page's area") {
       const Vec2 low{10.0, 100.0};
       const Vec2 high{low.x + 60.0, low.y + height};
       const std::vector<Vec2> outline{low, {high.x, low.y}, high, {low.x, high.y}};
-      paper::PieceDrawing piece;
+      export_::PieceDrawing piece;
       piece.name = "I";
       piece.notes = {"I and L are mirror images"};
       piece.faces = {{outline[0], outline[1], outline[2]}, {outline[0], outline[2], outline[3]}};
-      piece.group.lines.push_back({paper::Layer::cut, outline, true});
+      piece.group.lines.push_back({export_::Layer::cut, outline, true});
       if (has_seam) {
-        paper::Seam& seam = piece.seams.emplace_back();
+        export_::Seam& seam = piece.seams.emplace_back();
         seam.edge = {outline[0], outline[1]};
       }
-      paper::Obstacles obstacles({210.0, 297.0});
+      export_::Obstacles obstacles({210.0, 297.0});
       for (std::size_t i = 0; i < outline.size(); ++i) {
-        obstacles.add({outline[i], outline[(i + 1) % outline.size()]}, paper::Obstacles::Kind::cut);
+        obstacles.add({outline[i], outline[(i + 1) % outline.size()]}, export_::Obstacles::Kind::cut);
       }
-      static_cast<void>(paper::place_name(piece, obstacles, area));
+      static_cast<void>(export_::place_name(piece, obstacles, area));
       const bool is_beside = std::any_of(piece.group.lines.begin() + 1, piece.group.lines.end(),
-                                         [](const paper::Line&) { return true; });
-      for (const paper::Text& text : piece.group.texts) {
+                                         [](const export_::Line&) { return true; });
+      for (const export_::Text& text : piece.group.texts) {
         CAPTURE(text.text);
-        const Box2 box = paper::box_of(text).bounds();
+        const Box2 box = export_::box_of(text).bounds();
         const Box2 room = is_beside ? area : Box2{low, high};
         CHECK(box.low.x >= room.low.x);
         CHECK(box.low.y >= room.low.y);

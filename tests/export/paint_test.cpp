@@ -18,12 +18,12 @@
 
 using namespace ridgecraft;
 using namespace ridgecraft::test;
-using paper::Drawing;
-using paper::Layer;
+using export_::Drawing;
+using export_::Layer;
 
 namespace {
 
-const paper::Mark sample_mark{"ridgecraft 0", "Sample", "0123456789abcdef"};
+const export_::Mark sample_mark{"ridgecraft 0", "Sample", "0123456789abcdef"};
 
 /// Each face in one of these colours, in turn by its panel.
 std::shared_ptr<const mesh::Look> look_of(const SamplePages& sample, const std::vector<mesh::Rgb>& colours) {
@@ -45,13 +45,13 @@ std::shared_ptr<const mesh::Look> look_of(const SamplePages& sample, const std::
   return std::make_shared<const mesh::Look>(mesh::LookParts{std::move(faces), std::move(paints)});
 }
 
-std::vector<Drawing> painted(const SamplePages& sample, paper::Ink ink = paper::Ink::colour,
+std::vector<Drawing> painted(const SamplePages& sample, export_::Ink ink = export_::Ink::colour,
                              unsigned threads = 1) {
-  paper::Style style;
+  export_::Style style;
   style.ink = ink;
   Context context;
   context.threads = threads;
-  return paper::draw(sample.model, sample.nets, sample.pages, style, nullptr, context);
+  return export_::draw(sample.model, sample.nets, sample.pages, style, nullptr, context);
 }
 
 bool inside(const std::vector<Vec2>& convex, Vec2 p) {
@@ -64,11 +64,11 @@ bool inside(const std::vector<Vec2>& convex, Vec2 p) {
 }
 
 /// The colour at a place of the page, as a viewer paints it.
-std::optional<paper::Color> colour_at(const Drawing& page, Vec2 p) {
-  std::optional<paper::Color> found;
-  for (const auto member : {&paper::Group::ground, &paper::Group::fills}) {
-    for (const paper::Group& group : page.groups) {
-      for (const paper::Fill& fill : group.*member) {
+std::optional<export_::Color> colour_at(const Drawing& page, Vec2 p) {
+  std::optional<export_::Color> found;
+  for (const auto member : {&export_::Group::ground, &export_::Group::fills}) {
+    for (const export_::Group& group : page.groups) {
+      for (const export_::Fill& fill : group.*member) {
         for (const auto& polygon : fill.polygons) {
           found = inside(polygon, p) ? fill.color : found;
         }
@@ -78,7 +78,7 @@ std::optional<paper::Color> colour_at(const Drawing& page, Vec2 p) {
   return found;
 }
 
-paper::Color color_of(const mesh::Rgb& colour) {
+export_::Color color_of(const mesh::Rgb& colour) {
   return {colour[0], colour[1], colour[2]};
 }
 
@@ -103,8 +103,8 @@ void give_picture(SamplePages& sample) {
 std::vector<std::shared_ptr<const std::string>> pictures_of(const std::vector<Drawing>& pages) {
   std::vector<std::shared_ptr<const std::string>> all;
   for (const Drawing& page : pages) {
-    for (const paper::Group& group : page.groups) {
-      for (const paper::Image& image : group.images) {
+    for (const export_::Group& group : page.groups) {
+      for (const export_::Image& image : group.images) {
         all.push_back(image.jpeg);
       }
     }
@@ -125,7 +125,7 @@ TEST_CASE("Faces bear their own colour, and tabs that of the face that covers th
     return color_of(colours[sample.model.panels.panel[f].value() % colours.size()]);
   };
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const paper::Placement& place = sample.pages.placements[sample.nets.piece[f]];
+    const export_::Placement& place = sample.pages.placements[sample.nets.piece[f]];
     const auto& [a, b, c] = sample.nets.flat[f];
     for (const Vec2 p : {(a + b + c) / 3.0, 0.96 * a + 0.02 * b + 0.02 * c, 0.02 * a + 0.49 * b + 0.49 * c}) {
       CHECK(colour_at(pages[place.page.value()], place(p)) == colour_of(f));
@@ -134,16 +134,16 @@ TEST_CASE("Faces bear their own colour, and tabs that of the face that covers th
   for (const unfold::Tab& tab : sample.nets.tabs) {
     const FaceId own = mesh::face_of(tab.side);
     const FaceId other = mesh::face_of(surface.twin(tab.side));
-    const paper::Placement& place = sample.pages.placements[sample.nets.piece[own]];
+    const export_::Placement& place = sample.pages.placements[sample.nets.piece[own]];
     const Vec2 along = tab.polygon[1] - tab.polygon[0];
     const Vec2 out = perpendicular(along) / length(along);
     const Vec2 middle = 0.5 * (tab.polygon[0] + tab.polygon[1]);
     CHECK(colour_at(pages[place.page.value()], place(middle + 0.5 * out)) == colour_of(other));
-    CHECK_FALSE(colour_at(pages[place.page.value()], place(middle + (paper::bleed_mm + 0.5) * out)));
+    CHECK_FALSE(colour_at(pages[place.page.value()], place(middle + (export_::bleed_mm + 0.5) * out)));
   }
   CHECK_FALSE(std::any_of(pages.begin(), pages.end(), [](const Drawing& page) {
     return std::any_of(page.groups.begin(), page.groups.end(),
-                       [](const paper::Group& group) { return !group.images.empty(); });
+                       [](const export_::Group& group) { return !group.images.empty(); });
   }));
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("Something near one place of an edge takes its colours beyond the cut 
   const SamplePages sample = sample_pages(cube(), 50.0, 0.0, all_edges(cube()), "Sample", {}, 0.2);
   const mesh::Surface& surface = sample.model.model.surface;
   const PieceId piece(0);
-  const paper::Placement& place = sample.pages.placements[piece];
+  const export_::Placement& place = sample.pages.placements[piece];
   std::vector<Vec2> outline;
   const auto cuts = unfold::cut_lines(surface, sample.nets, piece);
   REQUIRE(cuts.loops.size() == 1);
@@ -163,15 +163,15 @@ TEST_CASE("Something near one place of an edge takes its colours beyond the cut 
   const Vec2 along = (outline[1] - a) / length(outline[1] - a);
   const Vec2 out = -perpendicular(along);
   const Vec2 tip = a + 25.0 * along + 0.08 * out;
-  std::vector<paper::PieceDrawing> page(2);
+  std::vector<export_::PieceDrawing> page(2);
   page[0].group.lines.push_back({Layer::cut, outline, true});
   page[1].group.lines.push_back(
       {Layer::cut, {tip, tip + 20.0 * out + 5.0 * along, tip + 20.0 * out - 5.0 * along}, true});
-  const auto contents = paper::piece_contents(surface, sample.nets);
-  const auto cells = paper::cells_of(surface, sample.nets, piece, contents[piece], place, page, 0);
+  const auto contents = export_::piece_contents(surface, sample.nets);
+  const auto cells = export_::cells_of(surface, sample.nets, piece, contents[piece], place, page, 0);
   const auto is_coloured = [&](double at, double beyond) {
-    return std::ranges::any_of(cells, [&](const paper::Cell& cell) {
-      return cell.kind == paper::CellKind::bleed && inside(cell.polygon, a + at * along + beyond * out);
+    return std::ranges::any_of(cells, [&](const export_::Cell& cell) {
+      return cell.kind == export_::CellKind::bleed && inside(cell.polygon, a + at * along + beyond * out);
     });
   };
   for (const double at : {0.5, 5.0, 12.3, 20.0, 30.0, 37.7, 45.0, 49.5}) {
@@ -191,14 +191,14 @@ TEST_CASE("A short line that meets an edge's end takes its colours beyond the cu
   const SamplePages sample = sample_pages(cube(), 50.0, 0.0, all_edges(cube()), "Sample", {}, 0.2);
   const mesh::Surface& surface = sample.model.model.surface;
   const PieceId piece(0);
-  const paper::Placement& place = sample.pages.placements[piece];
+  const export_::Placement& place = sample.pages.placements[piece];
   std::vector<Vec2> outline;
   const auto cuts = unfold::cut_lines(surface, sample.nets, piece);
   REQUIRE(cuts.loops.size() == 1);
   for (const Vec2 p : cuts.loops[0]) {
     outline.push_back(place(p));
   }
-  const auto contents = paper::piece_contents(surface, sample.nets);
+  const auto contents = export_::piece_contents(surface, sample.nets);
   const double size = length(outline[1] - outline[0]);
   for (const bool at_end : {false, true}) {
     CAPTURE(at_end);
@@ -206,13 +206,13 @@ TEST_CASE("A short line that meets an edge's end takes its colours beyond the cu
     const Vec2 corner = outline[at_end ? 1 : 0];
     const Vec2 along = (outline[at_end ? 0 : 1] - corner) / size;
     const Vec2 out = at_end ? perpendicular(along) : -perpendicular(along);
-    std::vector<paper::PieceDrawing> page(1);
+    std::vector<export_::PieceDrawing> page(1);
     page[0].group.lines.push_back({Layer::cut, outline, true});
     page[0].group.lines.push_back({Layer::cut, {corner, corner + 10.0 * along + 0.5 * out}, false});
-    const auto cells = paper::cells_of(surface, sample.nets, piece, contents[piece], place, page, 0);
+    const auto cells = export_::cells_of(surface, sample.nets, piece, contents[piece], place, page, 0);
     const auto is_coloured = [&](double at, double beyond) {
-      return std::ranges::any_of(cells, [&](const paper::Cell& cell) {
-        return cell.kind == paper::CellKind::bleed &&
+      return std::ranges::any_of(cells, [&](const export_::Cell& cell) {
+        return cell.kind == export_::CellKind::bleed &&
                inside(cell.polygon, corner + at * along + beyond * out);
       });
     };
@@ -240,19 +240,19 @@ TEST_CASE("Where a tab is shorter than its edge, colours reach beyond the rest o
   tab.polygon[1] = corner + 0.8 * base;
   const FaceId face = mesh::face_of(tab.side);
   const PieceId piece = sample.nets.piece[face];
-  const paper::Placement& place = sample.pages.placements[piece];
-  const auto contents = paper::piece_contents(sample.model.model.surface, sample.nets);
-  const auto cells = paper::cells_of(sample.model.model.surface, sample.nets, piece, contents[piece], place,
-                                     std::vector<paper::PieceDrawing>(1), 0);
+  const export_::Placement& place = sample.pages.placements[piece];
+  const auto contents = export_::piece_contents(sample.model.model.surface, sample.nets);
+  const auto cells = export_::cells_of(sample.model.model.surface, sample.nets, piece, contents[piece], place,
+                                       std::vector<export_::PieceDrawing>(1), 0);
   const Vec2 out = perpendicular(base) / length(base);  // a tab runs against the clock, from its base
-  for (const auto& [share, kind] : {std::pair{0.05, paper::CellKind::bleed},
-                                    {0.25, paper::CellKind::bleed},
-                                    {0.55, paper::CellKind::tab},
-                                    {0.9, paper::CellKind::bleed}}) {
+  for (const auto& [share, kind] : {std::pair{0.05, export_::CellKind::bleed},
+                                    {0.25, export_::CellKind::bleed},
+                                    {0.55, export_::CellKind::tab},
+                                    {0.9, export_::CellKind::bleed}}) {
     CAPTURE(share);
     const Vec2 p = place(corner + share * base + 0.3 * out);
-    CHECK(std::ranges::any_of(cells, [&, wanted = kind](const paper::Cell& cell) {
-      return cell.kind == wanted && (wanted == paper::CellKind::tab || cell.face == face) &&
+    CHECK(std::ranges::any_of(cells, [&, wanted = kind](const export_::Cell& cell) {
+      return cell.kind == wanted && (wanted == export_::CellKind::tab || cell.face == face) &&
              inside(cell.polygon, p);
     }));
   }
@@ -264,7 +264,7 @@ TEST_CASE("Colours reach beyond cut edges, but not to other pieces") {
   const std::vector<Drawing> pages = painted(sample);
   const mesh::Surface& surface = sample.model.model.surface;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const paper::Placement& place = sample.pages.placements[sample.nets.piece[f]];
+    const export_::Placement& place = sample.pages.placements[sample.nets.piece[f]];
     for (unsigned k = 0; k < 3; ++k) {
       if (sample.nets.use[surface.edge(mesh::corner(f, k))] == unfold::EdgeUse::fold) {
         continue;
@@ -284,11 +284,11 @@ TEST_CASE("Colours reach beyond cut edges, but not to other pieces") {
   }
   // No rim lies on another piece.
   for (const Drawing& page : pages) {
-    for (const paper::Group& group : page.groups) {
-      for (const paper::Group& other : page.groups) {
-        for (const paper::Fill& ground : group.ground) {
+    for (const export_::Group& group : page.groups) {
+      for (const export_::Group& other : page.groups) {
+        for (const export_::Fill& ground : group.ground) {
           for (const auto& rim : ground.polygons) {
-            for (const paper::Fill& fill : other.fills) {
+            for (const export_::Fill& fill : other.fills) {
               for (const auto& face : fill.polygons) {
                 const Vec2 middle = 0.25 * (rim[0] + rim[1] + rim[2] + rim[3 % rim.size()]);
                 CHECK_FALSE(inside(face, middle));
@@ -308,12 +308,12 @@ TEST_CASE(
     sample.model.look = look_of(sample, colours);
     std::array<std::size_t, 3> counts{};  // dark, light, halos
     for (const Drawing& page : painted(sample)) {
-      for (const paper::Group& group : page.groups) {
-        for (const paper::Line& line : group.lines) {
+      for (const export_::Group& group : page.groups) {
+        for (const export_::Line& line : group.lines) {
           if (line.layer == Layer::paint) {
             ++counts[2];
           } else if (line.layer == Layer::mountain) {
-            ++counts[line.tone == paper::Tone::light ? 1 : 0];
+            ++counts[line.tone == export_::Tone::light ? 1 : 0];
           }
         }
       }
@@ -339,8 +339,8 @@ TEST_CASE("Numbers have a halo wherever neither black nor light strokes stand ou
     std::size_t found = 0;
     std::size_t inside = 0;
     for (const Drawing& page : painted(sample)) {
-      for (const paper::Group& group : page.groups) {
-        for (const paper::Text& text : group.texts) {
+      for (const export_::Group& group : page.groups) {
+        for (const export_::Text& text : group.texts) {
           found += text.layer == Layer::paint ? 1U : 0U;
           inside += text.layer == Layer::piece_name ? 1U : 0U;
         }
@@ -362,33 +362,33 @@ TEST_CASE("Pages in lines alone are those of a model without colours, and thread
   sample.model.look = look_of(sample, {{200, 30, 30}, {30, 160, 50}});
   const std::vector<Drawing> coloured = painted(sample);
   for (std::size_t i = 0; i < plain.size(); ++i) {
-    CHECK(paper::write_svg(plain[i], sample_mark) ==
-          paper::write_svg(painted(sample, paper::Ink::lines)[i], sample_mark));
-    CHECK(paper::write_svg(plain[i], sample_mark) != paper::write_svg(coloured[i], sample_mark));
-    CHECK(paper::write_svg(coloured[i], sample_mark) ==
-          paper::write_svg(painted(sample, paper::Ink::colour, 4)[i], sample_mark));
-    CHECK(paper::write_dxf(plain[i], sample_mark) == paper::write_dxf(coloured[i], sample_mark));
-    for (const paper::Preset& preset : paper::presets()) {
+    CHECK(export_::write_svg(plain[i], sample_mark) ==
+          export_::write_svg(painted(sample, export_::Ink::lines)[i], sample_mark));
+    CHECK(export_::write_svg(plain[i], sample_mark) != export_::write_svg(coloured[i], sample_mark));
+    CHECK(export_::write_svg(coloured[i], sample_mark) ==
+          export_::write_svg(painted(sample, export_::Ink::colour, 4)[i], sample_mark));
+    CHECK(export_::write_dxf(plain[i], sample_mark) == export_::write_dxf(coloured[i], sample_mark));
+    for (const export_::Preset& preset : export_::presets()) {
       if (!preset.simulates) {
-        CHECK(paper::write_machine_svg(plain[i], sample_mark, preset) ==
-              paper::write_machine_svg(coloured[i], sample_mark, preset));
+        CHECK(export_::write_machine_svg(plain[i], sample_mark, preset) ==
+              export_::write_machine_svg(coloured[i], sample_mark, preset));
       }
     }
   }
-  CHECK(paper::write_pdf(coloured, sample_mark) ==
-        paper::write_pdf(painted(sample, paper::Ink::colour, 4), sample_mark));
+  CHECK(export_::write_pdf(coloured, sample_mark) ==
+        export_::write_pdf(painted(sample, export_::Ink::colour, 4), sample_mark));
 }
 
 TEST_CASE("Pictures have the dots that are asked for, and lie under their faces") {
   SamplePages sample = sample_pages(cube(), 50.0, 5.0);
   give_picture(sample);
   for (const double dots : {72.0, 300.0}) {
-    paper::Style style;
+    export_::Style style;
     style.dots_per_inch = dots;
     std::size_t images = 0;
-    for (const Drawing& page : paper::draw(sample.model, sample.nets, sample.pages, style)) {
-      for (const paper::Group& group : page.groups) {
-        for (const paper::Image& image : group.images) {
+    for (const Drawing& page : export_::draw(sample.model, sample.nets, sample.pages, style)) {
+      for (const export_::Group& group : page.groups) {
+        for (const export_::Image& image : group.images) {
           ++images;
           CHECK(image.width / (image.place.high.x - image.place.low.x) == Approx(dots / 25.4));
           CHECK(image.height / (image.place.high.y - image.place.low.y) == Approx(dots / 25.4));
@@ -412,7 +412,7 @@ TEST_CASE("Pictures have the dots that are asked for, and lie under their faces"
 TEST_CASE("Dots that nobody sees have a neighbour's colour, and take no room") {
   // A ring of dots in two colours, in a box that is no multiple of JPEG's squares.
   const auto ring = [](double dots_per_mm, bool painted_all) {
-    paper::DotRaster raster({{0.0, 0.0}, {43.0, 37.0}}, dots_per_mm);
+    export_::DotRaster raster({{0.0, 0.0}, {43.0, 37.0}}, dots_per_mm);
     for (int y = 0; y < raster.height(); ++y) {
       for (int x = 0; x < raster.width(); ++x) {
         const double away = length(raster.middle(x, y) - Vec2{21.0, 18.0});
@@ -424,7 +424,7 @@ TEST_CASE("Dots that nobody sees have a neighbour's colour, and take no room") {
     raster.fill_up();
     return raster.image();
   };
-  const paper::Image image = ring(4.0, false);
+  const export_::Image image = ring(4.0, false);
   const auto unpacked = mesh::unpack_picture(*image.jpeg);
   REQUIRE(unpacked);
   std::size_t others = 0;
@@ -435,7 +435,7 @@ TEST_CASE("Dots that nobody sees have a neighbour's colour, and take no room") {
   }
   CHECK(others < unpacked->pixels().size() / 3 / 100);  // along the border of the two
   CHECK(image.jpeg->size() < 2 * ring(4.0, true).jpeg->size());
-  paper::DotRaster nothing({{0.0, 0.0}, {5.0, 5.0}}, 4.0);
+  export_::DotRaster nothing({{0.0, 0.0}, {5.0, 5.0}}, 4.0);
   nothing.fill_up();
   const auto white = mesh::unpack_picture(*nothing.image().jpeg);
   REQUIRE(white);
@@ -446,19 +446,19 @@ TEST_CASE("Pictures are painted again only where something of them changes, and 
   const mesh::Surface ball = sphere(7, 5);
   SamplePages sample = sample_pages(ball, 40.0, 5.0, all_edges(ball));
   give_picture(sample);
-  paper::DrawReport report;
-  const auto first = pictures_of(paper::draw(sample.model, sample.nets, sample.pages, {}, &report));
+  export_::DrawReport report;
+  const auto first = pictures_of(export_::draw(sample.model, sample.nets, sample.pages, {}, &report));
   REQUIRE(first.size() > 1);
-  CHECK(pictures_of(paper::draw(sample.model, sample.nets, sample.pages, {}, &report)) == first);
+  CHECK(pictures_of(export_::draw(sample.model, sample.nets, sample.pages, {}, &report)) == first);
 
   // One piece goes to a page of its own, where nothing is near it, so all others keep theirs or lose a
   // neighbour.
   sample.pages.placements[PieceId(sample.nets.pieces.size() - 1)].page = PageId(sample.pages.count++);
-  const std::vector<Drawing> moved = paper::draw(sample.model, sample.nets, sample.pages, {}, &report);
+  const std::vector<Drawing> moved = export_::draw(sample.model, sample.nets, sample.pages, {}, &report);
   const std::vector<Drawing> fresh = painted(sample);
   REQUIRE(moved.size() == fresh.size());
   for (std::size_t i = 0; i < moved.size(); ++i) {
-    CHECK(paper::write_svg(moved[i], mark) == paper::write_svg(fresh[i], mark));
+    CHECK(export_::write_svg(moved[i], mark) == export_::write_svg(fresh[i], mark));
   }
   const auto after = pictures_of(moved);
   CHECK(std::any_of(after.begin(), after.end(), [&](const auto& picture) {
@@ -466,10 +466,10 @@ TEST_CASE("Pictures are painted again only where something of them changes, and 
   }));
 
   // Another style has other pictures.
-  paper::Style pale;
-  pale.ink = paper::Ink::pale;
+  export_::Style pale;
+  pale.ink = export_::Ink::pale;
   for (const auto& picture :
-       pictures_of(paper::draw(sample.model, sample.nets, sample.pages, pale, &report))) {
+       pictures_of(export_::draw(sample.model, sample.nets, sample.pages, pale, &report))) {
     CHECK(std::find(after.begin(), after.end(), picture) == after.end());
   }
 }

@@ -8,13 +8,13 @@
 #include "base/error.hpp"
 
 using namespace ridgecraft;
-using paper::parse_paper;
+using export_::parse_paper;
 
 namespace {
 
 void check_size(const std::string& text, double width, double height) {
   INFO(text);
-  const paper::Paper paper = parse_paper(text);
+  const export_::Paper paper = parse_paper(text);
   CHECK(paper.size.x == Approx(width).epsilon(1e-12));
   CHECK(paper.size.y == Approx(height).epsilon(1e-12));
   CHECK(paper.margin == 10.0);
@@ -51,13 +51,13 @@ TEST_CASE("papers by name have their exact sizes", "[paper]") {
 }
 
 TEST_CASE("every name that is listed is known, turned as well", "[paper]") {
-  for (const std::string& name : paper::paper_names()) {
+  for (const std::string& name : export_::paper_names()) {
     const auto upright = parse_paper(name);
     const auto lying = parse_paper(name + "-landscape");
     CHECK(upright.size.x <= upright.size.y);
     CHECK(lying.size.x == upright.size.y);
     CHECK(lying.size.y == upright.size.x);
-    CHECK_NOTHROW(paper::check_paper(upright));
+    CHECK_NOTHROW(export_::check_paper(upright));
   }
 }
 
@@ -115,23 +115,23 @@ TEST_CASE("sizes that can't be meant are refused", "[paper]") {
 }
 
 TEST_CASE("margins and furniture come off the sheet", "[paper]") {
-  const paper::Paper a4 = parse_paper("A4");
-  const Box2 box = paper::piece_box(a4);
-  CHECK(box.low == Vec2{10.0, 10.0 + paper::furniture_height});
+  const export_::Paper a4 = parse_paper("A4");
+  const Box2 box = export_::piece_box(a4);
+  CHECK(box.low == Vec2{10.0, 10.0 + export_::furniture_height});
   CHECK(box.high == Vec2{200.0, 287.0});
-  CHECK(paper::piece_area(a4) == Vec2{190.0, 277.0 - paper::furniture_height});
+  CHECK(export_::piece_area(a4) == Vec2{190.0, 277.0 - export_::furniture_height});
 }
 
 TEST_CASE("margins that leave nothing are refused", "[paper]") {
-  paper::Paper a6 = parse_paper("A6");
-  CHECK_NOTHROW(paper::check_paper(a6));
+  export_::Paper a6 = parse_paper("A6");
+  CHECK_NOTHROW(export_::check_paper(a6));
   a6.margin = 52.0;
-  CHECK_THROWS_AS(paper::check_paper(a6), Error);
+  CHECK_THROWS_AS(export_::check_paper(a6), Error);
   a6.margin = -1.0;
-  CHECK_THROWS_AS(paper::check_paper(a6), Error);
+  CHECK_THROWS_AS(export_::check_paper(a6), Error);
   a6.margin = NAN;
-  CHECK_THROWS_AS(paper::check_paper(a6), Error);
+  CHECK_THROWS_AS(export_::check_paper(a6), Error);
   a6.margin = 5.0;
   a6.gap = -0.1;
-  CHECK_THROWS_AS(paper::check_paper(a6), Error);
+  CHECK_THROWS_AS(export_::check_paper(a6), Error);
 }

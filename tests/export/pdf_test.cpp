@@ -65,24 +65,24 @@ bool there_is(const std::string& program) {
 }
 
 struct Made {
-  std::vector<paper::Drawing> pages;
-  paper::Mark mark;
+  std::vector<export_::Drawing> pages;
+  export_::Mark mark;
 };
 
 Made ball(const std::string& name, const std::string& paper_name) {
   const mesh::Surface surface = test::sphere(12, 7);
   const std::vector<EdgeId> cuts = test::all_edges(surface);
-  const auto sample = test::sample_pages(surface, 60.0, 5.0, cuts, name, paper::parse_paper(paper_name));
-  return {paper::draw(sample.model, sample.nets, sample.pages, {}),
+  const auto sample = test::sample_pages(surface, 60.0, 5.0, cuts, name, export_::parse_paper(paper_name));
+  return {export_::draw(sample.model, sample.nets, sample.pages, {}),
           {"ridgecraft test", name, "0123456789abcdef"}};
 }
 
 TEST_CASE("a PDF is clean, of the paper's size, and says what it is") {
   const Made made = ball("Füchsin & Söhne", "letter");
-  const std::string bytes = paper::write_pdf(made.pages, made.mark);
+  const std::string bytes = export_::write_pdf(made.pages, made.mark);
   CHECK(bytes.starts_with("%PDF-"));
-  CHECK(paper::read_mark_digest(bytes) == "0123456789abcdef");
-  CHECK(bytes == paper::write_pdf(made.pages, made.mark));
+  CHECK(export_::read_mark_digest(bytes) == "0123456789abcdef");
+  CHECK(bytes == export_::write_pdf(made.pages, made.mark));
   const TemporaryFile file(bytes, ".pdf");
   if (there_is("qpdf")) {
     const Outcome outcome = run("qpdf --check " + file.name());
@@ -107,13 +107,13 @@ TEST_CASE("a PDF is clean, of the paper's size, and says what it is") {
 TEST_CASE("a PDF tells its settings, its language, its pages, and which layers are for what") {
   Made made = ball("Ball <1>", "A4");
   made.mark.settings = {{"only", "\"wing & tail\""}, {"seed", "7"}};
-  const std::string bytes = paper::write_pdf(made.pages, made.mark);
+  const std::string bytes = export_::write_pdf(made.pages, made.mark);
   // Metadata isn't packed, so that programs find it that know no PDF.
   CHECK(bytes.find("<dc:title><rdf:Alt><rdf:li xml:lang=\"x-default\">Ball &lt;1&gt;</rdf:li>") !=
         std::string::npos);
   CHECK(bytes.find("{&quot;only&quot;: &quot;wing &amp; tail&quot;, &quot;seed&quot;: 7}") !=
         std::string::npos);
-  CHECK(paper::read_mark_digest(bytes) == "0123456789abcdef");
+  CHECK(export_::read_mark_digest(bytes) == "0123456789abcdef");
   const TemporaryFile file(bytes, ".pdf");
   if (there_is("qpdf")) {
     const Outcome json = run("qpdf --json " + file.name());
@@ -127,17 +127,17 @@ TEST_CASE("a PDF tells its settings, its language, its pages, and which layers a
 TEST_CASE("numbers on the backs stand where their edges are, seen from there") {
   const mesh::Surface surface = test::sphere(12, 7);
   const auto sample = test::sample_pages(surface, 60.0, 5.0, test::all_edges(surface));
-  paper::Style style;
-  const auto front = paper::draw(sample.model, sample.nets, sample.pages, style);
-  style.numbers = paper::Numbers::back;
-  style.turned_over = GENERATE(paper::TurnedOver::long_edge, paper::TurnedOver::short_edge);
-  const auto pages = paper::draw(sample.model, sample.nets, sample.pages, style);
+  export_::Style style;
+  const auto front = export_::draw(sample.model, sample.nets, sample.pages, style);
+  style.numbers = export_::Numbers::back;
+  style.turned_over = GENERATE(export_::TurnedOver::long_edge, export_::TurnedOver::short_edge);
+  const auto pages = export_::draw(sample.model, sample.nets, sample.pages, style);
   REQUIRE(pages.size() == front.size());
-  const auto texts_of = [](const std::vector<paper::Group>& groups) {
-    std::vector<paper::Text> texts;
-    for (const paper::Group& group : groups) {
-      for (const paper::Text& text : group.texts) {
-        if (text.layer != paper::Layer::mark) {
+  const auto texts_of = [](const std::vector<export_::Group>& groups) {
+    std::vector<export_::Text> texts;
+    for (const export_::Group& group : groups) {
+      for (const export_::Text& text : group.texts) {
+        if (text.layer != export_::Layer::mark) {
           texts.push_back(text);
         }
       }
@@ -148,11 +148,11 @@ TEST_CASE("numbers on the backs stand where their edges are, seen from there") {
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const Vec2 size = pages[i].size;
     const auto before = texts_of(front[i].groups);
-    for (const paper::Text& text : texts_of(pages[i].back)) {
-      const Vec2 there = style.turned_over == paper::TurnedOver::long_edge
+    for (const export_::Text& text : texts_of(pages[i].back)) {
+      const Vec2 there = style.turned_over == export_::TurnedOver::long_edge
                              ? Vec2{size.x - text.centre.x, text.centre.y}
                              : Vec2{text.centre.x, size.y - text.centre.y};
-      CHECK(std::any_of(before.begin(), before.end(), [&](const paper::Text& other) {
+      CHECK(std::any_of(before.begin(), before.end(), [&](const export_::Text& other) {
         return other.text == text.text && length(other.centre - there) < 1e-9;
       }));
       CHECK(std::cos(text.angle) > -2e-3);
@@ -161,8 +161,8 @@ TEST_CASE("numbers on the backs stand where their edges are, seen from there") {
     CHECK(texts_of(pages[i].groups).size() + texts_of(pages[i].back).size() == before.size());
   }
   CHECK(moved > 50);
-  const paper::Mark mark{"ridgecraft test", "Ball", "0123456789abcdef"};
-  const std::string bytes = paper::write_pdf(pages, mark);
+  const export_::Mark mark{"ridgecraft test", "Ball", "0123456789abcdef"};
+  const std::string bytes = export_::write_pdf(pages, mark);
   const TemporaryFile file(bytes, ".pdf");
   if (there_is("pdfinfo")) {
     CHECK(run("pdfinfo " + file.name()).output.find("Pages:           " + std::to_string(2 * pages.size())) !=
@@ -176,7 +176,7 @@ TEST_CASE("numbers on the backs stand where their edges are, seen from there") {
 TEST_CASE("a calibrated page is smaller where the printer prints larger, and is read back as it was meant") {
   const Made made = ball("Ball", "A4");
   const Vec2 measured{100.4, 99.6};
-  const paper::Drawing page = paper::calibrated(made.pages[0], measured);
+  const export_::Drawing page = export_::calibrated(made.pages[0], measured);
   for (std::size_t g = 0; g < page.groups.size(); ++g) {
     for (std::size_t i = 0; i < page.groups[g].lines.size(); ++i) {
       const Vec2 drawn = page.groups[g].lines[i].points[0] - 0.5 * page.size;
@@ -185,11 +185,11 @@ TEST_CASE("a calibrated page is smaller where the printer prints larger, and is 
       CHECK(drawn.y * measured.y / 100.0 == Approx(meant.y).margin(1e-9));
     }
   }
-  paper::Mark mark = made.mark;
-  const auto plain = verify::read_svg("1.svg", paper::write_svg(made.pages[0], mark));
+  export_::Mark mark = made.mark;
+  const auto plain = verify::read_svg("1.svg", export_::write_svg(made.pages[0], mark));
   mark.settings["calibrate"] = "[100.4,99.6]";
-  const auto svg = verify::read_svg("1.svg", paper::write_svg(page, mark));
-  const auto pdf = verify::read_pdf("1.pdf", paper::write_pdf({&page, 1}, mark));
+  const auto svg = verify::read_svg("1.svg", export_::write_svg(page, mark));
+  const auto pdf = verify::read_pdf("1.pdf", export_::write_pdf({&page, 1}, mark));
   for (const auto* file : {&svg, &pdf}) {
     REQUIRE(file->defect.empty());
     REQUIRE(file->pages.size() == 1);
@@ -207,11 +207,11 @@ TEST_CASE("a calibrated page is smaller where the printer prints larger, and is 
 TEST_CASE("the back of a sheet is calibrated as its front is") {
   const mesh::Surface surface = test::sphere(12, 7);
   const test::SamplePages sample = test::sample_pages(surface, 60.0, 5.0, test::all_edges(surface), "Ball");
-  paper::Style style;
-  style.numbers = paper::Numbers::back;
-  const paper::Drawing meant = paper::draw(sample.model, sample.nets, sample.pages, style)[0];
+  export_::Style style;
+  style.numbers = export_::Numbers::back;
+  const export_::Drawing meant = export_::draw(sample.model, sample.nets, sample.pages, style)[0];
   const Vec2 measured{104.0, 97.0};
-  const paper::Drawing drawn = paper::calibrated(meant, measured);
+  const export_::Drawing drawn = export_::calibrated(meant, measured);
   REQUIRE_FALSE(meant.back.empty());
   REQUIRE(drawn.back.size() == meant.back.size());
   for (std::size_t g = 0; g < meant.back.size(); ++g) {
@@ -256,8 +256,8 @@ TEST_CASE("the scale bar of a printed PDF is 50 mm long") {
     return;
   }
   const auto sample = test::sample_pages(test::cube(), 30.0, 5.0);
-  const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
-  const TemporaryFile file(paper::write_pdf(pages, {"ridgecraft test", "Cube", "0123456789abcdef"}),
+  const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
+  const TemporaryFile file(export_::write_pdf(pages, {"ridgecraft test", "Cube", "0123456789abcdef"}),
                            ".bar.pdf");
   const Outcome outcome = run("pdftoppm -gray -r 600 " + file.name());
   const Picture picture = read_pgm(outcome.output);
@@ -293,7 +293,7 @@ TEST_CASE("each layer of a PDF can be switched off, and all of them leave the pa
     return;
   }
   const Made made = ball("Ball", "A5");
-  const std::string bytes = paper::write_pdf(made.pages, made.mark);
+  const std::string bytes = export_::write_pdf(made.pages, made.mark);
   // The list of what is shown, "/ON [ 5 0 R 6 0 R ]", becomes one of as many bytes of what isn't.
   const std::size_t begin = bytes.find("/ON [ ", bytes.find("/D << /Creator"));
   REQUIRE(begin != std::string::npos);
@@ -312,11 +312,11 @@ TEST_CASE("each layer of a PDF can be switched off, and all of them leave the pa
     const TemporaryFile file(changed, ".layers.pdf");
     return read_pgm(run("pdftoppm -gray -r 100 -f 1 -l 1 " + file.name()).output).grey;
   };
-  std::vector<paper::Layer> layers;
-  for (const paper::Layer layer : paper::layer_order) {
+  std::vector<export_::Layer> layers;
+  for (const export_::Layer layer : export_::layer_order) {
     const bool any = std::ranges::any_of(
-        made.pages, [&](const paper::Drawing& page) { return paper::has_layer(page, layer); });
-    if (any || !paper::is_optional(layer)) {
+        made.pages, [&](const export_::Drawing& page) { return export_::has_layer(page, layer); });
+    if (any || !export_::is_optional(layer)) {
       layers.push_back(layer);
     }
   }
@@ -324,7 +324,7 @@ TEST_CASE("each layer of a PDF can be switched off, and all of them leave the pa
   for (std::size_t i = 0; i < layers.size(); ++i) {
     CAPTURE(i);
     CHECK((dots_without([i](std::size_t number) { return number == i; }) != whole) ==
-          paper::has_layer(made.pages[0], layers[i]));
+          export_::has_layer(made.pages[0], layers[i]));
   }
   const std::string none = dots_without([](std::size_t) { return true; });
   CHECK(none.size() == whole.size());
@@ -333,10 +333,10 @@ TEST_CASE("each layer of a PDF can be switched off, and all of them leave the pa
 
 TEST_CASE("a PNG has the page's pixels, its scale and its mark") {
   const Made made = ball("Ball", "A5-landscape");
-  const std::string bytes = paper::write_png(made.pages[0], made.mark);
+  const std::string bytes = export_::write_png(made.pages[0], made.mark);
   CHECK(bytes.starts_with("\x89PNG\r\n\x1a\n"));
-  CHECK(paper::read_mark_digest(bytes) == "0123456789abcdef");
-  CHECK(bytes == paper::write_png(made.pages[0], made.mark));
+  CHECK(export_::read_mark_digest(bytes) == "0123456789abcdef");
+  CHECK(bytes == export_::write_png(made.pages[0], made.mark));
   const auto at = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[i])); };
   CHECK((at(18) << 8U | at(19)) == 1240);  // 210 mm at 150 dots per inch
   CHECK((at(22) << 8U | at(23)) == 874);   // 148 mm
@@ -361,13 +361,13 @@ TEST_CASE("a PNG has the page's pixels, its scale and its mark") {
 
 TEST_CASE("names in any script and broken ones make clean files") {
   for (const std::string name : {"Füchsin_狐", "🦊 fox", "\xff\xfe", "(a) \\ <b>", ""}) {
-    const auto sample = test::sample_pages(test::cube(), 20.0, 4.0, {}, name, paper::parse_paper("A6"));
-    const auto pages = paper::draw(sample.model, sample.nets, sample.pages, {});
-    const paper::Mark mark{"ridgecraft test", name, "00000000000000aa"};
-    const std::string bytes = paper::write_pdf(pages, mark);
-    CHECK(paper::read_mark_digest(bytes) == "00000000000000aa");
-    CHECK(paper::read_mark_digest(paper::write_png(pages[0], mark)) == "00000000000000aa");
-    CHECK(paper::read_mark_digest(paper::write_svg(pages[0], mark)) == "00000000000000aa");
+    const auto sample = test::sample_pages(test::cube(), 20.0, 4.0, {}, name, export_::parse_paper("A6"));
+    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
+    const export_::Mark mark{"ridgecraft test", name, "00000000000000aa"};
+    const std::string bytes = export_::write_pdf(pages, mark);
+    CHECK(export_::read_mark_digest(bytes) == "00000000000000aa");
+    CHECK(export_::read_mark_digest(export_::write_png(pages[0], mark)) == "00000000000000aa");
+    CHECK(export_::read_mark_digest(export_::write_svg(pages[0], mark)) == "00000000000000aa");
     if (there_is("qpdf")) {
       const TemporaryFile file(bytes, ".name.pdf");
       const Outcome outcome = run("qpdf --check " + file.name());

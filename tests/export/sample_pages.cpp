@@ -55,8 +55,8 @@ void add_tabs(const mesh::Surface& surface, unfold::Nets& nets, double height) {
 
 }  // namespace
 
-std::vector<paper::Drawing> drawings(const SamplePages& sample) {
-  return paper::draw(sample.model, sample.nets, sample.pages, {});
+std::vector<export_::Drawing> drawings(const SamplePages& sample) {
+  return export_::draw(sample.model, sample.nets, sample.pages, {});
 }
 
 std::vector<EdgeId> all_edges(const mesh::Surface& surface) {
@@ -70,7 +70,7 @@ std::vector<EdgeId> all_edges(const mesh::Surface& surface) {
 }
 
 SamplePages sample_pages(const mesh::Surface& surface, double scale, double tab_height,
-                         std::span<const EdgeId> cuts, const std::string& name, const paper::Paper& paper,
+                         std::span<const EdgeId> cuts, const std::string& name, const export_::Paper& paper,
                          double turn) {
   SamplePages sample;
   sample.model.model.surface = scaled(surface, scale);
@@ -83,13 +83,13 @@ SamplePages sample_pages(const mesh::Surface& surface, double scale, double tab_
     add_tabs(model, sample.nets, tab_height);
   }
   sample.pages.paper = paper;
-  const Box2 area = paper::piece_box(paper);
+  const Box2 area = export_::piece_box(paper);
   Vec2 at = area.low;
   double row = 0.0;
   sample.pages.count = 1;
   for (const PieceId piece : ids<PieceId>(sample.nets.pieces.size())) {
     Box2 box;
-    paper::Placement place{{std::cos(turn), std::sin(turn), {}}, PageId(sample.pages.count - 1)};
+    export_::Placement place{{std::cos(turn), std::sin(turn), {}}, PageId(sample.pages.count - 1)};
     for (const auto& outline : unfold::outline(model, sample.nets, piece)) {
       for (const Vec2 p : outline) {
         box.add(place(p));

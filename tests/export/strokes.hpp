@@ -41,7 +41,7 @@ struct Stroke {
   return strokes;
 }
 
-[[nodiscard]] inline std::vector<Stroke> strokes_of(const paper::Line& line) {
+[[nodiscard]] inline std::vector<Stroke> strokes_of(const export_::Line& line) {
   std::vector<Vec2> points = line.points;
   if (line.closed) {
     points.push_back(points.front());

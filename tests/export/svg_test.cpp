@@ -32,9 +32,9 @@ std::vector<test::SamplePages> samples() {
   all.push_back(test::sample_pages(test::cube(), 40.0, 5.0, {}, "Cube", {}, 0.3));
   const mesh::Surface ball = test::sphere(12, 7);
   const std::vector<EdgeId> cuts = test::all_edges(ball);
-  all.push_back(test::sample_pages(ball, 60.0, 5.0, cuts, "Ball", paper::parse_paper("letter")));
+  all.push_back(test::sample_pages(ball, 60.0, 5.0, cuts, "Ball", export_::parse_paper("letter")));
   all.push_back(test::sample_pages(test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), 25.0, 4.0, {},
-                                   "Corner", paper::parse_paper("A3-landscape"), 1.1));
+                                   "Corner", export_::parse_paper("A3-landscape"), 1.1));
   all.push_back(test::sample_pages(test::revolve({{1, 0}, {0.7, 1}, {1.1, 2}}, 9), 22.0, 0.0, {}, "Vase"));
   return all;
 }
@@ -70,7 +70,7 @@ TEST_CASE("every page passes the shared checker") {
   for (const auto& sample : samples()) {
     for (const auto& page : drawings(sample)) {
       const auto file = folder / (page.title + std::to_string(page.page) + ".svg");
-      std::ofstream(file, std::ios::binary) << paper::write_svg(page, mark);
+      std::ofstream(file, std::ios::binary) << export_::write_svg(page, mark);
       files += " '" + file.string() + "'";
     }
   }
@@ -84,7 +84,7 @@ TEST_CASE("every page passes the shared checker") {
 TEST_CASE("a page is true millimetres with one layer for each class of line") {
   const auto page = drawings(samples()[0])[0];
   pugi::xml_document document;
-  REQUIRE(document.load_string(paper::write_svg(page, mark).c_str()));
+  REQUIRE(document.load_string(export_::write_svg(page, mark).c_str()));
   const auto root = document.child("svg");
   CHECK(std::string(root.attribute("width").value()) == "210mm");
   CHECK(std::string(root.attribute("height").value()) == "297mm");
@@ -100,7 +100,7 @@ TEST_CASE("a page is true millimetres with one layer for each class of line") {
     ++layers;
   }
   // A page without colours, shadows of tabs, and places where something is glued on.
-  CHECK(layers == static_cast<std::size_t>(paper::layer_count) - 3);
+  CHECK(layers == static_cast<std::size_t>(export_::layer_count) - 3);
   for (const auto& found : document.select_nodes("//*[@id]")) {
     CHECK(ids.insert(found.node().attribute("id").value()).second);
   }
@@ -121,10 +121,10 @@ TEST_CASE("layers and cuts stand in the order of work, and the settings are told
       test::voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}});
   const auto sample = test::sample_pages(frame, 15.0, 0.0, test::all_edges(frame));
   const auto page = drawings(sample)[0];
-  paper::Mark told = mark;
+  export_::Mark told = mark;
   told.settings = {{"only", "\"a <b> & c\""}, {"seed", "7"}};
   pugi::xml_document document;
-  REQUIRE(document.load_string(paper::write_svg(page, told).c_str()));
+  REQUIRE(document.load_string(export_::write_svg(page, told).c_str()));
   std::vector<std::string> order;
   for (const auto group : document.child("svg").children("g")) {
     order.emplace_back(group.attribute("id").value());
@@ -135,10 +135,10 @@ TEST_CASE("layers and cuts stand in the order of work, and the settings are told
   CHECK(words.ends_with(R"({"only": "a <b> & c", "seed": 7})"));
   // The square ring: its hole is cut before its outline.
   bool hole_seen = false;
-  for (const paper::Group& group : page.groups) {
+  for (const export_::Group& group : page.groups) {
     double before = 0.0;
-    for (const paper::Line& line : group.lines) {
-      if (line.layer == paper::Layer::cut && line.closed) {
+    for (const export_::Line& line : group.lines) {
+      if (line.layer == export_::Layer::cut && line.closed) {
         const double area = std::abs(doubled_area(line.points));
         CHECK(area >= before);
         hole_seen = hole_seen || before > 0.0;
@@ -152,25 +152,25 @@ TEST_CASE("layers and cuts stand in the order of work, and the settings are told
 TEST_CASE(
     "the back of a page has all that was taken there: numbers, shadows of tabs, names of what is glued on") {
   const test::SamplePages sample = samples()[1];
-  paper::Style style;
-  style.numbers = paper::Numbers::back;
+  export_::Style style;
+  style.numbers = export_::Numbers::back;
   style.tab_shadows = true;
-  paper::Drawing page = paper::draw(sample.model, sample.nets, sample.pages, style)[0];
+  export_::Drawing page = export_::draw(sample.model, sample.nets, sample.pages, style)[0];
   REQUIRE_FALSE(page.back.empty());
-  paper::Text name = page.back[0].texts.at(0);
-  name.layer = paper::Layer::glue;
+  export_::Text name = page.back[0].texts.at(0);
+  name.layer = export_::Layer::glue;
   page.back[0].texts.push_back(name);
   std::size_t drawn = 0;
-  std::set<paper::Layer> layers;
-  for (const paper::Group& group : page.back) {
+  std::set<export_::Layer> layers;
+  for (const export_::Group& group : page.back) {
     drawn += group.lines.size() + group.texts.size();
-    for (const paper::Line& line : group.lines) {
+    for (const export_::Line& line : group.lines) {
       layers.insert(line.layer);
     }
   }
-  CHECK(layers.contains(paper::Layer::shadow));
+  CHECK(layers.contains(export_::Layer::shadow));
   pugi::xml_document document;
-  REQUIRE(document.load_string(paper::write_svg(page, mark).c_str()));
+  REQUIRE(document.load_string(export_::write_svg(page, mark).c_str()));
   CHECK(document.select_nodes("//g[@id='back']//path").size() == drawn);
   std::set<std::string> ids;
   for (const auto& found : document.select_nodes("//*[@id]")) {
@@ -180,23 +180,23 @@ TEST_CASE(
 
 TEST_CASE("the file of all pages has each page as its own file has it, side by side") {
   // More pages than lie in one row, on sheets of two sizes.
-  std::vector<paper::Drawing> pages;
+  std::vector<export_::Drawing> pages;
   for (const test::SamplePages& sample : samples()) {
-    for (paper::Drawing& page : drawings(sample)) {
+    for (export_::Drawing& page : drawings(sample)) {
       pages.push_back(std::move(page));
     }
   }
   REQUIRE(pages.size() > 5);
-  paper::Mark told = mark;
+  export_::Mark told = mark;
   told.settings = {{"seed", "7"}};
-  const std::string all = paper::write_svg_of_all(pages, told);
+  const std::string all = export_::write_svg_of_all(pages, told);
   const verify::PrintedFile read = verify::read_svg("all.svg", all);
   REQUIRE(read.defect.empty());
   CHECK(read.whole);
   CHECK(read.digest == mark.digest);
   REQUIRE(read.pages.size() == pages.size());
   for (std::size_t i = 0; i < pages.size(); ++i) {
-    const verify::PrintedFile one = verify::read_svg("one.svg", paper::write_svg(pages[i], told));
+    const verify::PrintedFile one = verify::read_svg("one.svg", export_::write_svg(pages[i], told));
     const verify::PrintedPage& page = read.pages[i];
     CHECK(page.size == one.pages.at(0).size);
     CHECK(page.number == i + 1);
@@ -252,7 +252,7 @@ TEST_CASE("each join's number can be found on both of its edges") {
     std::map<std::string, int> found;
     for (const auto& page : drawings(sample)) {
       pugi::xml_document document;
-      REQUIRE(document.load_string(paper::write_svg(page, mark).c_str()));
+      REQUIRE(document.load_string(export_::write_svg(page, mark).c_str()));
       for (const auto& path : document.select_nodes("//g[@id='label']//path[@aria-label]")) {
         ++found[test::number_in(path.node().attribute("aria-label").value())];
       }
@@ -272,7 +272,7 @@ TEST_CASE("any name makes valid XML") {
                                  "a name that is much longer than any page is wide, so that it has to be cut "
                                  "off somewhere on the way, or not"}) {
     auto sample = test::sample_pages(test::cube(), 30.0, 5.0, {}, name);
-    const std::string svg = paper::write_svg(drawings(sample)[0], mark);
+    const std::string svg = export_::write_svg(drawings(sample)[0], mark);
     pugi::xml_document document;
     INFO(svg.substr(0, 400));
     CHECK(document.load_string(svg.c_str()));
@@ -283,8 +283,8 @@ TEST_CASE("any name makes valid XML") {
 
 TEST_CASE("a page is the same in every run") {
   const auto sample = test::sample_pages(test::cube(), 40.0, 5.0, {}, "Cube", {}, 0.3);
-  const std::string svg = paper::write_svg(drawings(sample)[0], mark);
-  CHECK(svg == paper::write_svg(drawings(sample)[0], mark));
+  const std::string svg = export_::write_svg(drawings(sample)[0], mark);
+  CHECK(svg == export_::write_svg(drawings(sample)[0], mark));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using namespace ridgecraft;
 TEST_CASE("numbers have the four decimals that they are nearest to, halves and huge ones, too") {
   const auto check = [](double value) {
     const std::string exact = fmt::format("{:.4f}", value);
-    REQUIRE(paper::four_decimals(value) == (exact == "-0.0000" ? "0.0000" : exact));
+    REQUIRE(export_::four_decimals(value) == (exact == "-0.0000" ? "0.0000" : exact));
   };
   Random random(3);
   for (int i = 0; i < 100000; ++i) {
@@ -27,7 +27,7 @@ TEST_CASE("numbers have the four decimals that they are nearest to, halves and h
   for (const double value : {0.0, -0.0, 0.00005, -0.00005, 0.00004, -0.00004, 9.99995, 1e300, -1e300}) {
     check(value);
   }
-  CHECK(paper::decimals(-0.00001) == "0");
-  CHECK(paper::decimals(12.5) == "12.5");
-  CHECK(paper::decimals(-300.0) == "-300");
+  CHECK(export_::decimals(-0.00001) == "0");
+  CHECK(export_::decimals(12.5) == "12.5");
+  CHECK(export_::decimals(-300.0) == "-300");
 }

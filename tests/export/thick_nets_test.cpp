@@ -23,9 +23,9 @@
 namespace ridgecraft {
 namespace {
 
-using paper::Board;
-using paper::BoardSide;
-using paper::Hinge;
+using export_::Board;
+using export_::BoardSide;
+using export_::Hinge;
 using test::loops_area;
 
 constexpr double right_angle = 0.5 * std::numbers::pi;
@@ -197,8 +197,8 @@ TEST_CASE("faces of board meet along their folds, without a gap or an overlap") 
   const mesh::Surface& surface = sample.model.model.surface;
   for (const Hinge hinge : {Hinge::back, Hinge::middle, Hinge::front}) {
     const Board board{2.0, hinge};
-    paper::ThickReport report;
-    const unfold::Nets thick = paper::thick_nets(sample.model, sample.nets, board, &report);
+    export_::ThickReport report;
+    const unfold::Nets thick = export_::thick_nets(sample.model, sample.nets, board, &report);
     CHECK(report.clamped == 0);
     CHECK(report.kept == 0);
     // Two faces meet along their fold: no gap, no overlap.
@@ -221,7 +221,7 @@ TEST_CASE("outlines of nets of board are simple and enclose what the faces and t
        {test::cube(), test::sphere(10, 6), test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})}) {
     const test::SamplePages sample = test::sample_pages(surface, 50.0, 6.0);
     const mesh::Surface& model = sample.model.model.surface;
-    const unfold::Nets thick = paper::thick_nets(sample.model, sample.nets, {1.5, Hinge::middle});
+    const unfold::Nets thick = export_::thick_nets(sample.model, sample.nets, {1.5, Hinge::middle});
     for (const PieceId piece : ids<PieceId>(thick.pieces.size())) {
       double covered = 0.0;
       for (const FaceId f : thick.pieces[piece].faces) {
@@ -242,7 +242,7 @@ TEST_CASE("panels of a cube of 60 mm are as wide between folds and tabs as secti
   using Kinds = std::pair<BoardSide, BoardSide>;
   const auto widths_with = [&](Hinge hinge) {
     std::map<Kinds, std::vector<double>> widths;
-    const unfold::Nets thick = paper::thick_nets(sample.model, sample.nets, {2.0, hinge});
+    const unfold::Nets thick = export_::thick_nets(sample.model, sample.nets, {2.0, hinge});
     for (const auto& sides : sides_of_parts(sample.model.model.surface, thick)) {
       for (const PartSide& one : sides) {
         for (const PartSide& other : sides) {
@@ -289,7 +289,7 @@ TEST_CASE("a cube of board, folded up as plates about its hinges, is as large as
       const mesh::Surface& surface = sample.model.model.surface;
       REQUIRE(sample.nets.pieces.size() == 1);
       const Board board{thickness, hinge};
-      const unfold::Nets thick = paper::thick_nets(sample.model, sample.nets, board);
+      const unfold::Nets thick = export_::thick_nets(sample.model, sample.nets, board);
       const IdVector<FaceId, Plate> plates = folded_up(surface, thick, board);
       std::map<PanelId, Box3> panels;
       Box3 all;
@@ -343,12 +343,12 @@ TEST_CASE("panels at a valley grow, and paper stays as it is") {
   std::vector<EdgeId> ridges = test::all_edges(block);
   std::erase_if(ridges, [&](EdgeId edge) { return block.fold_angle(edge) > 0.0; });
   const test::SamplePages sample = test::sample_pages(block, 40.0, 0.0, ridges);
-  CHECK(paper::thick_nets(sample.model, sample.nets, {}).flat == sample.nets.flat);
+  CHECK(export_::thick_nets(sample.model, sample.nets, {}).flat == sample.nets.flat);
   // At the valley h tan 45 degrees is added; across lies a mitre, which takes 2 mm.
   for (const auto& [hinge, width] :
        {std::pair{Hinge::back, 40.0}, {Hinge::middle, 39.0}, {Hinge::front, 38.0}}) {
-    paper::ThickReport report;
-    const unfold::Nets thick = paper::thick_nets(sample.model, sample.nets, {2.0, hinge}, &report);
+    export_::ThickReport report;
+    const unfold::Nets thick = export_::thick_nets(sample.model, sample.nets, {2.0, hinge}, &report);
     CHECK(report.kept == 0);
     std::size_t found = 0;
     for (const auto& sides : sides_of_parts(sample.model.model.surface, thick)) {
@@ -368,8 +368,8 @@ TEST_CASE("panels at a valley grow, and paper stays as it is") {
 
 TEST_CASE("board that is too thick for a model leaves its faces two thirds of their height") {
   const test::SamplePages sample = test::sample_pages(test::cube(), 10.0, 3.0);
-  paper::ThickReport report;
-  const unfold::Nets thick = paper::thick_nets(sample.model, sample.nets, {8.0, Hinge::back}, &report);
+  export_::ThickReport report;
+  const unfold::Nets thick = export_::thick_nets(sample.model, sample.nets, {8.0, Hinge::back}, &report);
   CHECK(report.clamped + report.kept > 0);
   for (const FaceId f : ids<FaceId>(sample.model.model.surface.face_count())) {
     CHECK(doubled_area(thick.flat[f]) > 0.0);

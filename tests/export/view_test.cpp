@@ -21,10 +21,10 @@
 namespace ridgecraft {
 namespace {
 
+using export_::Camera;
+using export_::Scene;
+using export_::View;
 using mesh::Surface;
-using paper::Camera;
-using paper::Scene;
-using paper::View;
 
 /// Every flat region by itself, every folded edge drawn.
 Scene whole_scene(const Surface& surface) {
@@ -43,7 +43,7 @@ Scene whole_scene(const Surface& surface) {
 Camera random_camera(Random& random) {
   const double turn = 2.0 * std::numbers::pi * random.unit();
   const double tilt = (random.unit() - 0.5) * 2.6;
-  return paper::look_from({{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}}, turn, tilt);
+  return export_::look_from({{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}}, turn, tilt);
 }
 
 /// A face over a place: how near it is, and how far the place is from the face's border (negative outside).
@@ -98,7 +98,7 @@ bool near_box(const Surface& surface, const Camera& camera, FaceId face, Vec2 at
 
 void check_areas(const Scene& scene, const Camera& camera, const View& view, Random& random) {
   const Surface& surface = *scene.surface;
-  const Box2 box = paper::seen_box(scene, camera);
+  const Box2 box = export_::seen_box(scene, camera);
   for (int i = 0; i < 150; ++i) {
     const Vec2 at{box.low.x + random.unit() * box.size().x, box.low.y + random.unit() * box.size().y};
     std::optional<FaceId> nearest;
@@ -123,7 +123,7 @@ void check_areas(const Scene& scene, const Camera& camera, const View& view, Ran
       continue;
     }
     std::vector<std::uint32_t> regions;
-    for (const paper::VisibleArea& area : view.areas) {
+    for (const export_::VisibleArea& area : view.areas) {
       for (const auto& outline : area.outlines) {
         if (is_inside(outline, at)) {
           regions.push_back(area.region);
@@ -162,10 +162,11 @@ void check_lines(const Scene& scene, const Camera& camera, const View& view, Ran
       clear = clear && (std::abs(over.inside) > clear_of_borders || over.depth < camera.depth(p) - 1e-3);
       hidden = hidden || (over.inside > 0.0 && over.depth > camera.depth(p) + 1e-4);
     }
-    const bool drawn = std::any_of(view.lines.begin(), view.lines.end(), [&](const paper::VisibleLine& line) {
-      const double t = dot(at - line.a, line.b - line.a) / dot(line.b - line.a, line.b - line.a);
-      return line.edge == edge && t > 0.0 && t < 1.0;
-    });
+    const bool drawn =
+        std::any_of(view.lines.begin(), view.lines.end(), [&](const export_::VisibleLine& line) {
+          const double t = dot(at - line.a, line.b - line.a) / dot(line.b - line.a, line.b - line.a);
+          return line.edge == edge && t > 0.0 && t < 1.0;
+        });
     if (!clear) {
       continue;
     }
@@ -188,7 +189,7 @@ void check_lines(const Scene& scene, const Camera& camera, const View& view, Ran
 TEST_CASE("a cube shows three squares and nine edges", "[view]") {
   const Surface cube = test::cube();
   const Scene scene = whole_scene(cube);
-  const View view = paper::look_at(scene, paper::look_from({}, 0.6, 0.5), 1e-3);
+  const View view = export_::look_at(scene, export_::look_from({}, 0.6, 0.5), 1e-3);
   CHECK(view.areas.size() == 3);
   CHECK(view.lines.size() == 9);
   CHECK(std::count_if(view.lines.begin(), view.lines.end(), [](const auto& line) { return line.outline; }) ==
@@ -199,7 +200,7 @@ TEST_CASE("a cube shows three squares and nine edges", "[view]") {
     CHECK(seen.outlines.front().size() == 4);
     area += 0.5 * doubled_area(seen.outlines.front());
   }
-  const Camera camera = paper::look_from({}, 0.6, 0.5);
+  const Camera camera = export_::look_from({}, 0.6, 0.5);
   CHECK(area == Approx(std::abs(camera.toward.x) + std::abs(camera.toward.y) + std::abs(camera.toward.z)));
 }
 
@@ -213,7 +214,7 @@ TEST_CASE("what rays meet first is seen, and nothing else", "[view]") {
     const Scene scene = whole_scene(shape);
     for (int round = 0; round < 12; ++round) {
       const Camera camera = random_camera(random);
-      const View view = paper::look_at(scene, camera, 1e-6);
+      const View view = export_::look_at(scene, camera, 1e-6);
       check_areas(scene, camera, view, random);
       check_lines(scene, camera, view, random);
     }
@@ -229,7 +230,7 @@ TEST_CASE("where faces are left out, the eye sees inside", "[view]") {
       region = random.below(3) == 0 ? Scene::hidden_region : region;
     }
     const Camera camera = random_camera(random);
-    const View view = paper::look_at(scene, camera, 1e-6);
+    const View view = export_::look_at(scene, camera, 1e-6);
     check_areas(scene, camera, view, random);
     CHECK(std::any_of(view.areas.begin(), view.areas.end(), [](const auto& area) { return area.inside; }));
   }
@@ -238,18 +239,18 @@ TEST_CASE("where faces are left out, the eye sees inside", "[view]") {
 TEST_CASE("a coarse view shows the same faces, and places well inside them", "[view]") {
   const Surface shape = test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   const Scene scene = whole_scene(shape);
-  const Camera camera = paper::look_from({}, 0.5, 0.4);
-  const View view = paper::look_at(scene, camera, 1e-6);
-  const paper::CoarseView coarse = paper::look_coarsely(scene, camera, 200);
+  const Camera camera = export_::look_from({}, 0.5, 0.4);
+  const View view = export_::look_at(scene, camera, 1e-6);
+  const export_::CoarseView coarse = export_::look_coarsely(scene, camera, 200);
   std::size_t count = 0;
   for (const std::uint32_t region : scene.region) {
     count = std::max<std::size_t>(count, region + 1);
   }
   const std::vector<double> areas =
-      paper::seen_areas(coarse, count, [&](FaceId face) { return scene.region[face]; });
-  const std::vector<paper::Anchor> anchors = paper::find_anchors(coarse, scene.region, count);
+      export_::seen_areas(coarse, count, [&](FaceId face) { return scene.region[face]; });
+  const std::vector<export_::Anchor> anchors = export_::find_anchors(coarse, scene.region, count);
   std::vector<double> exact(count, 0.0);
-  for (const paper::VisibleArea& area : view.areas) {
+  for (const export_::VisibleArea& area : view.areas) {
     bool holds_anchor = false;
     for (const auto& outline : area.outlines) {
       exact[area.region] += 0.5 * std::abs(doubled_area(outline));
@@ -263,9 +264,9 @@ TEST_CASE("a coarse view shows the same faces, and places well inside them", "[v
   }
   // Of a thing of several regions it is the place on the one with the most room.
   const IdVector<FaceId, std::uint32_t> one(shape.face_count(), 0);
-  const paper::Anchor best = paper::find_anchors_on_faces(coarse, scene, one, 1).front();
+  const export_::Anchor best = export_::find_anchors_on_faces(coarse, scene, one, 1).front();
   REQUIRE(best.seen);
-  for (const paper::Anchor& anchor : anchors) {
+  for (const export_::Anchor& anchor : anchors) {
     CHECK(anchor.room <= best.room);
   }
 }

@@ -28,8 +28,8 @@ mesh::Model sample(const std::string& name, bool keep_points = false) {
 /// The nets without what was asked for them: two ways to one result differ in nothing else.
 std::string bytes_of(const job::Paper& made) {
   std::string text = made.fold;
-  for (const paper::Drawing& page : made.drawings) {
-    text += paper::write_svg(page, {});
+  for (const export_::Drawing& page : made.drawings) {
+    text += export_::write_svg(page, {});
   }
   return text;
 }
@@ -81,11 +81,11 @@ TEST_CASE("other tabs change tabs and nothing of the nets", "[job]") {
 
 TEST_CASE("other paper changes pages and nothing of the nets", "[job]") {
   const job::Paper made = job::paper(sample("whale.obj"), {}, {});
-  const job::Paper large = job::with_pages(made, paper::parse_paper("A2"), made.options.style, {});
+  const job::Paper large = job::with_pages(made, export_::parse_paper("A2"), made.options.style, {});
   CHECK(large.pages.count <= made.pages.count);
   CHECK(large.nets.flat == made.nets.flat);
   CHECK(large.drawings.size() == large.pages.count);
-  CHECK_THROWS_AS(job::with_pages(made, paper::parse_paper("40x60mm"), made.options.style, {}), Error);
+  CHECK_THROWS_AS(job::with_pages(made, export_::parse_paper("40x60mm"), made.options.style, {}), Error);
 }
 
 TEST_CASE("a file tells what its nets were searched with, whatever was changed since", "[job]") {
@@ -116,7 +116,7 @@ TEST_CASE("a file tells what its nets were searched with, whatever was changed s
   CHECK(setting(lower, "tab_height_mm") == "3.5");
   CHECK(setting(lower, "searched_tab_height_mm") == "5");
 
-  const job::Paper large = job::with_pages(made, paper::parse_paper("A2"), made.options.style, later);
+  const job::Paper large = job::with_pages(made, export_::parse_paper("A2"), made.options.style, later);
   CHECK(setting(large, "seed") == "7");
   CHECK(large.fold.find("\"searched_paper_mm\"") != std::string::npos);
   CHECK(bytes_of(job::with_pages(large, *made.options.paper, made.options.style, later)) == bytes_of(made));

@@ -66,14 +66,14 @@ TEST_CASE("pages of one material hold nothing else, and say so", "[job]") {
 
 TEST_CASE("pages along the paper's grain pass the check of their files, which tell of it", "[job]") {
   job::Options options;
-  paper::Paper sheet;
-  sheet.grain = paper::Grain::long_side;
+  export_::Paper sheet;
+  sheet.grain = export_::Grain::long_side;
   options.paper = sheet;
   const job::Paper paper = job::paper(house(), options, {});
   CHECK(paper.fold.find("\"grain\": \"long\"") != std::string::npos);
-  const auto lines = paper::fold_directions(paper.prepared.model.surface, paper.nets);
+  const auto lines = export_::fold_directions(paper.prepared.model.surface, paper.nets);
   for (const PieceId piece : ids<PieceId>(lines.size())) {
-    const paper::Placement& place = paper.pages.placements[piece];
+    const export_::Placement& place = paper.pages.placements[piece];
     CHECK(std::abs((place(lines[piece]) - place({})).x) < 0.26);  // sine of 15 degrees
   }
 }

@@ -226,8 +226,8 @@ TEST_CASE("a guide that is drawn when somebody asks for it is the one that a job
   const job::Paper at_once = sample("gem.stl", with_guide);
   const job::Paper later = sample("gem.stl");
   REQUIRE(later.guide.pages.empty());
-  CHECK(paper::write_guide_pdf(job::guide_of(later, {}).pages, {}) ==
-        paper::write_guide_pdf(at_once.guide.pages, {}));
+  CHECK(export_::write_guide_pdf(job::guide_of(later, {}).pages, {}) ==
+        export_::write_guide_pdf(at_once.guide.pages, {}));
 }
 
 TEST_CASE("steps are repeated on another job as far as they can be done", "[session]") {

@@ -38,8 +38,8 @@ inline job::Paper cube(std::size_t most_faces_of_a_piece = 0) {
 /// Everything that a maker gets but the guide.
 inline std::string bytes_of(const job::Paper& made) {
   std::string text = made.fold;
-  for (const paper::Drawing& page : made.drawings) {
-    text += paper::write_svg(page, {});
+  for (const export_::Drawing& page : made.drawings) {
+    text += export_::write_svg(page, {});
   }
   return text;
 }
